@@ -13,6 +13,8 @@
 pub mod air;
 mod arc_limits;
 pub mod corners;
+mod cures;
+mod effort;
 pub mod fine;
 mod follower;
 pub mod jog;
@@ -37,6 +39,7 @@ mod tip_path;
 mod weave_limits;
 mod weld_motion;
 
+pub use effort::{Effort, SearchProgress, SearchStage, Stop, Watch};
 pub use joint_path::{JointPath, JointPoint};
 pub use law::{LawPoint, Leg, SpeedLaw, SpeedReport};
 pub use limits::{Binding, plain};
@@ -44,4 +47,4 @@ pub use pass_clearance::PassClearance;
 pub use pass_motion::PassMotion;
 pub use set_points::{Phase, SetPoint, SetPoints};
 pub use tip_path::TipPath;
-pub use weld_motion::{Stage, WeldMotion};
+pub use weld_motion::{Stage, Terms, WeldMotion};

@@ -1,18 +1,20 @@
 use crate::arc_limits::{least_speed_findings, stop_findings};
 use crate::corners::rounded;
+use crate::cures::Trial;
+use crate::effort::{Effort, SearchStage};
 use crate::follower::Follower;
 use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
 use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
 use crate::planned::Planned;
-use crate::redundancy::{Clearance, resolve};
+use crate::redundancy::{Aim, AllowedPositions, Clearance, FreeAxes, hold_finding, holding, resolve_within};
 use crate::set_points::SetPoints;
 use crate::singular;
-use crate::survey::{range_between, range_on_path, survey};
+use crate::survey::{Survey, range_between, range_on_path, survey};
 use crate::{JointPath, LawPoint, SpeedLaw, weave_limits};
 use seamwright_machine::{AxisSet, Joints, Machine};
-use seamwright_program::{Finding, Pass, Sequence, TorchPath};
+use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath};
 
 /// Places at which the tip's way by path length is looked at before there are axes.
 const RATES: u32 = 60;
@@ -37,8 +39,12 @@ pub struct PassMotion {
 }
 
 /// What a pass has to heed beside itself.
-#[derive(Default, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(crate) struct Before<'a> {
+    /// What its searches may take.
+    pub(crate) effort: &'a Effort<'a>,
+    /// Procedure whose welding positions come before those preferred.
+    pub(crate) procedure: Option<&'a Procedure>,
     /// Positions at the end of the pass before: rotary axes begin on the turn nearest to it.
     pub(crate) last: Option<&'a Joints>,
     /// Obstacles that axes to spare keep clear of.
@@ -52,7 +58,9 @@ impl PassMotion {
     /// Every finding that stands against it: out of reach, out of an axis' range, too fast for an axis (if the pass
     /// refuses to slow down), not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
-        Self::plan_after(machine, path, pass, number, Before::default())
+        let effort = Effort::new(None);
+        let before = Before { effort: &effort, procedure: None, last: None, clearance: None };
+        Self::plan_after(machine, path, pass, number, before)
     }
 
     /// The same, after another pass or with obstacles.
@@ -67,10 +75,20 @@ impl PassMotion {
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
         let mut all = match Self::plan_once(machine, path, pass, number, before) {
-            Err(all) if path.swing(0.0).is_some() => all,
+            Err(all) => all,
             planned => return planned,
         };
+        before.effort.check(number, path.length())?;
+        if let Ok(machine) = holding(machine, &pass.spare_axes) {
+            Trial { machine: &machine, path, pass, number, before }.cure_ranges(&mut all);
+        }
+        if path.swing(0.0).is_none() {
+            return Err(all);
+        }
         let at = |factor: f64| {
+            if !before.effort.begin(SearchStage::Weave) {
+                return None;
+            }
             let slower = path.slower(factor)?;
             let refused = Self::plan_once(machine, &*slower, pass, number, before).err();
             Some(refused.iter().flatten().all(|f| f.kind != "speed" || f.allowed))
@@ -87,13 +105,11 @@ impl PassMotion {
         number: usize,
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
+        let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(&e, path.length(), number)])?;
+        let machine = &*held;
         let (_, fastest) = pass.speeds();
-        // Axes to spare do not weave.
-        let line = path.slower(0.0);
-        let line = line.as_deref().unwrap_or(path);
-        let free = resolve(machine, line, fastest / least_rate(line), &pass.spare_axes, before.clearance, number)?;
+        let (free, survey) = along_axes(machine, path, pass, number, before)?;
         let follower = Follower { machine, path, free: &free };
-        let survey = survey(follower, &pass.tolerance, number)?;
         let mut findings = survey.findings;
         let mut joints = match JointPath::new(follower, &survey.start) {
             Ok(joints) => joints,
@@ -108,6 +124,8 @@ impl PassMotion {
             findings.retain(|f| f.kind != "range");
             findings.extend(range_on_path(machine, &joints, number));
         }
+        before.effort.begin(SearchStage::Speed);
+        before.effort.check(number, path.length())?;
         let (joints, left, notes) = rounded(follower, joints, pass, number);
         findings.extend(notes);
         let asked = |s: f64| pass.speed_at(s);
@@ -201,6 +219,30 @@ impl PassMotion {
     pub fn set_points(&self, period: f64) -> SetPoints<'_> {
         SetPoints::new(self, period)
     }
+}
+
+/// The free axes along `path`, and what a survey of it finds; `machine` has the axes that `pass` holds free.
+pub(crate) fn along_axes(
+    machine: &Machine,
+    path: &dyn TorchPath,
+    pass: &Pass,
+    number: usize,
+    before: Before,
+) -> Result<(FreeAxes, Survey), Vec<Finding>> {
+    let (_, fastest) = pass.speeds();
+    // Axes to spare do not weave.
+    let line = path.slower(0.0);
+    let line = line.as_deref().unwrap_or(path);
+    let aim = Aim {
+        speed: fastest / least_rate(line),
+        wishes: &pass.spare_axes,
+        clearance: before.clearance,
+        positions: before.procedure.and_then(|p| AllowedPositions::of(p, line, pass, number)),
+    };
+    let free = resolve_within(before.effort, machine, line, aim, number)?;
+    before.effort.begin(SearchStage::Reach);
+    let survey = survey(Follower { machine, path, free: &free }, &pass.tolerance, number, before.effort)?;
+    Ok((free, survey))
 }
 
 /// About the least way of the tip by path length.
