@@ -167,6 +167,8 @@ pub(crate) struct PlanArgs {
     /// Language of the report and the plots: en, uk, zh, de, ru
     #[arg(long, value_name = "CODE", default_value = "en")]
     pub(crate) language: Language,
+    #[command(flatten)]
+    pub(crate) planning: PlanningArgs,
     /// Print report.json instead of a summary
     #[arg(long)]
     pub(crate) json: bool,
@@ -177,9 +179,19 @@ pub(crate) struct PlanArgs {
 pub(crate) struct CheckArgs {
     /// Job or program file
     pub(crate) job: PathBuf,
+    #[command(flatten)]
+    pub(crate) planning: PlanningArgs,
     /// JSON instead of text
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// What planning may take.
+#[derive(Debug, Args)]
+pub(crate) struct PlanningArgs {
+    /// Longest time of planning's searches, s; if it is over, the findings say how far they came
+    #[arg(long, value_name = "S", default_value_t = 60.0)]
+    pub(crate) time_limit: f64,
 }
 
 /// What a control with a fine level of its own gets.
@@ -225,6 +237,8 @@ pub(crate) struct MotionArgs {
     /// Write what each pass reaches and which limit binds where to this file, as JSON
     #[arg(long, value_name = "FILE")]
     pub(crate) certificate: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) planning: PlanningArgs,
     /// JSON instead of CSV
     #[arg(long)]
     pub(crate) json: bool,

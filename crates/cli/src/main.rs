@@ -4,6 +4,7 @@
 
 mod args;
 mod clock;
+mod planning;
 mod progress;
 mod rows;
 mod verbs;
@@ -80,7 +81,7 @@ fn report(failure: &Failure) -> ExitCode {
             let _ = writeln!(err, "error: {}", failure.text());
             ExitCode::from(2)
         }
-        Failure::Environment(_) => {
+        Failure::Environment(_) | Failure::Cancelled => {
             let _ = writeln!(err, "error: {}", failure.text());
             ExitCode::from(3)
         }

@@ -1,4 +1,5 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use seamwright_motion::SearchProgress;
 use std::time::Duration;
 
 /// A progress bar on standard error: only on a terminal, and only for work that takes a while.
@@ -7,6 +8,8 @@ pub(crate) struct Progress {
     count: u64,
 }
 
+/// Steps of a bar that shows a part.
+const PER_MILLE: u64 = 1000;
 /// Steps between updates, so that the bar costs nothing.
 const STRIDE: u64 = 4096;
 
@@ -20,6 +23,20 @@ impl Progress {
         bar.set_message(what);
         bar.enable_steady_tick(Duration::from_millis(500));
         Self { bar, count: 0 }
+    }
+
+    /// A bar for the searches of planning.
+    pub(crate) fn of_searches() -> Self {
+        Self::new("planning", PER_MILLE)
+    }
+
+    /// Shows how far a search has come.
+    pub(crate) fn searched(&self, progress: &SearchProgress) {
+        let SearchProgress { pass, passes, stage, part, begins, .. } = progress;
+        if *begins {
+            self.bar.set_message(format!("pass {pass} of {passes}: {stage}"));
+        }
+        self.bar.set_position((part * PER_MILLE as f64) as u64);
     }
 
     /// `count` of the steps are done.

@@ -189,6 +189,14 @@ impl Axis {
         Some(if value < low { low } else { high })
     }
 
+    /// Whole turns, as near as can be to `wanted`, that bring positions from `low` to `high` into the range; none if it
+    /// has no room for them. An axis without ends has room for all.
+    pub fn turns_within(&self, (low, high): (f64, f64), wanted: f64) -> Option<f64> {
+        let Some((least, most)) = self.range else { return Some(wanted) };
+        let (first, last) = (((least - low) / TAU).ceil(), ((most - high) / TAU).floor());
+        (first <= last).then(|| wanted.clamp(first, last))
+    }
+
     /// The position equal to `value` up to whole turns that is nearest to `near`; linear axes have no turns.
     pub fn turn_near(&self, value: f64, near: f64) -> f64 {
         match self.kind {

@@ -1,4 +1,4 @@
-use crate::inverse::{self, Branches, Solution, Unreachable, Which};
+use crate::inverse::{self, Branches, Inverse, Solution, Unreachable, Which};
 use crate::keeper::{Lever, travel};
 use crate::pair::Pair;
 use crate::surroundings::PITCH;
@@ -14,6 +14,8 @@ use std::f64::consts::TAU;
 
 /// Places of the axes to spare that are tried to reach a pose.
 const FREE_PLACES: u32 = 500;
+/// Most starts of [`Machine::inverse_from`].
+const MAX_STARTS: usize = 16;
 
 /// A machine: its axes, links and heads.
 #[derive(Debug, Clone)]
@@ -244,6 +246,54 @@ impl Machine {
         self.heads[0].free()
     }
 
+    /// The same machine with the axes of `held` among those that the first head's pose leaves free, if the other axes can
+    /// still give every pose: which axes are free beside them is chosen anew.
+    pub fn freeing(&self, held: AxisSet) -> Option<Self> {
+        let inverse = Inverse::holding(&self.heads[0].chain, &self.axes, held)?;
+        let mut machine = self.clone();
+        machine.heads[0].inverse = inverse;
+        Some(machine)
+    }
+
+    /// The branches that a solution continues on: as [`Machine::inverse`] where there is a closed form; with Newton's
+    /// method only those that it comes to from `starts`, which takes a hundredth of the time.
+    ///
+    /// # Errors
+    /// The reason there is none.
+    pub fn inverse_from(
+        &self,
+        target: impl Into<Target>,
+        near: &Joints,
+        starts: &[Joints],
+    ) -> Result<Branches, Unreachable> {
+        let target = target.into();
+        let head = &self.heads[0];
+        if target.second.is_some() || !head.is_numeric() {
+            return self.inverse(target, near);
+        }
+        let mut branches = Branches::default();
+        let truly: ArrayVec<Joints, MAX_STARTS> =
+            starts.iter().take(MAX_STARTS).map(|start| self.true_positions(start)).collect();
+        let true_near = self.true_positions(near);
+        head.inverse.solve_from(&head.chain, &target.first, (&true_near, &truly), &mut branches)?;
+        self.let_idle(&mut branches, &true_near);
+        self.as_indicated(&mut branches, near);
+        Ok(branches)
+    }
+
+    /// The branch that continues from `near`: as [`Machine::inverse_near`], but Newton's method does not look elsewhere
+    /// if it comes to none from there.
+    ///
+    /// # Errors
+    /// As [`Machine::inverse`].
+    pub fn inverse_next(&self, target: impl Into<Target>, near: &Joints) -> Result<Solution, Unreachable> {
+        let target = target.into();
+        if target.second.is_some() || !self.heads[0].is_numeric() {
+            return self.inverse_near(target, near);
+        }
+        self.inverse_from(target, near, &[*near]).map(|branches| branches[0])
+    }
+
     /// All branches of positions that bring the torches to `target`, rotary axes within half a turn of `near`. Axes to
     /// spare ([`Head::free`]) stay where they are in `near`, which also decides what a singular pose leaves free.
     /// Ranges are not looked at: see [`Machine::reach`].
@@ -268,12 +318,17 @@ impl Machine {
         let Some(second) = &target.second else {
             let head = &self.heads[0];
             head.inverse.solve(&head.chain, &target.first, near, which, branches)?;
-            let idle = (0..self.axes.len()).filter(|&axis| !head.chain.axes().has(axis));
-            idle.for_each(|axis| branches.iter_mut().for_each(|s| s.joints[axis] = near[axis]));
+            self.let_idle(branches, near);
             return Ok(());
         };
         let pair = self.pair.as_ref().ok_or(Unreachable::Pair(Pair::WHY_NOT))?;
         pair.solve(&self.heads, [&target.first, second], near, branches)
+    }
+
+    /// Leaves axes that do not carry the first head where they are in `near`.
+    fn let_idle(&self, branches: &mut Branches, near: &Joints) {
+        let idle = (0..self.axes.len()).filter(|&axis| !self.heads[0].chain.axes().has(axis));
+        idle.for_each(|axis| branches.iter_mut().for_each(|s| s.joints[axis] = near[axis]));
     }
 
     /// From true to indicated positions, each within half a true turn of `near`: a table of pitch errors need not come
@@ -344,19 +399,39 @@ impl Machine {
     fn reach_from(&self, target: &Target, near: &Joints) -> Result<Vec<Solution>, Unreachable> {
         let branches = self.inverse(*target, near)?;
         let mut inside = Vec::new();
-        let mut worst: Option<RangeViolation> = None;
+        let mut nearest: Option<Unreachable> = None;
         for solution in branches.iter() {
             let joints = self.turned_into_range(&solution.joints);
-            match self.outside(&joints) {
+            match self.beyond(&joints) {
                 None => inside.push(Solution { joints, ..*solution }),
-                Some(v) if worst.is_none_or(|w| v.by() < w.by()) => worst = Some(v),
+                Some(why) if nearest.as_ref().is_none_or(|n| why.by() < n.by()) => nearest = Some(why),
                 Some(_) => {}
             }
         }
-        match worst {
-            Some(v) if inside.is_empty() => Err(self.range_error(&v)),
+        match nearest {
+            Some(why) if inside.is_empty() => Err(why),
             _ => Ok(inside),
         }
+    }
+
+    /// Why `q` is out of the ranges: a linear axis that lacks stroke before a rotary one that lacks turn, of each kind
+    /// the axis that lacks most.
+    fn beyond(&self, q: &Joints) -> Option<Unreachable> {
+        let of_kind = |kind| {
+            let axes = self.axes.iter().zip(q).enumerate().filter(move |(_, (axis, _))| axis.kind == kind);
+            let outside = axes.filter_map(|(i, (axis, &value))| {
+                axis.outside(value).map(|limit| RangeViolation { axis: i, value, limit })
+            });
+            outside.max_by(|a, b| a.by().total_cmp(&b.by()))
+        };
+        let Some(linear) = of_kind(AxisKind::Linear) else {
+            return of_kind(AxisKind::Rotary).map(|v| self.range_error(&v));
+        };
+        let lacking = self.axes.iter().zip(q).filter(|(axis, _)| axis.kind == AxisKind::Linear);
+        let by = lacking.filter_map(|(axis, &q)| axis.outside(q).map(|limit| (q - limit).powi(2))).sum::<f64>().sqrt();
+        let axis = &self.axes[linear.axis];
+        let (axis, value, beyond, limit) = (axis.name.clone(), linear.value, linear.by(), linear.limit);
+        Some(Unreachable::OutOfReach { by, axis, value, beyond, limit })
     }
 
     /// A violated range as a reason, in the units of the file.

@@ -38,6 +38,14 @@ impl Follower<'_> {
         self.machine.inverse_near(self.target(s), &self.free.at(s, near))
     }
 
+    /// The branch at `s` that continues from `near`, as [`Machine::inverse_next`].
+    pub(crate) fn next(&self, s: f64, near: &Joints) -> Result<Solution, Unreachable> {
+        if let Some(joints) = self.path.axes(s) {
+            return Ok(Solution { joints, ..Solution::default() });
+        }
+        self.machine.inverse_next(self.target(s), &self.free.at(s, near))
+    }
+
     /// Path lengths inside the path where a derivative of the axes may jump, increasing.
     pub(crate) fn knots(&self) -> Vec<f64> {
         self.with_free(self.path.knots())

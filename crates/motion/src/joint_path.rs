@@ -206,12 +206,7 @@ impl JointPath {
                 None => wanted,
                 // A table of errors does not come round: its turns are not alike.
                 Some(_) if axis.pitch_error.is_some() => 0.0,
-                Some((low, high)) => {
-                    let (least, most) = self.extremes(i);
-                    let fits = |k: &f64| least + TAU * k >= low && most + TAU * k <= high;
-                    let all = (-8..=8).map(f64::from).filter(fits);
-                    all.min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(0.0)
-                }
+                Some(_) => axis.turns_within(self.extremes(i), wanted).unwrap_or(0.0),
             };
             let blocks = self.blocks.iter_mut().skip(i / LANES).step_by(self.blocks_a_panel);
             blocks.for_each(|block| block[0][i % LANES] += TAU * turns);
@@ -309,7 +304,7 @@ fn fit(follower: Follower, a: f64, b: f64, near: &Joints, count: usize) -> Optio
     let at = |x: f64| a + 0.5 * (b - a) * (1.0 + x);
     let mut last = *near;
     let mut exact = |s: f64| -> Option<Joints> {
-        last = follower.near(s, &last).ok()?.joints;
+        last = follower.next(s, &last).ok()?.joints;
         Some(last)
     };
     // Nodes descend; walk them upwards so that each inverse starts from its neighbour.
@@ -331,7 +326,7 @@ fn fit(follower: Follower, a: f64, b: f64, near: &Joints, count: usize) -> Optio
     let mut last = *near;
     for i in 0..=2 * NODES {
         let x = i as f64 / NODES as f64 - 1.0;
-        let q = follower.near(at(x), &last).ok()?.joints;
+        let q = follower.next(at(x), &last).ok()?.joints;
         for (axis, (s, q)) in machine.axes.iter().zip(series.iter().zip(&q)) {
             let rounding = 32.0 * f64::EPSILON * q.abs();
             let off = (s.at(x) - q).abs();

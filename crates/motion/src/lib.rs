@@ -13,6 +13,8 @@
 pub mod air;
 mod arc_limits;
 pub mod corners;
+mod cures;
+mod effort;
 pub mod fine;
 mod follower;
 pub mod jog;
@@ -39,6 +41,7 @@ mod torch_jumps;
 mod weave_limits;
 mod weld_motion;
 
+pub use effort::{Effort, SearchProgress, SearchStage, Stop, Watch};
 pub use joint_path::{JointPath, JointPoint};
 pub use law::{LawPoint, Leg, SpeedLaw, SpeedReport};
 pub use limits::{Binding, plain};
@@ -46,4 +49,4 @@ pub use pass_clearance::PassClearance;
 pub use pass_motion::PassMotion;
 pub use set_points::{Phase, SetPoint, SetPoints};
 pub use tip_path::TipPath;
-pub use weld_motion::{Stage, WeldMotion};
+pub use weld_motion::{Stage, Terms, WeldMotion};

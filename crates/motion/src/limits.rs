@@ -282,6 +282,11 @@ impl Runs {
         self.open = true;
     }
 
+    /// True if the last place added had a complaint.
+    pub(crate) fn is_open(&self) -> bool {
+        self.open
+    }
+
     pub(crate) fn findings(&self, make: impl Fn(&Run) -> Finding) -> Vec<Finding> {
         self.runs.iter().map(make).collect()
     }

@@ -1,5 +1,7 @@
 use crate::arc_limits::{least_speed_findings, stop_findings};
 use crate::corners::rounded;
+use crate::cures::Trial;
+use crate::effort::{Effort, SearchStage};
 use crate::follower::Follower;
 use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
@@ -7,15 +9,15 @@ use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
 use crate::pass_time::too_long;
 use crate::planned::Planned;
-use crate::redundancy::{Clearance, resolve};
+use crate::redundancy::{Aim, AllowedPositions, Clearance, FreeAxes, hold_finding, holding, resolve_within};
 use crate::set_points::SetPoints;
 use crate::singular;
-use crate::survey::{range_between, range_on_path, survey};
+use crate::survey::{Survey, range_between, range_on_path, survey};
 use crate::torch_jumps::torch_jumps;
 use crate::weave_limits::Woven;
 use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
-use seamwright_program::{Finding, Pass, Sequence, TorchPath};
+use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath};
 
 /// Places at which the tip's way by path length is looked at before there are axes.
 const RATES: u32 = 60;
@@ -40,8 +42,12 @@ pub struct PassMotion {
 }
 
 /// What a pass has to heed beside itself.
-#[derive(Default, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(crate) struct Before<'a> {
+    /// What its searches may take.
+    pub(crate) effort: &'a Effort<'a>,
+    /// Procedure whose welding positions come before those preferred.
+    pub(crate) procedure: Option<&'a Procedure>,
     /// Positions at the end of the pass before: rotary axes begin on the turn nearest to it.
     pub(crate) last: Option<&'a Joints>,
     /// Obstacles that axes to spare keep clear of.
@@ -55,7 +61,9 @@ impl PassMotion {
     /// Every finding that stands against it: out of reach, out of an axis' range, too fast for an axis (if the pass
     /// refuses to slow down), not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
-        Self::plan_after(machine, path, pass, number, Before::default())
+        let effort = Effort::new(None);
+        let before = Before { effort: &effort, procedure: None, last: None, clearance: None };
+        Self::plan_after(machine, path, pass, number, before)
     }
 
     /// The same, after another pass or with obstacles.
@@ -73,23 +81,41 @@ impl PassMotion {
         if !long.is_empty() {
             return Err(long);
         }
+        let mut all = match Self::plan_once(machine, path, pass, number, before) {
+            Err(all) => all,
+            planned => return planned,
+        };
+        before.effort.check(number, path.length())?;
+        if let Ok(machine) = holding(machine, &pass.spare_axes) {
+            Trial { machine: &machine, path, pass, number, before }.cure_ranges(&mut all);
+        }
+        Err(all)
+    }
+
+    /// Plans it without trying cures.
+    fn plan_once(
+        machine: &Machine,
+        path: &dyn TorchPath,
+        pass: &Pass,
+        number: usize,
+        before: Before,
+    ) -> Result<Self, Vec<Finding>> {
+        let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(&e, path.length(), number)])?;
+        let machine = &*held;
         let (_, fastest) = pass.speeds();
         let jumps = if path.axes(0.0).is_some() { Vec::new() } else { torch_jumps(path, number) };
         if !jumps.is_empty() && !machine.free().is_empty() {
             return Err(jumps);
         }
-        // Axes to spare do not weave.
-        let line = path.slower(0.0);
-        let line = line.as_deref().unwrap_or(path);
-        let free = resolve(machine, line, fastest / least_rate(line), &pass.spare_axes, before.clearance, number)?;
+        let (free, survey) = along_axes(machine, path, pass, number, before).map_err(|found| with(&jumps, found))?;
         let follower = Follower { machine, path, free: &free };
-        let survey = survey(follower, &pass.tolerance, number).map_err(|found| with(&jumps, found))?;
         let mut findings = with(&jumps, survey.findings);
         if !jumps.is_empty() {
             // No axes follow a jump: whatever else they did there would follow from it.
             return Err(findings);
         }
         let woven = Woven::new(follower, &survey.start, pass);
+        before.effort.begin(SearchStage::Weave);
         if let Some(too_fast) = woven.as_ref().and_then(|woven| woven.too_fast(number)) {
             findings.push(too_fast);
             return Err(findings);
@@ -107,6 +133,8 @@ impl PassMotion {
             findings.retain(|f| f.kind != "range");
             findings.extend(range_on_path(machine, &joints, number));
         }
+        before.effort.begin(SearchStage::Speed);
+        before.effort.check(number, path.length())?;
         let (joints, left, notes) = rounded(follower, joints, pass, number);
         findings.extend(notes);
         let asked = |s: f64| pass.speed_at(s);
@@ -206,6 +234,30 @@ impl PassMotion {
 /// `first` findings and then `others`.
 fn with(first: &[Finding], others: Vec<Finding>) -> Vec<Finding> {
     first.iter().cloned().chain(others).collect()
+}
+
+/// The free axes along `path`, and what a survey of it finds; `machine` has the axes that `pass` holds free.
+pub(crate) fn along_axes(
+    machine: &Machine,
+    path: &dyn TorchPath,
+    pass: &Pass,
+    number: usize,
+    before: Before,
+) -> Result<(FreeAxes, Survey), Vec<Finding>> {
+    let (_, fastest) = pass.speeds();
+    // Axes to spare do not weave.
+    let line = path.slower(0.0);
+    let line = line.as_deref().unwrap_or(path);
+    let aim = Aim {
+        speed: fastest / least_rate(line),
+        wishes: &pass.spare_axes,
+        clearance: before.clearance,
+        positions: before.procedure.and_then(|p| AllowedPositions::of(p, line, pass, number)),
+    };
+    let free = resolve_within(before.effort, machine, line, aim, number)?;
+    before.effort.begin(SearchStage::Reach);
+    let survey = survey(Follower { machine, path, free: &free }, &pass.tolerance, number, before.effort)?;
+    Ok((free, survey))
 }
 
 /// About the least way of the tip by path length.

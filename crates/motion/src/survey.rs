@@ -1,6 +1,7 @@
 //! Before the motion is made: which branch and which turn to start on, and everything that stands against the path.
 
 use crate::JointPath;
+use crate::effort::Effort;
 use crate::follower::Follower;
 use crate::limits::Runs;
 use seamwright_machine::{Axis, AxisKind, Joints, Machine};
@@ -9,6 +10,11 @@ use std::f64::consts::TAU;
 
 /// Places along the path that are looked at.
 pub(crate) const PLACES: usize = 1440;
+
+/// Of these the ones at which a search without closed form is made where the path cannot be followed.
+const NUMERIC_STRIDE: usize = 24;
+/// Units of effort of such a search.
+const SEARCH_WORK: u64 = 600;
 
 /// Attitude errors above this are listed as findings, rad.
 const ATTITUDE_WORTH_SAYING: f64 = 0.5 * std::f64::consts::PI / 180.0;
@@ -21,15 +27,35 @@ pub(crate) struct Survey {
     pub(crate) attitude_error: (f64, f64),
     /// What stands against the path; not all of it forbids it.
     pub(crate) findings: Vec<Finding>,
+    /// Where each axis lacks most at each end of its range.
+    pub(crate) lacks: Vec<Lack>,
+}
+
+/// An axis beyond one end of its range, at the place where it is farthest beyond.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Lack {
+    pub(crate) axis: usize,
+    /// Path length, mm.
+    pub(crate) s: f64,
+    /// How far beyond, mm or rad; negative below the range.
+    pub(crate) by: f64,
+    /// Positions of all axes there.
+    pub(crate) q: Joints,
 }
 
 /// Walks the path on every branch and returns the one that fits best. Where axes to spare are chosen for the whole
 /// path, the branch is chosen with them.
-pub(crate) fn survey(follower: Follower, tolerance: &Tolerance, pass: usize) -> Result<Survey, Vec<Finding>> {
+pub(crate) fn survey(
+    follower: Follower,
+    tolerance: &Tolerance,
+    pass: usize,
+    effort: &Effort,
+) -> Result<Survey, Vec<Finding>> {
     let machine = follower.machine;
     let length = follower.path.length();
     let places: Vec<f64> = (0..=PLACES).map(|i| length * i as f64 / PLACES as f64).collect();
-    let unreachable = unreachable(follower, &places, pass);
+    let unreachable = unreachable(follower, &places, pass, effort);
+    effort.check(pass, length)?;
     if !unreachable.is_empty() {
         return Err(unreachable);
     }
@@ -60,11 +86,32 @@ fn starts(follower: Follower, places: &[f64], pass: usize) -> Result<Vec<Joints>
 }
 
 /// Ranges along the path where no axis positions reach it.
-fn unreachable(follower: Follower, places: &[f64], pass: usize) -> Vec<Finding> {
+fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort) -> Vec<Finding> {
     let home = follower.machine.home();
+    let numeric = follower.machine.heads[0].is_numeric();
     let mut runs = Runs::default();
-    for &s in places {
-        let reason = follower.branches(s, &home).err().map(|e| e.to_string());
+    let mut last = follower.free.start().unwrap_or(home);
+    for (i, &s) in places.iter().enumerate() {
+        if !effort.spend(1, i as f64 / places.len() as f64) {
+            break;
+        }
+        // Going on from the place before is quick. Where that fails, a search without closed form takes thousands of
+        // times as long: it is made at some of the places only.
+        let reason = match follower.next(s, &last) {
+            Ok(solution) => {
+                last = solution.joints;
+                None
+            }
+            Err(reason) if numeric && i % NUMERIC_STRIDE != 0 => runs.is_open().then(|| reason.to_string()),
+            Err(_) => {
+                effort.spend(SEARCH_WORK, i as f64 / places.len() as f64);
+                let found = follower.branches(s, &home);
+                if let Ok(branches) = &found {
+                    last = branches[0].joints;
+                }
+                found.err().map(|reason| reason.to_string())
+            }
+        };
         runs.add(s, reason.map(|message| (0, 0.0, message)));
     }
     runs.findings(|run| reach_finding(follower.machine, &run.message, (run.from, run.to), pass))
@@ -91,7 +138,7 @@ fn walk(follower: Follower, places: &[f64], start: Joints, pass: usize) -> Surve
     for &s in places {
         let near = rows.last().copied().unwrap_or(start);
         // Reachability was checked before; a place that fails between checked ones keeps its neighbour's positions.
-        let solution = follower.near(s, &near);
+        let solution = follower.next(s, &near);
         if let Ok(solution) = &solution
             && solution.attitude_error > attitude_error.0
         {
@@ -104,7 +151,7 @@ fn walk(follower: Follower, places: &[f64], start: Joints, pass: usize) -> Surve
         row.iter_mut().zip(&shift).for_each(|(q, d)| *q += d);
     }
     let findings = range_findings(machine, places, &rows, pass);
-    Survey { start: rows[0], attitude_error, findings }
+    Survey { start: rows[0], attitude_error, findings, lacks: lacks(machine, places, &rows) }
 }
 
 /// What is to be said of a machine with too few axes for the torch's direction.
@@ -142,14 +189,8 @@ fn turns_into_range(follower: Follower, rows: &[Joints]) -> Joints {
             continue;
         }
         let (low, high) = extremes(rows, i);
-        let near_home = -TAU * ((0.5 * (low + high) - axis.home) / TAU).round();
-        shift[i] = near_home;
-        if let Some((least, most)) = axis.range {
-            let fits = |d: f64| low + d >= least && high + d <= most;
-            let turns = (-4..=4).map(|k| near_home + TAU * f64::from(k)).filter(|d| fits(*d));
-            let nearest = turns.min_by(|a, b| (a - near_home).abs().total_cmp(&(b - near_home).abs()));
-            shift[i] = nearest.unwrap_or(near_home);
-        }
+        let near_home = -((0.5 * (low + high) - axis.home) / TAU).round();
+        shift[i] = TAU * axis.turns_within((low, high), near_home).unwrap_or(near_home);
     }
     shift
 }
@@ -236,27 +277,38 @@ fn range_finding(axis: &Axis, value: f64, limit: f64, (from_mm, to_mm): (f64, f6
         pass,
         from_mm,
         to_mm,
-        cure: match axis.kind {
-            AxisKind::Linear => {
-                format!("move the work (placement) so that axis {} has {by:.3} mm more room", axis.name)
-            }
-            AxisKind::Rotary => format!(
-                "start the weld elsewhere, turn the work (placement) or change the torch angles so that axis {} stays in its range",
-                axis.name
-            ),
-        },
+        // Changes are tried when the pass is planned.
+        cure: "place the work so that the axis stays in its range".to_owned(),
         allowed: false,
     }
 }
 
-/// Orders walks: any that may be welded before any that may not, then less attitude error, then nearer to home.
+/// Orders walks: any that may be welded before any that may not, of these the one that lacks least, then less attitude
+/// error, then nearer to home.
 fn cost(machine: &Machine, survey: &Survey) -> f64 {
-    let forbidden = survey.findings.iter().filter(|f| !f.allowed).count() as f64;
+    let forbidden = survey.findings.iter().any(|f| !f.allowed);
     let from_home: f64 = machine
         .axes
         .iter()
         .zip(survey.start.iter().zip(machine.home()))
         .map(|(axis, (q, home))| ((q - home) / axis.max_speed).abs())
         .sum();
-    1e6 * forbidden + 1e3 * survey.attitude_error.0 + from_home * 1e-3
+    // As a part of a linear axis' range, or in rad.
+    let beyond = survey.lacks.iter().map(|lack| match (machine.axes[lack.axis].kind, machine.axes[lack.axis].range) {
+        (AxisKind::Linear, Some((low, high))) => lack.by.abs() / (high - low),
+        _ => lack.by.abs(),
+    });
+    let beyond = beyond.fold(0.0, f64::max);
+    1e9 * f64::from(u8::from(forbidden)) + 1e6 * beyond + 1e3 * survey.attitude_error.0 + from_home * 1e-3
+}
+
+/// Where each axis lacks most at each end of its range.
+fn lacks(machine: &Machine, places: &[f64], rows: &[Joints]) -> Vec<Lack> {
+    let at = |axis: usize, sense: f64| {
+        let beyond = |q: &Joints| machine.axes[axis].outside(q[axis]).map_or(0.0, |limit| sense * (q[axis] - limit));
+        let worst = places.iter().zip(rows).max_by(|a, b| beyond(a.1).total_cmp(&beyond(b.1)))?;
+        let by = beyond(worst.1);
+        (by > 0.0).then_some(Lack { axis, s: *worst.0, by: sense * by, q: *worst.1 })
+    };
+    (0..machine.axes.len()).flat_map(|axis| [-1.0, 1.0].map(|sense| at(axis, sense))).flatten().collect()
 }

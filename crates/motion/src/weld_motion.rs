@@ -1,13 +1,16 @@
-use crate::air::{AirMove, Blocked, Leg, route};
+use crate::air::{AirMove, Blocked, Leg, route_within};
+use crate::cures::Trial;
+use crate::effort::{Effort, Watch};
 use crate::pass_clearance::{PassClearance, pass_clearance};
 use crate::pass_motion::Before;
 use crate::pass_time::MAX_PASS_S;
 use crate::procedure::PassProcedure;
-use crate::redundancy::Clearance;
+use crate::redundancy::{Clearance, holding};
 use crate::{LawPoint, PassMotion, Phase, SetPoint};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
 use seamwright_program::{Finding, Pass, Procedure, TorchPath};
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// A whole program as motion: its passes, and the air moves before, between and after them.
@@ -23,6 +26,15 @@ pub struct WeldMotion {
     pub procedure: Vec<PassProcedure>,
     /// What is to be said although the weld can be made.
     pub findings: Vec<Finding>,
+}
+
+/// What a weld is planned under, beside its passes.
+#[derive(Clone, Copy, Default)]
+pub struct Terms<'a> {
+    /// Procedure whose allowed welding positions come before those preferred.
+    pub procedure: Option<&'a Procedure>,
+    /// Watches the searches.
+    pub watch: Option<&'a dyn Watch>,
 }
 
 /// Distance beyond the least one that axes to spare look for where something is in the way, mm.
@@ -42,6 +54,21 @@ impl WeldMotion {
         passes: &[(&dyn TorchPath, &Pass)],
         retract_mm: f64,
     ) -> Result<Self, Vec<Finding>> {
+        Self::plan_under(machine, around, passes, retract_mm, Terms::default())
+    }
+
+    /// Plans as [`WeldMotion::plan`] does, under `terms`.
+    ///
+    /// # Errors
+    /// As [`WeldMotion::plan`]; also one finding of kind `search` if the watch stopped planning.
+    pub fn plan_under(
+        machine: &Machine,
+        around: &Surroundings,
+        passes: &[(&dyn TorchPath, &Pass)],
+        retract_mm: f64,
+        terms: Terms,
+    ) -> Result<Self, Vec<Finding>> {
+        let effort = Effort::new(terms.watch);
         let mut planned = Self {
             passes: Vec::new(),
             clearance: Vec::new(),
@@ -50,8 +77,10 @@ impl WeldMotion {
             findings: Vec::new(),
         };
         for (i, &(path, pass)) in passes.iter().enumerate() {
+            effort.begin_pass(i + 1, passes.len());
             let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
-            let (motion, clearance) = one(machine, around, (path, pass, i + 1), last.as_ref()).map_err(|mut f| {
+            let before = Before { effort: &effort, procedure: terms.procedure, last: last.as_ref(), clearance: None };
+            let (motion, clearance) = one(machine, around, (path, pass, i + 1), before).map_err(|mut f| {
                 f.extend(planned.findings.clone());
                 f
             })?;
@@ -59,13 +88,27 @@ impl WeldMotion {
             planned.passes.push(motion);
             planned.clearance.push(clearance);
         }
-        let air = Air { machine, around, retract_mm };
+        let air = Air { machine, around, retract_mm, effort: &effort };
         if around.is_empty() {
             planned.findings.push(unchecked(machine));
         }
-        let ends: Vec<Torches> = passes.iter().map(|&(path, pass)| Torches::new(path, pass)).collect();
+        // Axes that a pass holds stand still in its retract and approach too; each pass has been planned with them.
+        let machines: Vec<Cow<Machine>> = passes
+            .iter()
+            .map(|(_, pass)| holding(machine, &pass.spare_axes).unwrap_or(Cow::Borrowed(machine)))
+            .collect();
+        let ends: Vec<PassEnd> = passes
+            .iter()
+            .zip(&machines)
+            .map(|(&(path, pass), machine)| PassEnd {
+                q: Joints::default(),
+                torches: Torches::new(path, pass),
+                machine,
+            })
+            .collect();
         for i in 0..=passes.len() {
             planned.air_move(&air, i, &ends);
+            effort.check(i.max(1), passes.get(i.saturating_sub(1)).map_or(0.0, |(path, _)| path.length()))?;
         }
         if planned.findings.iter().any(|f| !f.allowed) { Err(planned.findings) } else { Ok(planned) }
     }
@@ -83,16 +126,18 @@ impl WeldMotion {
     }
 
     /// The air move before pass `i`, counted from 0, or home after the last.
-    fn air_move(&mut self, air: &Air, i: usize, torches: &[Torches]) {
+    fn air_move(&mut self, air: &Air, i: usize, ends: &[PassEnd]) {
         let before = i.checked_sub(1).map(|k| &self.passes[k].path);
         let after = self.passes.get(i).map(|p| &p.path);
-        let end = before.map(|p| (p.at(p.length()), torches[i - 1]));
-        let start = after.map(|p| (p.at(0.0), torches[i]));
-        if let (Some((end, Torches::Given)), Some((start, Torches::Given))) = (end, start)
-            && is_same(&end, &start)
+        let end = before.map(|p| PassEnd { q: p.at(p.length()), ..ends[i - 1] });
+        let start = after.map(|p| PassEnd { q: p.at(0.0), ..ends[i] });
+        if let (Some(end), Some(start)) = (end, start)
+            && end.torches == Torches::Given
+            && start.torches == Torches::Given
+            && is_same(&end.q, &start.q)
         {
             // The second pass goes on where the first one ends.
-            self.air.push(AirMove::new(air.machine, &[start]));
+            self.air.push(AirMove::new(air.machine, &[start.q]));
             return;
         }
         let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, super::joint_path::JointPath::length)) };
@@ -128,8 +173,8 @@ impl WeldMotion {
                     let cure = "make sure that nothing stands beside the seam there, or ask for a smaller retract";
                     self.findings.push(finding("retract", message, cure, true));
                 }
-                if let (Some((from, _)), Some((to, _))) = (&end, &start) {
-                    for note in unwound(air.machine, from, to) {
+                if let (Some(from), Some(to)) = (&end, &start) {
+                    for note in unwound(air.machine, &from.q, &to.q) {
                         self.findings.push(Finding::note("unwind", format!("{note} {what}"), pass, (s, s)));
                     }
                 }
@@ -248,9 +293,12 @@ fn one(
     machine: &Machine,
     around: &Surroundings,
     (path, pass, number): (&dyn TorchPath, &Pass, usize),
-    last: Option<&Joints>,
+    before: Before,
 ) -> Result<(PassMotion, Option<PassClearance>), Vec<Finding>> {
-    let plan = |clearance| PassMotion::plan_after(machine, path, pass, number, Before { last, clearance });
+    let plan = |clearance| {
+        let Before { effort, procedure, last, .. } = before;
+        PassMotion::plan_after(machine, path, pass, number, Before { effort, procedure, last, clearance })
+    };
     let motion = plan(None)?;
     let (clearance, findings) = pass_clearance(around, &motion.path, number);
     if findings.is_empty() {
@@ -267,6 +315,10 @@ fn one(
                 return Ok((motion, clearance));
             }
         }
+    }
+    let mut findings = findings;
+    if let Ok(machine) = holding(machine, &pass.spare_axes) {
+        Trial { machine: &machine, path, pass, number, before }.cure_clearance(around, &mut findings);
     }
     let mut all = motion.findings;
     all.extend(findings);
@@ -301,42 +353,48 @@ impl Torches {
     }
 }
 
+/// Where a pass begins or ends.
+#[derive(Clone, Copy)]
+struct PassEnd<'a> {
+    q: Joints,
+    torches: Torches,
+    /// With the axes that the pass holds among those that a pose leaves free.
+    machine: &'a Machine,
+}
+
 /// What the air moves need to know.
 struct Air<'a> {
     machine: &'a Machine,
     around: &'a Surroundings<'a>,
     retract_mm: f64,
+    effort: &'a Effort<'a>,
 }
 
 impl Air<'_> {
     /// The move from the end of a weld (or home) to the start of the next (or home), each with what takes the torch back
     /// there; and how far the torch stands back (mm) where that is less than asked, if at all.
-    fn way(
-        &self,
-        end: Option<(Joints, Torches)>,
-        start: Option<(Joints, Torches)>,
-    ) -> Result<(AirMove, Vec<Option<f64>>), Blocked> {
+    fn way(&self, end: Option<PassEnd>, start: Option<PassEnd>) -> Result<(AirMove, Vec<Option<f64>>), Blocked> {
         let home = self.machine.home();
-        let [back_end, back_start] = [end, start].map(|e| e.and_then(|(q, torches)| self.back_from(&q, torches)));
-        let place = |back: Option<(Joints, f64)>, weld: Option<(Joints, Torches)>| {
-            back.map(|b| b.0).or(weld.map(|w| w.0)).unwrap_or(home)
+        let [back_end, back_start] = [end, start].map(|e| e.and_then(|end| self.back_from(&end)));
+        let place = |back: Option<(Joints, f64)>, weld: Option<PassEnd>| {
+            back.map(|b| b.0).or(weld.map(|w| w.q)).unwrap_or(home)
         };
         let (from, to) = (place(back_end, end), place(back_start, start));
         // An endless axis goes home by the shortest way.
         let to = if start.is_none() { self.nearest_turn(&to, &from) } else { to };
         let mut points = Vec::new();
-        if let (Some((q, _)), Some(_)) = (end, back_end) {
+        if let (Some(PassEnd { q, .. }), Some(_)) = (end, back_end) {
             self.straight("the retract", &q, &from)?;
             points.push(q);
         }
-        points.extend(route(self.machine, self.around, &from, &to, AxisSet::default())?);
-        if let (Some((q, _)), Some(_)) = (start, back_start) {
+        points.extend(route_within(self.effort, self.machine, self.around, (&from, &to), AxisSet::default())?);
+        if let (Some(PassEnd { q, .. }), Some(_)) = (start, back_start) {
             self.straight("the approach", &to, &q)?;
             points.push(q);
         }
         points.dedup();
-        let short = |weld: Option<(Joints, Torches)>, back: Option<(Joints, f64)>| match (weld, back) {
-            (Some((_, Torches::Given)), None) => None,
+        let short = |weld: Option<PassEnd>, back: Option<(Joints, f64)>| match (weld, back) {
+            (Some(PassEnd { torches: Torches::Given, .. }), None) => None,
             (Some(_), None) => Some(None),
             (Some(_), Some((_, part))) if part < 1.0 => Some(Some(part * self.retract_mm)),
             _ => None,
@@ -365,15 +423,14 @@ impl Air<'_> {
 
     /// Where the torch stands back along itself (two torches: along the middle of both): as far as asked, or as far as
     /// the axes reach. None if they cannot move it that way.
-    fn back_from(&self, q: &Joints, torches: Torches) -> Option<(Joints, f64)> {
-        let machine = self.machine;
-        if torches == Torches::Given {
+    fn back_from(&self, PassEnd { q, torches, machine }: &PassEnd) -> Option<(Joints, f64)> {
+        if *torches == Torches::Given {
             return None;
         }
         for part in [1.0, 0.5, 0.25] {
             let poses: Vec<Pose> = (0..machine.heads.len()).map(|head| machine.forward_of(head, q)).collect();
             let first = poses[0];
-            let both = poses.get(1).filter(|_| torches == Torches::Two);
+            let both = poses.get(1).filter(|_| *torches == Torches::Two);
             let along = both.map_or(first.direction, |second| (first.direction + second.direction).normalize());
             let back = |p: Pose| Pose { point: p.point - part * self.retract_mm * along, ..p };
             let target = Target { first: back(first), second: both.map(|p| back(*p)) };

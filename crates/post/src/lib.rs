@@ -26,7 +26,8 @@ pub use error::Error;
 pub use feed::Group;
 pub use part_program::{Arc, Channel, ChannelKind, Curve, Event, Level, Move, PartProgram, Path, Step, What, Xyz};
 pub use plan::{
-    BRIEFEST_S, Block, Interpolation, Linearisation, Options, Shape, Speeds, linearise, part_program, points_part_program,
+    BRIEFEST_S, Block, Interpolation, Linearisation, Options, Shape, Speeds, linearise, part_program,
+    points_part_program,
 };
 pub use play::{Segment, play};
 pub use points::to_program;

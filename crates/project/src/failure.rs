@@ -17,6 +17,8 @@ pub enum Failure {
     Document(Box<DocumentError>),
     /// 3: a device or the environment failed.
     Environment(String),
+    /// 3: planning was cancelled.
+    Cancelled,
     /// 0: whoever reads our output has stopped reading.
     ReaderGone,
 }
@@ -112,6 +114,7 @@ impl Failure {
             }
             Self::Input(text) | Self::Environment(text) => text.trim_end().to_owned(),
             Self::Document(error) => error.to_string().trim_end().to_owned(),
+            Self::Cancelled => "planning was cancelled".to_owned(),
             Self::Printed | Self::ReaderGone => "it failed".to_owned(),
         }
     }

@@ -11,6 +11,7 @@ mod outside;
 pub mod overlay;
 pub mod own_machine;
 pub mod part;
+pub mod planning;
 pub mod posting;
 pub mod power_loss;
 pub mod recording;

@@ -3,11 +3,12 @@
 use crate::failure::Failure;
 use crate::files;
 use crate::outside::Beside;
+use crate::planning::{Clocked, Planning};
 use crate::within::Within;
 use seamwright_cell::{Error, check_drives};
 use seamwright_document::Document;
 use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
-use seamwright_motion::{PassMotion, WeldMotion, redundancy};
+use seamwright_motion::{PassMotion, Terms, WeldMotion, redundancy};
 use seamwright_program::{Finding, Pass, Program, TorchPath};
 use seamwright_weld::{SeamCurve, WeldPath, Welding};
 use std::cell::RefCell;
@@ -65,11 +66,11 @@ fn load_within(name: &str, text: &str, within: &Within<'_>) -> Result<Loaded, Fa
     Ok(Loaded { welding, machine, machine_file, clamped, stl_files: stl.0.into_inner() })
 }
 
-/// Refuses axes held that the machine does not have to spare, or outside their ranges.
+/// Refuses held axes that torch poses need, or outside their ranges.
 fn check_held(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
     let program = &welding.program;
     for (i, pass) in program.value.passes.iter().enumerate() {
-        if let Err(error) = redundancy::held(machine, &pass.spare_axes) {
+        if let Err(error) = redundancy::holding(machine, &pass.spare_axes) {
             // A job has the table for its one pass.
             let table = if Program::is_in(program.text()) { format!("passes[{i}].") } else { String::new() };
             let path = format!("{table}spare_axes.hold.{}", error.axis());
@@ -279,9 +280,14 @@ impl Loaded {
         self.plan_on(&self.machine)
     }
 
-    /// The same on `machine`: this one, perhaps with a reserve.
+    /// Plans the same on `machine`: this one, perhaps with a reserve.
     pub fn plan_on(&self, machine: &Machine) -> Result<WeldMotion, Failure> {
-        match self.try_plan_on(machine)? {
+        self.plan_under(machine, &Planning::default())
+    }
+
+    /// Plans a weld that can be made as asked on `machine`, within the limits of `planning`.
+    pub fn plan_under(&self, machine: &Machine, planning: &Planning) -> Result<WeldMotion, Failure> {
+        match self.try_plan_under(machine, planning)? {
             Ok(motion) if motion.findings.iter().all(|f| f.allowed) => Ok(motion),
             Ok(motion) => Err(Failure::Findings(motion.findings)),
             Err(findings) => Err(Failure::Findings(findings)),
@@ -291,10 +297,18 @@ impl Loaded {
     /// Plans the weld, or says why the machine cannot make it. Findings against the procedure are among those of the
     /// motion: the weld could be made, but not as it must be.
     pub fn try_plan(&self) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
-        self.try_plan_on(&self.machine)
+        self.try_plan_under(&self.machine, &Planning::default())
     }
 
-    fn try_plan_on(&self, machine: &Machine) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
+    /// Plans the weld on `machine` as [`Loaded::try_plan`] does, within the limits of `planning`.
+    ///
+    /// # Errors
+    /// Also [`Failure::Cancelled`]. If the time is over, one of the findings is of kind `search`.
+    pub fn try_plan_under(
+        &self,
+        machine: &Machine,
+        planning: &Planning,
+    ) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
         let program = &self.welding.program.value;
         let around = Surroundings::new(machine, &self.clamped)
             .map_err(|e| Failure::Input(format!("{}: {e}", self.welding.program.file())))?;
@@ -306,7 +320,12 @@ impl Loaded {
             let message = format!("{} has one head: it cannot weld both fillets at once", machine.name);
             return Err(self.welding.program.error_at(path, message, "left, right").into());
         }
-        let planned = WeldMotion::plan(machine, &around, &passes, program.air.retract_mm.get());
+        let clocked = Clocked::new(planning);
+        let terms = Terms { procedure: program.procedure.as_ref(), watch: Some(&clocked) };
+        let planned = WeldMotion::plan_under(machine, &around, &passes, program.air.retract_mm.get(), terms);
+        if planned.is_err() && clocked.is_cancelled() {
+            return Err(Failure::Cancelled);
+        }
         let planned = planned.map(|mut motion| {
             if let Some(procedure) = &program.procedure {
                 motion.hold_to(procedure, machine, &passes);

@@ -55,7 +55,9 @@ impl<'a> Beside<'a> {
 fn wrong(failure: &Failure) -> Wrong {
     let text = match failure {
         Failure::Input(_) | Failure::Document(_) | Failure::Environment(_) => failure.text(),
-        Failure::Findings(_) | Failure::Printed | Failure::ReaderGone => "it cannot be read".to_owned(),
+        Failure::Findings(_) | Failure::Printed | Failure::Cancelled | Failure::ReaderGone => {
+            "it cannot be read".to_owned()
+        }
     };
     let (message, allowed) = text.split_once("\n   allowed: ").unwrap_or((&text, ""));
     Wrong { message: message.to_owned(), allowed: allowed.to_owned() }

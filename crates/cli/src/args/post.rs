@@ -51,6 +51,8 @@ pub(crate) enum LevelArg {
 pub(crate) struct PostArgs {
     /// Program or job file
     pub(crate) job: PathBuf,
+    #[command(flatten)]
+    pub(crate) planning: super::PlanningArgs,
     /// The control
     #[arg(long, value_enum)]
     pub(crate) dialect: DialectArg,

@@ -14,6 +14,8 @@ use std::path::PathBuf;
 pub(crate) struct PulsesArgs {
     /// Job or program file
     pub(crate) job: PathBuf,
+    #[command(flatten)]
+    pub(crate) planning: super::PlanningArgs,
     /// Period of the set-points, ms, a whole number of ticks [default: the machine's servo period]
     #[arg(long, value_name = "T")]
     pub(crate) period_ms: Option<f64>,

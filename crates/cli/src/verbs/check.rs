@@ -1,12 +1,14 @@
 use crate::args::CheckArgs;
 use crate::failure::{Failure, write_findings};
 use crate::load::load;
+use crate::planning;
 use crate::rows::print_json;
 use std::io;
 
 pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let findings = loaded.try_plan()?.map_or_else(|findings| findings, |motion| motion.findings);
+    let findings =
+        planning::try_plan(&loaded, &args.planning)?.map_or_else(|findings| findings, |motion| motion.findings);
     let printed = if args.json {
         print_json(&findings)
     } else {

@@ -36,7 +36,7 @@ pub(crate) mod teach;
 use crate::failure::Failure;
 
 /// A number from the command line that must be finite and greater than zero.
-fn positive(name: &str, value: f64) -> Result<f64, Failure> {
+pub(crate) fn positive(name: &str, value: f64) -> Result<f64, Failure> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }

@@ -5,6 +5,7 @@ use crate::clock;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
+use crate::planning;
 use crate::rows::{print_json, print_text};
 use seamwright_cell::Summary;
 use seamwright_cell::tracking::BeamSummary;
@@ -22,7 +23,7 @@ const OSCILLATION_POINTS: u32 = 256;
 pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     // A plan that leaves its procedure is written all the same: its report shows where.
-    let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
+    let motion = planning::try_plan(&loaded, &args.planning)?.map_err(Failure::Findings)?;
     // What cannot be posted is known before anything is written.
     let mut dialects: Vec<Dialect> = args.post.iter().map(|dialect| (*dialect).into()).collect();
     dialects.dedup();

@@ -3,6 +3,7 @@ use crate::args::post::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArg
 use crate::failure::Failure;
 use crate::files;
 use crate::load::{Loaded, load};
+use crate::planning;
 use crate::rows::print_text;
 use seamwright_document::Positive;
 use seamwright_motion::WeldMotion;
@@ -30,7 +31,7 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
         FeedArg::PerMinute => Feed::PerMinute,
     };
     let control = Control::new(&loaded.machine, args.dialect.into()).map_err(|e| Failure::Input(e.to_string()))?;
-    let motion = loaded.plan()?;
+    let motion = planning::plan(&loaded, &args.planning)?;
     if let Some(mm) = args.retract_mm
         && let Some(short) = motion.findings.iter().find(|f| f.kind == "retract")
     {

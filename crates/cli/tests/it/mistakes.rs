@@ -233,8 +233,8 @@ fn axes_that_cannot_be_held() {
     };
     assert_eq!(plan("u = 88").0, Some(0));
     for (hold, words) in [
-        ("tilt = 90", ["spare_axes.hold.tilt", "axis tilt is none to spare", "allowed: u, w"]),
-        ("v = 0", ["spare_axes.hold.v", "axis v is none to spare", "allowed: u, w"]),
+        ("tilt = 90", ["spare_axes.hold.tilt", "there is no axis tilt", "allowed: x, y, z, v, q, u, w"]),
+        ("u = 88, v = 0, w = 0", ["spare_axes.hold.u", "with u, v, w held", "allowed: up to 2 axes, or others"]),
         ("u = 106", ["spare_axes.hold.u = 106", "axis u does not go there", "allowed: -15.000 to 105.000 deg"]),
         ("u = nan", ["spare_axes.hold.u", "nan", "allowed: a finite number"]),
     ] {
@@ -247,7 +247,7 @@ fn axes_that_cannot_be_held() {
     // On a machine without axes to spare wishes do nothing, but there is nothing to hold.
     let spare = |table: &str| ("[torch]", format!("[spare_axes]\n{table}\n[torch]"));
     let (from, to) = spare("hold = { z = 1 }");
-    refused(from, &to, &["spare_axes.hold.z = 1", "allowed: nothing: a torch pose decides all its axes"]);
+    refused(from, &to, &["spare_axes.hold.z = 1", "axis z cannot be held: a torch pose decides all axes here"]);
     let (from, to) = spare("position = \"up\"");
     refused(from, &to, &["spare_axes.position", "allowed: flat, any"]);
     let (from, to) = spare("weights = { motion = -1 }");

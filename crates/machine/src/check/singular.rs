@@ -42,6 +42,9 @@ pub struct SingularPlace {
     pub what: String,
     /// Axes whose positions make it, with one set of such positions in file units.
     pub at: Vec<(String, f64)>,
+    /// Of a single axis: other positions that do the same, in file units.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub also: Vec<f64>,
     /// True if other positions of these axes together do the same.
     pub family: bool,
     /// How far from it the axis in `at` must be for a typical weld (mm or degrees), and the axis that is too slow
@@ -52,18 +55,19 @@ pub struct SingularPlace {
 impl SingularPlace {
     /// The place in one sentence.
     pub fn sentence(&self, unit: impl Fn(&str) -> &'static str) -> String {
-        let at: Vec<String> = self
-            .at
-            .iter()
-            .map(|(axis, v)| format!("{axis} = {} {}", (v * 1e3).round() / 1e3 + 0.0, unit(axis)))
-            .collect();
+        let number = |v: &f64| ((v * 1e3).round() / 1e3 + 0.0).to_string();
+        let values = |v: &f64| std::iter::once(v).chain(&self.also).map(number).collect::<Vec<_>>().join(", ");
+        let at: Vec<String> =
+            self.at.iter().map(|(axis, v)| format!("{axis} = {} {}", values(v), unit(axis))).collect();
         let joint = if self.family { "for example at" } else { "at" };
         if at.is_empty() { self.what.clone() } else { format!("{}, {joint} {}", self.what, at.join(", ")) }
     }
 }
 
-/// Looks for singular places of a task inside the ranges.
+/// Looks for singular places of a task inside the ranges; those of the arm, if one carries the torch.
 pub(super) fn find(task: &Task, seed: u64, step: &mut dyn FnMut()) -> Singularities {
+    let arm = Task::of_arm(task.machine);
+    let task = arm.as_ref().unwrap_or(task);
     let machine = task.machine;
     let mut random = Random::new(seed, 4);
     let mut looked: Vec<(f64, Joints)> = Vec::new();
@@ -94,6 +98,7 @@ pub(super) fn find(task: &Task, seed: u64, step: &mut dyn FnMut()) -> Singularit
         }
     }
     places.sort_by(|a, b| a.at.iter().map(|x| x.1).sum::<f64>().total_cmp(&b.at.iter().map(|x| x.1).sum::<f64>()));
+    let places = grouped(places);
     Singularities {
         places,
         conditioning: (best, worst.0),
@@ -105,11 +110,34 @@ pub(super) fn find(task: &Task, seed: u64, step: &mut dyn FnMut()) -> Singularit
 
 /// The same kind of place; a family at other positions counts as the same.
 fn same(a: &SingularPlace, b: &SingularPlace) -> bool {
-    let axes = |p: &SingularPlace| p.at.iter().map(|x| x.0.clone()).collect::<Vec<_>>();
     let near = a.at.iter().zip(&b.at).all(|(x, y)| (x.1 - y.1).abs() < 0.01);
+    is_one_kind(a, b) && (a.family || near)
+}
+
+/// The same happens there by positions of the same axes.
+fn is_one_kind(a: &SingularPlace, b: &SingularPlace) -> bool {
+    let axes = |p: &SingularPlace| p.at.iter().map(|x| x.0.clone()).collect::<Vec<_>>();
     // Which linear axes follow depends on where they are.
     let what = |p: &SingularPlace| p.what.split(", with").next().unwrap_or_default().to_owned();
-    what(a) == what(b) && axes(a) == axes(b) && (a.family || near)
+    what(a) == what(b) && axes(a) == axes(b)
+}
+
+/// Places of one kind that differ in the position of one axis as one, with the greatest margin.
+fn grouped(places: Vec<SingularPlace>) -> Vec<SingularPlace> {
+    let mut groups: Vec<SingularPlace> = Vec::new();
+    for place in places {
+        match groups.iter_mut().find(|group| group.at.len() == 1 && is_one_kind(group, &place)) {
+            Some(group) => {
+                group.also.extend(place.at.first().map(|at| at.1));
+                let by = |margin: &Option<(f64, String)>| margin.as_ref().map_or(0.0, |m| m.0);
+                if by(&place.margin) > by(&group.margin) {
+                    group.margin = place.margin;
+                }
+            }
+            None => groups.push(place),
+        }
+    }
+    groups
 }
 
 fn describe(task: &Task, q: &Joints) -> SingularPlace {
@@ -128,17 +156,21 @@ fn describe(task: &Task, q: &Joints) -> SingularPlace {
     };
     let involved: Vec<usize> = (0..lost.len()).filter(part).collect();
     let (rotary, linear): (Vec<usize>, Vec<usize>) = involved.into_iter().partition(|&i| task.is_rotary(i));
-    let what = match task.axes.len() < 5 && task.point_conditioning(q) <= SINGULAR {
-        true => point_lost(task, q),
-        false => freedom_lost(task, q, &rotary, &linear),
-    };
     let defining: Vec<usize> = machine.heads[0].chain.axes().iter().filter(|&axis| depends(task, q, axis)).collect();
+    let what = if task.is_arm() {
+        of_arm(task, &defining, &rotary)
+    } else if task.axes.len() < 5 && task.point_conditioning(q) <= SINGULAR {
+        point_lost(task, q)
+    } else {
+        freedom_lost(task, q, &rotary, &linear)
+    };
     let margin = match defining.as_slice() {
         [axis] => margin(task, q, *axis),
         _ => None,
     };
     let value = |&axis: &usize| (machine.axes[axis].name.clone(), machine.axes[axis].to_file(q[axis]));
-    SingularPlace { what, at: defining.iter().map(value).collect(), family: defining.len() > 1, margin }
+    let at: Vec<(String, f64)> = defining.iter().map(value).collect();
+    SingularPlace { what, family: at.len() > 1, at, also: Vec::new(), margin }
 }
 
 /// True if the place is no longer singular with the axis a little elsewhere.
@@ -190,9 +222,30 @@ fn freedom_lost(task: &Task, q: &Joints, rotary: &[usize], linear: &[usize]) -> 
     }
 }
 
+/// The singular place of a six-axis arm by its usual name: `defining` axes make it, the decided axes `rotary` undo one
+/// another there.
+fn of_arm(task: &Task, defining: &[usize], rotary: &[usize]) -> String {
+    let names: Vec<&str> = rotary.iter().map(|&i| task.name(i)).collect();
+    let [j1, _, j3, j4, j5, j6] = [0, 1, 2, 3, 4, 5].map(|i| task.axes[i]);
+    let name = |axis: usize| &task.machine.axes[axis].name;
+    let undo = format!("axes {} undo one another", names.join(", "));
+    match defining {
+        [axis] if *axis == j5 => format!("wrist singularity, axes {} and {} are parallel", name(j4), name(j6)),
+        [axis] if *axis == j3 => format!("elbow singularity, the arm is stretched or folded: {undo}"),
+        // The arm's own axes over its first one: where the wrist is, is made by several of them.
+        [_, _, ..] if !defining.contains(&j1) && !defining.contains(&j6) => {
+            format!("shoulder singularity, the wrist is over axis {}", name(j1))
+        }
+        _ => undo,
+    }
+}
+
 /// A way that the tip of a machine with few axes cannot go, in words.
 fn point_lost(task: &Task, q: &Joints) -> String {
     let tip = task.machine.forward(q).point;
+    if let Some((a, b)) = in_line(task, q, tip) {
+        return format!("the arm is stretched or folded: axes {a} and {b} move the tip the same way");
+    }
     let on = (0..task.axes.len()).filter(|&i| task.is_rotary(i)).find(|&i| {
         let (direction, at) = line(task, q, i);
         direction.cross(tip - at).length() < 1e-3
@@ -207,6 +260,24 @@ fn point_lost(task: &Task, q: &Joints) -> String {
     let way = |k: usize| found.left.get(k).map_or(DVec3::ZERO, |l| DVec3::new(l[0], l[1], l[2])).normalize_or_zero();
     let lost = way(0).cross(way(1));
     format!("the tip cannot move along ({:.2}, {:.2}, {:.2}) of the work", lost.x, lost.y, lost.z)
+}
+
+/// Two parallel rotary axes with the tip in the plane of both, if the machine has such: what each moves, the other does
+/// too.
+fn in_line<'a>(task: &'a Task, q: &Joints, tip: DVec3) -> Option<(&'a str, &'a str)> {
+    let rotary: Vec<usize> = (0..task.axes.len()).filter(|&i| task.is_rotary(i)).collect();
+    let lines: Vec<(DVec3, DVec3)> = rotary.iter().map(|&i| line(task, q, i)).collect();
+    for (k, (u, a)) in lines.iter().enumerate() {
+        for (l, (v, b)) in lines.iter().enumerate().take(k) {
+            let (first, second) = (u.cross(tip - *a), v.cross(tip - *b));
+            let scale = first.length() * second.length();
+            let parallel = u.cross(*v).length() < 1e-9;
+            if parallel && scale > 1e-3 && first.cross(second).length() < 1e-3 * scale {
+                return Some((task.name(rotary[l]), task.name(rotary[k])));
+            }
+        }
+    }
+    None
 }
 
 /// How far the axis must be from the place before no rotary axis has to be faster than it can, in file units, and the

@@ -20,17 +20,37 @@ pub(super) struct Task<'a> {
     pub(super) axes: ArrayVec<usize, MAX_AXES>,
     /// Freedoms of the tip's point that the axes give at most places.
     freedoms: usize,
+    /// True if the roll about the torch counts too: the axes are those of a six-axis arm.
+    with_roll: bool,
 }
+
+/// Axes of an arm that can bring its flange to any frame.
+const ARM_AXES: usize = 6;
 
 impl<'a> Task<'a> {
     /// The task of the machine's first head.
     pub(super) fn new(machine: &'a Machine) -> Self {
         let head = &machine.heads[0];
         let axes = head.chain.axes().iter().filter(|&axis| !head.free().has(axis)).collect();
-        let mut task = Self { machine, axes, freedoms: 0 };
+        let mut task = Self { machine, axes, freedoms: 0, with_roll: false };
         let rank = |k| svd(&task.point_part(&machine.spread(k))).values.iter().filter(|&&v| v > 1e-6).count();
         task.freedoms = (1..=40).map(rank).max().unwrap_or(0);
         task
+    }
+
+    /// The task of the six-axis arm that carries the first head's torch, if it is carried by one: to bring its flange to a
+    /// whole frame. The singular places of an arm are those of all its axes, whichever of them a torch's pose decides.
+    pub(super) fn of_arm(machine: &'a Machine) -> Option<Self> {
+        let screws = &machine.heads[0].chain.screws;
+        let arm = &screws[screws.len().checked_sub(ARM_AXES)?..];
+        let is_arm = arm.iter().all(|screw| screw.kind == AxisKind::Rotary);
+        let axes = arm.iter().map(|screw| screw.axis).collect();
+        is_arm.then_some(Self { machine, axes, freedoms: 3, with_roll: true })
+    }
+
+    /// True if the axes are those of a six-axis arm.
+    pub(super) fn is_arm(&self) -> bool {
+        self.with_roll
     }
 
     fn is_few(&self) -> bool {
@@ -40,8 +60,10 @@ impl<'a> Task<'a> {
     /// Change of the tip (mm) and of the direction (as mm at the typical radius) per mm or rad of each axis.
     pub(super) fn columns(&self, q: &Joints) -> Columns {
         let jacobian = self.machine.jacobian(q);
+        let frames = self.with_roll.then(|| self.machine.link_frames(q));
         let column = |&axis: &usize| {
-            let (p, d) = (jacobian[axis].0, TYPICAL_RADIUS_MM * jacobian[axis].1);
+            let screw = frames.as_ref().and_then(|frames| self.machine.links.screw_at(axis, frames));
+            let (p, d) = (jacobian[axis].0, TYPICAL_RADIUS_MM * screw.map_or(jacobian[axis].1, |s| s.direction));
             [p.x, p.y, p.z, d.x, d.y, d.z, 0.0, 0.0, 0.0]
         };
         self.axes.iter().map(column).collect()

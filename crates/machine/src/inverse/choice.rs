@@ -11,27 +11,59 @@ const FREEDOMS: usize = 5;
 
 /// Configurations at which a choice is judged.
 const JUDGED: u32 = 12;
+/// Axes that span less than this part of the unit volume everywhere cannot give every pose.
+const INDEPENDENT: f64 = 1e-6;
+/// Rotary axes with a smaller range than this are better left free, rad: decided by the pose they would leave it.
+const NARROW: f64 = 0.5 * PI;
 
 /// The axes to hold so that the rest just suffices for a point and a direction.
 ///
 /// With three independent linear axes: those with the longest strokes, and the two rotary axes that turn the torch best
-/// near home, on the torch side if both sides do. Otherwise the five axes that span the freedoms best over their
+/// near home, on the torch side if both sides do; not those with narrow ranges. Otherwise the five axes that span the freedoms best over their
 /// ranges.
 pub(crate) fn held(chain: &Chain, axes: &[Axis]) -> AxisSet {
-    let of_kind = |kind| chain.screws.iter().filter(move |s| s.kind == kind).map(|s| s.axis);
+    chain.axes().different(decided(chain, axes, AxisSet::default()))
+}
+
+/// The axes to hold so that those of `wanted` are among them and the rest still suffices, if there are such.
+pub(crate) fn held_with(chain: &Chain, axes: &[Axis], wanted: AxisSet) -> Option<AxisSet> {
+    let without = decided(chain, axes, AxisSet::default());
+    let decided = decided(chain, axes, wanted);
+    let as_many = decided.iter().count() == without.iter().count();
+    let spans = decided.iter().count() < FREEDOMS || spread_volume(chain, axes, decided) > INDEPENDENT;
+    (as_many && spans).then(|| chain.axes().different(decided))
+}
+
+/// The axes that the pose decides, none of them in `held`.
+fn decided(chain: &Chain, axes: &[Axis], held: AxisSet) -> AxisSet {
+    let of_kind = |kind| chain.screws.iter().filter(move |s| s.kind == kind && !held.has(s.axis)).map(|s| s.axis);
     let linear: Vec<usize> = of_kind(AxisKind::Linear).collect();
     let rotary: Vec<usize> = of_kind(AxisKind::Rotary).collect();
-    let all = chain.axes();
     if let Some(triple) = best_triple(chain, axes, &linear) {
         let pair = if rotary.len() > 2 { best_pair(chain, axes, &rotary) } else { rotary.iter().copied().collect() };
-        return all.different(triple.union(pair));
+        return triple.union(pair);
     }
-    let count = chain.screws.len();
-    if count <= FREEDOMS { AxisSet::default() } else { all.different(best_five(chain, axes)) }
+    let left: AxisSet = linear.into_iter().chain(rotary).collect();
+    if left.iter().count() <= FREEDOMS { left } else { best_five(chain, axes, left) }
+}
+
+/// Greatest part of the unit volume that the axes of `five` span at positions spread over their ranges.
+fn spread_volume(chain: &Chain, axes: &[Axis], five: AxisSet) -> f64 {
+    let five: Vec<usize> = five.iter().collect();
+    let volumes = (1..=JUDGED).map(|k| {
+        let q = spread(axes, k);
+        volume(&chain.forward(&q), &chain.jacobian(&q), &five)
+    });
+    volumes.fold(0.0, f64::max)
 }
 
 fn stroke(axis: &Axis) -> f64 {
     axis.range.map_or(4.0 * PI, |(low, high)| high - low)
+}
+
+/// How much of a rotary axis' range is there of what a decided axis should have, at most 1.
+fn room(axis: &Axis) -> f64 {
+    if axis.kind == AxisKind::Rotary { (stroke(axis) / NARROW).min(1.0) } else { 1.0 }
 }
 
 /// Three linear axes that span space, the product of strokes and of their volume being greatest.
@@ -56,19 +88,22 @@ fn best_pair(chain: &Chain, axes: &[Axis], rotary: &[usize]) -> AxisSet {
         let [u, v] =
             [pair[0], pair[1]].map(|p| chain.screws.iter().find(|s| s.axis == p).map_or(DVec3::ZERO, |s| s.direction));
         let home = (a.cross(b).length() * 10.0).round() / 10.0;
-        home + 0.1 * u.cross(v).length() + 1e-3 * (later(pair[0]) + later(pair[1]))
+        let turns = home + 0.1 * u.cross(v).length() + 1e-3 * (later(pair[0]) + later(pair[1]));
+        turns * room(&axes[pair[0]]) * room(&axes[pair[1]])
     };
     let best = subsets(rotary, 2).into_iter().max_by(|a, b| score(a).total_cmp(&score(b)));
     best.into_iter().flatten().collect()
 }
 
 /// The five axes whose Jacobian is best conditioned over their ranges.
-fn best_five(chain: &Chain, axes: &[Axis]) -> AxisSet {
-    let indices: Vec<usize> = chain.axes().iter().collect();
+fn best_five(chain: &Chain, axes: &[Axis], of: AxisSet) -> AxisSet {
+    let indices: Vec<usize> = of.iter().collect();
     let judged: Vec<_> =
         (1..=JUDGED).map(|k| (spread(axes, k), k)).map(|(q, _)| (chain.forward(&q), chain.jacobian(&q))).collect();
     let score = |five: &[usize]| -> f64 {
-        judged.iter().map(|(tip, columns)| volume(tip, columns, five).max(1e-12).ln()).sum()
+        let room: f64 = five.iter().map(|&axis| room(&axes[axis]).ln()).sum();
+        let volumes = judged.iter().map(|(tip, columns)| volume(tip, columns, five).max(1e-12).ln());
+        f64::from(JUDGED) * room + volumes.sum::<f64>()
     };
     let best = subsets(&indices, FREEDOMS).into_iter().max_by(|a, b| score(a).total_cmp(&score(b)));
     best.into_iter().flatten().collect()

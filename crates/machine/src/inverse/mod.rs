@@ -108,6 +108,22 @@ pub enum Unreachable {
     /// The linear axes do not span space at these rotary positions.
     #[error("the linear axes are parallel to a plane at these rotary positions")]
     Flat,
+    /// Every branch takes a linear axis beyond its range.
+    #[error(
+        "out of reach by {by:.3} mm: axis {axis} would be at {value:.6} mm, {beyond:.6} mm beyond its limit {limit} mm"
+    )]
+    OutOfReach {
+        /// How far the point is beyond what the linear axes reach, mm.
+        by: f64,
+        /// Name of the axis that lacks most.
+        axis: String,
+        /// Where it would have to go, mm.
+        value: f64,
+        /// How far beyond, mm.
+        beyond: f64,
+        /// Its limit, mm.
+        limit: f64,
+    },
     /// Every branch puts an axis beyond its range.
     #[error("axis {axis} would be at {value:.6} {unit}, {by:.6} {unit} beyond its limit {limit} {unit}")]
     Range {
@@ -131,7 +147,7 @@ impl Unreachable {
     /// A number that orders reasons of one machine: how far it is from reachable, in mm or degrees.
     pub(crate) fn by(&self) -> f64 {
         match self {
-            Self::Range { by, .. } => *by,
+            Self::Range { by, .. } | Self::OutOfReach { by, .. } => *by,
             // A pose out of reach is farther than any out of range.
             Self::Direction { by } => 1e4 + by.to_degrees(),
             Self::Point { by } => 1e4 + by,
@@ -165,6 +181,13 @@ impl Inverse {
         Self { held, form: Form::of(&active, axes) }
     }
 
+    /// Chooses the same with the axes of `wanted` among those that stay, if the rest can still reach every pose.
+    pub(crate) fn holding(chain: &Chain, axes: &[Axis], wanted: AxisSet) -> Option<Self> {
+        let held = choice::held_with(chain, axes, wanted)?;
+        let active = chain.holding(held, &home(axes));
+        Some(Self { held, form: Form::of(&active, axes) })
+    }
+
     /// True for Newton's method.
     pub(crate) fn is_numeric(&self) -> bool {
         matches!(self.form, Form::Numeric(_))
@@ -193,6 +216,25 @@ impl Inverse {
             return self.form.solve(chain, pose, near, which, branches);
         }
         self.form.solve(&chain.holding(self.held, near), pose, near, which, branches)?;
+        for solution in branches.iter_mut() {
+            self.held.iter().for_each(|axis| solution.joints[axis] = near[axis]);
+        }
+        Ok(())
+    }
+}
+
+impl Inverse {
+    /// Adds the branches that Newton's method comes to from each of `starts`, if there is no closed form; with one, every
+    /// branch. Held axes stand as in `near`.
+    pub(crate) fn solve_from(
+        &self,
+        chain: &Chain,
+        pose: &Pose,
+        (near, starts): (&Joints, &[Joints]),
+        branches: &mut Branches,
+    ) -> Result<(), Unreachable> {
+        let Form::Numeric(form) = &self.form else { return self.solve(chain, pose, near, Which::All, branches) };
+        form.solve_from(&chain.holding(self.held, near), pose, (near, starts), branches)?;
         for solution in branches.iter_mut() {
             self.held.iter().for_each(|axis| solution.joints[axis] = near[axis]);
         }

@@ -66,9 +66,31 @@ impl Numeric {
         near: &Joints,
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
+        let starts = (0..=STARTS).map(|k| if k == 0 { *near } else { self.start(chain, near, k) });
+        self.solve_each(chain, pose, near, starts, branches)
+    }
+
+    /// Adds every branch that Newton's method comes to from `starts`.
+    pub(crate) fn solve_from(
+        &self,
+        chain: &Chain,
+        pose: &Pose,
+        (near, starts): (&Joints, &[Joints]),
+        branches: &mut Branches,
+    ) -> Result<(), Unreachable> {
+        self.solve_each(chain, pose, near, starts.iter().copied(), branches)
+    }
+
+    fn solve_each(
+        &self,
+        chain: &Chain,
+        pose: &Pose,
+        near: &Joints,
+        starts: impl Iterator<Item = Joints>,
+        branches: &mut Branches,
+    ) -> Result<(), Unreachable> {
         let mut least = Error { point: DVec3::INFINITY, turn: DVec3::ZERO };
-        for k in 0..=STARTS {
-            let start = if k == 0 { *near } else { self.start(chain, near, k) };
+        for start in starts {
             let (solution, error) = descend(chain, pose, &start);
             if accepted(chain, &error) {
                 self.keep(chain, solution, near, branches);

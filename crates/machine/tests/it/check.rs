@@ -135,9 +135,9 @@ fn known_singular_places_are_found_and_named() {
     let wide = shipped("torch-5axis").unwrap().text.replace("range_deg = [-80, 80]", "range_deg = [-120, 120]");
     let check = checked(&wide, 2000);
     let places = &check.heads[0].singular.places;
-    let at: Vec<f64> = places.iter().map(|p| p.at[0].1).collect();
-    assert!(places.len() == 2 && places.iter().all(|p| p.what.contains("along axis a") && p.at[0].0 == "b"));
-    assert!((at[0] + 90.0).abs() < 1e-3 && (at[1] - 90.0).abs() < 1e-3, "{at:?}");
+    assert!(places.len() == 1 && places[0].what.contains("along axis a") && places[0].at[0].0 == "b", "{places:?}");
+    let (at, also) = (places[0].at[0].1, &places[0].also);
+    assert!((at + 90.0).abs() < 1e-3 && also.len() == 1 && (also[0] - 90.0).abs() < 1e-3, "{places:?}");
     assert!(check.passed);
     // The saddle welder's tip on the axis of theta: 400 + s + 100 sin(beta) = 0.
     let long = changed("saddle-4axis", "range_mm = [-200, 200]", "range_mm = [-500, 200]");
@@ -146,6 +146,31 @@ fn known_singular_places_are_found_and_named() {
     let value = |name: &str| place.at.iter().find(|a| a.0 == name).unwrap().1;
     let radius = 400.0 + value("s") + 100.0 * value("beta").to_radians().sin();
     assert!(place.family && radius.abs() < 1e-3, "{places:?}");
+}
+
+/// A singular set is one line, however many of its places a search comes to; those of arms have their usual names.
+#[test]
+fn a_singular_set_is_listed_once() {
+    let places = |text: &str| checked(text, 50).heads[0].singular.places.clone();
+    let scara = places(include_str!("../../../../tests/data/field-trial/scara.toml"));
+    assert_eq!(scara.len(), 1, "{scara:#?}");
+    assert!(scara[0].what.contains("stretched") && scara[0].at.len() == 1 && scara[0].at[0].0 == "j2", "{scara:#?}");
+    for arm in [
+        include_str!("../../../../tests/data/field-trial/ur10e.toml"),
+        include_str!("../../../../tests/data/field-trial/irb.toml"),
+    ] {
+        let found = places(arm);
+        let named = |name: &str| found.iter().filter(|p| p.what.starts_with(name)).count();
+        assert!(found.len() <= 4 && named("wrist") == 1 && named("elbow") == 1, "{found:#?}");
+        assert!(found.iter().all(|p| p.what.contains("singularity")), "{found:#?}");
+        let wrist = found.iter().find(|p| p.what.starts_with("wrist")).unwrap();
+        assert!(wrist.at.len() == 1 && wrist.at[0].0 == "j5", "{wrist:#?}");
+        // The wrist is stretched at 0 and, where the range has them, at half turns.
+        let all = std::iter::once(wrist.at[0].1).chain(wrist.also.iter().copied());
+        assert!(all.into_iter().all(|v| (v / 180.0 - (v / 180.0).round()).abs() < 1e-4), "{wrist:#?}");
+    }
+    let ur = places(include_str!("../../../../tests/data/field-trial/ur10e.toml"));
+    assert!(ur.iter().any(|p| p.what.starts_with("shoulder")), "{ur:#?}");
 }
 
 const LIMITS: &str = "max_speed_mm_s = 50\nmax_acceleration_mm_s2 = 500\n";

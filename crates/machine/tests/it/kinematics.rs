@@ -221,3 +221,16 @@ proptest! {
         }
     }
 }
+
+/// Of a far point the rotary axes are not to blame, though one may be out of its range too.
+#[test]
+fn a_far_point_is_out_of_reach() {
+    let torch = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+    for (point, direction) in [(DVec3::new(1e9, 0.0, 0.0), DVec3::Y), (DVec3::new(0.0, -1e9, 20.0), -DVec3::Z)] {
+        let pose = Pose { point, direction: (direction - 0.3 * DVec3::Z).normalize() };
+        let why = torch.reach(pose, &torch.home()).unwrap_err();
+        let Unreachable::OutOfReach { by, .. } = &why else { panic!("{why}") };
+        assert!((by - 1e9).abs() < 1e4, "{why}");
+        assert!(why.to_string().starts_with("out of reach by 99"), "{why}");
+    }
+}

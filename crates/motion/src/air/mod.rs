@@ -6,4 +6,4 @@ mod route;
 
 pub use leg::{AirMove, Leg};
 pub use route::{Blocked, route};
-pub(crate) use route::{obstacle, too_near};
+pub(crate) use route::{obstacle, route_within, too_near};

@@ -1,4 +1,5 @@
 use super::Leg;
+use crate::effort::{Effort, SearchStage};
 use seamwright_clearance::{Evaluation, Limits};
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings};
 use thiserror::Error;
@@ -24,6 +25,8 @@ pub enum Blocked {
 
 /// Places that the two trees may have together before the search is given up.
 const MOST_PLACES: usize = 4000;
+/// Units of effort of a leg that is checked.
+const LEG_WORK: u64 = 32;
 /// Longest step of a tree, in parts of the time that an axis needs for its whole range.
 const STEP: f64 = 0.12;
 /// How finely legs are looked at.
@@ -46,6 +49,18 @@ pub fn route(
     to: &Joints,
     held: AxisSet,
 ) -> Result<Vec<Joints>, Blocked> {
+    route_within(&Effort::new(None), machine, around, (from, to), held)
+}
+
+/// Returns what [`route`] does, with `effort` to stop the search.
+pub(crate) fn route_within(
+    effort: &Effort,
+    machine: &Machine,
+    around: &Surroundings,
+    (from, to): (&Joints, &Joints),
+    held: AxisSet,
+) -> Result<Vec<Joints>, Blocked> {
+    effort.begin(SearchStage::Transfer);
     for (which, q) in [("its start", from), ("its end", to)] {
         if !around.is_clear(q) {
             let found = around.nearest(q, LIMITS.cutoff_mm);
@@ -53,7 +68,7 @@ pub fn route(
             return Err(Blocked::End { which, what });
         }
     }
-    let search = Search { machine, around, held, turns: turns(machine, from, to) };
+    let search = Search { effort, machine, around, held, turns: turns(machine, from, to) };
     let Some(obstacle) = search.obstacle(from, to) else { return Ok(vec![*from, *to]) };
     let way = search.grow(from, to).ok_or(Blocked::NoWay { what: obstacle })?;
     Ok(search.cut_short(&way))
@@ -80,6 +95,7 @@ pub(crate) fn obstacle(around: &Surroundings, leg: &Leg) -> Option<String> {
 }
 
 struct Search<'a> {
+    effort: &'a Effort<'a>,
     machine: &'a Machine,
     around: &'a Surroundings<'a>,
     held: AxisSet,
@@ -117,6 +133,11 @@ fn turns(machine: &Machine, from: &Joints, to: &Joints) -> Joints {
 impl Search<'_> {
     /// What stands in the straight way, if anything does.
     fn obstacle(&self, from: &Joints, to: &Joints) -> Option<String> {
+        let part = self.effort.progress().part;
+        // A leg takes as long as many poses; once stopped nothing is tried any more.
+        if !self.effort.spend(LEG_WORK, part) {
+            return Some(String::new());
+        }
         obstacle(self.around, &Leg::new(self.machine, from, to))
     }
 
@@ -133,6 +154,11 @@ impl Search<'_> {
         let mut trees = [Tree { places: vec![(*from, 0)] }, Tree { places: vec![(*to, 0)] }];
         for k in 1.. {
             if trees[0].places.len() + trees[1].places.len() > MOST_PLACES || k > 4 * MOST_PLACES as u32 {
+                return None;
+            }
+            let places = trees[0].places.len() + trees[1].places.len();
+            let part = (places as f64 / MOST_PLACES as f64).max(f64::from(k) / (4 * MOST_PLACES) as f64);
+            if !self.effort.spend(0, part) {
                 return None;
             }
             let sample = self.sample(k, from);

@@ -1,17 +1,20 @@
-use crate::redundancy::Clearance;
+use crate::redundancy::{Aim, Clearance, Place};
 use crate::singular;
-use glam::DVec3;
 use seamwright_machine::{AxisKind, AxisSet, Joints, MAX_AXES, Machine};
-use seamwright_program::{Position, SpareAxes};
+use seamwright_program::{
+    FilletOrButt, Inclination, Pass, Position, PositionLimits, Procedure, SpareAxes, TorchPath, WeldingPosition,
+};
 use std::f64::consts::{PI, TAU};
 
-/// Residuals of one place: limits and turns by axis, ends of ranges by axis, then singularity, position, clearance.
-pub(crate) const ROWS: usize = 3 * MAX_AXES + 3;
+/// Residuals of one place: limits and turns by axis, ends of ranges by axis, then singularity, position, clearance,
+/// positions allowed.
+pub(crate) const ROWS: usize = 3 * MAX_AXES + 4;
 const ENDS: usize = MAX_AXES;
 const TURNS: usize = 2 * MAX_AXES;
 const SINGULAR: usize = 3 * MAX_AXES;
 const POSITION: usize = SINGULAR + 1;
 const CLEARANCE: usize = SINGULAR + 2;
+const ALLOWED: usize = SINGULAR + 3;
 
 /// Part of a range, before its end, in which closeness costs.
 const MARGIN: f64 = 0.1;
@@ -19,23 +22,59 @@ const MARGIN: f64 = 0.1;
 const INSET: f64 = 0.002;
 /// How much stronger the ends of ranges repel than anything else pulls.
 const STRONG: f64 = 100.0;
+/// A weld is kept this far within the limits of the positions that its procedure allows, degrees.
+const ALLOWED_MARGIN_DEG: f64 = 2.0;
+/// Weight of a degree beyond these limits, in the most that wishes count.
+const ALLOWED_WEIGHT: f64 = 5.0;
 /// Sine of the distance from a singular attitude at which closeness begins to cost.
 const SINGULAR_NEAR: f64 = 0.342;
 /// Part of an axis' speed and acceleration that may be used before it costs as much as a limit does.
 const USABLE: f64 = 0.9;
 const EXCESS: f64 = 10.0;
 
+/// Welding positions that a procedure allows along a pass.
+#[derive(Clone, Copy)]
+pub(crate) struct AllowedPositions<'a> {
+    pub(crate) limits: &'a PositionLimits,
+    pub(crate) joint: FilletOrButt,
+    pub(crate) positions: &'a [WeldingPosition],
+}
+
+/// Places at which the faces are looked at.
+const FACES: u32 = 60;
+
+impl<'a> AllowedPositions<'a> {
+    /// Those that `procedure` allows for `pass`, the `number`-th, along `path`; none if it allows all.
+    pub(crate) fn of(procedure: &'a Procedure, path: &dyn TorchPath, pass: &Pass, number: usize) -> Option<Self> {
+        let positions = procedure.run_of(number, pass)?.positions.as_deref()?;
+        let places = (0..=FACES).map(|i| path.length() * f64::from(i) / f64::from(FACES));
+        let angles = places.filter_map(|s| path.groove(s)).map(|groove| groove.dihedral);
+        let ends = angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), a| (low.min(a), high.max(a)));
+        let ends = if ends.0 <= ends.1 { ends } else { (PI, PI) };
+        Some(Self { limits: &procedure.position_limits, joint: procedure.joint(ends), positions })
+    }
+
+    /// By how much a weld is beyond all of them, degrees; negative within one.
+    fn beyond(&self, at: Inclination) -> f64 {
+        let each = self.positions.iter().map(|position| self.limits.beyond(self.joint, *position, at));
+        // A joint that has none of these positions cannot be worked for.
+        each.fold(180.0, f64::min)
+    }
+}
+
 /// What the axes' positions and motion cost: a mean over the path of squares of dimensionless residuals.
 pub(crate) struct Cost<'a> {
     machine: &'a Machine,
     wishes: &'a SpareAxes,
     clearance: Option<Clearance<'a>>,
+    positions: Option<AllowedPositions<'a>>,
     decided: AxisSet,
     /// Axes that stand still by wish: their positions are nobody's choice.
     still: AxisSet,
-    /// True if the wanted position can be worked for.
-    flat: bool,
+    /// True if axes can turn or tilt the work against gravity.
+    tilts: bool,
     ends: f64,
+    allowed: f64,
     /// Roots of the weights of motion and acceleration times what turns a derivative by s into a part of the limit.
     pub(crate) speed: Joints,
     pub(crate) acceleration: Joints,
@@ -44,9 +83,7 @@ pub(crate) struct Cost<'a> {
 impl<'a> Cost<'a> {
     pub(crate) fn new(
         machine: &'a Machine,
-        wishes: &'a SpareAxes,
-        clearance: Option<Clearance<'a>>,
-        speed: f64,
+        Aim { speed, wishes, clearance, positions }: Aim<'a>,
         (looked_for, still): (AxisSet, AxisSet),
         base: &Joints,
     ) -> Self {
@@ -65,17 +102,20 @@ impl<'a> Cost<'a> {
             machine,
             wishes,
             clearance,
+            positions,
             decided: all.different(looked_for.union(still)),
             still,
-            flat: wishes.position == Position::Flat && tilts(machine, looked_for, base),
+            // Decided axes under the work turn with those looked for.
+            tilts: tilts(machine, all.different(still), base),
             ends: STRONG * most.sqrt(),
+            allowed: ALLOWED_WEIGHT * most,
             speed: rate,
             acceleration,
         }
     }
 
-    /// Residuals at one place, whose joint's face is `face`.
-    pub(crate) fn place(&self, q: &Joints, face: DVec3) -> [f64; ROWS] {
+    /// Residuals at one place.
+    pub(crate) fn place(&self, q: &Joints, place: &Place) -> [f64; ROWS] {
         let w = &self.wishes.weights;
         let mut rows = [0.0; ROWS];
         let root = f64::sqrt;
@@ -95,9 +135,15 @@ impl<'a> Cost<'a> {
         {
             rows[SINGULAR] = root(w.singularity.get()) * (1.0 - distance / SINGULAR_NEAR).max(0.0);
         }
-        if self.flat && w.position.get() > 0.0 {
-            let up = self.machine.up_in_work(q);
-            let angle = 2.0 * (up - face).length().atan2((up + face).length());
+        let up = if self.tilts { self.machine.up_in_work(q) } else { self.machine.up };
+        if let (true, Some(positions)) = (self.tilts, &self.positions) {
+            let beyond = positions.beyond(Inclination::new(place.tangent, place.face, up));
+            let lacking = (beyond + ALLOWED_MARGIN_DEG).max(0.0);
+            // Its square grows linearly, faster than that of any wish but slower than that of the ends of ranges.
+            rows[ALLOWED] = root(2.0 * self.allowed * ((1.0 + lacking * lacking).sqrt() - 1.0));
+        }
+        if self.tilts && self.wishes.position == Position::Flat && w.position.get() > 0.0 {
+            let angle = 2.0 * (up - place.face).length().atan2((up + place.face).length());
             let beyond = (angle.to_degrees() - self.wishes.flat_within_deg.get()).max(0.0);
             rows[POSITION] = root(w.position.get()) * beyond / 10.0;
         }

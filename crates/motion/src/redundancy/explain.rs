@@ -5,8 +5,11 @@ use seamwright_machine::{AxisKind, Joints};
 use seamwright_program::Finding;
 use std::f64::consts::TAU;
 
+/// Samples of the free axes at which the reason is looked for where the inverse has no closed form.
+const NUMERIC_SAMPLES: usize = 4;
+
 /// An axis is held that cannot be.
-pub(super) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
+pub(crate) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
     Finding {
         kind: "hold",
         message: error.to_string(),
@@ -21,8 +24,12 @@ pub(super) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
 /// Why there is no way: places that cannot be reached at all, or places that can, but not one after the other.
 pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
     let mut runs = Runs::default();
+    let samples = graph.samples();
+    // Without a closed form a search at every sample would take minutes.
+    let stride = if task.machine.heads[0].is_numeric() { samples.len().div_ceil(NUMERIC_SAMPLES) } else { 1 };
+    let samples: Vec<Joints> = samples.into_iter().step_by(stride).collect();
     for (place, nodes) in graph.places.iter().zip(&graph.nodes) {
-        let why = nodes.is_empty().then(|| nearest_miss(task, graph, place.s));
+        let why = nodes.is_empty().then(|| nearest_miss(task, &samples, place.s));
         runs.add(place.s, why);
     }
     let unreachable = runs.findings(|run| Finding {
@@ -58,25 +65,30 @@ fn not_smooth(task: &Task, pass: usize) -> Finding {
 
 /// Of all places of the free axes the one that comes nearest to reaching path length `s`: which axis lacks how much
 /// there, as a complaint for [`Runs`].
-fn nearest_miss(task: &Task, graph: &Graph, s: f64) -> (usize, f64, String) {
+fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, String) {
     let place = task.place(s);
     let (mut least, mut reason) = (f64::INFINITY, (0, 0.0, "no axis positions reach it".to_owned()));
-    graph.for_each_sample(&mut |q| match task.machine.inverse(place.target, q) {
-        Ok(branches) => {
-            for branch in branches.iter() {
-                let (axis, by, part) = worst(task, &task.machine.turned_into_range(&branch.joints));
-                if part < least {
-                    let a = &task.machine.axes[axis];
-                    let (by, unit) = (a.to_file(by), a.unit());
-                    least = part;
-                    let message = format!("axis {} would have to go {by:.3} {unit} beyond its range", a.name);
-                    reason = (axis + 1, by, message);
+    for q in samples {
+        if !task.effort.spend(1, task.effort.progress().part) {
+            break;
+        }
+        match task.machine.inverse(place.target, q) {
+            Ok(branches) => {
+                for branch in branches.iter() {
+                    let (axis, by, part) = worst(task, &task.machine.turned_into_range(&branch.joints));
+                    if part < least {
+                        let a = &task.machine.axes[axis];
+                        let (by, unit) = (a.to_file(by), a.unit());
+                        least = part;
+                        let message = format!("axis {} would have to go {by:.3} {unit} beyond its range", a.name);
+                        reason = (axis + 1, by, message);
+                    }
                 }
             }
+            Err(error) if least.is_infinite() => reason = (0, 0.0, error.to_string()),
+            Err(_) => {}
         }
-        Err(error) if least.is_infinite() => reason = (0, 0.0, error.to_string()),
-        Err(_) => {}
-    });
+    }
     reason
 }
 

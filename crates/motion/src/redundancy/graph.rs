@@ -1,4 +1,5 @@
-use super::{Cost, Place, Task};
+use super::{Cost, Place, Task, continuation};
+use crate::effort::SearchStage;
 use seamwright_machine::{AxisKind, Joints};
 use std::collections::HashSet;
 use std::f64::consts::{FRAC_PI_3, TAU};
@@ -16,6 +17,8 @@ const MORE: f64 = 3.0;
 const MORE_A_STATION: f64 = 0.02;
 /// Ways that prove not to be continuous are struck out, up to this many edges.
 const MOST_STRUCK: usize = 60;
+/// Units of effort of joining two stations.
+const EDGE_WORK: u64 = 64;
 /// Steps between two stations that such a proof takes.
 const WALKED: usize = 8;
 
@@ -53,15 +56,33 @@ impl<'t, 'a> Graph<'t, 'a> {
         let grids = grids(task, samples);
         let steps = grids.iter().zip(&task.free).map(|(g, &axis)| spacing(task, axis, g)).collect();
         let places = task.places(stations);
-        let nodes = places.iter().map(|place| nodes(task, place, &task.base, &grids)).collect();
+        task.effort.begin(SearchStage::Sampling);
+        let nodes: Vec<Vec<Node>> = if task.machine.heads[0].is_numeric() {
+            let cells = continuation::branches(task, &places, &combinations(task, &task.base, &grids), &grids);
+            let of_place = |(cells, place): (Vec<Vec<Joints>>, &Place)| {
+                cells.iter().flatten().flat_map(|q| turned(task, place, q)).collect()
+            };
+            cells.into_iter().zip(&places).map(of_place).collect()
+        } else {
+            let count = places.len() as f64;
+            let of_place = |(k, place): (usize, &Place)| nodes(task, place, &task.base, &grids, k as f64 / count);
+            places.iter().enumerate().map(of_place).collect()
+        };
         let mut graph = Self { task, places, nodes, grids, steps, struck: HashSet::new() };
-        for _ in 0..MOST_STRUCK {
-            graph.solve();
+        task.effort.begin(SearchStage::Joining);
+        let mut from = 1;
+        for round in 0..MOST_STRUCK {
+            if !task.effort.spend(1, round as f64 / MOST_STRUCK as f64) {
+                break;
+            }
+            graph.solve(from);
             let Some(way) = graph.way() else { break };
             let broken: Vec<_> = (1..way.len()).filter(|&k| !graph.continuous(k, way[k - 1], way[k])).collect();
             if broken.is_empty() {
                 break;
             }
+            // Stations before the first edge that is struck out stay as they are.
+            from = broken[0];
             graph.struck.extend(broken.into_iter().map(|k| (k, way[k - 1], way[k])));
         }
         graph
@@ -124,15 +145,21 @@ impl<'t, 'a> Graph<'t, 'a> {
         rows
     }
 
-    /// Calls `f` with home and each combination of samples in it.
-    pub(super) fn for_each_sample(&self, f: &mut dyn FnMut(&Joints)) {
-        for_each_sample(self.task, &self.task.base, &self.grids, f);
+    /// Home with each combination of samples in it.
+    pub(super) fn samples(&self) -> Vec<Joints> {
+        combinations(self.task, &self.task.base, &self.grids)
     }
 
-    /// Dynamic programming: the least total at every node.
-    fn solve(&mut self) {
-        self.nodes[0].iter_mut().for_each(|n| n.total = n.place);
-        for k in 1..self.nodes.len() {
+    /// Dynamic programming: the least total at every node of station `first` (at least 1) and later ones.
+    fn solve(&mut self, first: usize) {
+        if first == 1 {
+            self.nodes[0].iter_mut().for_each(|n| n.total = n.place);
+        }
+        for k in first..self.nodes.len() {
+            let part = self.task.effort.progress().part;
+            if !self.task.effort.spend(EDGE_WORK, part) {
+                return;
+            }
             let (before, here) = self.nodes.split_at_mut(k);
             let before = &before[k - 1];
             for (j, node) in here[0].iter_mut().enumerate() {
@@ -161,6 +188,10 @@ impl<'t, 'a> Graph<'t, 'a> {
         let end = self.nodes.len() - 1;
         self.nodes[end].iter_mut().for_each(|n| n.onward.0 = 0.0);
         for k in (1..=end).rev() {
+            let part = self.task.effort.progress().part;
+            if !self.task.effort.spend(EDGE_WORK, part) {
+                return;
+            }
             let (before, here) = self.nodes.split_at_mut(k);
             for (i, node) in before[k - 1].iter_mut().enumerate().filter(|(_, n)| n.total.is_finite()) {
                 for (j, to) in here[0].iter().enumerate() {
@@ -201,7 +232,7 @@ impl<'t, 'a> Graph<'t, 'a> {
             for &axis in &task.free {
                 q[axis] = start[axis] + x * task.way(axis, start[axis], end[axis]);
             }
-            match task.machine.inverse_near(task.path.pose(from + x * (to - from)), &q) {
+            match task.machine.inverse_next(task.path.pose(from + x * (to - from)), &q) {
                 Ok(solution) => q = solution.joints,
                 Err(_) => return false,
             }
@@ -228,12 +259,12 @@ pub(super) fn finer(task: &Task, rough: &[Joints], steps: &[f64]) -> Option<Vec<
             offsets.iter().map(|o| middle[axis] + o * step).filter(within).collect()
         };
         let grids: Vec<Vec<f64>> = task.free.iter().zip(steps).map(grid).collect();
-        self::nodes(task, place, &middle, &grids)
+        self::nodes(task, place, &middle, &grids, task.effort.progress().part)
     });
     let nodes = nodes.collect();
     let steps = steps.iter().map(|s| 0.5 * s).collect();
     let mut graph = Graph { task, places, nodes, grids: Vec::new(), steps, struck: HashSet::new() };
-    graph.solve();
+    graph.solve(1);
     let way = graph.way()?;
     if (1..way.len()).any(|k| !graph.continuous(k, way[k - 1], way[k])) {
         return None;
@@ -243,17 +274,20 @@ pub(super) fn finer(task: &Task, rough: &[Joints], steps: &[f64]) -> Option<Vec<
 
 /// Samples of each free axis: some `samples` combinations in all.
 fn grids(task: &Task, samples: usize) -> Vec<Vec<f64>> {
-    let span = |axis: usize| task.machine.axes[axis].range.map_or(TAU, |(low, high)| high - low);
-    let wanted = |&axis: &usize| match task.machine.axes[axis].kind {
-        AxisKind::Linear => LINEAR_SAMPLES as f64,
-        AxisKind::Rotary => (span(axis) / ROTARY_STEP).ceil() + f64::from(u8::from(!task.endless(axis))),
+    let range = |axis: usize| task.machine.axes[axis].range.filter(|_| !task.winds(axis));
+    let wanted = |&axis: &usize| match (task.machine.axes[axis].kind, range(axis)) {
+        (AxisKind::Linear, _) => LINEAR_SAMPLES as f64,
+        (AxisKind::Rotary, Some((low, high))) => ((high - low) / ROTARY_STEP).ceil() + 1.0,
+        (AxisKind::Rotary, None) => (TAU / ROTARY_STEP).ceil(),
     };
     let mut counts: Vec<f64> = task.free.iter().map(wanted).collect();
     // All axes get finer or coarser alike.
     let factor = (samples as f64 / counts.iter().product::<f64>()).powf(1.0 / counts.len() as f64);
+    // Finer than wanted only where a sample costs little.
+    let factor = if task.machine.heads[0].is_numeric() { factor.min(1.0) } else { factor };
     counts.iter_mut().for_each(|n| *n = (*n * factor).round().max(3.0));
     let grid = |(&axis, &count): (&usize, &f64)| {
-        let sample = |i: usize| match task.machine.axes[axis].range {
+        let sample = |i: usize| match range(axis) {
             Some((low, high)) => low + (high - low) * (0.004 + 0.992 * i as f64 / (count - 1.0)),
             None => task.base[axis] + TAU * i as f64 / count,
         };
@@ -266,39 +300,56 @@ fn spacing(task: &Task, axis: usize, grid: &[f64]) -> f64 {
     task.way(axis, grid[0], grid[1]).abs()
 }
 
-/// Every branch at every combination of the samples, on every turn within the ranges.
-fn nodes(task: &Task, place: &Place, near: &Joints, grids: &[Vec<f64>]) -> Vec<Node> {
+/// Every branch at every combination of the samples, on every turn that is told apart within the ranges; `part` of the
+/// stage is done. Where the inverse has no closed form, the branch that continues from `near`.
+fn nodes(task: &Task, place: &Place, near: &Joints, grids: &[Vec<f64>], part: f64) -> Vec<Node> {
     let mut nodes = Vec::new();
-    for_each_sample(task, near, grids, &mut |q| {
-        let Ok(branches) = task.machine.inverse(place.target, q) else { return };
-        for branch in branches.iter() {
-            for q in turns(task, &branch.joints) {
-                let cost = task.cost.place(&q, place.face).iter().map(|r| r * r).sum();
-                nodes.push(Node { q, place: cost, onward: (f64::INFINITY, 0), total: f64::INFINITY, from: 0 });
-            }
+    for q in combinations(task, near, grids) {
+        if !task.effort.spend(1, part) {
+            break;
         }
-    });
+        let Ok(branches) = task.machine.inverse_from(place.target, &q, &[q]) else { continue };
+        nodes.extend(branches.iter().flat_map(|branch| turned(task, place, &branch.joints)));
+    }
     nodes
 }
 
-/// Calls `f` with `near` and each combination of samples of the free axes in it.
-fn for_each_sample(task: &Task, near: &Joints, grids: &[Vec<f64>], f: &mut dyn FnMut(&Joints)) {
-    let combinations: usize = grids.iter().map(Vec::len).product();
-    for mut index in 0..combinations {
+/// Nodes at `q`, on every turn that is told apart.
+fn turned(task: &Task, place: &Place, q: &Joints) -> Vec<Node> {
+    let node = |q: Joints| {
+        let cost = task.cost.place(&q, place).iter().map(|r| r * r).sum();
+        Node { q, place: cost, onward: (f64::INFINITY, 0), total: f64::INFINITY, from: 0 }
+    };
+    turns(task, q).into_iter().map(node).collect()
+}
+
+/// `near` with each combination of samples of the free axes in it; the first axis' sample changes first.
+fn combinations(task: &Task, near: &Joints, grids: &[Vec<f64>]) -> Vec<Joints> {
+    let count: usize = grids.iter().map(Vec::len).product();
+    let combination = |mut index: usize| {
         let mut q = *near;
         for (&axis, grid) in task.free.iter().zip(grids) {
             q[axis] = grid[index % grid.len()];
             index /= grid.len();
         }
-        f(&q);
-    }
+        q
+    };
+    (0..count).map(combination).collect()
 }
 
-/// `q` with its decided rotary axes on every turn within their ranges; none if an axis has no turn in its range.
+/// `q` with its decided rotary axes on every turn within their ranges that is told apart; none if an axis has no turn in
+/// its range.
 fn turns(task: &Task, q: &Joints) -> Vec<Joints> {
     let mut all = vec![*q];
     for (i, axis) in task.machine.axes.iter().enumerate() {
         let Some((low, high)) = axis.range else { continue };
+        if task.winds(i) {
+            // Any turn does: the one nearest to home, where ranges cost least.
+            let home = ((axis.home - q[i]) / TAU).round();
+            let turns = axis.turns_within((q[i], q[i]), home).unwrap_or(home);
+            all.iter_mut().for_each(|q| q[i] += TAU * turns);
+            continue;
+        }
         if axis.kind == AxisKind::Linear || task.free.contains(&i) {
             all.retain(|q| axis.outside(q[i]).is_none());
             continue;

@@ -6,24 +6,37 @@
 //! way. Then the free axes become uniform cubic B-splines, and Levenberg and Marquardt's method moves their
 //! coefficients to the least of the true cost at 1,000 stations. Nothing is random: the same path gives the same
 //! motion.
+//!
+//! Where the inverse has no closed form, nodes are found by continuation ([`continuation`]): a full search costs thousands
+//! of times as much. Wide ranges are looked through by the turn: nodes a whole turn apart are one node, and only if the
+//! way found does not fit into the ranges are they told apart.
 
 mod banded;
+mod continuation;
 mod cost;
 mod explain;
 mod free_axes;
 mod graph;
 mod refine;
 
+use crate::effort::Effort;
+pub(crate) use cost::AllowedPositions;
 use cost::Cost;
+pub(crate) use explain::hold as hold_finding;
 pub use free_axes::FreeAxes;
 use glam::DVec3;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Target};
 use seamwright_program::{Finding, SpareAxes, TorchPath};
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 use thiserror::Error;
 
 /// Stations of the graph's first level and samples of the free axes there: a quick search, then a thorough one.
 const EFFORTS: [(usize, usize); 2] = [(24, 216), (48, 800)];
+/// The same where the inverse has no closed form.
+const NUMERIC_EFFORTS: [(usize, usize); 2] = [(24, 64), (48, 216)];
+/// Nodes a whole turn apart are told apart if there are at most so many for one.
+const MAX_TURNS: f64 = 8.0;
 /// Levels of the graph after the first.
 const FINER: usize = 2;
 /// Stations and spline intervals of the refinement of every way, and of the best one after that.
@@ -42,13 +55,29 @@ pub struct Clearance<'a> {
 /// Why an axis cannot be held as asked.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum HoldError {
-    /// The machine has no such axis, or the torch's pose decides it.
-    #[error("axis {axis} is none to spare on this machine")]
-    NotFree {
+    /// The machine has no such axis, or it does not carry the torch.
+    #[error("there is no axis {axis} between the work and the torch")]
+    Unknown {
         /// Name asked for.
         axis: String,
-        /// Names of the axes to spare.
-        free: String,
+        /// Names of the axes that carry the torch.
+        axes: String,
+    },
+    /// A torch pose needs every axis.
+    #[error("axis {axis} cannot be held: a torch pose decides all axes here")]
+    Decided {
+        /// Name asked for.
+        axis: String,
+    },
+    /// The other axes cannot give every torch pose.
+    #[error("with {held} held the other axes cannot give every torch pose")]
+    TooFew {
+        /// The first of the axes to hold.
+        axis: String,
+        /// All of them.
+        held: String,
+        /// How many can be held.
+        redundant: usize,
     },
     /// The position lies outside the axis' range.
     #[error("axis {axis} does not go there")]
@@ -64,31 +93,54 @@ impl HoldError {
     /// Name of the axis.
     pub fn axis(&self) -> &str {
         match self {
-            Self::NotFree { axis, .. } | Self::Range { axis, .. } => axis,
+            Self::Unknown { axis, .. }
+            | Self::Decided { axis }
+            | Self::TooFew { axis, .. }
+            | Self::Range { axis, .. } => axis,
         }
     }
 
     /// What would be allowed.
     pub fn allowed(&self) -> String {
         match self {
-            Self::NotFree { free, .. } if free.is_empty() => "nothing: a torch pose decides all its axes".to_owned(),
-            Self::NotFree { free, .. } => free.clone(),
+            Self::Unknown { axes, .. } => axes.clone(),
+            Self::Decided { .. } => "no axis".to_owned(),
+            Self::TooFew { redundant: 1, .. } => "one axis, or another one".to_owned(),
+            Self::TooFew { redundant, .. } => format!("up to {redundant} axes, or others"),
             Self::Range { range, .. } => range.clone(),
         }
     }
 }
 
-/// The axes that `wishes` holds, with their positions in mm or rad.
+/// The machine with the axes that `wishes` holds left free by the torch's pose: `machine` itself if they are free
+/// already, else the one of [`Machine::freeing`].
 ///
 /// # Errors
-/// An axis that is not free on `machine`, or a position outside its range.
-pub fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, HoldError> {
-    let free = machine.free();
+/// An axis that cannot be held, or a position outside its range.
+pub fn holding<'m>(machine: &'m Machine, wishes: &SpareAxes) -> Result<Cow<'m, Machine>, HoldError> {
+    let held = held(machine, wishes)?;
+    let wanted: AxisSet = held.iter().map(|(axis, _)| *axis).collect();
+    if wanted.both(machine.free()) == wanted {
+        return Ok(Cow::Borrowed(machine));
+    }
+    let names: Vec<&str> = held.iter().map(|(axis, _)| machine.axes[*axis].name.as_str()).collect();
+    let axis = names.first().copied().unwrap_or_default().to_owned();
+    let redundant = machine.free().iter().count();
+    if redundant == 0 {
+        return Err(HoldError::Decided { axis });
+    }
+    let freed = machine.freeing(wanted);
+    freed.map(Cow::Owned).ok_or_else(|| HoldError::TooFew { axis, held: names.join(", "), redundant })
+}
+
+/// The axes that `wishes` holds, with their positions in mm or rad.
+fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, HoldError> {
+    let chain = machine.heads[0].chain.axes();
     let mut held = Vec::new();
     for (name, position) in &wishes.hold {
-        let axis = machine.axis(name).filter(|&i| free.has(i)).ok_or_else(|| HoldError::NotFree {
+        let axis = machine.axis(name).filter(|&i| chain.has(i)).ok_or_else(|| HoldError::Unknown {
             axis: name.clone(),
-            free: free.iter().map(|i| machine.axes[i].name.as_str()).collect::<Vec<_>>().join(", "),
+            axes: chain.iter().map(|i| machine.axes[i].name.as_str()).collect::<Vec<_>>().join(", "),
         })?;
         let value = machine.axes[axis].from_file(position.get());
         if machine.axes[axis].outside(value).is_some() {
@@ -102,8 +154,21 @@ pub fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, 
     Ok(held)
 }
 
+/// What the free axes are chosen for.
+#[derive(Clone, Copy)]
+pub(crate) struct Aim<'a> {
+    /// Highest speed along the path, mm/s.
+    pub(crate) speed: f64,
+    pub(crate) wishes: &'a SpareAxes,
+    /// Obstacles to keep clear of.
+    pub(crate) clearance: Option<Clearance<'a>>,
+    /// Welding positions that come before those preferred.
+    pub(crate) positions: Option<AllowedPositions<'a>>,
+}
+
 /// The free axes of `machine` along `path`, welded at up to `speed` mm/s: continuous, twice continuously
 /// differentiable, within their ranges, of least cost by the weights of `wishes`. Nothing to choose gives the default.
+/// They are those of the machine of [`holding`].
 ///
 /// # Errors
 /// Findings of pass `pass` that say where there is no way, and because of what.
@@ -115,56 +180,63 @@ pub fn resolve(
     clearance: Option<Clearance>,
     pass: usize,
 ) -> Result<FreeAxes, Vec<Finding>> {
+    let machine = holding(machine, wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
+    let aim = Aim { speed, wishes, clearance, positions: None };
+    resolve_within(&Effort::new(None), &machine, path, aim, pass)
+}
+
+/// Returns what [`resolve`] does for a `machine` whose held axes are free, with `effort` to stop the search.
+pub(crate) fn resolve_within(
+    effort: &Effort,
+    machine: &Machine,
+    path: &dyn TorchPath,
+    aim: Aim,
+    pass: usize,
+) -> Result<FreeAxes, Vec<Finding>> {
     if path.axes(0.0).is_some() {
         return Ok(FreeAxes::default());
     }
-    let still = held(machine, wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
+    let still = held(machine, aim.wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
     let two = path.second(0.0).is_some();
     if let (true, Some(&(axis, _))) = (two, still.first()) {
         // Two torches decide every axis.
-        let error = HoldError::NotFree { axis: machine.axes[axis].name.clone(), free: String::new() };
+        let error = HoldError::Decided { axis: machine.axes[axis].name.clone() };
         return Err(vec![explain::hold(&error, path.length(), pass)]);
     }
     if machine.free().is_empty() || two {
         return Ok(FreeAxes::default());
     }
-    let task = Task::new(machine, path, speed, wishes, clearance, &still);
+    let task = Task::new(effort, machine, path, aim, &still);
     if task.free.is_empty() {
         return Ok(FreeAxes { length: path.length(), still, moving: Vec::new(), start: None });
     }
-    let mut best: Option<FreeAxes> = None;
-    let mut last = None;
-    for (stations, samples) in EFFORTS {
-        let mut graph = graph::Graph::new(&task, stations, samples);
-        let mut ways = graph.ways();
-        if let Some(best) = ways.first() {
-            ways.push(task.closer(best.clone(), graph.steps.clone()));
-        }
-        ways.iter_mut().for_each(|way| task.turn_home(way));
-        if let Some((free, inside)) = refine::refine(&task, &ways, still.clone()) {
-            if inside {
-                return Ok(free);
-            }
-            // What it lacks, the survey says.
-            best = best.or(Some(free));
-        }
-        last = Some(graph);
+    let alike = task.search(&still, pass)?;
+    if alike.inside || task.telling_turns() > MAX_TURNS {
+        return Ok(alike.free);
     }
-    match (best, last) {
-        (Some(free), _) => Ok(free),
-        (None, Some(graph)) => Err(explain::no_way(&task, &graph, pass)),
-        (None, None) => Ok(FreeAxes::default()),
-    }
+    let apart = Task { winding: task.endless(), ..task };
+    let other = apart.search(&still, pass);
+    effort.check(pass, path.length())?;
+    Ok(other.map_or(alike.free, |found| found.free))
+}
+
+/// The free axes found, and whether all axes stay in their ranges with them.
+struct Found {
+    free: FreeAxes,
+    inside: bool,
 }
 
 /// What is looked for.
 struct Task<'a> {
+    effort: &'a Effort<'a>,
     machine: &'a Machine,
     path: &'a dyn TorchPath,
     /// The axes that are looked for.
     free: Vec<usize>,
     /// Home, with the axes that are held where they are held.
     base: Joints,
+    /// Axes whose positions a whole turn apart are one.
+    winding: AxisSet,
     cost: Cost<'a>,
 }
 
@@ -173,23 +245,79 @@ struct Place {
     s: f64,
     target: Target,
     face: DVec3,
+    tangent: DVec3,
 }
 
 impl<'a> Task<'a> {
     fn new(
+        effort: &'a Effort<'a>,
         machine: &'a Machine,
         path: &'a dyn TorchPath,
-        speed: f64,
-        wishes: &'a SpareAxes,
-        clearance: Option<Clearance<'a>>,
+        aim: Aim<'a>,
         held: &[(usize, f64)],
     ) -> Self {
         let mut base = machine.home();
         held.iter().for_each(|&(axis, value)| base[axis] = value);
         let still: AxisSet = held.iter().map(|(axis, _)| *axis).collect();
         let looked_for = machine.free().different(still);
-        let cost = Cost::new(machine, wishes, clearance, speed, (looked_for, still), &base);
-        Self { machine, path, free: looked_for.iter().collect(), base, cost }
+        let cost = Cost::new(machine, aim, (looked_for, still), &base);
+        let winding = (0..machine.axes.len()).filter(|&axis| {
+            // A free axis is sampled over one turn: the way may need another one.
+            let turns = if looked_for.has(axis) { 2.0 } else { 1.0 };
+            let a = &machine.axes[axis];
+            let wide = a.range.is_none_or(|(low, high)| high - low >= turns * TAU * (1.0 - 1e-9));
+            // A table of pitch errors does not come round.
+            a.kind == AxisKind::Rotary && wide && (a.range.is_none() || a.pitch_error.is_none())
+        });
+        let winding = winding.collect();
+        Self { effort, machine, path, free: looked_for.iter().collect(), base, winding, cost }
+    }
+
+    /// A quick search, then a thorough one if that found nothing inside the ranges.
+    fn search(&self, still: &[(usize, f64)], pass: usize) -> Result<Found, Vec<Finding>> {
+        let mut best: Option<Found> = None;
+        let mut last = None;
+        let efforts = if self.machine.heads[0].is_numeric() { NUMERIC_EFFORTS } else { EFFORTS };
+        for (stations, samples) in efforts {
+            let mut graph = graph::Graph::new(self, stations, samples);
+            let mut ways = graph.ways();
+            if let Some(best) = ways.first() {
+                ways.push(self.closer(best.clone(), graph.steps.clone()));
+            }
+            ways.iter_mut().for_each(|way| self.turn_home(way));
+            let refined = refine::refine(self, &ways, still.to_vec());
+            self.effort.check(pass, self.path.length())?;
+            if let Some((free, inside)) = refined {
+                let found = Found { free, inside };
+                if inside {
+                    return Ok(found);
+                }
+                // What it lacks, the survey says.
+                best = best.or(Some(found));
+            }
+            last = Some(graph);
+        }
+        match (best, last) {
+            (Some(found), _) => Ok(found),
+            (None, Some(graph)) => {
+                let findings = explain::no_way(self, &graph, pass);
+                self.effort.check(pass, self.path.length())?;
+                Err(findings)
+            }
+            (None, None) => Ok(Found { free: FreeAxes::default(), inside: true }),
+        }
+    }
+
+    /// Axes without ends of their range.
+    fn endless(&self) -> AxisSet {
+        let rotary = |axis: &usize| self.machine.axes[*axis].kind == AxisKind::Rotary;
+        (0..self.machine.axes.len()).filter(rotary).filter(|&axis| self.machine.axes[axis].range.is_none()).collect()
+    }
+
+    /// About how many nodes there would be for one if turns of all axes with ranges were told apart.
+    fn telling_turns(&self) -> f64 {
+        let ranges = self.winding.iter().filter_map(|axis| self.machine.axes[axis].range);
+        ranges.map(|(low, high)| ((high - low) / TAU).ceil()).product()
     }
 
     fn places(&self, stations: usize) -> Vec<Place> {
@@ -198,7 +326,8 @@ impl<'a> Task<'a> {
     }
 
     fn place(&self, s: f64) -> Place {
-        Place { s, target: self.path.pose(s).into(), face: self.path.face(s) }
+        let tangent = self.path.groove(s).map_or_else(|| self.path.tangent(s), |groove| groove.tangent);
+        Place { s, target: self.path.pose(s).into(), face: self.path.face(s), tangent }
     }
 
     /// The way through nodes ever closer about `way`, whose own are `steps` apart.
@@ -210,26 +339,26 @@ impl<'a> Task<'a> {
         way
     }
 
-    /// True if `axis` turns without end.
-    fn endless(&self, axis: usize) -> bool {
-        self.machine.axes[axis].range.is_none()
+    /// True if positions of `axis` a whole turn apart are one.
+    fn winds(&self, axis: usize) -> bool {
+        self.winding.has(axis)
     }
 
-    /// The least way of `axis` from `a` to `b`, over the gap where it turns without end.
+    /// The least way of `axis` from `a` to `b`, by any number of turns where these are one.
     fn way(&self, axis: usize, a: f64, b: f64) -> f64 {
         let d = b - a;
-        if self.endless(axis) { d - TAU * (d / TAU).round() } else { d }
+        if self.winds(axis) { d - TAU * (d / TAU).round() } else { d }
     }
 
-    /// Turns the axes that turn without end by whole turns, so that they stay as near to home as can be.
+    /// Turns the axes that wind by whole turns, so that they stay in their ranges if they can, and as near to home as can
+    /// be.
     fn turn_home(&self, way: &mut [Joints]) {
-        for (i, axis) in self.machine.axes.iter().enumerate() {
-            if axis.kind == AxisKind::Rotary && axis.range.is_none() {
-                let (low, high) =
-                    way.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q[i]), h.max(q[i])));
-                let turns = ((0.5 * (low + high) - axis.home) / TAU).round();
-                way.iter_mut().for_each(|q| q[i] -= TAU * turns);
-            }
+        for (i, axis) in self.machine.axes.iter().enumerate().filter(|(i, _)| self.winds(*i)) {
+            let (low, high) =
+                way.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q[i]), h.max(q[i])));
+            let home = ((axis.home - 0.5 * (low + high)) / TAU).round();
+            let turns = axis.turns_within((low, high), home).unwrap_or(home);
+            way.iter_mut().for_each(|q| q[i] += TAU * turns);
         }
     }
 }

@@ -2,6 +2,7 @@ use super::banded::Banded;
 use super::cost::{Cost, ROWS};
 use super::free_axes::{Basis, FreeAxes};
 use super::{FIRST_STAGE, Place, STAGES, Task};
+use crate::effort::SearchStage;
 use seamwright_machine::{AxisKind, Joints, MAX_AXES};
 
 /// Most steps of a stage.
@@ -18,7 +19,7 @@ const DIFFERENCE: f64 = 1e-6;
 const SPAN: usize = 5;
 
 /// The free axes of least cost near any of `ways`, which are positions at equal stations, and whether all axes stay in
-/// their ranges; none if no axis positions follow the splines.
+/// their ranges; none if no axis positions follow the splines, or if the effort is stopped.
 pub(super) fn refine(task: &Task, ways: &[Vec<Joints>], still: Vec<(usize, f64)>) -> Option<(FreeAxes, bool)> {
     let stage = |(stations, intervals): (usize, usize), way: &[Joints]| {
         let mut stage = Stage::new(task, stations, intervals, through(task, way, intervals), way)?;
@@ -26,9 +27,15 @@ pub(super) fn refine(task: &Task, ways: &[Vec<Joints>], still: Vec<(usize, f64)>
         let way: Vec<Joints> = stage.rows.iter().map(|r| r.q).collect();
         Some((stage.cost, way, stage.coefficients))
     };
-    let first = ways.iter().filter_map(|way| stage(FIRST_STAGE, way));
+    task.effort.begin(SearchStage::Refining);
+    let stages = (ways.len() + STAGES.len()) as f64;
+    let first = ways.iter().enumerate().filter_map(|(i, way)| {
+        task.effort.spend(0, i as f64 / stages);
+        stage(FIRST_STAGE, way)
+    });
     let mut best = first.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    for size in STAGES {
+    for (i, size) in STAGES.into_iter().enumerate() {
+        task.effort.spend(0, (ways.len() + i) as f64 / stages);
         best = stage(size, &best.1)?;
     }
     let (_, way, coefficients) = best;
@@ -95,6 +102,9 @@ impl<'t, 'a> Stage<'t, 'a> {
     fn run(&mut self) {
         let mut damping = 1e-3;
         for _ in 0..STEPS {
+            if self.task.effort.is_stopped() {
+                break;
+            }
             let equations = self.equations();
             let before = self.cost;
             while self.cost >= before && damping < 1e6 {
@@ -145,8 +155,12 @@ impl<'t, 'a> Stage<'t, 'a> {
     }
 
     fn row(&self, k: usize, near: &Joints) -> Option<Row> {
-        let q = self.task.machine.inverse_near(self.places[k].target, near).ok()?.joints;
-        Some(Row { q, residuals: self.task.cost.place(&q, self.places[k].face) })
+        let effort = self.task.effort;
+        if !effort.spend(1, effort.progress().part) {
+            return None;
+        }
+        let q = self.task.machine.inverse_next(self.places[k].target, near).ok()?.joints;
+        Some(Row { q, residuals: self.task.cost.place(&q, &self.places[k]) })
     }
 
     /// Length of a cell, mm, and as a part of the path.

@@ -11,6 +11,7 @@ use crate::args::MotionArgs;
 use crate::failure::Failure;
 use crate::files;
 use crate::load::{Loaded, load};
+use crate::planning;
 use crate::progress::Progress;
 use seamwright_motion::{SetPoint, WeldMotion};
 use seamwright_report::CertificateFigures;
@@ -30,7 +31,7 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
         run::check_period(period)?;
     }
     let parts = args.coarse_ms.map(|coarse| parts(coarse, period)).transpose()?;
-    let motion = loaded.plan()?;
+    let motion = planning::plan(&loaded, &args.planning)?;
     loaded.check_count(&motion, period)?;
     if let Some(path) = &args.certificate {
         write_certificate(path, &loaded, &motion)?;

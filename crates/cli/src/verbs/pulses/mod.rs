@@ -11,6 +11,7 @@ use crate::args::PulsesArgs;
 use crate::failure::Failure;
 use crate::files;
 use crate::load::load;
+use crate::planning;
 use crate::progress::Progress;
 use crate::rows::{Cell, Rows, print_json, print_text};
 use check::{Checked, check, crowded};
@@ -36,7 +37,7 @@ pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
         let allowed = "a machine with [drives.<axis>.stepper] in its file, like torch-5axis";
         return Err(loaded.welding.program.error_at("machine", message, allowed).into());
     };
-    let motion = loaded.plan()?;
+    let motion = planning::plan(&loaded, &args.planning)?;
     loaded.check_count(&motion, clock.period_s())?;
     let writes = args.output.is_some() || !args.json;
     let mut play = Play {

@@ -1,0 +1,34 @@
+//! Planning on a terminal: under a time limit, with a progress bar.
+
+use crate::args::PlanningArgs;
+use crate::failure::Failure;
+use crate::load::Loaded;
+use crate::progress::Progress;
+use crate::verbs::positive;
+use seamwright_motion::{SearchProgress, WeldMotion};
+use seamwright_program::Finding;
+use seamwright_project::planning::Planning;
+use std::time::Duration;
+
+/// Longest time limit that is allowed, s.
+const MAX_LIMIT_S: f64 = 1e6;
+
+/// Plans the weld, or says why the machine cannot make it.
+pub(crate) fn try_plan(loaded: &Loaded, args: &PlanningArgs) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
+    within(args, |planning| loaded.try_plan_under(&loaded.machine, planning))
+}
+
+/// Plans a weld that can be made as asked.
+pub(crate) fn plan(loaded: &Loaded, args: &PlanningArgs) -> Result<WeldMotion, Failure> {
+    within(args, |planning| loaded.plan_under(&loaded.machine, planning))
+}
+
+fn within<T>(args: &PlanningArgs, plan: impl FnOnce(&Planning) -> Result<T, Failure>) -> Result<T, Failure> {
+    let limit = positive("--time-limit", args.time_limit)?;
+    if limit > MAX_LIMIT_S {
+        return Err(Failure::Input(format!("--time-limit {limit}: not allowed\n   allowed: up to {MAX_LIMIT_S} s")));
+    }
+    let bar = Progress::of_searches();
+    let show = |progress: &SearchProgress| bar.searched(progress);
+    plan(&Planning { limit: Some(Duration::from_secs_f64(limit)), cancel: None, progress: Some(&show) })
+}

@@ -1,0 +1,210 @@
+//! The effort that planning may spend on its searches.
+//!
+//! How thoroughly is searched is fixed, so that the same job always gives the same motion. A [`Watch`] only decides how
+//! long the searches may go on: motion has no clock, so the caller brings one. Once stopped, an [`Effort`] stays stopped:
+//! every search ends early, and planning ends with one finding that says how far it came.
+
+use seamwright_program::Finding;
+use std::cell::Cell;
+use std::fmt;
+
+/// Units of work between two looks at the watch: a unit is about one inverse solution.
+const STRIDE: u64 = 64;
+
+/// A search of planning.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SearchStage {
+    /// Poses along the path are solved for the axes.
+    #[default]
+    Reach,
+    /// Positions of redundant axes are sampled along the path.
+    Sampling,
+    /// Sampled positions are joined to ways along the path.
+    Joining,
+    /// Ways are improved.
+    Refining,
+    /// The speed profile is planned.
+    Speed,
+    /// A faster weave is tried.
+    Weave,
+    /// A transfer move round obstacles is looked for.
+    Transfer,
+    /// Changes that could cure a finding are tried.
+    Cure,
+}
+
+impl fmt::Display for SearchStage {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Self::Reach => "solving poses along the seam",
+            Self::Sampling => "sampling redundant axes",
+            Self::Joining => "joining sampled positions",
+            Self::Refining => "refining redundant axes",
+            Self::Speed => "planning the speed profile",
+            Self::Weave => "trying weave frequencies",
+            Self::Transfer => "searching a transfer move",
+            Self::Cure => "trying cures",
+        })
+    }
+}
+
+/// How far planning has come.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SearchProgress {
+    /// Pass that is planned, counted from 1; 0 before the first.
+    pub pass: usize,
+    /// Number of passes.
+    pub passes: usize,
+    /// The search under way.
+    pub stage: SearchStage,
+    /// Part of the stage that is done, 0 to 1.
+    pub part: f64,
+    /// Inverse solutions and tried moves so far, in all passes.
+    pub work: u64,
+    /// True at the beginning of a stage: the time since the look before was spent outside of searches.
+    pub begins: bool,
+}
+
+/// Why planning ends early.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stop {
+    /// The searches took longer than this, s.
+    OutOfTime(f64),
+    /// Its result is no longer wanted.
+    Cancelled,
+}
+
+/// Decides whether planning goes on: brings a clock, listens for cancellation, shows progress.
+pub trait Watch {
+    /// Called regularly with the progress made.
+    ///
+    /// # Errors
+    /// The reason to stop planning.
+    fn look(&self, progress: &SearchProgress) -> Result<(), Stop>;
+}
+
+/// Counts the work of planning's searches and stops them when its watch says so.
+pub struct Effort<'a> {
+    watch: Option<&'a dyn Watch>,
+    progress: Cell<SearchProgress>,
+    unseen: Cell<u64>,
+    stop: Cell<Option<Stop>>,
+}
+
+impl<'a> Effort<'a> {
+    /// Effort under `watch`; without one, searches end by themselves only.
+    pub fn new(watch: Option<&'a dyn Watch>) -> Self {
+        Self { watch, progress: Cell::default(), unseen: Cell::new(0), stop: Cell::new(None) }
+    }
+
+    /// Begins with pass `pass` of `passes`.
+    pub(crate) fn begin_pass(&self, pass: usize, passes: usize) {
+        self.progress.set(SearchProgress { pass, passes, ..self.progress.get() });
+    }
+
+    /// Begins a stage. Returns false if planning is stopped.
+    pub fn begin(&self, stage: SearchStage) -> bool {
+        if self.is_stopped() {
+            return false;
+        }
+        self.progress.set(SearchProgress { stage, part: 0.0, begins: true, ..self.progress.get() });
+        self.look()
+    }
+
+    /// Counts `work` more units, with `part` (0 to 1) of the stage done. Returns false if planning is stopped.
+    pub fn spend(&self, work: u64, part: f64) -> bool {
+        if self.is_stopped() {
+            return false;
+        }
+        let progress = self.progress.get();
+        self.progress.set(SearchProgress { work: progress.work + work, part, ..progress });
+        self.unseen.set(self.unseen.get() + work);
+        self.unseen.get() < STRIDE || self.look()
+    }
+
+    /// True if planning is stopped.
+    pub fn is_stopped(&self) -> bool {
+        self.stop.get().is_some()
+    }
+
+    /// Why planning is stopped, if it is.
+    pub fn stop(&self) -> Option<Stop> {
+        self.stop.get()
+    }
+
+    /// How far planning has come.
+    pub fn progress(&self) -> SearchProgress {
+        self.progress.get()
+    }
+
+    /// Returns the finding of pass `pass`, `length` mm long, that says how far the search came, if it was stopped.
+    ///
+    /// # Errors
+    /// That finding.
+    pub(crate) fn check(&self, pass: usize, length: f64) -> Result<(), Vec<Finding>> {
+        self.stop.get().map_or(Ok(()), |stop| Err(vec![self.finding(stop, pass, length)]))
+    }
+
+    fn look(&self) -> bool {
+        self.unseen.set(0);
+        if let Some(watch) = self.watch {
+            self.stop.set(watch.look(&self.progress.get()).err());
+        }
+        self.progress.set(SearchProgress { begins: false, ..self.progress.get() });
+        self.stop.get().is_none()
+    }
+
+    fn finding(&self, stop: Stop, pass: usize, length: f64) -> Finding {
+        let SearchProgress { stage, part, work, .. } = self.progress.get();
+        let far = format!("{stage} was {:.0} % done after {work} tried positions", 100.0 * part);
+        let (message, cure) = match stop {
+            Stop::OutOfTime(limit) => (
+                format!("no plan within {limit:.0} s of searching: {far}"),
+                "allow more time (--time-limit), hold redundant axes (spare_axes.hold), narrow their ranges in the machine file, or weld the seam in parts"
+                    .to_owned(),
+            ),
+            Stop::Cancelled => (format!("planning was cancelled: {far}"), "plan again".to_owned()),
+        };
+        Finding { kind: "search", message, pass, from_mm: 0.0, to_mm: length, cure, allowed: false }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    /// Stops at the `n`-th look.
+    struct StopsAt(u32, Cell<u32>, RefCell<Vec<SearchProgress>>);
+
+    impl Watch for StopsAt {
+        fn look(&self, progress: &SearchProgress) -> Result<(), Stop> {
+            self.1.set(self.1.get() + 1);
+            self.2.borrow_mut().push(*progress);
+            if self.1.get() < self.0 { Ok(()) } else { Err(Stop::OutOfTime(5.0)) }
+        }
+    }
+
+    #[test]
+    fn a_stopped_effort_stays_stopped_and_says_how_far_it_came() {
+        let watch = StopsAt(3, Cell::new(0), RefCell::default());
+        let effort = Effort::new(Some(&watch));
+        effort.begin_pass(2, 4);
+        assert!(effort.begin(SearchStage::Sampling));
+        let steps = (0u32..).take_while(|i| effort.spend(1, f64::from(*i) / 1000.0)).count();
+        assert_eq!(steps as u64, 2 * STRIDE - 1);
+        assert!(!effort.spend(1, 0.5) && !effort.begin(SearchStage::Refining) && effort.is_stopped());
+        assert_eq!(watch.1.get(), 3, "a watch is not asked again after it said stop");
+        let looks = watch.2.borrow();
+        assert!(looks[0].begins && !looks[1].begins && looks[1].pass == 2 && looks[1].passes == 4);
+        let found = effort.check(2, 30.0).unwrap_err();
+        assert!(found.len() == 1 && found[0].kind == "search" && found[0].message.contains("5 s"), "{found:?}");
+    }
+
+    #[test]
+    fn effort_without_a_watch_never_stops() {
+        let effort = Effort::new(None);
+        assert!((0..10_000).all(|_| effort.spend(1, 0.0)));
+        assert!(effort.check(1, 1.0).is_ok());
+    }
+}

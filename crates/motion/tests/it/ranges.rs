@@ -1,0 +1,100 @@
+//! What is said of axes beyond their ranges, and that its cures cure.
+
+use glam::DVec3;
+use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_program::{Finding, Pass, Program, TorchPath};
+use seamwright_weld::Welding;
+
+const CIRCLE: &str = include_str!("../../../../tests/data/field-trial/circle-80deg.toml");
+const ROLLS: &str = include_str!("../../../../tests/data/field-trial/cb.toml");
+const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
+
+fn planned(job: &str) -> Result<PassMotion, Vec<Finding>> {
+    let welding = Welding::read("job.toml", job).unwrap_or_else(|e| panic!("{e}"));
+    let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
+    PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1)
+}
+
+/// The branch that lacks a tenth of a degree at four places is the one to speak of, not the one that lacks half a turn all
+/// along.
+#[test]
+fn a_range_finding_is_that_of_the_branch_that_lacks_least() {
+    let found = planned(CIRCLE).unwrap_err();
+    println!("{found:#?}");
+    assert_eq!(found.len(), 4);
+    assert!(found.iter().all(|f| f.kind == "range" && f.message.contains("0.100 deg beyond its limit")), "{found:#?}");
+    assert!(found.iter().map(|f| f.to_mm - f.from_mm).sum::<f64>() < 100.0);
+}
+
+/// The job with the cure that a finding offers done to it.
+fn cured(job: &str, cure: &str) -> Option<String> {
+    let mut table: Welding = Welding::read("job.toml", job).unwrap();
+    let program: &mut Program = &mut table.program.value;
+    if let Some(rest) = cure.strip_prefix("move the work by ") {
+        let numbers = rest.split(" mm").next()?;
+        let by: Vec<f64> = numbers.split(", ").map(|n| n.parse().unwrap()).collect();
+        let placement = &mut program.placement;
+        let moved = placement.move_mm.get() + DVec3::new(by[0], by[1], by[2]);
+        placement.move_mm = seamwright_document::Point::new(moved).unwrap();
+    } else {
+        let by: f64 = cure.strip_prefix("change torch.work_angle_deg by ")?.split(' ').next()?.parse().unwrap();
+        let torch = &mut program.passes[0].torch;
+        torch.work_angle_deg = seamwright_document::Finite::new(torch.work_angle_deg.get() + by).unwrap();
+    }
+    Some(program.to_toml().unwrap())
+}
+
+#[test]
+fn a_cure_that_is_offered_cures() {
+    let found = planned(CIRCLE).unwrap_err();
+    let job = cured(CIRCLE, &found[0].cure).unwrap_or_else(|| panic!("{}", found[0].cure));
+    planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure));
+    // A line beyond one end of a slide.
+    let line = "schema = 1\ntitle = \"t\"\nmachine = \"torch-5axis\"\n[seam.line]\nstart_mm = [500, 0, 100]\n\
+                end_mm = [650, 0, 100]\nfirst_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[part]\nwatched = false\n\
+                [weld]\nspeed_mm_s = 5\n";
+    let found = planned(line).unwrap_err();
+    println!("{found:#?}");
+    assert!(found.iter().any(|f| f.kind == "range" && f.message.contains("axis x")), "{found:#?}");
+    let job = cured(line, &found[0].cure).unwrap_or_else(|| panic!("{}", found[0].cure));
+    planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure));
+}
+
+/// On a machine that turns about the nozzle a shift of the work only moves what is lacking to the other side.
+#[test]
+fn no_cure_is_offered_where_none_helps() {
+    let wide = SADDLE.replace("radius_mm = 250 ", "radius_mm = 700 ").replace("radius_mm = 800 ", "radius_mm = 2500 ");
+    assert_ne!(wide, SADDLE);
+    let found = planned(&wide).unwrap_err();
+    println!("{found:#?}");
+    let range: Vec<_> = found.iter().filter(|f| f.kind == "range").collect();
+    assert!(!range.is_empty() && range.iter().all(|f| f.cure.starts_with("none was found")), "{found:#?}");
+}
+
+/// Pass after pass goes on turning where the range has room: forty thousand degrees are a hundred turns.
+#[test]
+fn nothing_unwinds_while_the_range_has_room() {
+    let job = "schema = 1\ntitle = \"t\"\nmachine = \"cb.toml\"\n[seam.girth]\nradius_mm = 600\ndirection = [1, 0, 0]\n\
+               [part]\nwatched = false\n[start]\noverlap_mm = 40\n[weld]\nspeed_mm_s = 7\n";
+    let one = Welding::read("job.toml", job).unwrap();
+    let mut program = one.program.value.clone();
+    let pass = program.passes[0].clone();
+    program.passes = (0..14).map(|i| Pass { name: format!("pass {}", i + 1), ..pass.clone() }).collect();
+    let welding = Welding::read("program.toml", &program.to_toml().unwrap()).unwrap();
+    let machine = Machine::read("m.toml", ROLLS).unwrap();
+    let clamped = Clamped::default();
+    let around = Surroundings::new(&machine, &clamped).unwrap();
+    let paths: Vec<_> = (0..14).map(|i| welding.path(i)).collect();
+    let passes: Vec<(&dyn TorchPath, &Pass)> =
+        paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
+    let motion = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap_or_else(|f| panic!("{f:#?}"));
+    let r = machine.axis("r").unwrap();
+    for pair in motion.passes.windows(2) {
+        let (end, start) = (pair[0].path.at(pair[0].path.length())[r], pair[1].path.at(0.0)[r]);
+        assert!((end - start).abs() < std::f64::consts::PI + 1e-9, "{end} {start}");
+    }
+    let last = motion.passes.last().unwrap();
+    assert!(last.path.at(last.path.length())[r].abs() > 13.0 * std::f64::consts::TAU);
+    assert!(motion.findings.iter().all(|f| f.kind != "unwind"), "{:#?}", motion.findings);
+}

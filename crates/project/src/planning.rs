@@ -1,0 +1,66 @@
+//! Time, cancellation and progress of planning.
+
+use seamwright_motion::{SearchProgress, Stop, Watch};
+use std::cell::Cell;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// Limits on planning's searches, and who is shown their progress.
+#[derive(Clone, Copy)]
+pub struct Planning<'a> {
+    /// Longest time of all searches of a plan together; none for no limit.
+    pub limit: Option<Duration>,
+    /// Set by anybody who no longer wants the plan.
+    pub cancel: Option<&'a AtomicBool>,
+    /// Shown the progress, a few hundred times a second.
+    pub progress: Option<&'a dyn Fn(&SearchProgress)>,
+}
+
+impl Planning<'_> {
+    /// Longest time of all searches, if nothing else is asked for.
+    pub const LIMIT: Duration = Duration::from_secs(60);
+}
+
+impl Default for Planning<'_> {
+    fn default() -> Self {
+        Self { limit: Some(Self::LIMIT), cancel: None, progress: None }
+    }
+}
+
+/// Planning under the clock. Time between searches, as for the speed profile, does not count against the limit.
+pub(crate) struct Clocked<'a> {
+    planning: &'a Planning<'a>,
+    spent: Cell<Duration>,
+    last: Cell<Instant>,
+}
+
+impl<'a> Clocked<'a> {
+    pub(crate) fn new(planning: &'a Planning<'a>) -> Self {
+        Self { planning, spent: Cell::new(Duration::ZERO), last: Cell::new(Instant::now()) }
+    }
+
+    /// True if the plan is no longer wanted.
+    pub(crate) fn is_cancelled(&self) -> bool {
+        self.planning.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed))
+    }
+}
+
+impl Watch for Clocked<'_> {
+    fn look(&self, progress: &SearchProgress) -> Result<(), Stop> {
+        if self.is_cancelled() {
+            return Err(Stop::Cancelled);
+        }
+        let now = Instant::now();
+        if !progress.begins {
+            self.spent.set(self.spent.get() + now.duration_since(self.last.get()));
+        }
+        self.last.set(now);
+        if let Some(show) = self.planning.progress {
+            show(progress);
+        }
+        match self.planning.limit {
+            Some(limit) if self.spent.get() > limit => Err(Stop::OutOfTime(limit.as_secs_f64())),
+            _ => Ok(()),
+        }
+    }
+}
