@@ -71,7 +71,8 @@ impl<W: Write> Archive<W> {
             names.sort();
             return names.iter().try_for_each(|inner| self.add(&path.join(inner), &name.join(inner)));
         }
-        let Some(file) = File::open(path).ok().filter(|_| kind.is_file() && path.extension().is_none_or(|e| e != "raw"))
+        let Some(file) =
+            File::open(path).ok().filter(|_| kind.is_file() && path.extension().is_none_or(|e| e != "raw"))
         else {
             return Ok(());
         };
@@ -311,7 +312,11 @@ mod tests {
                 taken += 1;
                 // Padding between files: what came back is what was there.
                 for file in ["welds/000001/trace.parquet", "jobs/mine.toml", "users.json"] {
-                    assert_eq!(sha256_of_file(&from.join(file)).unwrap(), sha256_of_file(&to.join(file)).unwrap(), "{at}");
+                    assert_eq!(
+                        sha256_of_file(&from.join(file)).unwrap(),
+                        sha256_of_file(&to.join(file)).unwrap(),
+                        "{at}"
+                    );
                 }
                 assert!(DataFolder::open_to_read(&to).unwrap().verify().unwrap().audit.broken.is_none());
                 fs::remove_dir_all(&to).unwrap();
@@ -328,7 +333,8 @@ mod tests {
         let from = scratch.path().join("from");
         drop(folder(&from));
         let copy = |name: &str, change: &str| {
-            let (library, archive) = (scratch.path().join(format!("{name}.sqlite")), scratch.path().join(format!("{name}.tar")));
+            let (library, archive) =
+                (scratch.path().join(format!("{name}.sqlite")), scratch.path().join(format!("{name}.tar")));
             Library::open_to_read(&from.join(LIBRARY)).unwrap().copy_to(&library).unwrap();
             rusqlite::Connection::open(&library).unwrap().execute_batch(change).unwrap();
             let mut builder = tar::Builder::new(File::create(&archive).unwrap());

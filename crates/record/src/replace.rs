@@ -290,7 +290,9 @@ mod tests {
         fs::write(&bad, b"PK\x03\x04 something else".repeat(100)).unwrap();
         assert!(refused("foreign").contains("whole archive"));
         // An entry of the audit log that was changed, and a schema of a later version.
-        for (sql, said) in [("UPDATE audit SET user = 'eve'", "audit entry"), ("PRAGMA user_version = 999", "later version")] {
+        for (sql, said) in
+            [("UPDATE audit SET user = 'eve'", "audit entry"), ("PRAGMA user_version = 999", "later version")]
+        {
             let from = scratch.path().join(format!("from {said}"));
             let changed = folder(&from, "new");
             drop(changed);

@@ -39,7 +39,11 @@ fn line(level: &str, text: &str) {
 fn write(from: &Receiver<String>) {
     for line in from {
         let left_out = LEFT_OUT.swap(0, Ordering::Relaxed);
-        let gap = if left_out > 0 { format!("{} WARN {left_out} lines were left out\n", Moment::now()) } else { String::new() };
+        let gap = if left_out > 0 {
+            format!("{} WARN {left_out} lines were left out\n", Moment::now())
+        } else {
+            String::new()
+        };
         // A log that nobody takes stops nothing.
         let _ = std::io::stderr().lock().write_all(format!("{gap}{line}").as_bytes());
     }

@@ -1,8 +1,8 @@
 //! Encrypted connections: certificates of the user, or of an authority of the cell's own.
 
 use crate::Error;
-use axum_server::tls_rustls::RustlsConfig;
 use crate::log;
+use axum_server::tls_rustls::RustlsConfig;
 use rcgen::{
     BasicConstraints, CertificateParams, DistinguishedName, DnType, ExtendedKeyUsagePurpose, IsCa, Issuer, KeyPair,
     KeyUsagePurpose,

@@ -60,7 +60,8 @@ impl Library {
             return Err(Error::damaged(from, "no library of Seamwright", "an archive of `records backup`"));
         }
         if let Some(problem) = source.foreign_schema()?.first() {
-            let allowed = "an archive of a library that only Seamwright has changed; remove what is foreign with sqlite3 first";
+            let allowed =
+                "an archive of a library that only Seamwright has changed; remove what is foreign with sqlite3 first";
             return Err(Error::damaged(from, problem.clone(), allowed));
         }
         drop(source);
@@ -86,7 +87,12 @@ fn copy(db: &Connection, from: &Path) -> rusqlite::Result<()> {
             .query_map([&table], |row| row.get::<_, String>(0).map(|name| format!("\"{name}\"")))?
             .collect::<rusqlite::Result<_>>()?;
         let columns = columns.join(", ");
-        db.execute(&format!("INSERT INTO main.\"{table}\" ({columns}) SELECT {columns} FROM source.\"{table}\" ORDER BY rowid"), ())?;
+        db.execute(
+            &format!(
+                "INSERT INTO main.\"{table}\" ({columns}) SELECT {columns} FROM source.\"{table}\" ORDER BY rowid"
+            ),
+            (),
+        )?;
     }
     // How far tables have counted: entries cut off the end of the audit log are found by it.
     db.execute_batch(

@@ -207,7 +207,8 @@ impl Writer {
                 log::warning(&format!("the audit log cannot be written: {e}"));
             }
             self.fails = true;
-            let passes = matches!(e, Error::Busy { .. } | Error::Full { .. } | Error::ReadOnly { .. } | Error::Io { .. });
+            let passes =
+                matches!(e, Error::Busy { .. } | Error::Full { .. } | Error::ReadOnly { .. } | Error::Io { .. });
             if !passes || self.shared.waiting().ends() {
                 self.shared.waiting().left_out += 1;
                 return;

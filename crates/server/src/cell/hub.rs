@@ -409,7 +409,8 @@ mod tests {
     #[test]
     fn clients_that_do_not_listen_go() {
         let hub = Hub::new();
-        let others: Vec<Connected> = (0..8).map(|i| hub.connect(&format!("user {i}"), Role::Operator).unwrap()).collect();
+        let others: Vec<Connected> =
+            (0..8).map(|i| hub.connect(&format!("user {i}"), Role::Operator).unwrap()).collect();
         // The token goes with whoever is cut off.
         hub.take_control(others[0].0, false).unwrap();
         (0..2 * WAITING).for_each(|i| hub.event(0.0, happening("order", [format!("{i}")])));

@@ -57,7 +57,8 @@ impl Refusals {
                 return true;
             }
             if counted.count > 0 {
-                let result = format!("{}: {} more in {:.0} s", kind.result, counted.count, elapsed.as_secs_f64().ceil());
+                let result =
+                    format!("{}: {} more in {:.0} s", kind.result, counted.count, elapsed.as_secs_f64().ceil());
                 entries.push(entry(&kind.user, &counted.station, &kind.command, ("", ""), &result));
             }
             let goes_on = counted.count > 0 && !all;

@@ -129,8 +129,7 @@ impl Place {
             return;
         }
         let known = table.seats.values().filter(|seat| !seat.is_stranger());
-        let (all, own) =
-            known.fold((0, 0), |(all, own), seat| (all + 1, own + usize::from(seat.is_of(user))));
+        let (all, own) = known.fold((0, 0), |(all, own), seat| (all + 1, own + usize::from(seat.is_of(user))));
         let fits = all < MAX_KNOWN && own < MAX_OF_USER && table.seats.contains_key(&self.0.seat.number);
         *self.0.seat.user.lock().unwrap_or_else(PoisonError::into_inner) = fits.then(|| user.to_owned());
     }

@@ -85,7 +85,9 @@ async fn only_the_plain_version_is_spoken_and_in_time() {
     let fronted = Fronted::new(Patience { head: Duration::from_millis(300), ..PATIENCE }, here);
     let said = all(fronted.say("GET / HTTP/1.1\r\nhost: x\r\nconnection: close\r\n\r\n").await).await;
     assert!(said.starts_with("HTTP/1.1 200") && said.ends_with("here"), "{said}");
-    for strange in ["", "GET / HTTP/1.1\r\nhost:", "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n\0\0\0\x04\0\0\0\0\0", "\x16\x03\x01"] {
+    for strange in
+        ["", "GET / HTTP/1.1\r\nhost:", "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n\0\0\0\x04\0\0\0\0\0", "\x16\x03\x01"]
+    {
         let said = all(fronted.say(strange).await).await;
         assert!(said.is_empty() || said.starts_with("HTTP/1.1 4"), "{said:?}");
     }

@@ -27,13 +27,13 @@ mod teach;
 mod turns;
 mod users;
 
+pub(crate) use answer::Refused;
 #[cfg(test)]
 pub(crate) use assets::names;
 #[cfg(test)]
 pub(crate) use client::hears;
-pub(crate) use jobs::text as job_text;
-pub(crate) use answer::Refused;
 pub(crate) use guard::cookie;
+pub(crate) use jobs::text as job_text;
 pub(crate) use panel::Panel;
 pub(crate) use place::found_place;
 pub(crate) use plan::begin_with;

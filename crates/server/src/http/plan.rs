@@ -85,7 +85,8 @@ pub(super) async fn planning(
     headers: HeaderMap,
 ) -> Json<Vec<PlanningView>> {
     let asked = panel.planner.asked(&page_asking(&session, &headers));
-    let view = |asked: Asked| PlanningView { kind: asked.name.to_owned(), elapsed_s: asked.since.elapsed().as_secs_f64() };
+    let view =
+        |asked: Asked| PlanningView { kind: asked.name.to_owned(), elapsed_s: asked.since.elapsed().as_secs_f64() };
     Json(asked.into_iter().map(view).collect())
 }
 

@@ -7,9 +7,9 @@ use super::{
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobKept,
     JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText,
-    PlanAnswer, PlanningView, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer, SensorChange, SensorsView, SessionView,
-    Shelving, StandingView, Stopped, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches,
-    TraceView, TuningView, UserChange, UserRow, WorkView,
+    PlanAnswer, PlanningView, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer, SensorChange, SensorsView,
+    SessionView, Shelving, StandingView, Stopped, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip,
+    ToolTouches, TraceView, TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};

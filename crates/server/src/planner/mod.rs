@@ -75,7 +75,8 @@ fn superseded() -> Refused {
 }
 
 fn too_long(patience: Duration) -> Refused {
-    let text = format!("planning this takes longer than {} s; allowed: fewer passes, beads or points", patience.as_secs());
+    let text =
+        format!("planning this takes longer than {} s; allowed: fewer passes, beads or points", patience.as_secs());
     Refused::input(text)
 }
 

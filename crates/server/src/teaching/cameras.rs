@@ -22,7 +22,11 @@ impl Cameras {
         if is_this_computer(host) || self.0.iter().any(is) {
             return Ok(());
         }
-        let own = if self.0.is_empty() { "this computer".to_owned() } else { format!("this computer, {}", self.0.join(", ")) };
+        let own = if self.0.is_empty() {
+            "this computer".to_owned()
+        } else {
+            format!("this computer, {}", self.0.join(", "))
+        };
         Err(format!(
             "the machine file names a camera at {address}, to which this cell does not connect\n   allowed: {own}; more with \
              `seamwright serve --camera HOST:PORT`"
@@ -42,11 +46,19 @@ mod tests {
     #[test]
     fn only_addresses_of_the_list_and_this_computer() {
         let none = Cameras::default();
-        for here in ["127.0.0.1:7000", "localhost:7000", "LocalHost:1", "[::1]:7000", "127.8.9.1:80", "[::ffff:127.0.0.1]:80"] {
+        for here in
+            ["127.0.0.1:7000", "localhost:7000", "LocalHost:1", "[::1]:7000", "127.8.9.1:80", "[::ffff:127.0.0.1]:80"]
+        {
             assert!(none.check(here).is_ok(), "{here}");
         }
-        let elsewhere =
-            ["192.168.1.20:7000", "localhost.evil.example:7000", "127.0.0.1.evil.example:80", "0.0.0.0:80", "[::]:80", "2130706433:80"];
+        let elsewhere = [
+            "192.168.1.20:7000",
+            "localhost.evil.example:7000",
+            "127.0.0.1.evil.example:80",
+            "0.0.0.0:80",
+            "[::]:80",
+            "2130706433:80",
+        ];
         for address in elsewhere {
             assert!(none.check(address).unwrap_err().contains("--camera"), "{address}");
         }

@@ -28,7 +28,8 @@ async fn text_is_compressed_and_not_sent_twice() {
     for name in crate::http::names() {
         let plain = get(&bench, &name, &[]).await;
         assert_eq!((plain.status(), header(&plain, "content-encoding")), (StatusCode::OK, None), "{name}");
-        let (tag, kind, varies) = (header(&plain, "etag").unwrap(), header(&plain, "content-type"), header(&plain, "vary"));
+        let (tag, kind, varies) =
+            (header(&plain, "etag").unwrap(), header(&plain, "content-type"), header(&plain, "vary"));
         let plain = bytes(plain).await;
         for _ in 0..2 {
             let zipped = get(&bench, &name, &[("accept-encoding", "br, gzip;q=0.8")]).await;

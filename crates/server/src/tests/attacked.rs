@@ -122,7 +122,8 @@ async fn thousands_of_malformed_requests_are_refused() {
             }
             let status = bench.ask(request).await.0;
             // What reads no body does not mind.
-            let unread = (method == "delete" && route == "/api/jobs/{name}") || ["/api/stop", "/api/planning"].contains(&route);
+            let unread =
+                (method == "delete" && route == "/api/jobs/{name}") || ["/api/stop", "/api/planning"].contains(&route);
             assert!(status == StatusCode::PAYLOAD_TOO_LARGE || unread, "{method} {route}: {status}");
         }
     }

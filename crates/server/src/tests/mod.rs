@@ -1,8 +1,8 @@
 //! The panel asked from outside: over HTTP and over the socket.
 
 mod alarmed;
-mod assets;
 mod asked;
+mod assets;
 mod attacked;
 mod crowded;
 mod devices;

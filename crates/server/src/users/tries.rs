@@ -66,7 +66,8 @@ impl Tries {
     pub(crate) fn waits(&self, origin: &Origin, user: &str) -> Option<Duration> {
         let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let now = Instant::now();
-        let left = keys(origin, user).into_iter().filter_map(|(key, ..)| known.get(&key)?.1.checked_duration_since(now));
+        let left =
+            keys(origin, user).into_iter().filter_map(|(key, ..)| known.get(&key)?.1.checked_duration_since(now));
         left.max().filter(|left| !left.is_zero())
     }
 
