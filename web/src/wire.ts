@@ -1859,6 +1859,19 @@ export type JobText = {
 text: string, };
 
 /**
+ * Something that is being planned for a page: see `GET /api/planning`.
+ */
+export type PlanningView = { 
+/**
+ * `draft`, `plan`, `recorded`, `report`, `post` or `place`.
+ */
+kind: string, 
+/**
+ * Time since it was asked for, s.
+ */
+elapsed_s: number, };
+
+/**
  * `PUT /api/jobs/NAME`.
  */
 export type JobKept = { 

@@ -63,7 +63,8 @@ describe('sentences of plans', () => {
   test('every refusal of the panel\'s server has words', () => {
     const folder = new URL('../../../crates/server/src/', import.meta.url);
     const files = ['edit', 'hand', 'jobs', 'place', 'plan', 'restore', 'sensors', 'setup', 'socket', 'teach', 'turns', 'users'].map((name) => `http/${name}.rs`);
-    const texts = [...files, 'teaching/crawl.rs', 'teaching/mod.rs', 'teaching/state.rs', 'teaching/rig.rs', 'users/accounts.rs', 'cell/desk.rs']
+    const own = ['planner/mod.rs', 'planner/child.rs', 'planner/question.rs', 'front/mod.rs', 'front/bodies.rs', 'teaching/cameras.rs'];
+    const texts = [...files, ...own, 'teaching/crawl.rs', 'teaching/mod.rs', 'teaching/state.rs', 'teaching/rig.rs', 'users/accounts.rs', 'cell/desk.rs']
       .map((file) => readFileSync(new URL(file, folder), 'utf8').replace(/\\\n\s*/g, '').replace(/\\"/g, '\u0001'));
     const refusals = /(?:Refused::(?:input|not_found|server)|Err|Trouble::new|refuse|lack|let text =|let why =)\(?(?:"busy", |"moving", |"work", |"mode", )?(?:format!\(\s*)?\s*"([^"]{12,})"/g;
     const said = texts.flatMap((text) => [...text.matchAll(refusals)].map((m) => m[1] ?? ''));

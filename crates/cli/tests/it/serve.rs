@@ -73,3 +73,74 @@ fn what_cannot_be_served_is_told() {
     let told = bad(2, &["serve", "--data", &data]);
     assert!(told.contains("users.json"), "{told}");
 }
+
+/// Sends a request with a body, and gives the whole answer.
+fn send(address: &str, head: &str, body: &str) -> String {
+    let mut stream = TcpStream::connect(address).unwrap();
+    let length = body.len();
+    write!(stream, "{head}host: {address}\r\nconnection: close\r\ncontent-length: {length}\r\n").unwrap();
+    write!(stream, "content-type: application/json\r\n\r\n{body}").unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    answer
+}
+
+/// Texts from the panel are drawn and planned by another process, and what goes wrong there is an answer.
+#[test]
+fn drafts_and_plans_come_from_a_process_of_their_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("cell").display().to_string();
+    let (mut child, url) = serve(&["--data", &data, "--job", "ellipse"]);
+    let (address, key) = url.strip_prefix("http://").unwrap().split_once("/#key=").unwrap();
+    let login = format!("{{\"user\":\"\",\"password\":\"{key}\"}}");
+    let login = send(address, "POST /api/login HTTP/1.1\r\nx-seamwright: login\r\n", &login);
+    let cookie = login.lines().find_map(|l| l.strip_prefix("set-cookie: seamwright=")?.split(';').next()).unwrap();
+    let view: serde_json::Value = serde_json::from_str(login.rsplit("\r\n\r\n").next().unwrap()).unwrap();
+    let token = view["token"].as_str().unwrap();
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ellipse.toml")).unwrap();
+    let ask = |path: &str, text: &str| {
+        let head = format!("POST {path} HTTP/1.1\r\ncookie: seamwright={cookie}\r\nx-seamwright: {token}\r\n");
+        let answer = send(address, &head, &serde_json::json!({ "text": text }).to_string());
+        let (head, body) = answer.split_once("\r\n\r\n").unwrap();
+        assert!(head.starts_with("HTTP/1.1 200"), "{answer}");
+        serde_json::from_str::<serde_json::Value>(body).unwrap_or_else(|e| panic!("{e}: {answer}"))
+    };
+    assert_eq!(ask("/api/draft", &text)["kind"], "drawn");
+    let planned = ask("/api/plan", &text);
+    assert_eq!((&planned["kind"], &planned["work"]["good"]), (&"planned".into(), &true.into()), "{planned}");
+    let wrong = ask("/api/plan", &text.replace("title", "tilte"));
+    assert!(wrong["kind"] == "wrong" && wrong["at"]["line"].as_u64().is_some(), "{wrong}");
+    let well = get(address, "/healthz");
+    assert!(well.starts_with("HTTP/1.1 200") && well.contains("\"ok\""), "{well}");
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
+/// The process that plans has bounds of memory and time, and a lower priority than the cell, before it reads what is asked of it.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_process_that_plans_is_bounded() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
+        .args(["answer-one-question", "--jobs"])
+        .arg(folder.path())
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let proc = std::path::PathBuf::from(format!("/proc/{}", child.id()));
+    let limit = |name: &str| {
+        let limits = std::fs::read_to_string(proc.join("limits")).unwrap();
+        let line = limits.lines().find_map(|line| line.strip_prefix(name)).unwrap().to_owned();
+        line.split_whitespace().next().unwrap().parse::<u64>().ok()
+    };
+    // It waits for its question, once it is bounded.
+    while limit("Max core file size") != Some(0) {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    assert_eq!((limit("Max address space"), limit("Max cpu time")), (Some(2 << 30), Some(600)));
+    child.stdin.take().unwrap().write_all(br#"{"kind":"draft","text":"title = 5"}"#).unwrap();
+    let answer = child.wait_with_output().unwrap();
+    let said = String::from_utf8_lossy(&answer.stdout).into_owned();
+    assert!(answer.status.success() && said.starts_with("{\"answer\":") && said.contains("\"wrong\""), "{said}");
+}

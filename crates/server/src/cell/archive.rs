@@ -182,7 +182,11 @@ impl Writer {
                 Next::Write(entries) => entries.iter().for_each(|item| self.write(item)),
                 Next::Tell(flushes, closes) => {
                     // Who asked may have gone.
-                    let tell = || flushes.into_iter().for_each(|to| drop(to.send(())));
+                    let tell = || {
+                        for to in flushes {
+                            let _ = to.send(());
+                        }
+                    };
                     if closes {
                         drop(self.data);
                         return tell();

@@ -7,8 +7,10 @@ use hyper::body::Body as _;
 use std::sync::Arc;
 use tokio::sync::Semaphore;
 
-/// Bytes of all bodies together while they come, in units of 1 KiB.
+/// Bytes of all large bodies together while they come, in units of 1 KiB.
 const ROOM_KIB: usize = 64 << 10;
+/// Bodies of up to so many bytes come without waiting for room: connections are few enough for them.
+const SMALL: usize = 64 << 10;
 
 /// Room for bodies.
 pub(super) struct Bodies(Arc<Semaphore>);
@@ -27,11 +29,11 @@ impl Bodies {
 
     /// Collects the body of somebody who is, when there is room for it.
     pub(super) async fn known(&self, body: Body) -> Result<Body, Refused> {
-        let size = body.size_hint();
-        if size.upper() == Some(0) {
-            return Ok(body);
+        let size = body.size_hint().upper().and_then(|n| usize::try_from(n).ok());
+        let most = size.unwrap_or(MAX_BYTES).min(MAX_BYTES);
+        if most <= SMALL {
+            return collect(body, MAX_BYTES).await;
         }
-        let most = size.upper().and_then(|n| usize::try_from(n).ok()).unwrap_or(MAX_BYTES).min(MAX_BYTES);
         let units = u32::try_from(most.div_ceil(1024)).unwrap_or(u32::MAX);
         let room = self.0.acquire_many(units).await;
         let _room = room.map_err(|_| Refused::server("the panel is ending"))?;

@@ -55,6 +55,8 @@ const PATIENCE: Patience = Patience {
     read: Duration::from_secs(20),
 };
 
+/// The route that stops the machine.
+const STOP: &str = "/api/stop";
 /// The one route with a body that is not collected: an archive is as large as the data, and its handler has a bound of its own.
 const STREAMED: &str = "/api/restore";
 
@@ -157,8 +159,11 @@ impl Front {
         if let Some(session) = &session {
             of.place.known_as(&session.user);
         }
-        // STOP is heard at any rate.
-        if path != "/api/stop" && !self.allows(session.as_ref(), of) {
+        if path == STOP {
+            // At any rate, and before its body has come: nobody else is waited for.
+            return hand(self.urgent.clone(), request).await;
+        }
+        if !self.allows(session.as_ref(), of) {
             let text = "too many requests at once: wait a moment";
             return closing(Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", text));
         }

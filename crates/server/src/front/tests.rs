@@ -201,3 +201,23 @@ async fn who_asks_without_end_is_slowed_down() {
     assert!(ask(&users[0].1.cookie, "POST", "/api/stop").await.starts_with("HTTP/1.1 200"));
     assert!(ask(&users[1].1.cookie, "GET", "/").await.starts_with("HTTP/1.1 200"));
 }
+
+/// Large requests that trickle in take the room of other large ones, not of small ones, and a stop does not even wait for its own body.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn large_requests_that_trickle_hold_up_nothing_small() {
+    let fronted = Fronted::new(PATIENCE, app);
+    let users = fronted.bench.everybody().await;
+    let by = |user: usize| format!("cookie: {}\r\nx-seamwright: {}\r\n", users[user].1.cookie, users[user].1.token);
+    let mut stuck = Vec::new();
+    for _ in 0..20 {
+        let head = fronted.head("POST", "/api/plan", &format!("{}content-length: 4000000\r\n", by(2)));
+        stuck.push(fronted.say(&(head + "{")).await);
+    }
+    let draft = fronted.head("POST", "/api/draft", &format!("{}connection: close\r\ncontent-length: 11\r\n", by(3)));
+    let said = all(fronted.say(&(draft + "{\"text\":\"\"}")).await).await;
+    assert!(said.starts_with("HTTP/1.1 200"), "{said}");
+    let stop = fronted.head("POST", "/api/stop", &format!("{}connection: close\r\ncontent-length: 2000\r\n", by(2)));
+    let said = all(fronted.say(&stop).await).await;
+    assert!(said.starts_with("HTTP/1.1 200") && said.contains("mode"), "{said}");
+    drop(stuck);
+}

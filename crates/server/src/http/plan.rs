@@ -283,7 +283,7 @@ pub(super) async fn report(
     let text = panel.reading.run(move || text(&asked, &named.job)).await?;
     let question = Question::Report { name, text, language };
     let page = panel.planner.ask(page_asking(&session, &headers), question, panel.jobs()).await?;
-    let html = String::from_utf8(page).map_err(|_| Refused::server("the report is no text"))?;
+    let html = String::from_utf8(page).map_err(|_| Refused::server("it failed; nothing was changed"))?;
     Ok(page_of(html))
 }
 

@@ -46,10 +46,12 @@ impl Turns {
         let turn = self.take().await?;
         let (answer, answered) = oneshot::channel();
         let run = move || {
-            let _turn = turn;
             lower_priority();
+            let result = work();
+            // Whoever hears the answer may take the next turn.
+            drop(turn);
             // Whoever asked may have gone.
-            drop(answer.send(work()));
+            drop(answer.send(result));
         };
         let spawned = std::thread::Builder::new().name("panel-work".to_owned()).spawn(run);
         spawned.map_err(|e| Refused::server(format!("no thread can be started: {e}")))?;

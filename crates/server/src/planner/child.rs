@@ -57,7 +57,6 @@ pub(super) fn ask(
             Err(RecvTimeoutError::Timeout) if begin.elapsed() > patience => return Err(super::too_long(patience)),
             Err(RecvTimeoutError::Timeout) => {}
         }
-        child.0.try_wait().map_err(failed)?;
     }
 }
 

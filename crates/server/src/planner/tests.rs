@@ -1,18 +1,32 @@
 use super::*;
-use std::io::Write as _;
 use std::path::Path;
+use std::sync::OnceLock;
 use std::time::Duration;
 
-/// A program that does `what` (a shell's words) in place of answering.
-fn program(folder: &Path, what: &str) -> PathBuf {
-    let path = folder.join("answers");
-    let mut file = std::fs::File::create(&path).unwrap();
-    writeln!(file, "#!/bin/sh\n{what}").unwrap();
-    std::os::unix::fs::PermissionsExt::set_mode(&mut file.metadata().unwrap().permissions(), 0o755);
-    drop(file);
-    std::fs::set_permissions(&path, std::os::unix::fs::PermissionsExt::from_mode(0o755)).unwrap();
-    path
+/// A program that does in place of answering what the text of its question says. It is written once, before any process begins: one that
+/// is being written cannot be run.
+fn program() -> PathBuf {
+    static PROGRAM: OnceLock<(tempfile::TempDir, PathBuf)> = OnceLock::new();
+    let (_, path) = PROGRAM.get_or_init(|| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("answers");
+        std::fs::write(&path, SCRIPT).unwrap();
+        std::fs::set_permissions(&path, std::os::unix::fs::PermissionsExt::from_mode(0o755)).unwrap();
+        (folder, path)
+    });
+    path.clone()
 }
+
+const SCRIPT: &str = r#"#!/bin/sh
+case "$(cat)" in
+*long*) echo $$ > "$3/pid.new"; mv "$3/pid.new" "$3/pid"; exec sleep 600;;
+*memory*) echo 'memory allocation of 13 bytes failed' >&2; kill -ABRT $$;;
+*panic*) echo 'thread main panicked at x.rs:1' >&2; exit 101;;
+*refused*) echo '{"refused":{"status":422,"key":"input","text":"no"}}';;
+*cut*) printf '{"answer":{"bytes":5}}\n{';;
+*) printf '{"answer":{"bytes":2}}\n{}';;
+esac
+"#;
 
 fn page(session: &str) -> Page {
     Page { session: session.to_owned(), page: String::new() }
@@ -32,12 +46,7 @@ fn alive(folder: &Path) -> bool {
 async fn a_newer_draft_ends_the_older_one() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_owned();
-    let says = r#"{"answer":{"bytes":2}}"#;
-    let what = format!(
-        "if grep -q long; then echo $$ > {0}/pid.new; mv {0}/pid.new {0}/pid; exec sleep 600; fi; printf '%s\\n{{}}' '{says}'",
-        path.display()
-    );
-    let planner = Arc::new(Planner::new(Some(program(&path, &what))));
+    let planner = Arc::new(Planner::new(Some(program())));
     for ends in ["newer", "cancelled", "gone"] {
         let (asked, jobs) = (Arc::clone(&planner), path.clone());
         let older = tokio::spawn(async move { asked.ask(page("ada"), draft("long"), jobs).await });
@@ -69,21 +78,20 @@ async fn a_newer_draft_ends_the_older_one() {
 #[test]
 fn failures_of_the_process_are_answers() {
     let folder = tempfile::tempdir().unwrap();
-    let ask = |what: &str, patience: Duration| {
-        let program = program(folder.path(), what);
-        child::ask(&program, &draft(""), folder.path(), &Token::default(), patience)
+    let ask = |text: &str, patience: Duration| {
+        child::ask(&program(), &draft(text), folder.path(), &Token::default(), patience)
     };
     let (long, short) = (Duration::from_secs(120), Duration::from_millis(200));
-    let memory = ask("echo 'memory allocation of 13 bytes failed' >&2; kill -ABRT $$", long).unwrap_err();
+    let memory = ask("memory", long).unwrap_err();
     assert!(memory.status == StatusCode::UNPROCESSABLE_ENTITY && memory.text.contains("2 GiB"), "{}", memory.text);
-    let panic = ask("echo 'thread main panicked at x.rs:1' >&2; exit 101", long).unwrap_err();
+    let panic = ask("panic", long).unwrap_err();
     assert!(panic.status == StatusCode::INTERNAL_SERVER_ERROR && panic.text.contains("x.rs:1"), "{}", panic.text);
-    let late = ask("exec sleep 600", short).unwrap_err();
+    let late = ask("long", short).unwrap_err();
     assert!(late.text.contains("longer than"), "{}", late.text);
-    let refused = ask(r#"echo '{"refused":{"status":422,"key":"input","text":"no"}}'"#, long).unwrap_err();
+    let refused = ask("refused", long).unwrap_err();
     assert_eq!((refused.status.as_u16(), refused.key, refused.text.as_str()), (422, "input", "no"));
     // Cut off, it is no answer.
-    assert!(ask(r#"printf '{"answer":{"bytes":5}}\n{'"#, long).is_err());
+    assert!(ask("cut", long).is_err());
 }
 
 /// The same answer comes from a thread, where no program is given.

@@ -189,10 +189,15 @@ impl Page {
         self.say(&what).await;
     }
 
-    /// From off to ready, with control.
-    pub(super) async fn up(&mut self) {
+    /// Takes control, also where it was lost while the test did something else.
+    pub(super) async fn control(&mut self) {
         self.say(&json!({ "kind": "take_control", "over": false })).await;
         self.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
+    }
+
+    /// From off to ready, with control.
+    pub(super) async fn up(&mut self) {
+        self.control().await;
         self.order("switch_on").await;
         self.until("power", |v| v["kind"] == "status" && v["powered"] == true).await;
         self.order("home").await;

@@ -82,6 +82,8 @@ async fn the_audit_log_is_read_page_by_page_and_searched_whole() {
         new: String::new(),
         result: "taken".to_owned(),
     };
+    // What was audited before is there before the rest.
+    bench.panel.cell.archive.flush();
     let mut data = DataFolder::open(bench.path()).unwrap();
     (0..450).for_each(|n| drop(data.library_mut().audit(&entry(n)).unwrap()));
     let page = async |query: &str| {

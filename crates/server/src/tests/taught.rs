@@ -158,6 +158,7 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     ] {
         assert_eq!(page.refused(wrong.clone()).await, key, "{wrong}");
     }
+    page.control().await;
     page.order("start_teach").await;
     page.mode("teach").await;
     page.taken(open.clone()).await;
@@ -251,6 +252,7 @@ async fn a_machine_file_connects_the_cell_to_no_camera_of_its_choice() {
     let mut page = served.page(&owner).await;
     page.up().await;
     short_ring(&served, &owner, "m.toml").await;
+    page.control().await;
     page.order("start_teach").await;
     page.mode("teach").await;
     page.taken(json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null })).await;
@@ -275,6 +277,7 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
     short_ring(&served, &owner, "m.toml").await;
     let (_, work) = served.bench.ask(owner.request("GET", "/api/work", None)).await;
     let tip = work["passes"][0]["path"][0]["tip"].clone();
+    page.control().await;
     page.order("start_teach").await;
     page.mode("teach").await;
     let open = json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null });
@@ -377,6 +380,7 @@ async fn without_its_page_teaching_stands() {
     page.up().await;
     short_ring(&served, &owner, "ebw-7axis").await;
     let (_, work) = served.bench.ask(owner.request("GET", "/api/work", None)).await;
+    page.control().await;
     page.order("start_teach").await;
     page.mode("teach").await;
     let open = json!({ "do": "open", "step_mm": 8.0, "longest_tack_mm": 10.0, "seed": 1, "tack_mm": null });

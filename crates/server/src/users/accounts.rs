@@ -179,6 +179,27 @@ impl Accounts {
 mod tests {
     use super::*;
 
+    /// While a change of users waits for the disk, every request still finds out who may do what.
+    #[test]
+    fn users_are_looked_up_while_a_change_waits_for_the_disk() {
+        let folder = tempfile::tempdir().unwrap();
+        let accounts = Accounts::open(folder.path()).unwrap();
+        accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
+        let (changed, waits) = std::sync::mpsc::channel();
+        std::thread::scope(|scope| {
+            // As a write that hangs.
+            let disk = accounts.alone();
+            scope.spawn(|| changed.send(accounts.put("olga", Role::Operator, true, Some("long enough 1"))).unwrap());
+            for _ in 0..20 {
+                assert!(accounts.role("ada") == Some(Role::Admin) && accounts.role("olga").is_none());
+                std::thread::sleep(std::time::Duration::from_millis(10));
+            }
+            assert!(waits.try_recv().is_err());
+            drop(disk);
+        });
+        assert!(waits.recv().unwrap().is_ok() && accounts.role("olga").is_some());
+    }
+
     #[test]
     fn users_come_and_go_and_an_admin_stays() {
         let folder = tempfile::tempdir().unwrap();

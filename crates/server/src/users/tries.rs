@@ -76,8 +76,9 @@ impl Tries {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let now = Instant::now();
         if right {
-            let own = keys(origin, user).into_iter().filter(|(key, ..)| !matches!(key, Key::Address(_)));
-            own.for_each(|(key, ..)| drop(known.remove(&key)));
+            for (key, ..) in keys(origin, user).iter().filter(|(key, ..)| !matches!(key, Key::Address(_))) {
+                known.remove(key);
+            }
             return;
         }
         known.retain(|_, (_, until)| *until + FORGET > now);
