@@ -36,6 +36,7 @@ const routes = [
   ['POST', /^\/api\/login$/, () => session()],
   ['GET', /^\/api\/session$/, () => session()],
   ['POST', /^\/api\/logout$/, () => null],
+  ['POST', /^\/api\/stop$/, () => (cell.ask({ do: 'stop' }), { mode: cell.mode })],
   ['GET', /^\/api\/machine$/, () => machine],
   ['GET', /^\/api\/alarms\/catalogue$/, () => []],
   ['GET', /^\/api\/jobs$/, () => [...jobs].map(row)],

@@ -14,6 +14,7 @@ import type {
 import { api } from './api';
 import { Link, type Answer, type LinkState } from './socket';
 import { session } from './session.svelte';
+import { Stopping } from './stopping.svelte';
 import { shownSpeed, type Shown } from './speed';
 import { Strip } from './strip';
 import { Track } from './track';
@@ -59,6 +60,7 @@ class Cell {
   refused = $state.raw<{ ask: string; why: LackView } | null>(null);
   /** Times from asking to the answer, ms. */
   readonly answerTimes: number[] = [];
+  readonly stopping = new Stopping({ socket: () => this.link?.ask({ do: 'stop' }) ?? null, request: () => api.stop() });
   readonly strip = new Strip();
   readonly track = new Track();
   /** The loaded program is tracked, as far as this panel has seen. */
@@ -67,6 +69,8 @@ class Cell {
   /** Alarms that nobody has put aside. */
   readonly seen = $derived(this.alarms.filter((alarm) => !alarm.shelved));
   readonly stale = $derived(this.age > STALE_MS);
+  /** What is shown is what the cell is doing now. */
+  readonly current = $derived(this.state === 'open' && !this.stale);
   readonly mode = $derived(this.status?.mode ?? null);
   readonly powered = $derived(this.status?.powered ?? false);
 
@@ -212,6 +216,7 @@ class Cell {
     const now = performance.now();
     this.heard = now;
     this.newest = status;
+    this.stopping.seen(status.mode);
     if (status.mode === 'dry_run' || status.mode === 'weld') this.ran = status.mode;
     this.strip.add(status);
     if (this.track.add(status, this.work?.passes[status.pass - 1]?.length_mm ?? 0)) this.tracked = true;
