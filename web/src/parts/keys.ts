@@ -3,6 +3,7 @@ import { session } from '../live/session.svelte';
 import { layers } from './layers.svelte';
 import { meant, type Spot } from './meant';
 import { hasMeaning, type Order } from './orders';
+import { starting } from './starting.svelte';
 import { place } from './place.svelte';
 
 /** True where keys are text, or choose something. */
@@ -31,7 +32,8 @@ export function order(of: Order): void {
   }
   if (of !== 'hold' && (!cell.control.mine || !session.may(of))) return;
   if (!hasMeaning(of, cell.mode, cell.powered)) return;
-  void cell.ask({ do: of });
+  if (of === 'start_weld') void starting.start();
+  else void cell.ask({ do: of });
 }
 
 /** Does what a key means; called before any field or dialog sees the key, so none of them can keep STOP to itself. */
