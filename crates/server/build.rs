@@ -5,8 +5,9 @@ use std::process::Command;
 use std::{env, fs};
 
 /// What the panel is made from.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 9] = [
     "src",
+    "../docs/schema",
     "../words",
     "public",
     "index.html",

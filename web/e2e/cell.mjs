@@ -21,9 +21,19 @@ let port = 18_200 + (process.pid % 400) * 4;
 export async function startCell(job = 'saddle') {
   const data = mkdtempSync(join(tmpdir(), 'seamwright-e2e-'));
   port += 1;
-  const [command, ...args] = isReal
-    ? [binary, 'serve', '--bind', `127.0.0.1:${port}`, '--data', data, ...(job ? ['--job', job] : [])]
-    : [process.execPath, join(web, 'mock/server.mjs'), String(port), join(web, 'dist')];
+  const command = isReal ? [binary, 'serve', '--bind', `127.0.0.1:${port}`, '--data', data, ...(job ? ['--job', job] : [])] : mock(port);
+  return started(command, data);
+}
+
+/** Starts the mock, also where there is a program: for what a cell does only when it breaks down. `at` is the port of one that has ended. */
+export async function startMock(at = (port += 1)) {
+  const made = await started(mock(at), mkdtempSync(join(tmpdir(), 'seamwright-e2e-')));
+  return { ...made, again: () => startMock(at) };
+}
+
+const mock = (at) => [process.execPath, join(web, 'mock/server.mjs'), String(at), join(web, 'dist')];
+
+async function started([command, ...args], data) {
   const child = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] });
   const ended = new Promise((done) => child.on('exit', done));
   const address = await new Promise((found, fails) => {

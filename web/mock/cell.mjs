@@ -29,7 +29,21 @@ export class Cell {
     this.alarms = [];
     this.wants = null;
     this.number = 0;
-    this.left = null;
+    /** Welds that were left, by job and part. */
+    this.unfinished = new Map();
+    this.part = '';
+  }
+
+  /** What is in the cell, as unfinished welds are remembered. */
+  key() {
+    return `${this.work?.job} ${this.part}`;
+  }
+
+  left() {
+    const here = this.unfinished.get(this.key());
+    if (here) return { ...here, here: true };
+    const newest = [...this.unfinished.values()].at(-1);
+    return newest ? { ...newest, here: false } : null;
   }
 
   event(what, text, user = null) {
@@ -44,11 +58,12 @@ export class Cell {
     this.event('mode', `${mode}`);
   }
 
-  load(job, from) {
-    this.left = null;
+  load(job, from, part) {
+    this.part = part ?? '';
     this.work = work((this.work?.id ?? 0) + 1, job, from);
     this.send({ kind: 'work', work: this.work });
     this.event('work', `loaded ${job}`);
+    return undefined;
   }
 
   lacks(ask) {
@@ -62,9 +77,15 @@ export class Cell {
     return found;
   }
 
-  ask({ do: what, part }) {
+  ask({ do: what, part, reweld }) {
     const [lack] = this.lacks(what);
     if (lack) return lack;
+    const left = this.unfinished.get(this.key());
+    const again = left && (this.work.from?.[0] ?? 1) < left.pass;
+    if (what === 'start_weld' && again && !reweld) {
+      const of = [this.part, String(left.pass), left.s_mm.toFixed(1)];
+      return { key: 'finished_pass', of, text: `part ${of[0]} is welded up to pass ${of[1]}, ${of[2]} mm` };
+    }
     const runs = ['weld', 'dry_run'].includes(this.mode);
     if (what === 'switch_on') this.turn(this.referenced ? 'ready' : 'idle');
     else if (what === 'switch_off') this.turn('off');
@@ -83,7 +104,10 @@ export class Cell {
       this.turn(this.before);
     } else if (what === 'stop') {
       if (runs || this.mode === 'hold') {
-        if (this.before === 'weld') this.left = { pass: this.pass, s_mm: this.welded, record: 1, title: 'mock', part: '', here: true };
+        if (this.before === 'weld') {
+          this.unfinished.delete(this.key());
+          this.unfinished.set(this.key(), { pass: this.pass, s_mm: this.welded, finished: this.pass - 1, record: (this.number += 1), title: this.work.title, part: this.part });
+        }
         this.event('left', `pass ${this.pass} at ${this.s.toFixed(1)} mm`);
         this.pass = 0;
         this.turn('ready');
@@ -125,6 +149,7 @@ export class Cell {
       this.s = this.welded = 0;
       this.event('pass', `pass ${this.pass}`);
     } else {
+      if (this.mode === 'weld') this.unfinished.delete(this.key());
       this.pass = 0;
       this.turn('ready');
     }
@@ -146,7 +171,7 @@ export class Cell {
       inputs: [true, true],
       tracking: burns ? [tracked(this.s)] : [],
       near: { distance_mm: Math.max(12, tip[2] + 60), least_mm: 1, between: ['gas nozzle', 'shell'], at: [[tip[0], tip[1], tip[2] + 12], [tip[0], tip[1], tip[2] - 8]] },
-      ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 0, lost: 0, recording: burns ? 1 : null, left: this.left, part: '',
+      ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 0, lost: 0, recording: burns ? 1 : null, left: this.left(), part: this.part, start: this.work ? (this.work.from ?? [1, 0]) : null, realtime: { missing: ['priority'], text: 'no real-time scheduling: permission denied' }, longest_gap_ms: 3,
     };
   }
 }

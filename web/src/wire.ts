@@ -1735,7 +1735,15 @@ cure: string,
 /**
  * The weld can be made nevertheless.
  */
-allowed: boolean, };
+allowed: boolean, 
+/**
+ * Positions of the axes there, in the order of [`WorkView::axes`]; empty if it is not known how the machine stands.
+ */
+axes: Array<number>, 
+/**
+ * What is nearest to being too near there.
+ */
+nearest: NearView | null, };
 
 /**
  * A solid, in the work frame with all axes at zero.
@@ -2121,6 +2129,10 @@ values: Array<JudgedView>,
  */
 alarms: Array<RecordedAlarm>, 
 /**
+ * Its events in order: cycles that were missed, what was stopped and by what, rights that were missing.
+ */
+events: Array<RecordedEvent>, 
+/**
  * Columns of its trace with their units.
  */
 columns: Array<[string, string]>, 
@@ -2160,7 +2172,11 @@ allowed: [number, number] | null,
 /**
  * How long it was outside, s.
  */
-outside_s: number, };
+outside_s: number, 
+/**
+ * Over how much of the way it was outside, mm.
+ */
+outside_mm: number, };
 
 /**
  * An alarm of a recorded weld.
@@ -2190,6 +2206,27 @@ t_s: number | null,
  * It came first.
  */
 first_out: boolean, };
+
+/**
+ * An event of a recorded weld.
+ */
+export type RecordedEvent = { 
+/**
+ * What happened, in English.
+ */
+text: string, 
+/**
+ * The pass, from 1.
+ */
+pass: number | null, 
+/**
+ * Path length, mm.
+ */
+s_mm: number | null, 
+/**
+ * Time in the trace, s.
+ */
+t_s: number | null, };
 
 /**
  * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each

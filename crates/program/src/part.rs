@@ -3,7 +3,7 @@ use seamwright_clearance::SolidFile;
 use seamwright_document::Positive;
 use serde::{Deserialize, Serialize};
 
-/// The part as a solid, for clearance: made from the seam, or given.
+/// The part as a solid, for clearance: made from the seam, with solids that are given.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Part {
@@ -14,12 +14,19 @@ pub struct Part {
     /// skin, mm; from the seam's size if missing. Spheres and ellipsoids are whole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body_length_mm: Option<Positive>,
-    /// Solids in the seam's frame, instead of those made from the seam.
+    /// Solids in the seam's frame, besides those made from the seam.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub solids: Vec<SolidFile>,
+    /// True: the solids are the whole part, and none is made from the seam.
+    #[serde(skip_serializing_if = "is_false")]
+    pub replace: bool,
     /// False: the part is not watched.
     #[serde(skip_serializing_if = "is_true")]
     pub watched: bool,
+}
+
+fn is_false(v: &bool) -> bool {
+    !*v
 }
 
 fn is_true(v: &bool) -> bool {
@@ -28,7 +35,7 @@ fn is_true(v: &bool) -> bool {
 
 impl Default for Part {
     fn default() -> Self {
-        Self { nozzle_length_mm: None, body_length_mm: None, solids: Vec::new(), watched: true }
+        Self { nozzle_length_mm: None, body_length_mm: None, solids: Vec::new(), replace: false, watched: true }
     }
 }
 

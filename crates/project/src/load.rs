@@ -129,6 +129,14 @@ pub(crate) fn machine_beside(name: &str, within: &Within<'_>) -> Result<Option<M
     Ok(described(name, within, &StlFiles::default(), Own::First)?.map(|found| found.machine))
 }
 
+/// The machine that a job among those in `folder` names; none if there is no such machine.
+///
+/// # Errors
+/// A machine file that cannot be read, or one outside the folder.
+pub fn machine_among(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
+    machine_beside(name, &Within::fenced(folder))
+}
+
 /// Where a cell keeps its own copy of a machine that ships, seen from its jobs: what it was found to be by calibrating and tuning.
 pub(crate) fn own_copy(name: &str) -> String {
     format!("machines/{name}.toml")
@@ -300,6 +308,20 @@ impl Loaded {
         self.try_plan_under(&self.machine, &Planning::default())
     }
 
+    /// What of the part the collision check does not see, so that no plan is green without saying it.
+    fn part_not_watched(&self) -> Option<Finding> {
+        let (message, cure) = if self.clamped.part.is_empty() {
+            let message = "no part is watched: collisions are checked against the machine and the fixtures only";
+            (message, "describe the part with [[part.solids]], or with the [seam] that it is made from")
+        } else if self.welding.program.value.part.replace {
+            ("the part made from the seam is replaced: only the solids of [part] are watched", "")
+        } else {
+            return None;
+        };
+        let (message, cure) = (message.to_owned(), cure.to_owned());
+        Some(Finding { kind: "unchecked", message, pass: 1, from_mm: 0.0, to_mm: 0.0, cure, allowed: true })
+    }
+
     /// Plans the weld on `machine` as [`Loaded::try_plan`] does, within the limits of `planning`.
     ///
     /// # Errors
@@ -329,6 +351,9 @@ impl Loaded {
         let planned = planned.map(|mut motion| {
             if let Some(procedure) = &program.procedure {
                 motion.hold_to(procedure, machine, &passes);
+            }
+            if !around.is_empty() {
+                motion.findings.extend(self.part_not_watched());
             }
             motion
         });

@@ -22,6 +22,10 @@ class Edited {
   /** The joint's cross-sections as the text has them now. */
   sections = $state.raw<SectionView[]>([]);
   plans = $state(false);
+  /** For how long it has been planned, s; 0 while it is not. */
+  planned_s = $state(0);
+  /** Somebody has cancelled the plan of this text. */
+  cancelled = $state(false);
   trouble = $state('');
   private past = $state.raw<string[]>([]);
   private future = $state.raw<string[]>([]);
@@ -56,6 +60,7 @@ class Edited {
     this.future = [];
     this.answer = null;
     this.work = null;
+    this.cancelled = false;
     this.procedures = {};
     this.sections = [];
     this.trouble = '';
@@ -164,7 +169,16 @@ class Edited {
     return false;
   }
 
-  /** Plans the same text again: a file that it names has changed. */
+  /** Ends the plan that is being made; the cell stops working on it when its request is closed. */
+  cancel(): void {
+    if (!this.plans) return;
+    this.asking?.abort();
+    this.asking = null;
+    this.plans = false;
+    this.cancelled = true;
+  }
+
+  /** Plans the same text again: a file that it names has changed, or its plan was cancelled. */
   planAgain(): void {
     this.planSoon(0);
   }
@@ -205,7 +219,11 @@ class Edited {
     const asking = new AbortController();
     this.asking = asking;
     this.plans = true;
+    this.cancelled = false;
     const text = this.text;
+    const begun = Date.now();
+    this.planned_s = 0;
+    const clock = setInterval(() => (this.planned_s = Math.floor((Date.now() - begun) / 1000)), 500);
     try {
       const answer = await api.plan(text, asking.signal);
       if (asking.signal.aborted || text !== this.text) return;
@@ -214,9 +232,10 @@ class Edited {
       this.trouble = '';
     } catch (error) {
       // A newer request has taken this one's place.
-      if (asking.signal.aborted || (error instanceof Refusal && error.key === 'busy')) return;
+      if (asking.signal.aborted || (error instanceof Refusal && ['busy', 'superseded'].includes(error.key))) return;
       this.trouble = refusalText(error);
     } finally {
+      clearInterval(clock);
       if (this.asking === asking) this.plans = false;
     }
   }

@@ -23,6 +23,23 @@ export function replaced(text: string, at: { from: number; to: number }, by: str
   return text.slice(0, at.from) + by + text.slice(at.to);
 }
 
+/** Where another entry goes in an inline table: behind its last one, or between its empty braces. */
+export function within(table: Value & { kind: 'table' }): { from: number; to: number } {
+  const last = table.entries.at(-1)?.value.to;
+  return last === undefined ? { from: table.from + 1, to: table.to - 1 } : { from: last, to: last };
+}
+
+/** The text with another key under those of a table, which has a line of its own there; nothing else changes. */
+export function withKey(text: string, rows: Entry[], key: string, value: string): string {
+  const last = rows.reduce((a, b) => (b.value.to > a.value.to ? b : a));
+  // A dotted key says its table itself: so does the one under it.
+  const begin = text.lastIndexOf('\n', last.value.from - 1) + 1;
+  const written = /^[ \t]*((?:[A-Za-z0-9_-]+\.)*)/.exec(text.slice(begin, last.value.from))?.[1] ?? '';
+  const end = text.indexOf('\n', last.value.to);
+  const at = end < 0 ? text.length : end;
+  return `${text.slice(0, at)}\n${written}${key} = ${value}${text.slice(at)}`;
+}
+
 /** A path as the cell writes it, `passes[0].spans[1].speed_mm_s`, as tables are called here: `passes.0.spans.1.speed_mm_s`. */
 export const dotted = (path: string): string => path.replace(/\[(\d+)\]/g, '.$1');
 

@@ -55,12 +55,20 @@ export class Refusal extends Error {
 /** What must stand in the header of whatever changes something; `login` before there is a session. */
 let token = 'login';
 
+/** Number of this page's connection: what it asks anew takes the place of what this page asked before, not another one. */
+let page = '';
+
+export function usePage(station: number): void {
+  page = String(station);
+}
+
 export function useToken(of: string): void {
   token = of;
 }
 
 async function request<T>(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<T> {
   const headers: Record<string, string> = {};
+  if (page !== '') headers['x-seamwright-page'] = page;
   const file = body instanceof Blob;
   if (method !== 'GET') {
     headers['content-type'] = file ? (body.type.startsWith('image/') ? 'image/png' : 'application/x-tar') : 'application/json';
@@ -113,6 +121,8 @@ export const api = {
   stop: () => request<Stopped>('POST', '/api/stop'),
   session: () => request<SessionView>('GET', '/api/session'),
   machine: () => request<MachineView>('GET', '/api/machine'),
+  /** The machine that a job names, by that name. */
+  machineOfJob: (of: string) => request<MachineView>('GET', `/api/machine/of-job?${query({ name: of })}`),
   devices: () => request<DeviceView[]>('GET', '/api/devices'),
   catalogue: () => request<AlarmEntry[]>('GET', '/api/alarms/catalogue'),
   jobs: () => request<JobRow[]>('GET', '/api/jobs'),

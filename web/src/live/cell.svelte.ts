@@ -11,9 +11,10 @@ import type {
   TeachView,
   WorkView,
 } from '../wire';
-import { api } from './api';
+import { api, usePage } from './api';
 import { Link, type Answer, type LinkState } from './socket';
 import { session } from './session.svelte';
+import { Stopping } from './stopping.svelte';
 import { shownSpeed, type Shown } from './speed';
 import { Strip } from './strip';
 import { Track } from './track';
@@ -29,6 +30,9 @@ const ASK_AGAIN_MS = 1000;
 const CLOSED: TeachView = {
   phase: 'closed', job: '', key: null, why: null, way_mm: 0, nominal_mm: 0, frames: 0, confidence: 0, least_confidence: 0, picture: 0, size_px: [0, 0],
 };
+
+/** What the status says of the cycle's timing; a cell of an earlier version says less. */
+type Timing = { realtime?: { missing: string[]; text: string }; longest_gap_ms?: number };
 
 type Control = { station: number | null; user: string | null; mine: boolean };
 
@@ -59,6 +63,7 @@ class Cell {
   refused = $state.raw<{ ask: string; why: LackView } | null>(null);
   /** Times from asking to the answer, ms. */
   readonly answerTimes: number[] = [];
+  readonly stopping = new Stopping({ socket: () => this.link?.ask({ do: 'stop' }) ?? null, request: () => api.stop() });
   readonly strip = new Strip();
   readonly track = new Track();
   /** The loaded program is tracked, as far as this panel has seen. */
@@ -67,6 +72,12 @@ class Cell {
   /** Alarms that nobody has put aside. */
   readonly seen = $derived(this.alarms.filter((alarm) => !alarm.shelved));
   readonly stale = $derived(this.age > STALE_MS);
+  /** What is shown is what the cell is doing now. */
+  readonly current = $derived(this.state === 'open' && !this.stale);
+  /** What the system does not grant to the cycle, in the system's words; empty if nothing is missing. */
+  readonly unrealtime = $derived((this.status as (Status & Timing) | null)?.realtime?.missing.length ? ((this.status as Timing).realtime?.text ?? '') : '');
+  /** The longest time without a cycle, ms. */
+  readonly longestGap = $derived((this.status as (Status & Timing) | null)?.longest_gap_ms ?? NaN);
   readonly mode = $derived(this.status?.mode ?? null);
   readonly powered = $derived(this.status?.powered ?? false);
 
@@ -173,6 +184,7 @@ class Cell {
     switch (message.kind) {
       case 'hello':
         this.station = message.station;
+        usePage(message.station);
         this.version = message.version;
         break;
       case 'machine':
@@ -212,6 +224,7 @@ class Cell {
     const now = performance.now();
     this.heard = now;
     this.newest = status;
+    this.stopping.seen(status.mode);
     if (status.mode === 'dry_run' || status.mode === 'weld') this.ran = status.mode;
     this.strip.add(status);
     if (this.track.add(status, this.work?.passes[status.pass - 1]?.length_mm ?? 0)) this.tracked = true;

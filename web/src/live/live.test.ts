@@ -3,6 +3,7 @@ import type { FromCell, Status } from '../wire';
 import { refusal } from './api';
 import { HoldToRun, REPEAT_MS } from './hold_to_run';
 import { Link, type LinkState } from './socket';
+import { Stopping } from './stopping.svelte';
 import { Strip } from './strip';
 
 class FakeSocket {
@@ -169,4 +170,75 @@ test('a refusal speaks by key and text, or plainly where no handler was reached'
   expect(of(422, 'Failed to deserialize the JSON body: tolerance_mm')).toEqual(['input', 'Failed to deserialize the JSON body: tolerance_mm']);
   expect(of(502, '<html>')).toEqual(['server', '<html>']);
   for (const odd of ['', 'null', '[]', '{"key":1}']) expect(of(500, odd)[0]).toBe('server');
+});
+
+describe('STOP', () => {
+  const never = new Promise<never>(() => undefined);
+  const ok = { ok: true, why: null };
+  const lost = Promise.resolve({ ok: false, why: null });
+  const refused = (): Promise<never> => Promise.reject(new Error('no connection'));
+
+  test('that the cell answers is reached, and needs no second way', async () => {
+    const request = vi.fn(() => never);
+    const stopping = new Stopping({ socket: () => Promise.resolve(ok), request });
+    await stopping.stop();
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(stopping.fate).toBe('reached');
+    expect(request).not.toHaveBeenCalled();
+  });
+
+  test('goes as a request at once where there is no connection, and soon where the connection is silent', async () => {
+    for (const [socket, after] of [[() => null, 0], [() => lost, 0], [() => never, 250]] as const) {
+      const request = vi.fn(() => Promise.resolve({ mode: 'weld' }));
+      const stopping = new Stopping({ socket, request });
+      const stopped = stopping.stop();
+      await vi.advanceTimersByTimeAsync(after);
+      expect(request).toHaveBeenCalledTimes(1);
+      await stopped;
+      expect([stopping.fate, stopping.mode]).toEqual(['reached', 'weld']);
+    }
+  });
+
+  test('that reaches nobody has failed after a second at most, whichever way is silent', async () => {
+    for (const socket of [() => null, () => lost, () => never]) {
+      for (const request of [refused, () => never]) {
+        const stopping = new Stopping({ socket, request });
+        void stopping.stop();
+        await vi.advanceTimersByTimeAsync(1000);
+        expect(stopping.fate).toBe('failed');
+      }
+    }
+  });
+
+  test('stays failed until the cell is seen to stand, or somebody has read it', async () => {
+    const failed = async (): Promise<Stopping> => {
+      const stopping = new Stopping({ socket: () => null, request: refused });
+      await stopping.stop();
+      return stopping;
+    };
+    const seen = await failed();
+    for (const mode of ['weld', 'hold', 'jog', 'teach', 'dry_run', 'homing']) seen.seen(mode);
+    expect(seen.fate).toBe('failed');
+    seen.seen('ready');
+    expect(seen.fate).toBe('none');
+    const read = await failed();
+    read.acknowledge();
+    expect(read.fate).toBe('none');
+  });
+
+  test('that arrives late is said to be late, and a second press does not hide that the first failed', async () => {
+    let arrive: (answer: { mode: string }) => void = () => undefined;
+    const stopping = new Stopping({ socket: () => null, request: () => new Promise((done) => (arrive = done)) });
+    void stopping.stop();
+    await vi.advanceTimersByTimeAsync(1000);
+    void stopping.stop();
+    expect(stopping.fate).toBe('failed');
+    await vi.advanceTimersByTimeAsync(1500);
+    expect(stopping.fate).toBe('failed');
+    arrive({ mode: 'weld' });
+    await vi.advanceTimersByTimeAsync(0);
+    expect(stopping.fate).toBe('late');
+    stopping.seen('ready');
+    expect(stopping.fate).toBe('none');
+  });
 });

@@ -1,7 +1,9 @@
 import { cell } from '../live/cell.svelte';
 import { session } from '../live/session.svelte';
+import { layers } from './layers.svelte';
 import { meant, type Spot } from './meant';
-import { canAbort, hasMeaning, type Order } from './orders';
+import { hasMeaning, type Order } from './orders';
+import { starting } from './starting.svelte';
 import { place } from './place.svelte';
 
 /** True where keys are text, or choose something. */
@@ -14,9 +16,9 @@ function spot(target: EventTarget | null): Spot {
   const of = (which: string): boolean => target instanceof HTMLElement && target.closest(which) !== null;
   return {
     tab: place.tab,
-    writes: writes(target) && !of('input[type=range], input[type=checkbox], input[type=radio]'),
+    writes: (writes(target) || of('.editor')) && !of('input[type=range], input[type=checkbox], input[type=radio]'),
     scrolls: of('input') || (target instanceof HTMLElement && target.matches('[tabindex="0"]')),
-    editor: of('.editor'),
+    open: layers.any,
     dialog: document.querySelector('dialog[open]') !== null,
     armed: cell.status?.armed ?? false,
   };
@@ -24,17 +26,23 @@ function spot(target: EventTarget | null): Spot {
 
 /** Sends a command if this panel may; stop needs nothing. */
 export function order(of: Order): void {
-  if (of !== 'stop' && of !== 'hold' && (!cell.control.mine || !session.may(of))) return;
+  if (of === 'stop') {
+    void cell.stopping.stop();
+    return;
+  }
+  if (of !== 'hold' && (!cell.control.mine || !session.may(of))) return;
   if (!hasMeaning(of, cell.mode, cell.powered)) return;
-  void cell.ask({ do: of });
+  if (of === 'start_weld') void starting.start();
+  else void cell.ask({ do: of });
 }
 
+/** Does what a key means; called before any field or dialog sees the key, so none of them can keep STOP to itself. */
 export function onKey(event: KeyboardEvent): void {
   if (event.repeat || event.ctrlKey || event.altKey || event.metaKey) return;
   const of = meant(event.key.length === 1 ? event.key.toLowerCase() : event.key, spot(event.target));
-  if (!of) return;
-  // A field's own Esc stays where there is nothing to stop.
-  if (event.key === 'Escape' && writes(event.target) && !canAbort(cell.mode)) return;
+  // Who is not logged in can stop and nothing else.
+  if (!of || (!session.view && of !== 'stop' && of !== 'close')) return;
   event.preventDefault();
-  order(of);
+  if (of === 'close') layers.closeTop();
+  else order(of);
 }

@@ -14,5 +14,6 @@ export function lackText(lack: LackView): string {
     if (lack.key === 'condition') return named('interlock', name);
     return name;
   });
-  return t(key as Key, names.join(', '));
+  // Words with several places take the names one by one, others all of them in one.
+  return en[key as Key].includes('{1}') ? t(key as Key, ...names) : t(key as Key, names.join(', '));
 }

@@ -8,22 +8,24 @@ export type Spot = {
   writes: boolean;
   /** Home is its own: a slider, or what scrolls. */
   scrolls: boolean;
-  /** The editor of texts, which has a use for Esc. */
-  editor: boolean;
+  /** Menus or dialogs are open. */
+  open: boolean;
   dialog: boolean;
   armed: boolean;
 };
 
+/** What a key does: a command, or `close` for the topmost menu or dialog. */
+export type Meaning = Order | 'close';
+
 /**
- * The command of a key; arrows belong to the jog pad. What stops is heard everywhere but where the key has another use at once (Esc closes
- * a dialog; F1 has none), and no slider or field that was touched before is in its way. What moves is heard only on the pages of
- * the machine: in a table of points or a list a slip of the hand moves nothing.
+ * Returns the meaning of a key; arrows belong to the jog pad. F1 stops from everywhere. Esc closes what is open, one at a time; it stops
+ * only if nothing is open and nothing is being written, so closing something never stops a weld. What moves is heard only on the pages
+ * of the machine: in a table of points or a list a slip of the hand moves nothing.
  */
-export function meant(key: string, at: Spot): Order | null {
+export function meant(key: string, at: Spot): Meaning | null {
   if (key === 'F1') return 'stop';
-  if (at.dialog) return null;
-  if (key === 'Escape') return at.editor ? null : 'stop';
-  if (at.writes) return null;
+  if (key === 'Escape') return at.open ? 'close' : at.writes ? null : 'stop';
+  if (at.dialog || at.writes) return null;
   if (key === 'p') return 'hold';
   if (key === 'F2') return 'switch_on';
   if (at.tab !== 'weld' && at.tab !== 'teach') return null;

@@ -1,5 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
-import { meant, type Spot } from './meant';
+import { Layers } from './layers.svelte';
+import { meant, type Meaning, type Spot } from './meant';
 import { dayAndTime, digitsFor, duration, limit, number, span, valueName } from './numbers';
 import { canAbort, canHold, hasMeaning, movesHeld, next, powerComes, type Order } from './orders';
 import { programText } from './taught.svelte';
@@ -107,9 +108,49 @@ test('a machine that goes back in a hold can be held', () => {
   expect(movesHeld('hold', null)).toBe(false);
 });
 
+describe('layers', () => {
+  const self = {} as Node;
+  const at = (inside: boolean) => ({ contains: () => inside });
+
+  test('the topmost is closed first, and only that', () => {
+    const layers = new Layers();
+    const closed: string[] = [];
+    const add = (name: string): void => {
+      const remove = layers.add(at(false), () => (closed.push(name), remove()));
+    };
+    add('menu');
+    add('dialog');
+    expect(layers.any).toBe(true);
+    expect(layers.closeTop()).toBe(true);
+    expect(closed).toEqual(['dialog']);
+    layers.closeTop();
+    expect(closed).toEqual(['dialog', 'menu']);
+    expect([layers.any, layers.closeTop()]).toEqual([false, false]);
+  });
+
+  test('a press outside closes a menu; inside, on its own key, or with a dialog it closes nothing', () => {
+    for (const [inside, onKey, dialog, closes] of [[false, false, false, true], [true, false, false, false], [false, true, false, false], [false, false, true, false]] as const) {
+      const layers = new Layers();
+      let closed = false;
+      layers.add(at(inside), () => (closed = true), dialog ? null : at(onKey));
+      layers.pressed(self);
+      expect(closed).toBe(closes);
+    }
+  });
+
+  test('who leaves the page leaves its menus', () => {
+    const layers = new Layers();
+    const closed: string[] = [];
+    layers.add(at(false), () => closed.push('menu'), at(false));
+    layers.add(at(false), () => closed.push('dialog'));
+    layers.leave();
+    expect(closed).toEqual(['menu']);
+  });
+});
+
 describe('keys', () => {
-  const weld: Spot = { tab: 'weld', writes: false, scrolls: false, editor: false, dialog: false, armed: false };
-  const heard = (spot: Partial<Spot>): (Order | null)[] => ['F1', 'Escape', 'p', 'F2', 'Home', 'r', 's', 'x'].map((key) => meant(key, { ...weld, ...spot }));
+  const weld: Spot = { tab: 'weld', writes: false, scrolls: false, open: false, dialog: false, armed: false };
+  const heard = (spot: Partial<Spot>): (Meaning | null)[] => ['F1', 'Escape', 'p', 'F2', 'Home', 'r', 's', 'x'].map((key) => meant(key, { ...weld, ...spot }));
 
   test('all of them on the machine’s pages', () => {
     expect(heard({})).toEqual(['stop', 'stop', 'hold', 'switch_on', 'home', 'start_dry_run', 'resume', null]);
@@ -123,10 +164,28 @@ describe('keys', () => {
     }
   });
 
-  test('a text takes letters, not STOP; a slider or what scrolls takes Home alone; a dialog and the editor have Esc', () => {
-    expect(heard({ writes: true })).toEqual(['stop', 'stop', null, null, null, null, null, null]);
+  test('a field takes letters and Esc, F1 stops there too; a slider or what scrolls takes Home alone', () => {
+    expect(heard({ writes: true })).toEqual(['stop', null, null, null, null, null, null, null]);
     expect(heard({ scrolls: true })).toEqual(['stop', 'stop', 'hold', 'switch_on', null, 'start_dry_run', 'resume', null]);
-    expect(heard({ writes: true, editor: true })[1]).toBeNull();
-    expect(heard({ dialog: true })).toEqual(['stop', null, null, null, null, null, null, null]);
+  });
+
+  test('Esc closes what is open and stops nothing by that, wherever it is open', () => {
+    for (const tab of ['weld', 'teach', 'jobs', 'records', 'setup'] as const) {
+      for (const writes of [false, true]) expect(meant('Escape', { ...weld, tab, writes, open: true })).toBe('close');
+    }
+    expect(heard({ open: true, dialog: true })).toEqual(['stop', 'close', null, null, null, null, null, null]);
+    // Where STOP did not reach the cell, Esc is STOP once more.
+    expect(heard({ dialog: true })).toEqual(['stop', 'stop', null, null, null, null, null, null]);
+    // A menu is no dialog: whatever makes things safer is heard.
+    expect(heard({ open: true })).toEqual(['stop', 'close', 'hold', 'switch_on', 'home', 'start_dry_run', 'resume', null]);
+  });
+
+  test('Esc is decided in one place, and every menu has a layer there', () => {
+    const sources = import.meta.glob<string>(['../**/*.svelte', '../**/*.ts', '!../**/*.test.ts'], { query: '?raw', import: 'default', eager: true });
+    const having = (what: RegExp): string[] => Object.entries(sources).flatMap(([path, text]) => (what.test(text) ? path : []));
+    expect(having(/=== 'Escape'/)).toEqual(['./meant.ts']);
+    const menus = having(/class="(?:[\w ]* )?menu[" ]/);
+    expect(menus.length).toBeGreaterThan(2);
+    expect(having(/\{@attach layers\.menu\(/)).toEqual(menus);
   });
 });

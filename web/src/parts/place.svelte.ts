@@ -1,3 +1,4 @@
+import type { FindingView } from '../wire';
 import type { Stretch } from './stretch';
 
 export const tabs = ['weld', 'teach', 'jobs', 'records', 'setup'] as const;
@@ -19,6 +20,8 @@ class Place {
   byEye = $state(false);
   /** A place on a pass that is shown in 3D, tables and plots alike: pass from 0 and the sample of its path. */
   spot = $state.raw<{ pass: number; point: number } | null>(null);
+  /** The finding that is looked at, and the place that was shown for it: with another place it is looked at no longer. */
+  finding = $state.raw<{ of: FindingView; spot: Place['spot'] } | null>(null);
   /** The stretch about that place that is chosen: its span, or the whole pass. */
   stretch = $state.raw<Stretch | null>(null);
 

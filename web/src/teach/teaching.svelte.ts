@@ -26,7 +26,9 @@ class Teaching {
       this.made = null;
       return;
     }
-    this.taught = await api.taught().catch(() => this.taught);
+    const taught = await api.taught().catch(() => this.taught);
+    // Something newer may have come meanwhile.
+    if (name === this.asked) this.taught = taught;
   }
 
   async order(order: TeachOrder): Promise<boolean> {

@@ -16,7 +16,7 @@ describe('sentences of plans', () => {
   test('are those of the cell', () => {
     const pieces = rows.flatMap(([en]) => en.split('|')).map((piece) => bare(piece).replace(/^; /, '').trim()).filter((piece) => piece !== '{}' && piece !== '{} to {}');
     expect(pieces.length).toBeGreaterThan(80);
-    const texts = sources(['motion', 'weld', 'program', 'machine', 'cell', 'tracking']);
+    const texts = sources(['motion', 'weld', 'program', 'machine', 'cell', 'tracking', 'project']);
     expect(pieces.filter((piece) => !texts.includes(piece))).toEqual([]);
   });
 

@@ -168,6 +168,13 @@ fn check(name: &str, seed: u64, bench: &Bench, taught: &Taught) {
         // and the torch is as it was found.
         let text = program.program.to_toml().unwrap();
         let again = Welding::read_with("taught.toml", &text, &NoFiles).unwrap();
+        // What the machine has to keep clear of is what it was while teaching.
+        let part = |welding: &Welding| -> Vec<_> {
+            let clamped = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap();
+            clamped.part.iter().map(|solid| (solid.name().to_owned(), *solid.pose())).collect()
+        };
+        assert!(!part(&bench.welding).is_empty(), "{name}");
+        assert_eq!(part(&again), part(&bench.welding), "{name}");
         let pass = again.path(0);
         let line = taught.smooth.windows(2).map(|w| w[0].point.distance(w[1].point)).sum::<f64>();
         assert!((pass.length() - line).abs() < 0.01 * line, "{} {line}", pass.length());

@@ -3,13 +3,36 @@ use super::panel::Panel;
 use crate::view::{device_views, machine_view, simulated_view};
 use crate::wire::{AlarmEntry, DeviceView, MachineView, WorkView};
 use axum::Json;
-use axum::extract::State;
+use axum::extract::{Query, State};
 use seamwright_cell::executive::Alarm;
+use seamwright_project::load::machine_among;
+use serde::Deserialize;
 use std::sync::Arc;
 
 pub(super) async fn machine(State(panel): State<Arc<Panel>>) -> Answer<MachineView> {
     let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server("there is no machine"))?;
     Ok(Json(machine_view(&machine)))
+}
+
+/// `?name=NAME`, as a job names its machine.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct OfMachine {
+    name: String,
+}
+
+/// The machine that a job names, which need not be the cell's: so that its plan can be looked at.
+pub(super) async fn machine_of_job(
+    State(panel): State<Arc<Panel>>,
+    Query(of): Query<OfMachine>,
+) -> Answer<MachineView> {
+    let folder = panel.jobs();
+    let look = move || {
+        let machine = machine_among(&of.name, &folder)?;
+        let machine = machine.ok_or_else(|| Refused::not_found(format!("there is no machine `{}`", of.name)))?;
+        Ok(machine_view(&machine))
+    };
+    panel.reading.run(look).await.map(Json)
 }
 
 pub(super) async fn devices(State(panel): State<Arc<Panel>>) -> Answer<Vec<DeviceView>> {

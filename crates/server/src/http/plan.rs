@@ -143,6 +143,7 @@ async fn put_in(panel: &Arc<Panel>, load: Load, user: String) -> Result<Arc<Work
     let loading = alone(panel, move |panel| loading(panel, load, user)).await?;
     let view = loading.view.clone().ok_or_else(|| Refused::server("a job without a picture"))?;
     give(panel, connected(panel, loading).await?).await?;
+    panel.teaching.leave(&panel.cell.hub, (&view.job, &view.machine));
     Ok(view)
 }
 

@@ -2,7 +2,7 @@ use super::answer::{Answer, Refused, page_of};
 use super::panel::Panel;
 use crate::users::{Session, may};
 use crate::view::written;
-use crate::wire::{JudgedView, RecordRow, RecordView, RecordedAlarm, TraceView};
+use crate::wire::{JudgedView, RecordRow, RecordView, RecordedAlarm, RecordedEvent, TraceView};
 use axum::body::Body;
 use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
@@ -115,6 +115,7 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
                     greatest: v.greatest,
                     allowed: v.allowed,
                     outside_s: v.outside_s,
+                    outside_mm: v.outside_mm,
                 })
                 .collect(),
             alarms: detail
@@ -127,6 +128,16 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
                     s_mm: a.place.s_mm,
                     t_s: a.place.t_s,
                     first_out: a.first_out,
+                })
+                .collect(),
+            events: detail
+                .events
+                .iter()
+                .map(|e| RecordedEvent {
+                    text: e.text.clone(),
+                    pass: e.place.pass,
+                    s_mm: e.place.s_mm,
+                    t_s: e.place.t_s,
                 })
                 .collect(),
             columns: columns.iter().map(|c| (c.name.clone(), c.unit.clone())).collect(),

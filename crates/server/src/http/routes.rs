@@ -90,6 +90,13 @@ pub(super) fn routes() -> Vec<Route> {
         Route::get("/api/session", "watch", "Who is logged in", shape::<SessionView>(), get(login::session)),
         Route::get("/api/machine", "watch", "The machine of the cell", shape::<MachineView>(), get(look::machine)),
         Route::get(
+            "/api/machine/of-job",
+            "plan",
+            "The machine that a job names",
+            shape::<MachineView>(),
+            get(look::machine_of_job),
+        ),
+        Route::get(
             "/api/devices",
             "watch",
             "Inputs, outputs and lines to devices",

@@ -78,9 +78,10 @@ fn open(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), Lack
         let text = "the machine's devices are real, and its file names no camera's `frames`: teach by jogging";
         return Err(lack("work", text));
     }
-    let job = panel.cell.hub.work().map(|work| work.job.clone());
-    let job = job.ok_or_else(|| lack("work", "no program is loaded: its seam says where the joint is nominally"))?;
-    panel.teaching.open(&panel.cell.hub, station, &job)?;
+    let work = panel.cell.hub.work();
+    let work = work.ok_or_else(|| lack("work", "no program is loaded: its seam says where the joint is nominally"))?;
+    let job = work.job.clone();
+    panel.teaching.open(&panel.cell.hub, station, (&job, &work.machine))?;
     let open = Open { job, step_mm, longest_tack_mm, seed, tack_mm };
     let panel = Arc::clone(panel);
     std::thread::spawn(move || crawl::run(&panel, &open));

@@ -50,6 +50,8 @@ pub(super) struct State {
     /// The page that commands it.
     pub(super) station: u32,
     pub(super) wish: Wish,
+    /// Name of the machine on which it is taught.
+    machine: String,
     /// Where the joint is, as the operator says.
     said: Option<Answer>,
     pub(super) view: TeachView,
@@ -88,20 +90,34 @@ impl Teaching {
         drop(self.turned.wait_timeout(self.state(), most));
     }
 
-    /// A new session, of the page `station`.
-    pub(super) fn open(&self, hub: &Hub, station: u32, job: &str) -> Result<(), LackView> {
+    /// A new session, of the page `station`, along the seam of a job on its machine.
+    pub(super) fn open(&self, hub: &Hub, station: u32, (job, machine): (&str, &str)) -> Result<(), LackView> {
         let mut state = self.state();
         if state.lives {
             return Err(lack("busy", "a session is open: stop it first"));
         }
         // Pictures count on: nobody must take an old one for a new one.
         let picture = state.view.picture;
-        *state = State { lives: true, station, ..State::default() };
+        *state = State { lives: true, station, machine: machine.to_owned(), ..State::default() };
         state.view = TeachView { phase: TeachPhase::Plans, job: job.to_owned(), picture, ..TeachView::default() };
         let view = state.view.clone();
         drop(state);
         hub.teaches(view);
         Ok(())
+    }
+
+    /// Forgets what was taught along another seam or on another machine: `job` is in the cell now. A session that still lives ends by
+    /// itself.
+    pub(crate) fn leave(&self, hub: &Hub, (job, machine): (&str, &str)) {
+        let state = self.state();
+        let stays = state.lives || state.view.job.is_empty() || (state.view.job == job && state.machine == machine);
+        let picture = state.view.picture;
+        drop(state);
+        if !stays {
+            self.change(hub, |state| {
+                *state = State { view: TeachView { picture, ..TeachView::default() }, ..State::default() };
+            });
+        }
     }
 
     /// The session has ended.

@@ -211,6 +211,18 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     let operator = &everybody.iter().find(|(r, _)| format!("{r:?}") == "Operator").unwrap().1;
     let mut other = served.page(operator).await;
     assert_eq!(other.refused(json!({ "do": "stop" })).await, "role");
+    // Loaded once more it is kept; another job's seam is not where it was taught.
+    page.order("hold").await;
+    page.mode("ready").await;
+    let points = async || {
+        let (_, taught) = bench.ask(owner.request("GET", "/api/teach", None)).await;
+        taught["points"].as_array().unwrap().len()
+    };
+    crate::http::begin_with(&bench.panel, "ring.toml").await.unwrap();
+    assert!(points().await > 40);
+    crate::http::begin_with(&bench.panel, "oblique-girth.toml").await.unwrap();
+    assert_eq!(points().await, 0);
+    page.phase("closed").await;
 }
 
 /// A camera that sends by itself what the simulated eye sees from where the cell's axes are, until nobody listens or so many

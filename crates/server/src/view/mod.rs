@@ -10,6 +10,7 @@ mod section;
 mod sensor;
 mod sensor_file;
 mod solid;
+mod standing;
 mod tracking;
 mod tuning;
 mod work;

@@ -3,6 +3,7 @@ use super::machine::axes;
 use super::near::near;
 use super::section::sections;
 use super::solid::solid;
+use super::standing::Standing;
 use crate::wire::{FindingView, NearView, PassView, PathPoint, SolidView, WorkView};
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::air::Leg;
@@ -26,6 +27,7 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
     let (part, fixtures) = clamped_views(loaded);
     // It could be planned with them, so they are there.
     let around = loaded.surroundings().ok();
+    let mut standing = Standing::new(loaded, motion, around.as_ref());
     WorkView {
         id,
         job: job.to_owned(),
@@ -53,7 +55,7 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
         part,
         fixtures,
         sections: sections(&loaded.welding),
-        findings: findings.iter().map(finding).collect(),
+        findings: findings.iter().map(|f| finding(f, &mut standing)).collect(),
         good: motion.is_some() && findings.iter().all(|f| f.allowed),
         time_s: motion.map_or(0.0, WeldMotion::total_s),
         from: None,
@@ -192,8 +194,11 @@ fn air(machine: &Machine, way: &seamwright_motion::air::AirMove) -> Vec<[f64; 3]
     legs.map(|q| machine.forward(&q).point.to_array()).collect()
 }
 
-fn finding(f: &Finding) -> FindingView {
+fn finding(f: &Finding, standing: &mut Standing<'_>) -> FindingView {
+    let (axes, nearest) = standing.at(f);
     FindingView {
+        axes,
+        nearest,
         kind: f.kind.to_owned(),
         message: f.message.clone(),
         pass: f.pass as u32,

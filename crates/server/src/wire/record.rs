@@ -43,6 +43,8 @@ pub struct RecordView {
     pub values: Vec<JudgedView>,
     /// Its alarms in order.
     pub alarms: Vec<RecordedAlarm>,
+    /// Its events in order: cycles that were missed, what was stopped and by what, rights that were missing.
+    pub events: Vec<RecordedEvent>,
     /// Columns of its trace with their units.
     pub columns: Vec<(String, String)>,
     /// Rows of its trace.
@@ -67,6 +69,21 @@ pub struct JudgedView {
     pub allowed: Option<(f64, f64)>,
     /// How long it was outside, s.
     pub outside_s: f64,
+    /// Over how much of the way it was outside, mm.
+    pub outside_mm: f64,
+}
+
+/// An event of a recorded weld.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct RecordedEvent {
+    /// What happened, in English.
+    pub text: String,
+    /// The pass, from 1.
+    pub pass: Option<u32>,
+    /// Path length, mm.
+    pub s_mm: Option<f64>,
+    /// Time in the trace, s.
+    pub t_s: Option<f64>,
 }
 
 /// An alarm of a recorded weld.

@@ -92,6 +92,7 @@ pub fn typescript() -> String {
         decl::<RecordView>(&config),
         decl::<JudgedView>(&config),
         decl::<RecordedAlarm>(&config),
+        decl::<RecordedEvent>(&config),
         decl::<TraceView>(&config),
         decl::<TeachOrder>(&config),
         decl::<TeachPhase>(&config),

@@ -127,6 +127,10 @@ pub struct FindingView {
     pub cure: String,
     /// The weld can be made nevertheless.
     pub allowed: bool,
+    /// Positions of the axes there, in the order of [`WorkView::axes`]; empty if it is not known how the machine stands.
+    pub axes: Vec<f64>,
+    /// What is nearest to being too near there.
+    pub nearest: Option<NearView>,
 }
 
 /// A solid, in the work frame with all axes at zero.

@@ -1,10 +1,10 @@
 use super::LinePoint;
-use glam::{DQuat, DVec3};
-use seamwright_document::{Direction, Finite, Point, Positive, Transform};
+use glam::{DAffine3, DQuat, DVec3};
+use seamwright_document::{Direction, Finite, Point, Positive};
 use seamwright_geometry::Error;
 use seamwright_geometry::reduce::{Method, Reduction, Shape, Span, SplineReduction, reduce, reduce_to_spline};
 use seamwright_program::{
-    Along, AtCorner, OnLimit, POSE_COLUMNS, Part, Pass, PointSpan, Points, Program, SPEED_COLUMN, SeamStart, Torch,
+    Along, AtCorner, OnLimit, POSE_COLUMNS, Pass, PointSpan, Points, Program, SPEED_COLUMN, Torch,
 };
 use std::f64::consts::TAU;
 
@@ -50,15 +50,16 @@ impl Curves {
 /// A taught line as a program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reduced {
-    /// The program: one pass through the curves' ends, poses of the torch in the machine's work frame.
+    /// The program: one pass through the curves' ends, poses of the torch in the frame of the nominal seam.
     pub program: Program,
-    /// What stands for the line.
+    /// What stands for the line, in the machine's work frame.
     pub curves: Curves,
 }
 
 /// Reduces a taught line to curves within `tolerance` (mm), the torch's direction carried along within `attitude` (rad),
-/// and puts them into a program like `like`: its machine, title, fixtures and what its first pass says of speed, process,
-/// sequence and axes to spare. `torch` are unit vectors from the joint to the torch, one for each point.
+/// and puts them into a program like `like`: its machine, title, seam, part and fixtures (the machine keeps clear of them) and
+/// what its first pass says of speed, process, sequence and axes to spare. `torch` are unit vectors from the joint to the
+/// torch, one for each point.
 ///
 /// # Errors
 /// Those of [`reduce`] and [`reduce_to_spline`]; [`Error::Size`] with fewer than two points, or vectors that are not as
@@ -77,7 +78,7 @@ pub fn to_program(
         Kind::Spline => Curves::Spline(reduce_to_spline(&points, &directions, (tolerance, attitude))?),
     };
     let (Some(pass), [_, _, ..]) = (like.passes.first(), line) else { return Err(few()) };
-    let writer = Writer::new(pass, torch);
+    let writer = Writer::new(pass, torch, like.seam_in_work().inverse());
     let taught = Points {
         columns: writer.columns(),
         arc: true,
@@ -103,14 +104,10 @@ pub fn to_program(
         ..pass.clone()
     };
     let program = Program {
-        placement: Transform::default(),
-        offset: None,
+        placement: like.copies.first().map_or(like.placement, |copy| copy.placement),
         copies: Vec::new(),
-        seam: None,
-        start: SeamStart::default(),
         joint: None,
         taught: Vec::new(),
-        part: Part::default(),
         passes: vec![pass],
         ..like.clone()
     };
@@ -122,17 +119,19 @@ struct Writer<'a> {
     torch: &'a [DVec3],
     process: Vec<(String, f64)>,
     speed: f64,
+    /// From the machine's work frame to that of the seam, in which points of programs are.
+    to_seam: DAffine3,
 }
 
 /// Speed where the pass that the program is like has none, mm/s.
 const USUAL_SPEED: f64 = 5.0;
 
 impl<'a> Writer<'a> {
-    fn new(pass: &Pass, torch: &'a [DVec3]) -> Self {
+    fn new(pass: &Pass, torch: &'a [DVec3], to_seam: DAffine3) -> Self {
         let first = pass.spans.first();
         let process = first.map(|s| s.process.iter().map(|(name, value)| (name.clone(), value.ends().0)).collect());
         let speed = first.map_or(USUAL_SPEED, |s| s.speed_mm_s.ends().0);
-        Self { torch, process: process.unwrap_or_default(), speed }
+        Self { torch, process: process.unwrap_or_default(), speed, to_seam }
     }
 
     fn columns(&self) -> Vec<String> {
@@ -142,7 +141,9 @@ impl<'a> Writer<'a> {
 
     /// The row of point `index` of the line.
     fn row(&self, line: &[LinePoint], index: usize, speed: f64) -> Vec<Finite> {
-        let pose = line[index].point.to_array().into_iter().chain((-self.torch[index]).to_array());
+        let point = self.to_seam.transform_point3(line[index].point);
+        let direction = self.to_seam.transform_vector3(-self.torch[index]);
+        let pose = point.to_array().into_iter().chain(direction.to_array());
         let values = pose.chain(self.process.iter().map(|p| p.1)).chain([speed]);
         values.map(|v| Finite::new(v).unwrap_or_default()).collect()
     }
@@ -174,7 +175,8 @@ impl<'a> Writer<'a> {
                     let via_mm = match shape {
                         Shape::Line => None,
                         Shape::Arc { centre, normal, .. } => {
-                            Point::new(via(line[s.first].point, line[s.last].point, centre, normal))
+                            let via = via(line[s.first].point, line[s.last].point, centre, normal);
+                            Point::new(self.to_seam.transform_point3(via))
                         }
                     };
                     out.push(span(if via_mm.is_some() { Along::Arc } else { Along::Line }, via_mm, vec![row]));

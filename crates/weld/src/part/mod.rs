@@ -51,8 +51,8 @@ struct Making<'a> {
 impl Welding {
     /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
     ///
-    /// The part, once at every copy of the seam, is made from the seam unless its solids are given: exact cylinders,
-    /// spheres, cones and boxes; elliptic tubes and curved T-joints as meshes up to 0.02 mm outside the true surface,
+    /// The part, once at every copy of the seam, is made from the seam, with the solids that are given, unless the job says that these
+    /// replace it. It is made of exact cylinders, spheres, cones and boxes; elliptic tubes and curved T-joints as meshes up to 0.02 mm outside the true surface,
     /// heads up to 0.1 mm. It is nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of
     /// the far side of its body. Of the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are
     /// solid: the torch stays outside; only what is around a root that is welded
@@ -60,27 +60,35 @@ impl Welding {
     ///
     /// # Errors
     /// With the key's address: everything that can be wrong with a solid or an STL file, a body that ends within the
-    /// seam.
+    /// seam, a part that is replaced by nothing.
     pub fn clamped(&self, load: Load) -> Result<Clamped, DocumentError> {
         let program = &self.program.value;
         let fixtures = given(&self.program, "fixtures", &program.fixtures, load)?;
-        let part = match &program.part {
-            Part { watched: false, .. } => Vec::new(),
-            Part { solids, .. } if !solids.is_empty() => given(&self.program, "part.solids", solids, load)?,
-            part => {
-                let (Some(curve), Some(seam)) = (&self.seam, &program.seam) else {
-                    return self.clamped_as(&[], fixtures);
-                };
-                let making = Making {
-                    seam: curve,
-                    nozzle_mm: part.nozzle_length_mm.map_or(NOZZLE_MM, Positive::get),
-                    body_mm: part.body_length_mm.map(Positive::get),
-                    joint: self.joint.as_ref(),
-                };
-                making.solids(&self.program, seam)?
-            }
-        };
+        let Part { solids, replace, watched, .. } = &program.part;
+        if *replace && solids.is_empty() {
+            let message = "the part made from the seam is replaced, but by no solids";
+            return Err(self.program.error_at("part.replace", message, "[[part.solids]] with it, or without it"));
+        }
+        let mut part = given(&self.program, "part.solids", solids, load)?;
+        if !watched {
+            part.clear();
+        } else if !replace {
+            part.extend(self.made()?);
+        }
         self.clamped_as(&part, fixtures)
+    }
+
+    /// The solids that are made from the seam; none in a program without one.
+    fn made(&self) -> Result<Vec<Solid>, DocumentError> {
+        let program = &self.program.value;
+        let (Some(curve), Some(seam)) = (&self.seam, &program.seam) else { return Ok(Vec::new()) };
+        let making = Making {
+            seam: curve,
+            nozzle_mm: program.part.nozzle_length_mm.map_or(NOZZLE_MM, Positive::get),
+            body_mm: program.part.body_length_mm.map(Positive::get),
+            joint: self.joint.as_ref(),
+        };
+        making.solids(&self.program, seam)
     }
 
     /// The `part` at every copy, and the fixtures.
@@ -127,7 +135,11 @@ impl Making<'_> {
             Impossible::Document(e) => e,
             Impossible::Solid(_) => {
                 let message = format!("the part made from the seam: {e}");
-                file.error_at("seam", message, "sizes up to 1e7 mm, those of [part] too; or [[part.solids]]")
+                file.error_at(
+                    "seam",
+                    message,
+                    "sizes up to 1e7 mm, those of [part] too; or [[part.solids]] with part.replace = true",
+                )
             }
         })
     }

@@ -148,6 +148,22 @@ proptest! {
     }
 }
 
+/// One added box must never make the collision check forget nozzle and shell.
+#[test]
+fn a_body_that_is_added_does_not_take_the_place_of_the_part() {
+    let part = |more: &str| Welding::read("job.toml", &(EXAMPLES[0].to_owned() + more)).unwrap().clamped(NO_STL);
+    let names = |more: &str| -> Vec<String> { part(more).unwrap().part.iter().map(|s| s.name().to_owned()).collect() };
+    let solids = "[[part.solids]]\nname = \"lug\"\nshape.box = { size_mm = [40, 40, 40] }\n";
+    let mut made = names("");
+    assert!(made.len() >= 2, "{made:?}");
+    made.insert(0, "lug".to_owned());
+    assert_eq!(names(solids), made);
+    assert_eq!(names(&format!("[part]\nreplace = true\n{solids}")), ["lug"]);
+    assert!(names(&format!("[part]\nwatched = false\n{solids}")).is_empty());
+    let nothing = part("[part]\nreplace = true\n").unwrap_err();
+    assert_eq!(nothing.key, "part.replace");
+}
+
 #[test]
 fn solids_are_given_or_refused_with_their_address() {
     let with = |more: &str, load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>| {
@@ -159,7 +175,7 @@ fn solids_are_given_or_refused_with_their_address() {
         e
     };
     let clamped = with("[[part.solids]]\nshape.box = { size_mm = [1, 2, 3] }\n[[fixtures]]\nname = \"clamp\"\nshape.sphere = { radius_mm = 4 }\nat = { move_mm = [1, 2, 3] }\n[clearance]\nleast_mm = 2\n", NO_STL).unwrap();
-    assert!(clamped.part.len() == 1 && clamped.fixtures.len() == 1 && (clamped.least_mm - 2.0).abs() < 1e-15);
+    assert!(clamped.part.len() == 3 && clamped.fixtures.len() == 1 && (clamped.least_mm - 2.0).abs() < 1e-15);
     // The part moves with the placement, fixtures stand in the work frame.
     assert!((clamped.part[0].pose().translation - DVec3::new(0.0, 0.0, -800.0)).length() < 1e-12);
     assert!((clamped.fixtures[0].pose().translation - DVec3::new(1.0, 2.0, 3.0)).length() < 1e-12);

@@ -1,0 +1,72 @@
+// Parts that were left in the middle, on a mock that remembers them by job and part as the cell does.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { hasBrowser, launch, page } from './browser.mjs';
+import { startMock } from './cell.mjs';
+import { commands, control, mode, open, press, ready, weld } from './operator.mjs';
+
+const options = { skip: hasBrowser ? false : 'no Chromium' };
+let cell;
+let browser;
+let one;
+
+before(async () => {
+  if (!hasBrowser) return;
+  cell = await startMock();
+  browser = await launch();
+  one = await page(browser);
+});
+after(async () => {
+  await browser?.close();
+  await cell?.end();
+});
+
+const load = (job, part, from = null) =>
+  one.evaluate((body) => fetch('/api/load', { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body) }), { job, part, from });
+const passes = () => one.locator('.passes li button');
+const ticks = async () => (await passes().allTextContents()).map((text) => text.includes('✓'));
+const continues = (pass) => one.getByRole('button', { name: new RegExp(`^Continue pass ${pass}`) });
+
+/** Welds until a pass is reached, and leaves it there. */
+async function leaveIn(pass) {
+  await commands(one);
+  await weld(one);
+  await one.locator(`.passes li:nth-child(${pass}) button.now`).waitFor({ timeout: 60_000 });
+  await one.getByText(new RegExp(`Pass ${pass} .*mm`)).first().waitFor();
+  await one.keyboard.press('F1');
+  await mode(one, 'ready');
+}
+
+test('a part that was left keeps its finished passes and its newest place, whatever is welded in between', options, async () => {
+  await open(one, cell.address);
+  await control(one);
+  await ready(one);
+  // Nearly at the end of its first pass, so that the second one comes soon.
+  await load('saddle.toml', 'N1-001', [1, 1500]);
+  await leaveIn(2);
+  await continues(2).waitFor();
+  assert.deepEqual(await ticks(), [true, false]);
+  await load('ellipse.toml', 'G-1');
+  await one.getByText(/part N1-001\) was left in pass 2/).waitFor();
+  assert.equal(await continues(2).count(), 0);
+  await load('saddle.toml', 'N1-001');
+  await continues(2).waitFor();
+  assert.deepEqual(await ticks(), [true, false]);
+});
+
+test('what is finished is welded again only after a question that names it', options, async () => {
+  await commands(one);
+  await press(one, /^Arm/);
+  await press(one, /Start weld/);
+  const dialog = one.locator('dialog[open]');
+  await dialog.getByText(/N1-001/).waitFor();
+  await dialog.getByText(/Continue pass 2/).waitFor();
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  await dialog.waitFor({ state: 'hidden' });
+  assert.equal(await one.locator('[data-mode]').getAttribute('data-mode'), 'ready');
+  await press(one, /Start weld/);
+  await dialog.getByRole('button', { name: 'Weld it again' }).click();
+  await mode(one, 'weld');
+  await one.keyboard.press('F1');
+  await mode(one, 'ready');
+});

@@ -1,0 +1,32 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import type { PlanAnswer } from '../wire';
+
+vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
+vi.stubGlobal('navigator', { languages: ['en'] });
+
+beforeEach(() => vi.useFakeTimers());
+afterEach(() => vi.useRealTimers());
+
+test('a long plan tells its time, and cancelled it closes its request and is asked for again only when wanted', async () => {
+  const { api } = await import('../live/api');
+  const { session } = await import('../live/session.svelte');
+  const { edited } = await import('./edited.svelte');
+  session.view = { user: 'ada', role: 'programmer', may: ['plan'], token: 't', first_run: false };
+  const signals: AbortSignal[] = [];
+  vi.spyOn(api, 'draft').mockResolvedValue({ kind: 'wrong', message: '' });
+  vi.spyOn(api, 'plan').mockImplementation((_, signal) => {
+    if (signal) signals.push(signal);
+    return new Promise<PlanAnswer>((_, fails) => signal?.addEventListener('abort', () => fails(new DOMException('', 'AbortError'))));
+  });
+  edited.begin('a.toml', 'schema = 1\n', false, 'schema = 1\n');
+  await vi.advanceTimersByTimeAsync(5000);
+  expect([edited.plans, edited.planned_s]).toEqual([true, 5]);
+  edited.cancel();
+  await vi.advanceTimersByTimeAsync(5000);
+  expect([edited.plans, edited.cancelled, edited.planned_s, edited.trouble]).toEqual([false, true, 5, ""]);
+  expect(signals.map((signal) => signal.aborted)).toEqual([true]);
+  edited.planAgain();
+  await vi.advanceTimersByTimeAsync(100);
+  expect([edited.plans, edited.cancelled, signals.length]).toEqual([true, false, 2]);
+  edited.end();
+});

@@ -1,0 +1,29 @@
+import type { LeftView, WorkView } from '../wire';
+
+/** A place in a weld: pass from 1, and path length in mm. */
+export type Place = [number, number];
+
+/** A weld that was left in the middle; `finished`: passes that are done, if the cell says it. */
+export type Unfinished = LeftView & { finished?: number };
+
+/** A longer way back than the pass asks for, as somebody chose it for one interruption. */
+export type Overlap = { of: string; extra_mm: number };
+
+/** Names an interruption: the next one of the same part is another. */
+export const interruption = (left: LeftView): string => `${left.record ?? ''} ${left.pass} ${left.s_mm}`;
+
+/** How many passes of what is in the cell are finished, from the first one on. */
+export function finishedPasses(left: Unfinished | null): number {
+  return left?.here ? (left.finished ?? left.pass - 1) : 0;
+}
+
+/** The place with which to load so that the weld goes on: that of the newest interruption, never one that was loaded before. */
+export function continueFrom(left: LeftView, overlap: Overlap | null): Place {
+  const extra = overlap?.of === interruption(left) ? overlap.extra_mm : 0;
+  return [left.pass, Math.max(0, left.s_mm - extra)];
+}
+
+/** The place with which to load the same program once more: where an unfinished weld goes on, else as it was loaded. */
+export function reloadFrom(work: Pick<WorkView, 'from'>, left: LeftView | null, overlap: Overlap | null): Place | null {
+  return left?.here ? continueFrom(left, overlap) : work.from;
+}
