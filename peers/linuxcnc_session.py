@@ -22,6 +22,23 @@ class NotStarted(Exception):
     """LinuxCNC does not run here."""
 
 
+class TooSlow(Exception):
+    """This computer is too busy for LinuxCNC: nothing was compared, which is no difference."""
+
+
+# LinuxCNC's own clock is the servo cycle: on a busy computer it stands still, and so does all that is waited for.
+# Cycles without any change after which nothing more is expected.
+STILL_CYCLES = 30_000
+# Cycles that must pass between two equal readings of joints at rest.
+REST_CYCLES = 3
+# Cycles that are sampled at rest before and after a program.
+AROUND_CYCLES = 200
+# Time without any sign of LinuxCNC after which it is given up, s.
+SILENT_S = 180
+# What LinuxCNC says of a busy computer: its cycles were late, and it goes on.
+LATE = "Unexpected realtime delay"
+
+
 def write_configuration(folder, module, display):
     """INI and HAL files of a machine whose joints follow at once, with the module's limits (speed and acceleration an
     axis) or none."""
@@ -43,7 +60,9 @@ addf motion-command-handler servo-thread\naddf motion-controller servo-thread
 net enable iocontrol.0.user-enable-out iocontrol.0.emc-enable-in
 loadrt sampler depth=16000 cfg={"f" * len(axes)}
 setp sampler.0.enable 0
-addf sampler.0 servo-thread\n"""
+addf sampler.0 servo-thread
+loadrt threadtest
+addf threadtest.0.increment servo-thread\n"""
     for joint, axis in enumerate(axes):
         kind = "ANGULAR" if axis in "ABC" else "LINEAR"
         speed, acceleration = module.get("limits", {}).get(axis, (1e6, 1e9))
@@ -56,85 +75,148 @@ addf sampler.0 servo-thread\n"""
     (folder / "peer.tbl").touch()
 
 
-def drive(task, result):
-    """Inside LinuxCNC: sends it to every pose, plays the program, and writes its joints, or why it could not."""
-    import linuxcnc
+class Hal:
+    """What HAL itself says: unlike LinuxCNC's status it is never late."""
 
-    # What is left standing if it is stopped from outside.
-    Path(result).write_text(json.dumps({"error": "LinuxCNC started but was not done in time"}))
-    task = json.loads(Path(task).read_text())
-    places = ["XYZABCUVW".index(axis) for axis in task["axes"]]
-    command, status, errors = linuxcnc.command(), linuxcnc.stat(), linuxcnc.error_channel()
+    def __init__(self, joints):
+        import hal
 
-    def wait(ready, what, seconds=10):
-        deadline = time.monotonic() + seconds
-        while not ready():
-            message = errors.poll()
-            if message or time.monotonic() > deadline:
-                raise RuntimeError(f"LinuxCNC does not {what}: {message[1] if message else 'no answer in 10 s'}")
+        self.value, self.joint_count = hal.get_value, joints
+        self.component = hal.component("peer-drive")
+        self.component.ready()
+
+    def cycles(self):
+        """Servo cycles since LinuxCNC was started."""
+        return self.value("threadtest.0.count")
+
+    def joints(self):
+        return [self.value(f"joint.{joint}.motor-pos-cmd") for joint in range(self.joint_count)]
+
+
+class Session:
+    """Inside LinuxCNC: sends it to poses and plays programs."""
+
+    def __init__(self, task, folder):
+        import linuxcnc
+
+        self.linuxcnc, self.task, self.folder = linuxcnc, task, folder
+        self.places = ["XYZABCUVW".index(axis) for axis in task["axes"]]
+        self.command, self.status, self.errors = linuxcnc.command(), linuxcnc.stat(), linuxcnc.error_channel()
+        self.hal = Hal(len(self.places))
+        self.signs = 0
+
+    def alive(self):
+        """A sign for who waits outside."""
+        self.signs += 1
+        (self.folder / "signs").write_text(str(self.signs))
+
+    def wait(self, ready, what):
+        """Until `ready`; gives up when nothing has changed for many servo cycles."""
+        seen, since = None, self.hal.cycles()
+        while True:
+            self.status.poll()
+            if ready():
+                return
+            message = self.errors.poll()
+            if message and LATE not in message[1]:
+                raise RuntimeError(f"LinuxCNC does not {what}: {message[1]}")
+            status = self.status
+            state = (status.echo_serial_number, status.task_state, status.interp_state, status.current_line, self.hal.joints())
+            if state != seen:
+                seen, since = state, self.hal.cycles()
+                self.alive()
+            if self.hal.cycles() - since > STILL_CYCLES:
+                raise TooSlow(f"LinuxCNC does not {what} within {STILL_CYCLES} servo cycles in which nothing changes")
             time.sleep(0.0005)
-            status.poll()
 
-    def there(pose):
-        return (
-            status.echo_serial_number == command.serial and status.state == linuxcnc.RCS_DONE and status.inpos
-            and all(abs(status.position[place] - word) < 1e-9 for place, word in zip(places, pose))
-        )
+    def pass_cycles(self, count):
+        end = self.hal.cycles() + count
+        self.wait(lambda: self.hal.cycles() >= end, "run its servo thread")
 
-    def outputs():
-        status.poll()
-        return [status.joint[joint]["output"] for joint in range(len(places))]
+    def rest(self):
+        """Waits until joints are the same before and after some servo cycles; their positions."""
+        while True:
+            before = self.hal.joints()
+            self.pass_cycles(REST_CYCLES)
+            if self.hal.joints() == before:
+                return before
 
-    def settled():
-        before = outputs()
-        time.sleep(0.003)
-        return before == outputs()
+    def is_at(self, pose, within):
+        return all(abs(self.status.position[place] - word) < within for place, word in zip(self.places, pose))
 
-    def go(pose):
-        words = " ".join(f"{axis}{word:.9f}" for axis, word in zip(task["axes"], pose))
-        command.mdi(f"G53 G0 {words}")
-        wait(lambda: there(pose), f"reach {words}")
-        wait(settled, "come to rest")
-        return outputs()
+    def go(self, pose):
+        """Joints at a pose."""
+        words = " ".join(f"{axis}{word:.9f}" for axis, word in zip(self.task["axes"], pose))
+        self.command.mdi(f"G53 G0 {words}")
 
-    def play():
-        """Joints in every servo period of the program, and a few at rest around it."""
-        rows = Path(result).with_name("rows")
-        with open(rows, "w") as file:
+        def there():
+            done = self.status.state == self.linuxcnc.RCS_DONE and self.status.inpos
+            return done and self.status.echo_serial_number == self.command.serial and self.is_at(pose, 1e-9)
+
+        self.wait(there, f"reach {words}")
+        return self.rest()
+
+    def play(self):
+        """Joints in every servo cycle of the program, and some at rest around it."""
+        status, linuxcnc = self.status, self.linuxcnc
+        with open(self.folder / "rows", "w") as file:
             sampler = subprocess.Popen(["halsampler"], stdout=file)
-        subprocess.run(["halcmd", "setp", "sampler.0.enable", "1"], check=True)
-        time.sleep(0.2)
-        command.mode(linuxcnc.MODE_AUTO)
-        wait(lambda: status.task_mode == linuxcnc.MODE_AUTO, "take programs")
-        command.program_open(str(Path(result).with_name("program.ngc")))
-        command.auto(linuxcnc.AUTO_RUN, 0)
-        wait(lambda: status.interp_state != linuxcnc.INTERP_IDLE, "begin the program")
-        wait(lambda: status.interp_state == linuxcnc.INTERP_IDLE and status.inpos, "end the program", task["seconds"])
-        wait(settled, "come to rest")
-        time.sleep(0.2)
+        sample = lambda on: subprocess.run(["halcmd", "setp", "sampler.0.enable", str(on)], check=True)
+        depth = lambda: self.hal.value("sampler.0.curr-depth")
+        sample(1)
+        self.pass_cycles(AROUND_CYCLES)
+        self.wait(lambda: depth() < AROUND_CYCLES, "hand out its samples")
+        self.command.mode(linuxcnc.MODE_AUTO)
+        self.wait(lambda: status.task_mode == linuxcnc.MODE_AUTO, "take programs")
+        start, end = self.hal.joints(), self.task["end"]
+        self.command.program_open(str(self.folder / "program.ngc"))
+        self.command.auto(linuxcnc.AUTO_RUN, 0)
+        self.wait(lambda: status.interp_state != linuxcnc.INTERP_IDLE or self.hal.joints() != start, "begin the program")
+
+        def done():
+            idle = status.interp_state == linuxcnc.INTERP_IDLE and status.queue == 0 and status.inpos
+            return idle and (end is None or self.is_at(end, 1e-6))
+
+        self.wait(done, "end the program")
+        self.rest()
+        self.pass_cycles(AROUND_CYCLES)
+        sample(0)
+        # What is in its store is still to be printed.
+        self.wait(lambda: depth() == 0, "hand out its last samples")
         sampler.send_signal(signal.SIGINT)
-        sampler.wait(timeout=10)
-        text = rows.read_text()
-        if "overrun" in text:
-            raise RuntimeError("LinuxCNC's sampler lost set-points")
+        sampler.wait(timeout=60)
+        text = (self.folder / "rows").read_text()
+        if "overrun" in text or self.hal.value("sampler.0.overruns"):
+            raise TooSlow("LinuxCNC's sampler lost set-points")
         return [[float(word) for word in line.split()] for line in text.splitlines()]
 
-    try:
-        for pin, value in task["pins"].items():
-            subprocess.run(["halcmd", "setp", f"{task['kinematics']}.{pin}", str(value)], check=True)
+    def run(self):
+        """Switches on, homes, and does the task; the joints asked for."""
+        linuxcnc, status, command = self.linuxcnc, self.status, self.command
+        for pin, value in self.task["pins"].items():
+            subprocess.run(["halcmd", "setp", f"{self.task['kinematics']}.{pin}", str(value)], check=True)
         status.poll()
         for state in (linuxcnc.STATE_ESTOP_RESET, linuxcnc.STATE_ON):
             command.state(state)
-            wait(lambda: status.task_state == state, "switch on")
+            self.wait(lambda: status.task_state == state, "switch on")
         command.home(-1)
-        wait(lambda: all(status.homed[: len(places)]), "home")
+        self.wait(lambda: all(status.homed[: len(self.places)]), "home")
         command.mode(linuxcnc.MODE_MDI)
-        wait(lambda: status.task_mode == linuxcnc.MODE_MDI, "take commands")
-        answer = {"joints": [go(pose) for pose in task["poses"]]}
-        if task["program"]:
-            answer["joints"] = play()
+        self.wait(lambda: status.task_mode == linuxcnc.MODE_MDI, "take commands")
+        joints = [self.go(pose) for pose in self.task["poses"]]
+        return self.play() if self.task["program"] else joints
+
+
+def drive(task, result):
+    """Inside LinuxCNC: does the task and writes the joints, or why it could not."""
+    # What is left standing if it is stopped from outside.
+    Path(result).write_text(json.dumps({"slow": f"LinuxCNC started, and gave no sign for {SILENT_S} s"}))
+    try:
+        answer = {"joints": Session(json.loads(Path(task).read_text()), Path(result).parent).run()}
+    except TooSlow as error:
+        answer = {"slow": str(error)}
     except Exception as error:
-        answer = {"error": str(error)}
+        answer = {"error": f"{type(error).__name__}: {error}"}
     Path(result).write_text(json.dumps(answer))
 
 
@@ -149,16 +231,16 @@ def python_of_linuxcnc():
 
 def joints_at(module, poses, python):
     """LinuxCNC's joints at these poses; each has a word for each of the module's axes, in their order."""
-    return session(module, poses, "", 0.1 * len(poses), python)
+    return session(module, poses, "", None, python)
 
 
-def joints_along(module, start, program, seconds, python):
-    """LinuxCNC's joints in every servo period (1 ms) of a part program that begins at the pose `start` and takes at most
-    `seconds`; at rest for a while before and after."""
-    return session(module, [start], program, seconds, python)
+def joints_along(module, start, program, python, end=None):
+    """LinuxCNC's joints in every servo cycle (1 ms) of a part program that begins at the pose `start` and, if that is given,
+    ends at the pose `end`; at rest for a while before and after."""
+    return session(module, [start], program, end, python)
 
 
-def session(module, poses, program, seconds, python):
+def session(module, poses, program, end, python):
     """Joints after every pose, or those of the program if there is one."""
     # HAL refuses root: it runs as nobody, who may not be able to read this file where it is.
     user = {}
@@ -173,7 +255,7 @@ def session(module, poses, program, seconds, python):
         display.chmod(0o755)
         write_configuration(folder, module, display)
         (folder / "program.ngc").write_text(program)
-        task = {**module, "poses": poses, "program": bool(program), "seconds": seconds}
+        task = {**module, "poses": poses, "program": bool(program), "end": end}
         (folder / "task").write_text(json.dumps(task))
         if user:
             for path in [folder, *folder.iterdir()]:
@@ -186,17 +268,28 @@ def session(module, poses, program, seconds, python):
                 env=environment, start_new_session=True, cwd=name, **user,
             )
             try:
-                process.wait(timeout=30 + seconds)
-            except subprocess.TimeoutExpired:
-                pass
+                wait_while_alive(process, folder)
             finally:
                 clear_up(process, environment, user)
         if not (folder / "result").exists():
             raise NotStarted((folder / "log").read_text()[-2000:])
         answer = json.loads((folder / "result").read_text())
+    if "slow" in answer:
+        raise TooSlow(answer["slow"])
     if "error" in answer:
         raise RuntimeError(answer["error"])
     return answer["joints"]
+
+
+def wait_while_alive(process, folder):
+    """Until it ends, or gives no sign for a long time."""
+    signs = lambda: [path.read_text() if path.exists() else "" for path in (folder / "signs", folder / "result")]
+    seen, since = signs(), time.monotonic()
+    while process.poll() is None and time.monotonic() - since < SILENT_S:
+        time.sleep(0.2)
+        now = signs()
+        if now != seen:
+            seen, since = now, time.monotonic()
 
 
 def clear_up(process, environment, user):

@@ -33,11 +33,15 @@ use std::path::PathBuf;
     version,
     about,
     long_about,
-    after_help = "Exit codes: 0 done; 1 cannot be welded as asked; 2 bad input; 3 the environment failed."
+    after_help = "Exit codes: 0 done; 1 cannot be welded as asked; 2 bad input; 3 the environment failed.",
+    args_conflicts_with_subcommands = true
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) verb: Option<Verb>,
+    /// Without a verb: as of `serve`.
+    #[command(flatten)]
+    pub(crate) serve: serve::ServeArgs,
 }
 
 #[derive(Debug, Subcommand)]
@@ -61,6 +65,7 @@ pub(crate) enum Verb {
     /// How late a cycle of a fixed period begins on this computer
     Latency(run::LatencyArgs),
     /// Start the cell and the operator's panel in the browser; also without any verb
+    #[command(after_help = serve::HELP)]
     Serve(serve::ServeArgs),
     /// Answer a question of the panel on standard input, with little memory and time
     #[command(hide = true)]
@@ -111,7 +116,7 @@ pub(crate) enum Verb {
     after_help = "Example: seamwright seam examples/saddle.toml --phi-deg 0,45,90"
 )]
 pub(crate) struct SeamArgs {
-    /// Job or program file
+    /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
     #[command(flatten)]
     pub(crate) places: PlacesArgs,
@@ -141,7 +146,7 @@ pub(crate) struct PlacesArgs {
     after_help = "Example: seamwright section examples/hillside.toml --phi-deg 0,45,90 --svg sections.svg"
 )]
 pub(crate) struct SectionArgs {
-    /// Job file with a joint
+    /// Job file with a joint, or the name of an example
     pub(crate) job: PathBuf,
     #[command(flatten)]
     pub(crate) places: PlacesArgs,
@@ -156,11 +161,11 @@ pub(crate) struct SectionArgs {
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = "Example: seamwright plan examples/saddle.toml -o out/saddle")]
 pub(crate) struct PlanArgs {
-    /// Job or program file
+    /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
-    /// Folder for program.toml, report.json, report.html and the plots; made if missing
+    /// Folder for program.toml, report.json, report.html and the plots; made if missing [default: out/ and the job's name]
     #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: PathBuf,
+    pub(crate) output: Option<PathBuf>,
     /// Write the part program for this control too, with its proof in the report; may be given several times
     #[arg(long, value_enum, value_name = "DIALECT")]
     pub(crate) post: Vec<post::DialectArg>,
@@ -175,10 +180,17 @@ pub(crate) struct PlanArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = "Example: seamwright check examples/saddle.toml")]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Examples:
+  seamwright check examples/saddle.toml
+  seamwright check jobs/*.toml
+Of several jobs the greatest exit code counts; with --json each is an object with its job and findings, or its error."
+)]
 pub(crate) struct CheckArgs {
-    /// Job or program file
-    pub(crate) job: PathBuf,
+    /// Job or program files, or names of examples
+    #[arg(required = true, value_name = "JOB")]
+    pub(crate) jobs: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) planning: PlanningArgs,
     /// JSON instead of text
@@ -215,7 +227,7 @@ pub(crate) enum ExportArg {
   seamwright motion examples/saddle.toml --commands commands.csv > run.csv"
 )]
 pub(crate) struct MotionArgs {
-    /// Job or program file
+    /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
     /// Period of the set-points, ms [default: the machine's servo period]
     #[arg(long, value_name = "T")]

@@ -25,15 +25,15 @@ fn main() -> ExitCode {
             return ExitCode::from(if e.use_stderr() { 2 } else { 0 });
         }
     };
-    match run(cli.verb) {
+    match run(cli) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => report(&failure),
     }
 }
 
-fn run(verb: Option<Verb>) -> Result<(), Failure> {
-    match verb {
-        None => verbs::serve::run(&args::serve::ServeArgs::default()),
+fn run(cli: Cli) -> Result<(), Failure> {
+    match cli.verb {
+        None => verbs::serve::run(&cli.serve),
         Some(Verb::Seam(a)) => verbs::seam::run(&a),
         Some(Verb::Section(a)) => verbs::section::run(&a),
         Some(Verb::Plan(a)) => verbs::plan::run(&a),
@@ -71,20 +71,10 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
 fn report(failure: &Failure) -> ExitCode {
     let mut err = std::io::stderr().lock();
     // Nothing can be done if standard error itself is closed.
-    match failure {
-        Failure::Findings(findings) => {
-            let _ = failure::write_findings(&mut err, findings);
-            ExitCode::from(1)
-        }
-        Failure::Printed => ExitCode::from(1),
-        Failure::Input(_) | Failure::Document(_) => {
-            let _ = writeln!(err, "error: {}", failure.text());
-            ExitCode::from(2)
-        }
-        Failure::Environment(_) | Failure::Cancelled => {
-            let _ = writeln!(err, "error: {}", failure.text());
-            ExitCode::from(3)
-        }
-        Failure::ReaderGone => ExitCode::SUCCESS,
-    }
+    let _ = match failure {
+        Failure::Findings(findings) => failure::write_findings(&mut err, findings),
+        Failure::Printed | Failure::ReaderGone => Ok(()),
+        _ => writeln!(err, "error: {}", failure.text()),
+    };
+    ExitCode::from(failure.exit_code())
 }

@@ -1,6 +1,7 @@
 //! Tables on standard output, streamed as CSV or as a JSON array of objects.
 
 use crate::failure::Failure;
+use std::borrow::Cow;
 use std::io::{self, BufWriter, StdoutLock, Write};
 
 /// One cell.
@@ -53,7 +54,7 @@ impl Rows {
                     // `+ 0.0` turns a negative zero into zero.
                     Cell::Number(v) => write!(self.out, "{}", v + 0.0)?,
                     Cell::Count(n) => write!(self.out, "{n}")?,
-                    Cell::Text(t) => self.out.write_all(quoted(t).as_bytes())?,
+                    Cell::Text(t) => self.out.write_all(field(t).as_bytes())?,
                     Cell::Empty => {}
                 }
             }
@@ -98,9 +99,19 @@ impl Rows {
     }
 }
 
-/// A text as a CSV field.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+/// First characters that make a formula of a cell in spreadsheets, which may then run programs or send what is beside it
+/// elsewhere (OWASP, "CSV Injection").
+const FORMULA: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
+
+/// A text as a CSV field; an apostrophe before what a spreadsheet would take for a formula keeps it a text.
+fn field(text: &str) -> Cow<'_, str> {
+    let is_number = text.parse::<f64>().is_ok();
+    let text: Cow<'_, str> =
+        if text.starts_with(FORMULA) && !is_number { format!("'{text}").into() } else { text.into() };
+    match text.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")).into(),
+        false => text,
+    }
 }
 
 /// Prints a value as JSON.
@@ -117,4 +128,28 @@ pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
     out.write_all(text.as_bytes())?;
     out.flush()?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::field;
+
+    #[test]
+    fn texts_are_no_formulas() {
+        for (text, wanted) in [
+            ("N-17", "N-17"),
+            ("=1+1", "'=1+1"),
+            ("@SUM(A1)", "'@SUM(A1)"),
+            ("+cmd|' /C calc'!A0", "'+cmd|' /C calc'!A0"),
+            ("-2+3,5", "\"'-2+3,5\""),
+            ("=HYPERLINK(\"http://x\")", "\"'=HYPERLINK(\"\"http://x\"\")\""),
+            ("\t=1", "'\t=1"),
+            ("\r=1", "\"'\r=1\""),
+            ("-12.5", "-12.5"),
+            ("a\nb", "\"a\nb\""),
+            ("", ""),
+        ] {
+            assert_eq!(field(text), wanted);
+        }
+    }
 }

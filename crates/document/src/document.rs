@@ -168,7 +168,11 @@ fn suggestion(name: &str, known: &[&str]) -> Option<String> {
         let unit = stem(same).1.trim_start_matches('_');
         return Some(format!("did you mean `{same}`? This value is given in {}", unit.replacen('_', "/", 1)));
     }
-    let best = known.iter().map(|k| (strsim::damerau_levenshtein(name, k), k)).min()?;
-    let close = best.0 <= 1 + name.len() / 3;
-    close.then(|| format!("did you mean `{}`?", best.1))
+    closest(name, known).map(|best| format!("did you mean `{best}`?"))
+}
+
+/// Finds the known name that was probably meant by `name`, if one is close to it.
+pub fn closest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    let (distance, best) = known.iter().map(|k| (strsim::damerau_levenshtein(name, k), *k)).min()?;
+    (distance <= 1 + name.len() / 3).then_some(best)
 }

@@ -16,7 +16,7 @@ mod error;
 mod number;
 mod vector;
 
-pub use document::Document;
+pub use document::{Document, closest};
 pub use error::DocumentError;
 /// Names of columns in tables and traces, which no axis and no process value may have.
 pub const RESERVED_COLUMNS: [&str; 11] = [

@@ -85,13 +85,23 @@ impl<'a> Surroundings<'a> {
         }
     }
 
-    /// Names of the solids that an evaluation of a watch found nearest.
+    /// Names of the solids that an evaluation of a watch found nearest, those of the job with whose they are: a job's
+    /// nozzle is another thing than a torch's.
     pub fn solids(&self, watch: usize, found: &Evaluation) -> Option<(String, String)> {
         let (a, b) = self.scene.watches()[watch].groups();
         let place = found.place.as_ref()?;
-        let first = self.scene.groups()[a].solids[place.solids[0]].name().to_owned();
+        let name = |group: usize, solid: usize| {
+            let group = &self.scene.groups()[group];
+            let name = group.solids[solid].name();
+            match group.name.as_str() {
+                "part" if name != "part" => format!("{name} (part)"),
+                "fixtures" if name != "fixtures" => format!("{name} (fixtures)"),
+                _ => name.to_owned(),
+            }
+        };
+        let first = name(a, place.solids[0]);
         let second = match &self.scene.watches()[watch] {
-            Watch::Apart { .. } => self.scene.groups()[b].solids[place.solids[1]].name().to_owned(),
+            Watch::Apart { .. } => name(b, place.solids[1]),
             Watch::Inside { zones, .. } => format!("permitted zone {}", zones[place.solids[1]].name()),
         };
         Some((first, second))

@@ -14,6 +14,7 @@ mod copies;
 mod document;
 pub mod edit;
 mod finding;
+mod finding_groups;
 mod head;
 mod joint;
 mod nozzle;
@@ -47,6 +48,7 @@ pub use branch::{Branch, OtherBranch};
 pub use copies::SeamCopy;
 pub use document::Program;
 pub use finding::{Finding, Severity};
+pub use finding_groups::{FindingGroup, FindingPlace, group_findings};
 pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
 pub use joint::{
     Bevel, Fillet, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ, U,
@@ -64,7 +66,7 @@ pub use procedure::{
     ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits, PositionStretch,
     Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
 };
-pub use process::{ProcessValue, ProcessValues, check_process, check_process_name};
+pub use process::{ProcessValue, ProcessValues, check_process, check_process_name, check_process_value};
 pub use repeat::Repeat;
 pub use seam::{Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};

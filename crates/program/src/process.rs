@@ -24,7 +24,91 @@ pub fn check_process_name<T>(file: &Document<T>, path: &str, name: &str) -> Resu
     Ok(())
 }
 
-/// Checks the process values at `path` of a file: their names, and that no value is negative.
+/// Units that names of process values end in, longest first: dimension, and the greatest value that a welding machine
+/// has. A gun with 300 kV and a laser with 200 kW exist; more is a slip of a digit.
+const UNITS: [(&str, &str, f64); 17] = [
+    ("cm_min", "speed", 1e4),
+    ("in_min", "speed", 4e3),
+    ("mm_min", "speed", 1e5),
+    ("m_min", "speed", 1e2),
+    ("mm_s", "speed", 2e3),
+    ("l_min", "flow", 1e3),
+    ("l_h", "flow", 6e4),
+    ("m_s", "speed", 2.0),
+    ("ka", "current", 5.0),
+    ("ma", "current", 5e6),
+    ("a", "current", 5e3),
+    ("kv", "voltage", 3e2),
+    ("mv", "voltage", 3e8),
+    ("v", "voltage", 3e5),
+    ("kw", "power", 2e2),
+    ("mw", "power", 2e8),
+    ("w", "power", 2e5),
+];
+
+/// Greatest values of an arc, by their usual names, if the arc has a current in `current_a`: far above those of
+/// submerged arc welding, the strongest.
+const ARC: [(&str, f64); 2] = [("current_a", 3000.0), ("voltage_v", 100.0)];
+
+/// What a process value is without its unit, and the dimension of this and its greatest value; none of other units.
+fn quantity(name: &str) -> Option<(&str, &'static str, f64)> {
+    UNITS.iter().find_map(|(unit, dimension, greatest)| {
+        let stem = name.strip_suffix(unit)?.strip_suffix('_')?;
+        Some((stem, *dimension, *greatest))
+    })
+}
+
+/// The greatest value that a process value called `name` may have, among others of these `names`.
+fn greatest<'a>(name: &str, mut names: impl Iterator<Item = &'a String>) -> f64 {
+    let of_arc = ARC.iter().find(|(known, _)| *known == name).map(|(_, greatest)| *greatest);
+    let of_arc = of_arc.filter(|_| names.any(|other| other == ARC[0].0));
+    of_arc.or(quantity(name).map(|(_, _, greatest)| greatest)).unwrap_or(f64::INFINITY)
+}
+
+/// Checks that a process value called `name`, at `key` of a file, is one that a welding machine can have; `names` are
+/// those of all process values there.
+///
+/// # Errors
+/// With the key's address: a negative value, one that is far too large.
+pub fn check_process_value<'a, T>(
+    file: &Document<T>,
+    key: &str,
+    (name, value): (&str, f64),
+    names: impl Iterator<Item = &'a String>,
+) -> Result<(), DocumentError> {
+    if value < 0.0 {
+        return Err(file.error_at(key, "a process value is not negative", "0 or greater"));
+    }
+    let greatest = greatest(name, names);
+    if value > greatest {
+        let message = format!("no welding machine has {value} of `{name}`");
+        return Err(file.error_at(key, message, format!("0 to {greatest}")));
+    }
+    Ok(())
+}
+
+/// Checks that no quantity is given twice in two units: `wire_feed_m_min` and `wire_feed_mm_s`. Names are sorted.
+///
+/// # Errors
+/// With the address of the second.
+pub(crate) fn check_process_units<'a, T>(
+    file: &Document<T>,
+    path: &str,
+    names: impl Iterator<Item = &'a String> + Clone,
+) -> Result<(), DocumentError> {
+    for (i, name) in names.clone().enumerate() {
+        let Some((stem, dimension, _)) = quantity(name) else { continue };
+        let twice = |other: &&String| quantity(other).is_some_and(|(s, d, _)| (s, d) == (stem, dimension));
+        if let Some(other) = names.clone().take(i).find(twice) {
+            let message = format!("`{other}` is the same quantity in another unit: they could contradict one another");
+            return Err(file.error_at(&format!("{path}.{name}"), message, format!("either {other} or {name}")));
+        }
+    }
+    Ok(())
+}
+
+/// Checks the process values at `path` of a file: their names, that each is one that a welding machine can have, and
+/// that none is given twice.
 ///
 /// # Errors
 /// With the key's address.
@@ -34,13 +118,11 @@ pub fn check_process<T>(file: &Document<T>, path: &str, values: &ProcessValues) 
         check_process_name(file, &key, name)?;
         let (from, to) = value.ends();
         for (end, found) in [("from", from), ("to", to)] {
-            if found < 0.0 {
-                let key = if value.is_ramp() { format!("{key}.{end}") } else { key };
-                return Err(file.error_at(&key, "a process value is not negative", "0 or greater"));
-            }
+            let key = if value.is_ramp() { format!("{key}.{end}") } else { key.clone() };
+            check_process_value(file, &key, (name, found), values.keys())?;
         }
     }
-    Ok(())
+    check_process_units(file, path, values.keys())
 }
 
 #[cfg(test)]
@@ -75,6 +157,35 @@ mod tests {
         }
         assert_eq!(pass.process_at("lens_ma", 3.0, (0.0, 0.0)), Some(700.0));
         assert_eq!(pass.process_at("voltage_v", 3.0, (0.0, 0.0)), None);
+    }
+
+    #[test]
+    fn values_that_no_machine_has_are_refused() {
+        let arc = TEXT.replace("beam_ma", "current_a").replace("lens_ma = 700", "voltage_v = 27, wire_feed_m_min = 8");
+        assert!(Program::read("p.toml", &arc).is_ok());
+        let wrong = |from: &str, to: &str| {
+            assert!(arc.contains(from), "{from}");
+            let e = Program::read("p.toml", &arc.replace(from, to)).unwrap_err();
+            println!("{e}");
+            (e.key, e.allowed.unwrap_or_default())
+        };
+        let at = |name: &str| format!("passes[0].spans[0].process.{name}");
+        assert_eq!(wrong("voltage_v = 27", "voltage_v = 2700"), (at("voltage_v"), "0 to 100".to_owned()));
+        assert_eq!(wrong("to = 60 }", "to = 60000 }"), (at("current_a.to"), "0 to 3000".to_owned()));
+        assert_eq!(wrong("feed_m_min = 8", "feed_m_min = 800"), (at("wire_feed_m_min"), "0 to 100".to_owned()));
+        let twice = wrong("feed_m_min = 8", "feed_m_min = 8, wire_feed_mm_s = 99");
+        assert_eq!(twice, (at("wire_feed_mm_s"), "either wire_feed_m_min or wire_feed_mm_s".to_owned()));
+        let slope = wrong("process = { current_a = 5 }", "process = { current_a = 50000 }").0;
+        assert_eq!(slope, "passes[0].sequence.downslope.process.current_a");
+    }
+
+    #[test]
+    fn what_beams_have_is_no_arc() {
+        // Without a current of an arc a voltage may be that of a gun, also in V; a coil's current is its own quantity.
+        let beam = TEXT.replace("lens_ma = 700", "lens_ma = 700, voltage_v = 60000");
+        assert!(Program::read("p.toml", &beam).is_ok());
+        let e = Program::read("p.toml", &TEXT.replace("lens_ma = 700", "accelerating_kv = 6000")).unwrap_err();
+        assert_eq!(e.allowed.as_deref(), Some("0 to 300"));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-use crate::ProcessValues;
+use crate::{ProcessValues, check_process_value};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -96,6 +96,10 @@ impl Sequence {
                 let key = format!("{path}.{name}.process.{unknown}");
                 let names: Vec<&str> = weld.keys().map(String::as_str).collect();
                 return Err(file.error_at(&key, "the weld has no such process value", names.join(", ")));
+            }
+            for (value_name, value) in &slope.process {
+                let key = format!("{path}.{name}.process.{value_name}");
+                check_process_value(file, &key, (value_name, value.get()), weld.keys())?;
             }
         }
         Ok(())

@@ -14,6 +14,11 @@ pub const DISTORTIONS: &[Example] = &[
     Example { name: "half-ring", text: include_str!("../../../examples/distortions/half-ring.toml") },
 ];
 
+/// Returns the example called `name`.
+pub fn example(name: &str) -> Option<&'static Example> {
+    EXAMPLES.iter().find(|example| example.name == name)
+}
+
 macro_rules! examples {
     ($($name:literal),*) => {
         &[$(Example { name: $name, text: include_str!(concat!("../../../examples/", $name, ".toml")) }),*]

@@ -1,7 +1,7 @@
 //! Why a command ends without doing what was asked.
 
 use seamwright_document::DocumentError;
-use seamwright_program::{Finding, Severity};
+use seamwright_program::{Finding, FindingGroup, FindingPlace, Severity, group_findings};
 use std::io::{self, Write};
 
 /// Why the command ends without doing what was asked, by exit code.
@@ -23,34 +23,57 @@ pub enum Failure {
     ReaderGone,
 }
 
-/// Findings for people, the forbidding ones first.
+/// Maximum number of places listed of one finding.
+const MAX_PLACES: usize = 6;
+
+/// Findings for people, equal ones once, those that stand against the weld first.
 pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<()> {
-    let forbidding = findings.iter().filter(|f| !f.allowed).count();
-    match forbidding {
+    let groups = group_findings(findings);
+    match groups.iter().filter(|group| !group.finding.allowed).count() {
         0 if findings.is_empty() => writeln!(out, "the weld can be made as asked")?,
         0 => writeln!(out, "the weld can be made, with remarks")?,
         1 => writeln!(out, "the weld cannot be made as asked: 1 finding")?,
         n => writeln!(out, "the weld cannot be made as asked: {n} findings")?,
     }
-    let (allowed, not): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|f| f.allowed);
-    for f in not.into_iter().chain(allowed) {
-        let word = match f.severity() {
-            Severity::Error => "finding",
-            Severity::Warning => "warning",
-            Severity::Note => "note",
-        };
-        writeln!(out, "{word} ({}): {}", f.kind, f.message)?;
-        let place = if f.to_mm > f.from_mm {
-            format!("{:.3} to {:.3}", f.from_mm, f.to_mm)
-        } else {
-            format!("{:.3}", f.from_mm)
-        };
-        writeln!(out, "   where: pass {}, s = {place} mm", f.pass)?;
+    for group in &groups {
+        let f = group.finding;
+        writeln!(out, "{} ({}): {}", severity_word(f), f.kind, f.message)?;
+        writeln!(out, "   where: {}", places_text(group))?;
         if !f.cure.is_empty() {
             writeln!(out, "   cure: {}", f.cure)?;
         }
     }
     Ok(())
+}
+
+/// What a finding is called at the command line.
+pub fn severity_word(finding: &Finding) -> &'static str {
+    match finding.severity() {
+        Severity::Error => "finding",
+        Severity::Warning => "warning",
+        Severity::Note => "note",
+    }
+}
+
+/// Where findings of a group are: `pass 1, s = 3.000 to 5.000 mm; passes 2 to 14, s = 0.000 mm`.
+pub fn places_text(group: &FindingGroup<'_>) -> String {
+    let text = |place: &FindingPlace| {
+        let passes = match (place.first_pass, place.last_pass) {
+            (first, last) if first == last => format!("pass {first}"),
+            (first, last) => format!("passes {first} to {last}"),
+        };
+        match place.is_point() {
+            true => format!("{passes}, s = {:.3} mm", place.from_mm),
+            false => format!("{passes}, s = {:.3} to {:.3} mm", place.from_mm, place.to_mm),
+        }
+    };
+    let mut places: Vec<String> = group.places.iter().take(MAX_PLACES).map(text).collect();
+    match group.places.len().saturating_sub(MAX_PLACES) {
+        0 => {}
+        1 => places.push("1 more place".to_owned()),
+        more => places.push(format!("{more} more places")),
+    }
+    places.join("; ")
 }
 
 impl From<DocumentError> for Failure {
@@ -103,6 +126,17 @@ impl From<seamwright_motion::textbook::Error> for Failure {
 }
 
 impl Failure {
+    /// The exit code of a command that ends so: 0 done, 1 cannot be welded as asked, 2 bad input, 3 the environment
+    /// failed. A file that was named and is not there is bad input.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::ReaderGone => 0,
+            Self::Findings(_) | Self::Printed => 1,
+            Self::Input(_) | Self::Document(_) => 2,
+            _ => 3,
+        }
+    }
+
     /// What is wrong, in words.
     pub fn text(&self) -> String {
         match self {
@@ -117,5 +151,24 @@ impl Failure {
             Self::Cancelled => "planning was cancelled".to_owned(),
             Self::Printed | Self::ReaderGone => "it failed".to_owned(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_findings_are_printed_once_with_where_they_are() {
+        let at = |pass, from_mm, to_mm| Finding::note("process", "no gas".to_owned(), pass, (from_mm, to_mm));
+        let mut findings: Vec<Finding> = (1..=9).map(|pass| at(pass, 0.0, 0.0)).collect();
+        findings.extend((1..=7).map(|i| at(3, 10.0 * f64::from(i), 10.0 * f64::from(i) + 1.0)));
+        let mut out = Vec::new();
+        write_findings(&mut out, &findings).unwrap();
+        let text = String::from_utf8(out).unwrap();
+        assert_eq!(text.matches("no gas").count(), 1, "{text}");
+        let places = "where: passes 1 to 9, s = 0.000 mm; pass 3, s = 10.000 to 11.000 mm; ";
+        assert!(text.contains(places) && text.contains("; 2 more places\n"), "{text}");
+        assert!(!text.contains("cure"), "{text}");
     }
 }

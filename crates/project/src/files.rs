@@ -1,13 +1,17 @@
-//! Files written whole: under a temporary name in the same folder, synced, then renamed.
+//! Files that the user names: read, or written whole, as [`WholeFile`] does it.
 
 use crate::failure::Failure;
+use seamwright_record::WholeFile;
 use std::fs;
 use std::io::{BufWriter, Read as _, Write};
 use std::path::{Path, PathBuf};
-use tempfile::{NamedTempFile, TempDir};
+use tempfile::TempDir;
 
 /// Most bytes of a file.
 const MOST_BYTES: u64 = 1 << 30;
+
+/// Maximum number of written files that are named one by one.
+const MAX_NAMES: usize = 6;
 
 /// Reads a text file that the user named.
 pub fn read(path: &Path) -> Result<String, Failure> {
@@ -38,98 +42,96 @@ pub fn make_private(folder: &Path) -> std::io::Result<()> {
     builder.recursive(true).create(folder)
 }
 
-/// A temporary file in `folder` with these permissions, less those that the user never gives.
-fn temporary_with(folder: &Path, mode: u32) -> std::io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(mode));
-    #[cfg(not(unix))]
-    let _ = mode;
-    builder.prefix(".seamwright-").tempfile_in(folder)
-}
-
-/// A temporary file in `folder` with the permissions that a new file of the user's has.
-fn temporary(folder: &Path) -> std::io::Result<NamedTempFile> {
-    temporary_with(folder, 0o666)
-}
-
 /// Writes one file whole that only its owner may read; its folder must exist.
 pub fn write_secret(path: &Path, text: &str) -> Result<(), Failure> {
-    write_as(path, text, 0o600)
+    write_into(WholeFile::create_private(path), path, text)
 }
 
 /// Writes one file whole; its folder must exist.
 pub fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    write_as(path, text, 0o666)
+    write_into(WholeFile::create(path), path, text)
 }
 
-fn write_as(path: &Path, text: &str, mode: u32) -> Result<(), Failure> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut file = temporary_with(folder, mode).map_err(|e| not_writable(folder, &e))?;
-    file.write_all(text.as_bytes()).map_err(|e| not_writable(path, &e))?;
-    keep(file, path)
+fn write_into(file: std::io::Result<WholeFile>, path: &Path, text: &str) -> Result<(), Failure> {
+    let failed = |e| not_writable(path, &e);
+    let mut file = file.map_err(failed)?;
+    file.write_all(text.as_bytes()).map_err(failed)?;
+    file.finish().map_err(failed)
 }
 
 /// The same piece by piece: `fill` writes it.
 pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut file = temporary(folder).map_err(|e| not_writable(folder, &e))?;
+    let failed = |e| not_writable(path, &e);
+    let mut file = WholeFile::create(path).map_err(failed)?;
     let mut out = BufWriter::with_capacity(1 << 16, &mut file);
     fill(&mut out)?;
-    out.flush().map_err(|e| not_writable(path, &e))?;
+    out.flush().map_err(failed)?;
     drop(out);
-    keep(file, path)
+    file.finish().map_err(failed)
 }
 
-fn keep(file: NamedTempFile, path: &Path) -> Result<(), Failure> {
-    file.as_file().sync_all().map_err(|e| not_writable(path, &e))?;
-    file.persist(path).map(drop).map_err(|e| not_writable(path, &e.error))
-}
-
-fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
+/// Why nothing could be written at `path`: a wrong name is bad input, a disk that fails is not.
+pub(crate) fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
     use std::io::ErrorKind::{
-        AlreadyExists, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
+        AlreadyExists, BrokenPipe, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied,
+        ReadOnlyFilesystem,
     };
-    if !matches!(
-        e.kind(),
-        AlreadyExists | IsADirectory | NotADirectory | NotFound | PermissionDenied | ReadOnlyFilesystem
-    ) {
-        return Failure::Environment(format!("{}: cannot be written: {}", path.display(), e.kind()));
-    }
-    // The error's own text names our temporary file.
+    // The error's own text may name our temporary file; those of invalid input are our own.
     let why = match e.kind() {
-        std::io::ErrorKind::NotFound => "there is no such folder".to_owned(),
-        std::io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        std::io::ErrorKind::NotADirectory | std::io::ErrorKind::AlreadyExists => "it is not a folder".to_owned(),
-        std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
-        kind => kind.to_string(),
+        BrokenPipe => return Failure::ReaderGone,
+        NotFound => "there is no such folder".to_owned(),
+        PermissionDenied => "permission denied".to_owned(),
+        NotADirectory | AlreadyExists => "it is not a folder".to_owned(),
+        IsADirectory => "it is a folder".to_owned(),
+        ReadOnlyFilesystem => e.kind().to_string(),
+        InvalidInput => e.to_string(),
+        kind => return Failure::Environment(format!("{}: cannot be written: {kind}", path.display())),
     };
     let allowed = "a folder or file that you may write";
     Failure::Input(format!("{}: cannot be written: {why}\n   allowed: {allowed}", path.display()))
 }
 
+/// Files that are named first where many were written.
+const MAIN: [&str; 3] = ["report.html", "program.toml", "report.json"];
+
+/// What was written, a line a folder: `61 files to out/saddle: report.html, program.toml and 59 more`.
+pub fn written_text(paths: &[PathBuf]) -> Vec<String> {
+    let mut folders: Vec<(&Path, Vec<String>)> = Vec::new();
+    for path in paths {
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        match folders.iter_mut().find(|(known, _)| *known == folder) {
+            Some((_, names)) => names.push(name),
+            None => folders.push((folder, vec![name])),
+        }
+    }
+    folders.into_iter().map(|(folder, names)| folder_text(folder, names)).collect()
+}
+
+fn folder_text(folder: &Path, mut names: Vec<String>) -> String {
+    if let [name] = names.as_slice() {
+        return folder.join(name).display().to_string();
+    }
+    let count = names.len();
+    names.sort_by_key(|name| MAIN.iter().position(|main| main == name).unwrap_or(MAIN.len()));
+    let shown = if count > MAX_NAMES { MAIN.len() } else { count };
+    let more = if shown < count { format!(" and {} more", count - shown) } else { String::new() };
+    format!("{count} files to {}: {}{more}", folder.display(), names[..shown].join(", "))
+}
+
 /// A folder that results go to, all at once when everything has been made.
 pub struct Output {
     folder: PathBuf,
-    files: Vec<(NamedTempFile, PathBuf)>,
+    files: Vec<(WholeFile, PathBuf)>,
 }
 
 impl Output {
     /// The folder, made if missing; fails at once if nothing can be written there.
     pub fn new(folder: &Path) -> Result<Self, Failure> {
         fs::create_dir_all(folder).map_err(|e| not_writable(folder, &e))?;
-        temporary(folder).map_err(|e| not_writable(folder, &e))?;
-        Ok(Self { folder: folder.to_owned(), files: Vec::new() })
-    }
-
-    /// A file to be written piece by piece; give it back with [`Output::add`].
-    pub fn open(&self) -> Result<NamedTempFile, Failure> {
-        temporary(&self.folder).map_err(|e| not_writable(&self.folder, &e))
-    }
-
-    /// Takes a written file under its name.
-    pub fn add(&mut self, name: &str, file: NamedTempFile) {
-        self.files.push((file, self.folder.join(name)));
+        let output = Self { folder: folder.to_owned(), files: Vec::new() };
+        output.scratch()?;
+        Ok(output)
     }
 
     /// A folder for what is not finished; it goes with this value.
@@ -142,17 +144,20 @@ impl Output {
     pub fn take(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
         let unreadable = |e| Failure::Input(format!("{}: cannot be read: {e}", from.display()));
         let mut source = fs::File::open(from).map_err(unreadable)?;
-        let mut file = self.open()?;
-        std::io::copy(&mut source, &mut file).map_err(|e| not_writable(&self.folder, &e))?;
-        self.add(name, file);
-        Ok(())
+        self.fill(name, |file| std::io::copy(&mut source, file).map(drop))
     }
 
     /// Takes a text under its name.
     pub fn text(&mut self, name: &str, text: &str) -> Result<(), Failure> {
-        let mut file = self.open()?;
-        file.write_all(text.as_bytes()).map_err(|e| not_writable(&self.folder, &e))?;
-        self.add(name, file);
+        self.fill(name, |file| file.write_all(text.as_bytes()))
+    }
+
+    /// Takes what `fill` writes under `name`.
+    fn fill(&mut self, name: &str, fill: impl FnOnce(&mut WholeFile) -> std::io::Result<()>) -> Result<(), Failure> {
+        let path = self.folder.join(name);
+        let mut file = WholeFile::create(&path).map_err(|e| not_writable(&path, &e))?;
+        fill(&mut file).map_err(|e| not_writable(&path, &e))?;
+        self.files.push((file, path));
         Ok(())
     }
 
@@ -167,10 +172,7 @@ impl Output {
                 // The name may lead into a folder of its own.
                 let folder = to.parent().unwrap_or(&self.folder);
                 fs::create_dir_all(folder).map_err(|e| not_writable(folder, &e))?;
-                let mut file = temporary(folder).map_err(|e| not_writable(folder, &e))?;
-                file.write_all(&bytes).map_err(|e| not_writable(folder, &e))?;
-                self.add(name, file);
-                Ok(())
+                self.fill(name, |file| file.write_all(&bytes))
             }
             _ => Err(Failure::Input(format!(
                 "{}: another file stands where the copy of {} should go\n   allowed: another output folder",
@@ -182,14 +184,28 @@ impl Output {
 
     /// Gives every file its name; the paths written.
     pub fn finish(self) -> Result<Vec<PathBuf>, Failure> {
-        if let Some((_, path)) = self.files.iter().find(|(_, path)| path.is_dir()) {
-            return Err(not_writable(path, &std::io::ErrorKind::IsADirectory.into()));
-        }
         let mut paths = Vec::new();
         for (file, path) in self.files {
-            keep(file, &path)?;
+            file.finish().map_err(|e| not_writable(&path, &e))?;
             paths.push(path);
         }
         Ok(paths)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_written_files_are_one_line_a_folder() {
+        let many = (0..300).map(|i| Path::new("out").join(format!("pass-{i}-axes.svg")));
+        let main =
+            ["program.toml", "report.json", "report.html", "parts/shell.stl"].map(|name| Path::new("out").join(name));
+        let paths: Vec<PathBuf> = many.chain(main).collect();
+        let lines = written_text(&paths);
+        let first = "303 files to out: report.html, program.toml, report.json and 300 more";
+        assert_eq!(lines, [first, "out/parts/shell.stl"]);
+        assert_eq!(written_text(&[PathBuf::from("a.csv"), PathBuf::from("b.csv")]), ["2 files to .: a.csv, b.csv"]);
     }
 }

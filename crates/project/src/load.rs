@@ -1,12 +1,13 @@
 //! From files to a planned weld.
 
+use crate::examples::{EXAMPLES, example};
 use crate::failure::Failure;
 use crate::files;
 use crate::outside::Beside;
 use crate::planning::{Clocked, Planning};
 use crate::within::Within;
 use seamwright_cell::{Error, check_drives};
-use seamwright_document::Document;
+use seamwright_document::{Document, closest};
 use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
 use seamwright_motion::{PassMotion, Terms, WeldMotion, redundancy};
 use seamwright_program::{Finding, Pass, Program, TorchPath};
@@ -28,31 +29,50 @@ pub struct Loaded {
     pub stl_files: Vec<(String, PathBuf)>,
 }
 
-/// Reads a job or program file and its machine.
+/// Reads a job or program file and its machine; the name of an example stands for it where there is no such file.
 pub fn load(path: &Path) -> Result<Loaded, Failure> {
+    if std::fs::metadata(path).is_err_and(|e| e.kind() == std::io::ErrorKind::NotFound) {
+        let example = path.to_str().and_then(example).ok_or_else(|| no_such_job(path))?;
+        // What ships stands alone: a machine file that lies here by chance is another machine.
+        let (name, here) = (format!("{}.toml", example.name), Within::open(Path::new(".")));
+        return load_within(&name, example.text, &here, Own::Never);
+    }
     load_text(&path.display().to_string(), &files::read(path)?, path.parent().unwrap_or(Path::new(".")))
+}
+
+/// A job that is neither a file nor an example.
+fn no_such_job(path: &Path) -> Failure {
+    let names: Vec<&str> = EXAMPLES.iter().map(|example| example.name).collect();
+    let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+    let meant = closest(stem, &names).map_or_else(String::new, |name| {
+        format!("\n   there is an example `{name}`; to copy it: seamwright examples {name} > {name}.toml")
+    });
+    let allowed = format!("a job or program file, or the name of an example: {}", names.join(", "));
+    Failure::Input(format!("{}: there is no such file{meant}\n   allowed: {allowed}", path.display()))
 }
 
 /// The same from text; machine files are looked for from `folder`.
 pub fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
-    load_within(name, text, &Within::open(folder))
+    load_within(name, text, &Within::open(folder), Own::First)
 }
 
 /// The same for a text of somebody who may not read all files: only plain files in `folder` and below are looked at.
 pub fn load_foreign(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
-    load_within(name, text, &Within::fenced(folder))
+    load_within(name, text, &Within::fenced(folder), Own::First)
 }
 
-fn load_within(name: &str, text: &str, within: &Within<'_>) -> Result<Loaded, Failure> {
+fn load_within(name: &str, text: &str, within: &Within<'_>, own: Own) -> Result<Loaded, Failure> {
     let welding = Welding::read_with(name, text, &Beside::new(within.clone()))?;
     let wanted = &welding.program.value.machine;
     let stl = StlFiles::default();
-    let (machine, machine_file) = match described(wanted, within, &stl, Own::First)? {
+    let (machine, machine_file) = match described(wanted, within, &stl, own)? {
         Some(Described { machine, file, .. }) => (machine, file),
         None => {
             let allowed = format!("{}, or the path of a machine file", names());
             let message = format!("there is no such machine, and no file {}", within.folder().join(wanted).display());
-            return Err(welding.program.error_at("machine", message, allowed).into());
+            let mut error = welding.program.error_at("machine", message, allowed);
+            error.help = machine_meant(wanted);
+            return Err(error.into());
         }
     };
     let process = welding.program.value.passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys());
@@ -118,6 +138,13 @@ impl StlFiles {
         self.0.borrow_mut().push((name.to_owned(), path));
         Ok(bytes)
     }
+}
+
+/// The machine that was probably meant by a name that is none.
+fn machine_meant(name: &str) -> Option<String> {
+    let known: Vec<&str> = SHIPPED.iter().map(|shipped| shipped.name).collect();
+    let stem = Path::new(name).file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+    closest(stem, &known).map(|meant| format!("did you mean `{meant}`?"))
 }
 
 fn names() -> String {
@@ -213,7 +240,8 @@ pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), 
     let found = described(name, &Within::open(Path::new(".")), &StlFiles::default(), Own::Never)?;
     found.map(|found| (found.machine, found.document)).ok_or_else(|| {
         Failure::Input(format!(
-            "{name}: there is no such machine\n   allowed: {}, or the path of a machine file",
+            "{name}: there is no such machine, and no such file{}\n   allowed: {}, or the path of a machine file",
+            machine_meant(name).map_or_else(String::new, |meant| format!("\n   {meant}")),
             names()
         ))
     })

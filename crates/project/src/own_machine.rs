@@ -134,8 +134,7 @@ impl OwnMachine {
     /// What is wrong with it, or a folder that cannot be written.
     pub fn keep(&self, text: &str) -> Result<Machine, Failure> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
-        files::make_private(folder)
-            .map_err(|e| Failure::Environment(format!("{}: cannot be made: {e}", folder.display())))?;
+        files::make_private(folder).map_err(|e| files::not_writable(folder, &e))?;
         let machine = self.check(text)?;
         let mut before = self.path.clone().into_os_string();
         before.push(".before");

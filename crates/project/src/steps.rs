@@ -1,6 +1,6 @@
 //! Drives by pulses whose pulses go to a file.
 
-use crate::Failure;
+use crate::{Failure, files};
 use rtrb::Consumer;
 use seamwright_cell::devices::{Drives, StepDrives};
 use seamwright_cell::executive::{DriveReport, Orders};
@@ -34,7 +34,7 @@ impl StreamedSteps {
         let late_s = drives.late_s();
         let Some(name) = &device.stream else { return Ok(Self { drives: Some(drives), late_s, writer: None }) };
         let path = folder.join(name);
-        let bad = |e: std::io::Error| Failure::Environment(format!("{}: {e}", path.display()));
+        let bad = |e: std::io::Error| files::not_writable(&path, &e);
         let out = BufWriter::new(File::create(&path).map_err(bad)?);
         let axes: Vec<VcdAxis> = machine
             .axes

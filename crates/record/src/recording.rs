@@ -118,9 +118,9 @@ impl Recording {
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let mut file = whole_file::beside(path)?;
+    let mut file = whole_file::create(path)?;
     file.write_all(bytes).map_err(|e| Error::io(path, "cannot be written", e))?;
-    whole_file::keep(file, path)
+    whole_file::finish(file, path)
 }
 
 /// Puts what is in a weld's folder into the library, with the weld's end.

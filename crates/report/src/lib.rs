@@ -60,4 +60,6 @@ pub use record::recorded_weld_page;
 pub use series::{Series, Style};
 pub use sheet::sheet;
 pub use views::{Mark, ThreeViews};
-pub use weld::{CertificateFigures, Plots, PostFigures, SimulationCurves, TaughtPlot, WeldReport, sections};
+pub use weld::{
+    CertificateFigures, PassFigures, Plots, PostFigures, SimulationCurves, TaughtPlot, WeldReport, sections,
+};

@@ -35,7 +35,11 @@ pub(crate) fn watched(language: Language, name: &str) -> String {
         "fixtures" => Some(language.say("fixtures").to_owned()),
         _ => None,
     };
-    own.or_else(|| zone("forbidden zone", "forbidden zone {0}"))
+    // A solid of the job, with whose it is.
+    let of = |whose: &str, said| Some(language.fill(said, &[name.strip_suffix(whose)?]));
+    own.or_else(|| of(" (part)", "{0} (part)"))
+        .or_else(|| of(" (fixtures)", "{0} (fixtures)"))
+        .or_else(|| zone("forbidden zone", "forbidden zone {0}"))
         .or_else(|| zone("permitted zone", "permitted zone {0}"))
         .unwrap_or_else(|| name.to_owned())
 }

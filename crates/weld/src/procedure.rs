@@ -31,5 +31,18 @@ pub(crate) fn of_job(
         }
     };
     document.value.check_passes(&document, "", &program.passes)?;
+    check_wire(job, &document.value)?;
     Ok(Some(document.value))
+}
+
+/// Checks that the beads are planned with the procedure's wire.
+fn check_wire(job: &Document<Job>, procedure: &Procedure) -> Result<(), DocumentError> {
+    let beads = job.value.beads.as_ref().and_then(|beads| beads.wire_mm);
+    match (beads, procedure.wire_diameter_mm) {
+        (Some(of_job), Some(allowed)) if of_job != allowed => {
+            let message = format!("{} is welded with a wire of {} mm", procedure.number, allowed.get());
+            Err(job.error_at("beads.wire_mm", message, format!("{}, or another procedure", allowed.get())))
+        }
+        _ => Ok(()),
+    }
 }

@@ -1,7 +1,7 @@
 use crate::{Job, SeamCurve};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
-use seamwright_program::{Ramp, Span, SpanValue, check_process_name};
+use seamwright_program::{Ramp, Span, SpanValue, check_process_name, check_process_value};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -91,10 +91,7 @@ fn check(job: &Document<Job>, length: f64) -> Result<(), DocumentError> {
                     let message = "this value ramps over the whole weld already";
                     return Err(job.error_at(&path, message, "a number in [weld.process], or no value here"));
                 }
-                Some(_) if value.get() < 0.0 => {
-                    return Err(job.error_at(&path, "a process value is not negative", "0 or greater"));
-                }
-                Some(_) => {}
+                Some(_) => check_process_value(job, &path, (name, value.get()), weld.process.keys())?,
             }
         }
     }

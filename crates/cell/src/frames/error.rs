@@ -1,4 +1,5 @@
 use seamwright_vision::FrameError as Shape;
+use std::path::Path;
 use thiserror::Error;
 
 /// Why there is no frame.
@@ -8,6 +9,14 @@ pub enum FrameError {
     #[error("{what}: {why}")]
     Io {
         /// The file, folder or address.
+        what: String,
+        /// What the system says.
+        why: String,
+    },
+    /// A file or folder that was named is missing, of another kind, or may not be used.
+    #[error("{what}: {why}\n   allowed: a folder of frames that is there, with frames.csv in it")]
+    Named {
+        /// The file or folder.
         what: String,
         /// What the system says.
         why: String,
@@ -79,6 +88,20 @@ pub enum FrameError {
 impl FrameError {
     pub(super) fn io(what: impl Into<String>, error: &std::io::Error) -> Self {
         Self::Io { what: what.into(), why: error.to_string() }
+    }
+
+    /// A file or folder that the user named: one that is not there is another mistake than a disk that fails.
+    pub(super) fn path(path: &Path, error: &std::io::Error) -> Self {
+        use std::io::ErrorKind::{
+            AlreadyExists, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
+        };
+        let what = path.display().to_string();
+        match error.kind() {
+            AlreadyExists | IsADirectory | NotADirectory | NotFound | PermissionDenied | ReadOnlyFilesystem => {
+                Self::Named { what, why: error.to_string() }
+            }
+            _ => Self::io(what, error),
+        }
     }
 
     /// True if the surroundings failed and not the data.

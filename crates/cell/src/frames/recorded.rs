@@ -79,7 +79,7 @@ impl FrameSource for Recorded {
 }
 
 fn read(path: &Path, largest: u64) -> Result<Vec<u8>, FrameError> {
-    let failed = |e: &std::io::Error| FrameError::io(path.display().to_string(), e);
+    let failed = |e: &std::io::Error| FrameError::path(path, e);
     let size = fs::metadata(path).map_err(|e| failed(&e))?.len();
     if size > largest {
         let why = format!("{size} bytes: larger than any, which has {largest}");
@@ -150,7 +150,7 @@ impl Recorder {
     /// # Errors
     /// A folder that cannot be made.
     pub fn create(folder: &Path, axes: &[&str]) -> Result<Self, FrameError> {
-        fs::create_dir_all(folder).map_err(|e| FrameError::io(folder.display().to_string(), &e))?;
+        fs::create_dir_all(folder).map_err(|e| FrameError::path(folder, &e))?;
         let mut header = vec!["file", "t_s"];
         header.extend(axes);
         header.push(HEIGHT);
@@ -194,6 +194,6 @@ impl Recorder {
     /// A file that cannot be written.
     pub fn finish(self) -> Result<(), FrameError> {
         let path = self.folder.join(LIST);
-        fs::write(&path, self.list).map_err(|e| FrameError::io(path.display().to_string(), &e))
+        fs::write(&path, self.list).map_err(|e| FrameError::path(&path, &e))
     }
 }

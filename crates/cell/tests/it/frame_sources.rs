@@ -143,7 +143,11 @@ fn streams_that_are_none_are_refused() {
 fn folders_that_are_none_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path();
-    assert!(Recorded::open(path, &AXES).unwrap_err().is_environment());
+    // A folder or list that is not there is a wrong name, no failure of the surroundings.
+    for missing in [path.to_owned(), path.join("none")] {
+        let e = Recorded::open(&missing, &AXES).unwrap_err();
+        assert!(!e.is_environment() && e.to_string().contains("allowed: "), "{e}");
+    }
     let line = |text: &str| {
         std::fs::write(path.join(LIST), text).unwrap();
         match Recorded::open(path, &AXES).unwrap_err() {

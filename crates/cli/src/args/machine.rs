@@ -74,7 +74,7 @@ pub(crate) enum PlaceMethod {
     after_help = "Example: seamwright machine place examples/saddle.toml --points examples/saddle-touched.csv"
 )]
 pub(crate) struct PlaceArgs {
-    /// Job or program file
+    /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
     /// Touched points, CSV: x_mm,y_mm,z_mm in the work frame, or a column an axis of the machine; and feature or
     /// nx_mm,ny_mm,nz_mm as the method needs; - for standard input

@@ -49,7 +49,7 @@ pub(crate) enum LevelArg {
     after_help = "Example: seamwright post examples/saddle.toml --dialect linuxcnc > saddle.ngc"
 )]
 pub(crate) struct PostArgs {
-    /// Program or job file
+    /// Program or job file, or the name of an example
     pub(crate) job: PathBuf,
     #[command(flatten)]
     pub(crate) planning: super::PlanningArgs,

@@ -12,7 +12,7 @@ use std::path::PathBuf;
   seamwright pulses examples/head-nozzle.toml --motors --json"
 )]
 pub(crate) struct PulsesArgs {
-    /// Job or program file
+    /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
     #[command(flatten)]
     pub(crate) planning: super::PlanningArgs,

@@ -23,7 +23,7 @@ The devices are those of the machine file ([devices.NAME], docs/machine.md), sim
 refused, 3 if a device cannot be reached or the cell ends in a fault."
 )]
 pub(crate) struct RunArgs {
-    /// Job or program file
+    /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
     /// Folder for trace.parquet, events.jsonl and run.json; made if missing
     #[arg(short, long, value_name = "DIR")]

@@ -4,14 +4,16 @@ use clap::Args;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
-#[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright serve --data cell --open
+/// Help of the verb; without one the help of the whole program stands there.
+pub(crate) const HELP: &str = "Example: seamwright serve --data cell --open
 
 Open the address that it prints: until there is an administrator with a password, whoever has it is one. It runs until
 Ctrl-C or SIGTERM: then everything stops and the power goes.
 To be reached from elsewhere it needs an administrator, a name and encryption:
   seamwright serve --bind 0.0.0.0:8443 --host cell.shop.example --tls
-Without --data the folder is $SEAMWRIGHT_DATA, or else seamwright in $XDG_DATA_HOME (~/.local/share).")]
+Without --data the folder is $SEAMWRIGHT_DATA, or else seamwright in $XDG_DATA_HOME (~/.local/share).";
+
+#[derive(Debug, Args)]
 pub(crate) struct ServeArgs {
     /// Address and port to listen at
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:8080")]
@@ -51,22 +53,4 @@ pub(crate) struct QuestionArgs {
     /// Folder of the jobs
     #[arg(long, value_name = "DIR")]
     pub(crate) jobs: PathBuf,
-}
-
-impl Default for ServeArgs {
-    /// As without a verb.
-    fn default() -> Self {
-        Self {
-            bind: SocketAddr::from(([127, 0, 0, 1], 8080)),
-            host: Vec::new(),
-            tls: false,
-            cert: None,
-            key: None,
-            camera: Vec::new(),
-            data: None,
-            machine: None,
-            job: None,
-            open: false,
-        }
-    }
 }

@@ -15,7 +15,7 @@ use std::path::PathBuf;
   seamwright simulate examples/saddle.toml -o out/saddle --data records --part N-17 --welder 'A. Welder'"
 )]
 pub(crate) struct SimulateArgs {
-    /// Job or program file
+    /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
     /// Folder for trace.parquet, report.json, report.html, events.jsonl and run.json; made if missing
     #[arg(short, long, value_name = "DIR")]

@@ -12,7 +12,8 @@ use std::path::PathBuf;
   seamwright stripe profile.csv --joint lap --thickness-mm 2 --json
 A profile is CSV with the columns y_mm,z_mm; places without numbers are missing. An image is PNG, JPEG or PNM, its
 stripe runs from left to right. Out: a row a feature, then a row a value with where it belongs. Without --machine or
---mm-per-px lengths are in pixels. Exit code 1 if there is no such joint; the last line on standard error says why."
+--mm-per-px lengths are in pixels. Exit code 1 if there is no such joint, or it is too uncertain to be followed; the last
+line on standard error says why."
 )]
 pub(crate) struct StripeArgs {
     /// Image of the stripe, or CSV of its profile (- for standard input)

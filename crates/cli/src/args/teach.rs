@@ -19,7 +19,7 @@ asked, if standard input is a terminal or with --ask. Exit code 1: the joint was
 program and report hold what was found."
 )]
 pub(crate) struct TeachArgs {
-    /// Job file: the machine and the nominal seam
+    /// Job file, or the name of an example: the machine and the nominal seam
     pub(crate) job: PathBuf,
     /// Folder of recorded frames, the address of a sender of frames, or the word simulated
     #[arg(long, value_name = "DIR|tcp://HOST:PORT|simulated", required_unless_present = "semi_manual")]

@@ -2,13 +2,15 @@ use crate::args::CheckArgs;
 use crate::failure::{Failure, write_findings};
 use crate::load::load;
 use crate::planning;
-use crate::rows::print_json;
+use crate::rows::{print_json, print_text};
+use seamwright_program::Finding;
+use serde_json::{Value, json};
 use std::io;
+use std::path::Path;
 
 pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
-    let loaded = load(&args.job)?;
-    let findings =
-        planning::try_plan(&loaded, &args.planning)?.map_or_else(|findings| findings, |motion| motion.findings);
+    let [job] = args.jobs.as_slice() else { return several(args) };
+    let findings = check(job, args)?;
     let printed = if args.json {
         print_json(&findings)
     } else {
@@ -16,7 +18,64 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     };
     match printed {
         // The exit code is the answer, also to whoever reads no further.
-        Ok(()) | Err(Failure::ReaderGone) if findings.iter().any(|f| !f.allowed) => Err(Failure::Printed),
+        Ok(()) | Err(Failure::ReaderGone) if against(&findings) => Err(Failure::Printed),
         printed => printed,
     }
+}
+
+/// What there is to be said about one job.
+fn check(job: &Path, args: &CheckArgs) -> Result<Vec<Finding>, Failure> {
+    let loaded = load(job)?;
+    Ok(planning::try_plan(&loaded, &args.planning)?.map_or_else(|findings| findings, |motion| motion.findings))
+}
+
+fn against(findings: &[Finding]) -> bool {
+    findings.iter().any(|f| !f.allowed)
+}
+
+/// Checks several jobs, also those after one that is no job; the greatest exit code counts.
+fn several(args: &CheckArgs) -> Result<(), Failure> {
+    let mut worst = Ok(());
+    let mut all: Vec<Value> = Vec::new();
+    for job in &args.jobs {
+        let checked = check(job, args);
+        if args.json {
+            all.push(as_json(job, &checked));
+        } else {
+            print_text(&as_text(job, &checked))?;
+        }
+        let failure = match checked {
+            Ok(findings) if !against(&findings) => continue,
+            Ok(_) => Failure::Printed,
+            Err(failure) => failure,
+        };
+        if worst.as_ref().map_or_else(Failure::exit_code, |()| 0) < failure.exit_code() {
+            worst = Err(failure);
+        }
+    }
+    if args.json {
+        print_json(&all)?;
+    }
+    // Each was told of where it belongs.
+    match worst {
+        Err(Failure::Input(_) | Failure::Document(_)) => Err(Failure::Input("not every job could be read".to_owned())),
+        worst => worst,
+    }
+}
+
+fn as_json(job: &Path, checked: &Result<Vec<Finding>, Failure>) -> Value {
+    match checked {
+        Ok(findings) => json!({ "job": job, "findings": findings }),
+        Err(failure) => json!({ "job": job, "error": failure.text() }),
+    }
+}
+
+fn as_text(job: &Path, checked: &Result<Vec<Finding>, Failure>) -> String {
+    let mut text = format!("{}: ", job.display()).into_bytes();
+    match checked {
+        // Writing to memory cannot fail.
+        Ok(findings) => drop(write_findings(&mut text, findings)),
+        Err(failure) => text.extend(format!("error: {}\n", failure.text()).bytes()),
+    }
+    String::from_utf8_lossy(&text).into_owned()
 }

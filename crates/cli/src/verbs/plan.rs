@@ -2,8 +2,8 @@ use super::post::proven;
 use super::simulate::judge;
 use crate::args::PlanArgs;
 use crate::clock;
-use crate::failure::Failure;
-use crate::files::Output;
+use crate::failure::{Failure, places_text, severity_word};
+use crate::files::{Output, written_text};
 use crate::load::{Loaded, load};
 use crate::planning;
 use crate::rows::{print_json, print_text};
@@ -11,8 +11,8 @@ use seamwright_cell::Summary;
 use seamwright_cell::tracking::BeamSummary;
 use seamwright_motion::WeldMotion;
 use seamwright_post::{Control, Dialect, Feed, Options};
-use seamwright_program::{Oscillation, Severity};
-use seamwright_report::{Language, Plots, PostFigures, WeldReport};
+use seamwright_program::{Oscillation, group_findings};
+use seamwright_report::{Language, PassFigures, Plots, PostFigures, WeldReport};
 use seamwright_weld::{Cut, Welding};
 use std::fmt::Write;
 use std::path::{Component, Path, PathBuf};
@@ -29,7 +29,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     dialects.dedup();
     let posts = dialects.into_iter().map(|dialect| post(&loaded, &motion, dialect));
     let posts: Vec<(PostFigures, String)> = posts.collect::<Result<_, _>>()?;
-    let mut output = Output::new(&args.output)?;
+    let mut output = Output::new(&args.output.clone().unwrap_or_else(|| usual_output(&args.job)))?;
     let (mut report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, args.language);
     for (figures, text) in posts {
         output.text(&figures.file, &text)?;
@@ -55,6 +55,11 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     }
     finish(output, &report, args.json)?;
     judge(report)
+}
+
+/// Where a plan goes if the command line does not say: a folder called as the job, in `out`.
+fn usual_output(job: &Path) -> PathBuf {
+    Path::new("out").join(job.file_stem().unwrap_or(job.as_os_str()))
 }
 
 /// The part program for a control, as `post` writes it without options, and its proof.
@@ -184,58 +189,116 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     if let Some(seam) = &r.seam {
         let _ = writeln!(text, "  seam         {:.3} mm, weld {:.3} mm", seam.length_mm, seam.weld_length_mm);
     }
-    for (i, pass) in r.passes.iter().enumerate() {
-        let p = &pass.plan;
-        if r.passes.len() > 1 {
-            let _ = writeln!(text, "  pass {}       {}", i + 1, pass.name);
-        }
-        let _ = writeln!(
-            text,
-            "  speed        {:.4} to {:.4} mm/s planned, {} to {} asked",
-            p.least_speed_mm_s, p.greatest_speed_mm_s, p.asked_speed_mm_s.0, p.asked_speed_mm_s.1
-        );
-        let _ = writeln!(
-            text,
-            "  time         {:.2} s travel, {:.2} s arc on, {:.2} s in all",
-            p.weld_s, p.arc_on_s, p.total_s
-        );
-        if let Some(s) = pass.simulation.as_ref().filter(|s| !s.welded) {
-            let _ = writeln!(text, "  welded       nothing of it (simulated)");
-            tracking(&mut text, s);
-        } else if let Some(s) = &pass.simulation {
-            let e = &s.path_error_mm;
-            let _ = writeln!(text, "  path error   {:.4} mm greatest, {:.4} mm RMS (simulated)", e.max, e.rms);
-            tracking(&mut text, s);
-            let _ = match &s.tip_speed_mm_s {
-                Some(v) => writeln!(
-                    text,
-                    "  tip speed    {:.4} to {:.4} mm/s, RMS deviation {:.4} mm/s (simulated)",
-                    v.min, v.max, v.rms
-                ),
-                None => writeln!(text, "  tip speed    too short a weld to judge"),
-            };
-            for a in &s.axes {
-                let f = &a.following_error;
-                let worst = f.min.abs().max(f.max.abs());
-                let _ = writeln!(text, "  axis {:<7} following error {worst:.5} {}, RMS {:.5}", a.axis, a.unit, f.rms);
-            }
-        }
-        if let Some(c) = &pass.clearance {
-            let between = c.between.as_deref().unwrap_or("nothing watched comes nearer");
-            let _ = writeln!(text, "  clearance    {:.2} mm: {between}", c.nearest_mm);
-        }
+    if let [pass] = r.passes.as_slice() {
+        only_pass(&mut text, pass);
+    } else {
+        several_passes(&mut text, r);
+    }
+    let totals = &r.totals;
+    let energy = totals.arc_energy_kj.filter(|kj| *kj > 0.0).map(|kj| format!("{kj:.1} kJ arc energy"));
+    let wire = totals.wire_m.filter(|m| *m > 0.0).map(|m| format!("{m:.2} m of wire"));
+    let takes: Vec<String> = energy.into_iter().chain(wire).collect();
+    if !takes.is_empty() {
+        let _ = writeln!(text, "  takes        {}", takes.join(", "));
     }
     let _ = writeln!(text, "  air moves    {:.2} s, home to home {:.2} s", r.air_s, r.total_s);
-    for f in &r.findings {
-        let word = match f.severity() {
-            Severity::Error => "finding",
-            Severity::Warning => "warning",
-            Severity::Note => "note",
-        };
-        let _ = writeln!(text, "  {word:<12} {} (s = {:.1} mm)", f.message, f.from_mm);
+    for group in group_findings(&r.findings) {
+        let word = severity_word(group.finding);
+        let _ = writeln!(text, "  {word:<12} {} ({})", group.finding.message, places_text(&group));
     }
-    for path in paths {
-        let _ = writeln!(text, "  wrote        {}", path.display());
+    for line in written_text(paths) {
+        let _ = writeln!(text, "  wrote        {line}");
     }
     text
+}
+
+/// The only pass of a weld, in many lines.
+fn only_pass(text: &mut String, pass: &PassFigures) {
+    let p = &pass.plan;
+    let _ = writeln!(
+        text,
+        "  speed        {:.4} to {:.4} mm/s planned, {} to {} asked",
+        p.least_speed_mm_s, p.greatest_speed_mm_s, p.asked_speed_mm_s.0, p.asked_speed_mm_s.1
+    );
+    let _ = writeln!(
+        text,
+        "  time         {:.2} s travel, {:.2} s arc on, {:.2} s in all",
+        p.weld_s, p.arc_on_s, p.total_s
+    );
+    if let Some(s) = &pass.simulation {
+        simulated(text, s);
+    }
+    if let Some(energy) = energy_text(pass) {
+        let _ = writeln!(text, "  energy       {energy}");
+    }
+    if let Some(clearance) = clearance_text(pass) {
+        let _ = writeln!(text, "  clearance    {clearance}");
+    }
+}
+
+/// Several passes: totals, then a line each, and what simulated ones did.
+fn several_passes(text: &mut String, r: &WeldReport) {
+    let totals = &r.totals;
+    let _ = writeln!(text, "  passes       {}, {:.3} mm in all", totals.passes, totals.length_mm);
+    let _ = writeln!(
+        text,
+        "  time         {:.2} s travel, {:.2} s arc on, {:.2} s in all",
+        totals.weld_s, totals.arc_on_s, totals.total_s
+    );
+    for (number, pass) in (1..).zip(&r.passes) {
+        let p = &pass.plan;
+        let mut parts = vec![
+            format!("{:.1} mm", p.length_mm),
+            format!("{:.3} to {:.3} mm/s", p.least_speed_mm_s, p.greatest_speed_mm_s),
+            format!("{:.2} s", p.weld_s),
+        ];
+        parts.extend(energy_text(pass));
+        parts.extend(clearance_text(pass).map(|clearance| format!("clearance {clearance}")));
+        let _ = writeln!(text, "  pass {number:<7} {}: {}", pass.name, parts.join(", "));
+        if let Some(s) = &pass.simulation {
+            simulated(text, s);
+        }
+    }
+}
+
+/// Arc energy and, with a procedure, heat input of a pass.
+fn energy_text(pass: &PassFigures) -> Option<String> {
+    let range = |(low, high): (f64, f64)| match high - low < 1e-3 * high {
+        true => format!("{high:.3} kJ/mm"),
+        false => format!("{low:.3} to {high:.3} kJ/mm"),
+    };
+    let energy = pass.plan.arc_energy_kj_mm.map(|energy| format!("arc energy {}", range(energy)));
+    let heat = pass.heat_input_kj_mm().map(|heat| format!("heat input {}", range(heat)));
+    let both: Vec<String> = energy.into_iter().chain(heat).collect();
+    (!both.is_empty()).then(|| both.join(", "))
+}
+
+fn clearance_text(pass: &PassFigures) -> Option<String> {
+    let c = pass.clearance.as_ref()?;
+    let between = c.between.as_deref().unwrap_or("nothing watched comes nearer");
+    Some(format!("{:.2} mm: {between}", c.nearest_mm))
+}
+
+/// What a simulated pass did.
+fn simulated(text: &mut String, s: &Summary) {
+    if !s.welded {
+        let _ = writeln!(text, "  welded       nothing of it (simulated)");
+        return tracking(text, s);
+    }
+    let e = &s.path_error_mm;
+    let _ = writeln!(text, "  path error   {:.4} mm greatest, {:.4} mm RMS (simulated)", e.max, e.rms);
+    tracking(text, s);
+    let _ = match &s.tip_speed_mm_s {
+        Some(v) => writeln!(
+            text,
+            "  tip speed    {:.4} to {:.4} mm/s, RMS deviation {:.4} mm/s (simulated)",
+            v.min, v.max, v.rms
+        ),
+        None => writeln!(text, "  tip speed    too short a weld to judge"),
+    };
+    for a in &s.axes {
+        let f = &a.following_error;
+        let worst = f.min.abs().max(f.max.abs());
+        let _ = writeln!(text, "  axis {:<7} following error {worst:.5} {}, RMS {:.5}", a.axis, a.unit, f.rms);
+    }
 }

@@ -18,6 +18,7 @@ mod modbus_server;
 #[path = "../../../cell/tests/support/modbus_welder.rs"]
 mod modbus_welder;
 mod move_to;
+mod names;
 mod order;
 mod passes;
 mod place;
@@ -37,3 +38,4 @@ mod taught;
 mod teach;
 mod two_level;
 mod verbs;
+mod whole_weld;

@@ -199,3 +199,15 @@ fn the_usual_folder() {
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8(output.stderr).unwrap().contains(".local/share/seamwright"));
 }
+
+#[test]
+fn names_that_look_like_formulas_are_texts_in_tables() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("data").display().to_string();
+    simulate(folder.path(), &data, "=HYPERLINK(\"http://x\";\"P\")", "3");
+    let rows = good(&["records", "list", "--data", &data]);
+    assert!(rows.contains("'=HYPERLINK(") && !rows.contains(",=") && !rows.contains(",\"="), "{rows}");
+    // What programs read is as it was given.
+    let listed = json(&["records", "list", "--data", &data, "--json"]);
+    assert_eq!(listed[0]["part"], "=HYPERLINK(\"http://x\";\"P\")");
+}

@@ -144,3 +144,16 @@ fn the_process_that_plans_is_bounded() {
     let said = String::from_utf8_lossy(&answer.stdout).into_owned();
     assert!(answer.status.success() && said.starts_with("{\"answer\":") && said.contains("\"wrong\""), "{said}");
 }
+
+#[test]
+fn what_serve_takes_is_taken_without_a_verb() {
+    // As with the verb: the folder is made, then the address refused.
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("cell").display().to_string();
+    let told = bad(2, &["--data", &data, "--bind", "0.0.0.0:8080"]);
+    assert!(told.contains("--tls") && told.contains("127.0.0.1"), "{told}");
+    let told = bad(2, &["--data", &data, "--job", "unknown"]);
+    assert!(told.contains("unknown") && told.contains("saddle"), "{told}");
+    // Before a verb they would be of no use.
+    assert!(bad(2, &["--data", &data, "check", "ellipse"]).contains("cannot be used with"));
+}

@@ -146,6 +146,50 @@ fn no_such_joint_ends_with_1_and_says_why() {
     assert!(bad(1, &["stripe", &file("same.csv", same.as_bytes()), "--joint", "v"]).contains("points"));
 }
 
+/// An image with its last row first.
+fn upside_down(image: &Image) -> Image {
+    let Image::U8 { width, height, pixels } = image else { panic!("8 bits") };
+    let pixels = pixels.chunks(*width).rev().flatten().copied().collect();
+    Image::U8 { width: *width, height: *height, pixels }
+}
+
+#[test]
+fn an_image_upside_down_gets_a_hint() {
+    let upright = scene().image(&StripeDisturbances::USUAL, 1).image;
+    let path = pgm("upside-down.pgm", &upside_down(&upright));
+    for scale in [&["--mm-per-px", "0.05"][..], &[]] {
+        let told = bad(1, &[&["stripe", &path, "--joint", "v"], scale].concat());
+        assert!(told.contains("hint: upside down the joint is there"), "{told}");
+    }
+    let mut csv = "y_mm,z_mm\n".to_owned();
+    scene().profile(0.02, 0.0, 0.0, 3).iter().for_each(|p| csv += &format!("{},{}\n", p.x, -p.y));
+    assert!(bad(1, &["stripe", &file("turned.csv", csv.as_bytes()), "--joint", "v"]).contains("hint: upside down"));
+    // What is no joint either way gets none.
+    let dark = pgm("dark.pgm", &Image::U8 { width: 300, height: 200, pixels: vec![7; 60000] });
+    assert!(!bad(1, &["stripe", &dark, "--joint", "v"]).contains("hint"));
+}
+
+#[test]
+fn a_joint_that_may_not_be_followed_ends_with_1_and_says_why() {
+    // The right wall goes out of sight for more columns than noise makes: the groove is found, but not all of it.
+    let mut image = scene().image(&StripeDisturbances::CLEAN, 1).image;
+    let truth = scene().image(&StripeDisturbances::CLEAN, 1).truth.joint().unwrap();
+    let px = scene().to_mm.inverse().map(truth).unwrap();
+    let Image::U8 { width, pixels, .. } = &mut image else { panic!("8 bits") };
+    let (from, to) = (px.x as usize + 60, px.x as usize + 80);
+    for row in pixels.chunks_mut(*width) {
+        row[from..to].fill(0);
+    }
+    let path = pgm("hole.pgm", &image);
+    let output = run(&["stripe", &path, "--joint", "v"]);
+    let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+    assert_eq!(output.status.code(), Some(1), "{out}{err}");
+    assert!(out.contains("\njoint,"), "{out}");
+    assert!(err.contains("is below 0.5") && err.contains("dark places"), "{err}");
+    let json: Value = serde_json::from_slice(&run(&["stripe", &path, "--joint", "v", "--json"]).stdout).unwrap();
+    assert!(json["confident"] == false && json["doubt"].as_str().unwrap().contains("dark places"), "{json}");
+}
+
 #[test]
 fn bad_input_is_named() {
     let path = pgm("good.pgm", &scene().image(&StripeDisturbances::USUAL, 6).image);

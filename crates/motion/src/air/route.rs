@@ -79,9 +79,9 @@ pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) 
     let (a, b) = around.solids(watch, found).unwrap_or_else(|| around.names(watch));
     let least = around.scene().watches()[watch].least_mm();
     if found.distance > 0.005 {
-        format!("{a} comes within {:.2} mm of {b} (least {least} mm)", found.distance)
+        format!("{a} comes within {:.2} mm of {b} (at least {least} mm)", found.distance)
     } else {
-        format!("{a} runs into {b} (least {least} mm)")
+        format!("{a} collides with {b} (at least {least} mm)")
     }
 }
 

@@ -13,7 +13,8 @@ pub use shipped::{PROCEDURES, ShippedProcedure, shipped_procedure};
 pub use welding_process::WeldingProcess;
 pub use window::{Outside, Window};
 
-use crate::{FilletOrButt, Pass, Role, check_process_name};
+use crate::process::check_process_units;
+use crate::{FilletOrButt, Pass, Role, check_process_name, check_process_value};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive, SchemaVersion};
 use serde::{Deserialize, Serialize};
@@ -128,14 +129,17 @@ impl Run {
             let message = "the run allows no position at all";
             return Err(file.error_at(&format!("{path}.positions"), message, "one or more; no key allows all"));
         }
-        for name in self.ranges.keys() {
+        for (name, window) in &self.ranges {
             let key = format!("{path}.ranges.{name}");
             if OWN_KEYS.contains(&name.as_str()) {
                 return Err(file.error_at(&key, "this is no process value", format!("{name} beside `ranges`")));
             }
             check_process_name(file, &key, name)?;
+            let (_, greatest) = window.ends();
+            // The least may be 0 or below: then it is no limit.
+            check_process_value(file, &key, (name, greatest), self.ranges.keys())?;
         }
-        Ok(())
+        check_process_units(file, &format!("{path}.ranges"), self.ranges.keys())
     }
 }
 

@@ -48,7 +48,7 @@ impl Values {
 
 /// Writes what is whole of `raw` to the Parquet file `path`; how many rows.
 pub(super) fn write(raw: &mut RawReader, path: &Path) -> Result<u64, Error> {
-    let mut file = whole_file::beside(path)?;
+    let mut file = whole_file::create(path)?;
     let header = raw.header.clone();
     let failed = |e| Error::parquet(path, &e);
     let mut writer = writer(BufWriter::new(file.as_file_mut()), &header).map_err(failed)?;
@@ -73,7 +73,7 @@ pub(super) fn write(raw: &mut RawReader, path: &Path) -> Result<u64, Error> {
         write_group(&mut writer, &mut columns).map_err(failed)?;
     }
     writer.into_inner().map_err(failed)?.flush().map_err(|e| Error::io(path, "cannot be written", e))?;
-    whole_file::keep(file, path)?;
+    whole_file::finish(file, path)?;
     Ok(rows)
 }
 

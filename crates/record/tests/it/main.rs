@@ -4,3 +4,5 @@ mod bad_libraries;
 mod common;
 mod killed;
 mod welds;
+#[cfg(target_os = "linux")]
+mod whole_files;

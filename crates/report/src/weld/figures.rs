@@ -2,14 +2,16 @@ use super::CertificateFigures;
 use super::plan::PlanFigures;
 use super::procedure::{PassProcedureFigures, ProcedureFigures, ProcedurePlots};
 use super::samples::samples;
+use super::totals::{self, TotalsFigures};
 use super::{Plots, PostFigures, SimulationCurves, tracking};
 use crate::Language;
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
 use seamwright_motion::{PassClearance, WeldMotion};
-use seamwright_program::{Finding, Seam};
+use seamwright_program::{Finding, Pass, Role, Seam};
 use seamwright_weld::{SeamCurve, Welding};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// The numbers of one weld; mm, s, degrees. This is `report.json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -31,6 +33,8 @@ pub struct WeldReport {
     pub plan: PlanFigures,
     /// The simulated first pass, if it was simulated.
     pub simulation: Option<Summary>,
+    /// What all passes together come to.
+    pub totals: TotalsFigures,
     /// All passes.
     pub passes: Vec<PassFigures>,
     /// Time of the air moves: from home, between passes and back home, s.
@@ -91,6 +95,15 @@ pub struct PassFigures {
     /// Name of the copy of the seam that it is welded on, if there are copies.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub copy: Option<String>,
+    /// What it is for: `tack`, `root`, `fill`, `cap` or `cosmetic`, if that is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub role: Option<&'static str>,
+    /// Least and greatest of each process value anywhere in it, by name.
+    pub process_range: BTreeMap<String, (f64, f64)>,
+    /// Arc energy U I t, kJ; none if current and voltage are not given.
+    pub arc_energy_kj: Option<f64>,
+    /// Length of wire, m; none if the wire feed is not given.
+    pub wire_m: Option<f64>,
     /// Time of the air move before it, s.
     pub air_before_s: f64,
     /// The plan.
@@ -150,6 +163,10 @@ impl WeldReport {
             passes.push(PassFigures {
                 name: pass.name.clone(),
                 copy: program.copy_name(pass.copy).map(str::to_owned),
+                role: pass.known_role().map(Role::name),
+                process_range: process_range(pass),
+                arc_energy_kj: totals::arc_energy_kj(pass, planned),
+                wire_m: totals::wire_m(pass, planned),
                 air_before_s: motion.air[i].duration(),
                 plan: PlanFigures::new(machine, welding, i, planned, &samples),
                 certificate,
@@ -175,6 +192,7 @@ impl WeldReport {
             seam: program.seam.as_ref().zip(welding.seam.as_ref()).map(SeamFigures::new),
             plan: passes[0].plan.clone(),
             simulation: passes[0].simulation.clone(),
+            totals: TotalsFigures::new(&passes, motion),
             passes,
             air_s: motion.air_s(),
             total_s: motion.total_s(),
@@ -183,6 +201,19 @@ impl WeldReport {
         };
         (report, plots)
     }
+}
+
+impl PassFigures {
+    /// Least and greatest heat input, kJ/mm, if its procedure says how much of the power counts; infinite at a stop.
+    pub fn heat_input_kj_mm(&self) -> Option<(f64, f64)> {
+        let quantities = self.procedure.iter().flat_map(|procedure| &procedure.quantities);
+        quantities.filter(|q| q.key == "heat_input_kj_mm").find_map(|q| q.found)
+    }
+}
+
+fn process_range(pass: &Pass) -> BTreeMap<String, (f64, f64)> {
+    let names = pass.spans.iter().flat_map(|span| span.process.keys());
+    names.filter_map(|name| Some((name.clone(), pass.process_range(name)?))).collect()
 }
 
 fn clearance(c: &PassClearance) -> ClearanceFigures {

@@ -1,20 +1,32 @@
 //! The job in numbers.
 
 use super::figures::WeldReport;
+use super::overview::{extremes, range};
 use super::page::{number, table};
 use crate::{Block, Language, said};
-use seamwright_program::WeldDirection;
+use seamwright_program::{Sequence, Slope, WeldDirection};
 
 /// Seams that do not go around.
 const STRAIGHT: [&str; 3] = ["line", "T-joint", "spline"];
+
+/// A slope of process values: what its values and its time are called, and where it is.
+type SlopeRows = (&'static str, &'static str, fn(&Sequence) -> Option<&Slope>);
+
+const SLOPES: [SlopeRows; 2] = [
+    ("Upslope from {0}", "Upslope from: time", |sequence| sequence.upslope.as_ref()),
+    ("Downslope to {0}", "Downslope to: time", |sequence| sequence.downslope.as_ref()),
+];
 
 impl WeldReport {
     /// What the job asks for.
     pub(super) fn data_table(&self, language: Language) -> Block {
         let mut rows = self.seam_rows(language);
         let row = |label, value: f64, unit| said_row(language, label, number(value), unit);
-        rows.extend([row("Run-up", self.plan.run_up_mm, "mm"), row("Run-down", self.plan.run_down_mm, "mm")]);
-        let (start, sequence) = (&self.plan.start, &self.plan.sequence);
+        let several = self.passes.len() > 1;
+        if !several {
+            rows.extend([row("Run-up", self.plan.run_up_mm, "mm"), row("Run-down", self.plan.run_down_mm, "mm")]);
+        }
+        let start = &self.plan.start;
         if self.seam.as_ref().is_some_and(|s| !STRAIGHT.contains(&s.kind)) {
             let direction = match start.direction {
                 WeldDirection::CounterClockwise => "counter-clockwise",
@@ -24,29 +36,44 @@ impl WeldReport {
             rows.push(said_row(language, "Direction of welding", language.say(direction).to_owned(), ""));
             rows.push(row("Overlap", start.overlap_mm.get(), "mm"));
         }
-        rows.push(row("Gas before the arc", sequence.preflow_s.get(), "s"));
-        rows.push(row("Arc on before travel", sequence.travel_delay_s.get(), "s"));
-        let slopes = [
-            ("Upslope from {0}", "Upslope from: time", &sequence.upslope),
-            ("Downslope to {0}", "Downslope to: time", &sequence.downslope),
-        ];
-        for (what, time, slope) in slopes {
-            for (name, value) in slope.iter().flat_map(|s| &s.process) {
-                let [title, unit] = said::value_parts(language, name);
-                rows.push(vec![language.fill(what, &[&title]), number(value.get()), unit]);
-            }
-            rows.extend(slope.iter().map(|s| row(time, s.time_s.get(), "s")));
-        }
-        rows.push(row("Crater fill", sequence.crater_s.get(), "s"));
-        rows.push(row("Gas after the arc", sequence.postflow_s.get(), "s"));
-        for (name, value) in &self.plan.process {
-            let (from, to) = value.ends();
-            let range = || language.fill("{0} to {1}", &[&number(from), &number(to)]);
+        rows.extend(self.sequence_rows(language));
+        // What each of several passes is welded with is in the table of passes.
+        let process = self.plan.process.iter().filter(|_| !several);
+        rows.extend(process.map(|(name, value)| {
             let [title, unit] = said::value_parts(language, name);
-            rows.push(vec![title, if value.is_ramp() { range() } else { number(from) }, unit]);
-        }
+            let (from, to) = value.ends();
+            let ramp = || language.fill("{0} to {1}", &[&number(from), &number(to)]);
+            vec![title, if value.is_ramp() { ramp() } else { number(from) }, unit]
+        }));
         let head = ["", "Value", "Unit"].map(|head| language.say(head));
         table(language.say("Job data"), &head, rows, 1..2)
+    }
+
+    /// What happens before and after the travel; the range of it where passes differ.
+    fn sequence_rows(&self, language: Language) -> Vec<Vec<String>> {
+        let sequences = || self.passes.iter().map(|pass| &pass.plan.sequence);
+        let row = |label, of: &dyn Fn(&Sequence) -> Option<f64>| {
+            let values = extremes(sequences().filter_map(of));
+            values.1.is_finite().then(|| said_row(language, label, range(values, language), "s"))
+        };
+        let mut rows: Vec<Vec<String>> = Vec::new();
+        rows.extend(row("Gas before the arc", &|sequence| Some(sequence.preflow_s.get())));
+        rows.extend(row("Arc on before travel", &|sequence| Some(sequence.travel_delay_s.get())));
+        for (what, time, slope) in SLOPES {
+            let slopes = || sequences().filter_map(slope);
+            let mut names: Vec<&String> = slopes().flat_map(|slope| slope.process.keys()).collect();
+            names.sort_unstable();
+            names.dedup();
+            rows.extend(names.into_iter().map(|name| {
+                let values = slopes().filter_map(|slope| slope.process.get(name)).map(|value| value.get());
+                let [title, unit] = said::value_parts(language, name);
+                vec![language.fill(what, &[&title]), range(extremes(values), language), unit]
+            }));
+            rows.extend(row(time, &|sequence| slope(sequence).map(|slope| slope.time_s.get())));
+        }
+        rows.extend(row("Crater fill", &|sequence| Some(sequence.crater_s.get())));
+        rows.extend(row("Gas after the arc", &|sequence| Some(sequence.postflow_s.get())));
+        rows
     }
 
     fn seam_rows(&self, language: Language) -> Vec<Vec<String>> {

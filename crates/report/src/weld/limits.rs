@@ -1,7 +1,7 @@
 //! Which limits bind where, in words and tables.
 
 use super::CertificateFigures;
-use super::certificate::{IntervalFigures, TIP};
+use super::certificate::{IntervalFigures, TIP, UseFigures};
 use super::page::{number, table};
 use super::plan::AxisFigures;
 use crate::{Block, Language, format_number};
@@ -75,8 +75,8 @@ pub(super) fn binds(interval: &IntervalFigures, language: Language) -> String {
 }
 
 /// The greatest use of each axis' limits.
-pub(super) fn uses_table(c: &CertificateFigures, language: Language) -> Block {
-    let rows = c.uses.iter().map(|u| {
+pub(super) fn uses_table(uses: &[UseFigures], language: Language) -> Block {
+    let rows = uses.iter().map(|u| {
         let limit =
             |value: f64, per: &str| format!("{} {}", number(value), language.unit(&format!("{}/s{per}", u.unit)));
         vec![

@@ -1,10 +1,11 @@
 //! What a plan comes to, at the top of its page.
 
-use super::figures::WeldReport;
+use super::figures::{PassFigures, WeldReport};
 use super::page::{number, small};
 use super::plan::PlanFigures;
 use crate::{Language, Severity, Tile, Verdict, format_number, said};
 use seamwright_cell::Summary;
+use seamwright_program::group_findings;
 
 impl WeldReport {
     /// What was looked at, and what not.
@@ -27,42 +28,74 @@ impl WeldReport {
     }
 
     pub(super) fn verdict(&self, language: Language) -> Verdict {
-        let p = &self.plan;
-        let held = match p.speed_held {
-            true => language.say("the asked speed from run-up to run-down").to_owned(),
-            false => language.fill("slowed to {0} mm/s where an axis needs it", &[&number(p.least_speed_mm_s)]),
+        let slowed = self.passes.iter().map(|pass| &pass.plan).filter(|plan| !plan.speed_held);
+        let held = match slowed.map(|plan| plan.least_speed_mm_s).reduce(f64::min) {
+            None => language.say("the asked speed from run-up to run-down").to_owned(),
+            Some(least) => language.fill("slowed to {0} mm/s where an axis needs it", &[&number(least)]),
         };
         let mut text = vec![language.fill("Planned: all axes within their limits, {0}.", &[&held])];
-        let left = self.findings.iter().filter(|f| f.kind == "procedure").count();
+        let left = group_findings(&self.findings).iter().filter(|g| g.finding.kind == "procedure").count();
         text.extend(self.procedure.as_ref().map(|p| match left {
             0 => language.fill("Within {0}.", &[&p.number]),
             1 => language.fill("Outside {0}: 1 finding.", &[&p.number]),
             n => language.fill("Outside {0}: {1} findings.", &[&p.number, &n.to_string()]),
         }));
-        text.extend(self.simulation.as_ref().map(|s| p.simulated(s, language)));
+        text.extend(self.worst_simulated().map(|(pass, s)| pass.plan.simulated(s, language)));
         Verdict { ok: self.findings.iter().all(|f| f.allowed), text: text.join(language.between_sentences()) }
     }
 
+    /// The simulated pass that strays furthest from its path, if any was simulated.
+    pub(super) fn worst_simulated(&self) -> Option<(&PassFigures, &Summary)> {
+        let simulated = self.passes.iter().filter_map(|pass| Some((pass, pass.simulation.as_ref()?)));
+        simulated.max_by(|a, b| a.1.path_error_mm.max.total_cmp(&b.1.path_error_mm.max))
+    }
+
+    /// The figures of the whole weld; with several passes sums, and the extremes of all passes.
     pub(super) fn tiles(&self, language: Language) -> Vec<Tile> {
-        let p = &self.plan;
+        let totals = &self.totals;
         let tile = |label, value: f64, unit, note| tile(language, (label, unit), number(value), note);
-        let (length, of) = match &self.seam {
-            Some(seam) => (seam.weld_length_mm, language.fill("seam {0} mm", &[&number(seam.length_mm)])),
-            None => (p.length_mm, language.say("through points").to_owned()),
+        let mut of = match &self.seam {
+            Some(seam) => language.fill("seam {0} mm", &[&number(seam.length_mm)]),
+            None => language.say("through points").to_owned(),
         };
-        let cycle = language.fill("whole cycle {0} s, air moves {1} s", &[&number(self.total_s), &number(self.air_s)]);
-        let speeds = language.fill("asked {0}, greatest {1}", &[&p.asked(language), &number(p.greatest_speed_mm_s)]);
+        let mut travel = language.say("travel, rest to rest").to_owned();
+        if totals.passes > 1 {
+            let count = totals.passes.to_string();
+            of = language.fill("{0}; {1} passes, {2} mm in all", &[&of, &count, &number(totals.length_mm)]);
+            travel = language.fill("travel of all {0} passes, rest to rest", &[&count]);
+        }
+        let length = self.seam.as_ref().map_or(totals.length_mm, |seam| seam.weld_length_mm);
+        let cycle =
+            language.fill("whole cycle {0} s, air moves {1} s", &[&number(totals.total_s), &number(totals.air_s)]);
+        let plans = || self.passes.iter().map(|pass| &pass.plan);
+        let asked = extremes(plans().flat_map(|plan| [plan.asked_speed_mm_s.0, plan.asked_speed_mm_s.1]));
+        let (least, greatest) = extremes(plans().flat_map(|plan| [plan.least_speed_mm_s, plan.greatest_speed_mm_s]));
+        let speeds = language.fill("asked {0}, greatest {1}", &[&range(asked, language), &number(greatest)]);
         let mut tiles = vec![
             tile("Weld length", length, "mm", of),
-            tile("Weld time", p.weld_s, "s", language.say("travel, rest to rest").to_owned()),
-            tile("Arc-on time", p.arc_on_s, "s", cycle),
-            tile("Speed, planned", p.least_speed_mm_s, "mm/s", speeds),
+            tile("Weld time", totals.weld_s, "s", travel),
+            tile("Arc-on time", totals.arc_on_s, "s", cycle),
+            tile("Speed, planned", least, "mm/s", speeds),
         ];
-        tiles.extend(self.simulation.iter().flat_map(|s| simulated_tiles(s, language)));
-        tiles.push(p.attitude_tile(language));
-        tiles.extend(p.energy_tile(language));
+        tiles.extend(self.worst_simulated().iter().flat_map(|(_, s)| simulated_tiles(s, language)));
+        let worst = plans().max_by(|a, b| a.attitude_error_deg.total_cmp(&b.attitude_error_deg));
+        tiles.extend(worst.map(|plan| plan.attitude_tile(language)));
+        let energies = plans().filter_map(|plan| plan.arc_energy_kj_mm).flat_map(|(least, greatest)| [least, greatest]);
+        tiles.extend(energy_tile(extremes(energies), language));
+        let wire = |metres: f64| tile("Wire", metres, "m", language.say("while the arc is on").to_owned());
+        tiles.extend(totals.wire_m.filter(|metres| *metres > 0.0).map(wire));
         tiles
     }
+}
+
+/// Least and greatest of the values; infinite the wrong way round of none.
+pub(super) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), v| (least.min(v), greatest.max(v)))
+}
+
+/// A value, or the range of several.
+pub(super) fn range((low, high): (f64, f64), language: Language) -> String {
+    if high > low { language.fill("{0} to {1}", &[&number(low), &number(high)]) } else { number(low) }
 }
 
 fn tile(language: Language, (label, unit): (&'static str, &'static str), value: String, note: String) -> Tile {
@@ -88,12 +121,6 @@ fn simulated_tiles(s: &Summary, language: Language) -> [Tile; 2] {
 }
 
 impl PlanFigures {
-    /// The asked speed, or the range of those of several spans.
-    fn asked(&self, language: Language) -> String {
-        let (low, high) = self.asked_speed_mm_s;
-        if high > low { language.fill("{0} to {1}", &[&number(low), &number(high)]) } else { number(low) }
-    }
-
     /// What the simulated pass comes to, in words.
     fn simulated(&self, s: &Summary, language: Language) -> String {
         let speed = match s.speed_ripple {
@@ -116,15 +143,17 @@ impl PlanFigures {
             ..tile(language, ("Attitude error", "deg"), error, note.to_owned())
         }
     }
+}
 
-    /// Arc energy, if current and voltage are given.
-    fn energy_tile(&self, language: Language) -> Option<Tile> {
-        let (least, greatest) = self.arc_energy_kj_mm?;
-        let note = if greatest - least < 1e-3 * greatest {
-            language.say("U I / v, before any efficiency").to_owned()
-        } else {
-            language.fill("greatest; least {0}; U I / v", &[&format_number(least, 3)])
-        };
-        Some(tile(language, ("Arc energy", "kJ/mm"), format_number(greatest, 3), note))
+/// Arc energy, if current and voltage are given.
+fn energy_tile((least, greatest): (f64, f64), language: Language) -> Option<Tile> {
+    if !greatest.is_finite() {
+        return None;
     }
+    let note = if greatest - least < 1e-3 * greatest {
+        language.say("U I / v, before any efficiency").to_owned()
+    } else {
+        language.fill("greatest; least {0}; U I / v", &[&format_number(least, 3)])
+    };
+    Some(tile(language, ("Arc energy", "kJ/mm"), format_number(greatest, 3), note))
 }

@@ -5,6 +5,26 @@ use super::procedure::{positions_table, procedure_text, windows_table};
 use super::simulated::{following_table, simulation_text};
 use super::tracking;
 use crate::{Block, Chart, ChartGrid, Finding, Language, Page, Severity, Table, format_number, said};
+use seamwright_program::{FindingGroup, FindingPlace, group_findings};
+
+/// Maximum number of places listed of one finding.
+const MAX_PLACES: usize = 6;
+
+// What drawings show, of one pass and of several.
+pub(super) const SECTIONS: &str = "Cross-sections along the seam, all at one scale, the second part's face level or a butt joint's face up: beads in the order of welding, and where the wire points in each; the area is that of the groove and of the cap over it.";
+pub(super) const TAUGHT: &str =
+    "The seam as welded against the nominal one: at both joins the same place, direction and curvature.";
+pub(super) const HEAT_INPUT: &str =
+    "Heat input at the planned speed between run-up and run-down, with its window; shaded where it is outside.";
+pub(super) const POSITIONS: &str = "Welding position (ISO 6947) by slope of the travel and rotation of the weld's face, as the machine's axes turn the part.";
+pub(super) const CLEARANCE: &str = "Least distance of torch, links, part, fixtures and zones from one another, and the bound below which none falls anywhere.";
+pub(super) const SPEED: &str = "Speed of the tip along the seam, relative to the work; shaded where it is slower than asked, with the limit that binds.";
+pub(super) const DEVIATION: &str =
+    "Deviation of the simulated speed between run-up and run-down; at its start the drives settle.";
+pub(super) const TRACKED: &str = "Where the joint truly lies beside the planned path, how far the weld lies from it, and how well tracking knew the joint.";
+pub(super) const PATH_ERROR: &str = "Distance of the true tip from the seam, normal to it.";
+pub(super) const FOLLOWING: &str = "Set-point less true position of each axis.";
+pub(super) const AXES: &str = "Planned position, speed and acceleration of each axis against its limits.";
 
 impl WeldReport {
     /// The report as one self-contained HTML page in this language; `source` is the job's or program's text, `date`
@@ -13,21 +33,12 @@ impl WeldReport {
         let heading = |text| Block::Heading(language.say(text).to_owned());
         let mut blocks = vec![Block::Tiles(self.tiles(language)), heading("Findings")];
         blocks.push(Block::Paragraph(self.checked(language)));
-        blocks.push(match self.findings.is_empty() {
-            true => paragraph("None: the weld can be made as asked on this machine.", language),
-            false => Block::Findings(self.findings.iter().map(|f| finding(f, language)).collect()),
-        });
-        if let Some(order) = plots.first().and_then(|plots| plots.order.as_ref()) {
-            blocks.push(heading("Order of welding"));
-            blocks.push(figure(
-                order.to_svg(),
-                "Passes numbered in the order of welding. Dashed: the torch in the air, drawn straight from end to start.",
-                language,
-            ));
-            blocks.push(self.order_table(language));
-        }
-        for (i, (pass, plots)) in self.passes.iter().zip(plots).enumerate() {
-            self.pass(i, pass, plots, &mut blocks, language);
+        blocks.extend(self.findings(language));
+        let several = self.passes.len() > 1;
+        match (self.passes.first(), plots.first()) {
+            _ if several => blocks.extend(self.all_passes(plots, language)),
+            (Some(pass), Some(plots)) => self.only_pass(pass, plots, &mut blocks, language),
+            _ => {}
         }
         if !self.posts.is_empty() {
             blocks.push(heading("Part programs"));
@@ -38,6 +49,9 @@ impl WeldReport {
         blocks.push(Block::Code { caption: self.file.clone(), text: source.to_owned() });
         blocks.push(heading("Released"));
         blocks.push(released(language));
+        if several {
+            blocks.extend(self.curves(plots, language));
+        }
         let subtitle = match self.simulation {
             Some(_) => "Weld report: plan and simulation",
             None => "Weld report: plan",
@@ -59,27 +73,31 @@ impl WeldReport {
         .render()
     }
 
-    /// Everything about one pass; `number` counts from 0.
-    fn pass(&self, number: usize, pass: &PassFigures, plots: &Plots, blocks: &mut Vec<Block>, language: Language) {
+    /// Errors and warnings, equal ones once; then notes, which ask for nothing.
+    fn findings(&self, language: Language) -> Vec<Block> {
         let several = self.passes.len() > 1;
-        let heading = |what| {
-            let what = language.say(what);
-            let number = (number + 1).to_string();
-            Block::Heading(if several {
-                language.fill("Pass {0} ({1}): {2}", &[&number, &pass.name, what])
-            } else {
-                what.to_owned()
-            })
-        };
+        let groups = group_findings(&self.findings);
+        let found: Vec<Finding> = groups.iter().map(|group| finding(group, several, language)).collect();
+        let (notes, findings): (Vec<_>, Vec<_>) = found.into_iter().partition(|f| f.severity == Severity::Note);
+        let mut blocks = vec![match findings.is_empty() {
+            true => paragraph("None: the weld can be made as asked on this machine.", language),
+            false => Block::Findings(findings),
+        }];
+        if !notes.is_empty() {
+            blocks.push(Block::Heading(language.say("Notes").to_owned()));
+            blocks.push(Block::Findings(notes));
+        }
+        blocks
+    }
+
+    /// Everything about the pass of a weld that has one.
+    fn only_pass(&self, pass: &PassFigures, plots: &Plots, blocks: &mut Vec<Block>, language: Language) {
+        let heading = |what| Block::Heading(language.say(what).to_owned());
         blocks.push(heading("Seam and torch"));
         blocks.extend(seam(plots, language));
         if let Some(sections) = &plots.sections {
-            blocks.push(Block::Heading(language.say("Joint").to_owned()));
-            blocks.push(figure(
-                sections.to_svg(),
-                "Cross-sections along the seam, all at one scale, the second part's face level or a butt joint's face up: beads in the order of welding, and where the wire points in each; the area is that of the groove and of the cap over it.",
-                language,
-            ));
+            blocks.push(heading("Joint"));
+            blocks.push(figure(sections.to_svg(), SECTIONS, language));
         }
         let held = self.procedure(pass, plots, language);
         if !held.is_empty() {
@@ -91,22 +109,14 @@ impl WeldReport {
         }
         for taught in &plots.taught {
             blocks.push(Block::Paragraph(taught.text.clone()));
-            blocks.push(figure(
-                taught.charts.to_svg(),
-                "The seam as welded against the nominal one: at both joins the same place, direction and curvature.",
-                language,
-            ));
+            blocks.push(figure(taught.charts.to_svg(), TAUGHT, language));
         }
         if let Some(clearance) = &plots.clearance {
             blocks.push(heading("Clearance"));
             if let Some(text) = pass.clearance.as_ref().and_then(|clearance| clearance.nearest_text(language)) {
                 blocks.push(Block::Paragraph(text));
             }
-            blocks.push(figure(
-                clearance.to_svg(),
-                "Least distance of torch, links, part, fixtures and zones from one another, and the bound below which none falls anywhere.",
-                language,
-            ));
+            blocks.push(figure(clearance.to_svg(), CLEARANCE, language));
         }
         blocks.push(heading("Speed"));
         blocks.extend(speed(pass, plots, language));
@@ -131,14 +141,10 @@ impl WeldReport {
         };
         let mut blocks = vec![Block::Paragraph(procedure_text(procedure, figures, language))];
         blocks.extend(drawn.heat_input.as_ref().map(|heat_input| {
-            let caption = "Heat input at the planned speed between run-up and run-down, with its window; shaded where it is outside.";
+            let caption = HEAT_INPUT;
             figure(heat_input.to_svg(), caption, language)
         }));
-        blocks.push(figure(
-            drawn.positions.to_svg(),
-            "Welding position (ISO 6947) by slope of the travel and rotation of the weld's face, as the machine's axes turn the part.",
-            language,
-        ));
+        blocks.push(figure(drawn.positions.to_svg(), POSITIONS, language));
         blocks.push(windows_table(figures, language));
         blocks.push(positions_table(figures, language));
         blocks
@@ -153,8 +159,8 @@ impl WeldReport {
         };
         let mut blocks = vec![
             Block::Paragraph(simulation_text(summary, &self.machine.assumed_drives, language)),
-            figure(path_error.to_svg(), "Distance of the true tip from the seam, normal to it.", language),
-            figure(following.to_svg(), "Set-point less true position of each axis.", language),
+            figure(path_error.to_svg(), PATH_ERROR, language),
+            figure(following.to_svg(), FOLLOWING, language),
             following_table(summary, language),
         ];
         if pass.plan.attitude_error_deg > 0.01 {
@@ -166,7 +172,7 @@ impl WeldReport {
 }
 
 /// Seam, torch and what the torch or beam does on its way.
-fn seam(plots: &Plots, language: Language) -> Vec<Block> {
+pub(super) fn seam(plots: &Plots, language: Language) -> Vec<Block> {
     let drawn = [
         (Some(plots.seam.to_svg()), "Seam with the torch axis asked for, in the job's frame, first-angle projection."),
         (
@@ -196,15 +202,11 @@ fn seam(plots: &Plots, language: Language) -> Vec<Block> {
 fn speed(pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
     let mut blocks = vec![
         Block::Paragraph(speed_text(&pass.certificate, language)),
-        figure(
-            plots.speed.to_svg(),
-            "Speed of the tip along the seam, relative to the work; shaded where it is slower than asked, with the limit that binds.",
-            language,
-        ),
+        figure(plots.speed.to_svg(), SPEED, language),
         bounds_table(&pass.certificate, language),
     ];
     blocks.extend(plots.deviation.as_ref().map(|deviation| {
-        let caption = "Deviation of the simulated speed between run-up and run-down; at its start the drives settle.";
+        let caption = DEVIATION;
         figure(deviation.to_svg(), caption, language)
     }));
     blocks
@@ -218,21 +220,17 @@ fn tracking(pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block>
         Block::Table(tracking::table(&summary.heads, language)),
     ];
     blocks.extend(tracking::beam_table(&summary.heads, language).map(Block::Table));
-    blocks.push(figure(
-        tracked.to_svg(),
-        "Where the joint truly lies beside the planned path, how far the weld lies from it, and how well tracking knew the joint.",
-        language,
-    ));
+    blocks.push(figure(tracked.to_svg(), TRACKED, language));
     blocks
 }
 
 fn axes(pass: &PassFigures, plots: &Plots, language: Language) -> [Block; 4] {
-    let planned = "Planned position, speed and acceleration of each axis against its limits.";
+    let planned = AXES;
     [
         figure(plots.axes.to_svg(), planned, language),
         figure(plots.jerks.to_svg(), "Planned jerk of each axis against its limit.", language),
         axes_table(&pass.plan.axes, language),
-        uses_table(&pass.certificate, language),
+        uses_table(&pass.certificate.uses, language),
     ]
 }
 
@@ -254,20 +252,22 @@ pub(super) fn small(value: f64) -> String {
     format_number(value, 2)
 }
 
-fn paragraph(text: &'static str, language: Language) -> Block {
+pub(super) fn paragraph(text: &'static str, language: Language) -> Block {
     Block::Paragraph(language.say(text).to_owned())
 }
 
-fn figure(svg: String, caption: &'static str, language: Language) -> Block {
+pub(super) fn figure(svg: String, caption: &'static str, language: Language) -> Block {
     Block::Figure { svg, caption: language.say(caption).to_owned() }
 }
 
-fn finding(f: &seamwright_program::Finding, language: Language) -> Finding {
-    let place = if f.to_mm - f.from_mm < 1e-9 {
-        language.fill("s = {0} mm", &[&number(f.from_mm)])
-    } else {
-        language.fill("s = {0} to {1} mm", &[&number(f.from_mm), &number(f.to_mm)])
-    };
+fn finding(group: &FindingGroup<'_>, several: bool, language: Language) -> Finding {
+    let f = group.finding;
+    let mut places: Vec<String> =
+        group.places.iter().take(MAX_PLACES).map(|place| place_text(place, several, language)).collect();
+    let more = group.places.len().saturating_sub(MAX_PLACES);
+    if more > 0 {
+        places.push(language.fill("{0} more places", &[&more.to_string()]));
+    }
     Finding {
         severity: match f.severity() {
             seamwright_program::Severity::Error => Severity::Error,
@@ -275,8 +275,22 @@ fn finding(f: &seamwright_program::Finding, language: Language) -> Finding {
             seamwright_program::Severity::Note => Severity::Note,
         },
         text: said::sentence(language, &f.message),
-        place,
+        place: places.join("; "),
         cure: said::sentence(language, &f.cure),
+    }
+}
+
+/// Where a finding is; with its pass if there are several.
+fn place_text(place: &FindingPlace, several: bool, language: Language) -> String {
+    let at = match place.is_point() {
+        true => language.fill("s = {0} mm", &[&number(place.from_mm)]),
+        false => language.fill("s = {0} to {1} mm", &[&number(place.from_mm), &number(place.to_mm)]),
+    };
+    let (first, last) = (place.first_pass.to_string(), place.last_pass.to_string());
+    match several {
+        false => at,
+        true if first == last => language.fill("pass {0}, {1}", &[&first, &at]),
+        true => language.fill("passes {0} to {1}, {2}", &[&first, &last, &at]),
     }
 }
 

@@ -202,19 +202,25 @@ pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureF
 
 /// What was found against what is allowed.
 pub(super) fn windows_table(figures: &PassProcedureFigures, language: Language) -> Block {
-    let rows = figures.quantities.iter().map(|q| {
-        let (least, greatest) = match q.found {
-            Some((least, greatest)) => (value(least, language), value(greatest, language)),
-            None => ("–".to_owned(), "–".to_owned()),
-        };
-        let allowed = match q.allowed {
-            Some((least, greatest)) => language.fill("{0} to {1}", &[&number(least), &number(greatest)]),
-            None => language.say("not limited").to_owned(),
-        };
-        vec![said::named_value(language, &q.key), least, greatest, allowed, verdict(q, language)]
-    });
+    let rows = figures.quantities.iter().map(|q| window_row(q, verdict(q, language), language));
+    windows(language.say("The plan against the procedure"), rows.collect(), language)
+}
+
+pub(super) fn windows(caption: &str, rows: Vec<Vec<String>>, language: Language) -> Block {
     let head = ["Value", "least", "greatest", "allowed", ""].map(|head| language.say(head));
-    table(language.say("The plan against the procedure"), &head, rows.collect(), 1..3)
+    table(caption, &head, rows, 1..3)
+}
+
+pub(super) fn window_row(q: &QuantityFigures, verdict: String, language: Language) -> Vec<String> {
+    let (least, greatest) = match q.found {
+        Some((least, greatest)) => (value(least, language), value(greatest, language)),
+        None => ("–".to_owned(), "–".to_owned()),
+    };
+    let allowed = match q.allowed {
+        Some((least, greatest)) => language.fill("{0} to {1}", &[&number(least), &number(greatest)]),
+        None => language.say("not limited").to_owned(),
+    };
+    vec![said::named_value(language, &q.key), least, greatest, allowed, verdict]
 }
 
 /// Rounding about zero is zero.
@@ -226,7 +232,7 @@ fn value(v: f64, language: Language) -> String {
     }
 }
 
-fn verdict(q: &QuantityFigures, language: Language) -> String {
+pub(super) fn verdict(q: &QuantityFigures, language: Language) -> String {
     let place = |o: &Outside| language.fill("{0} to {1}", &[&number(o.from_mm), &number(o.to_mm)]);
     let say = |text| language.say(text).to_owned();
     match (q.found, q.allowed, q.outside.as_slice()) {
@@ -243,28 +249,31 @@ fn verdict(q: &QuantityFigures, language: Language) -> String {
 
 /// The positions one after the other.
 pub(super) fn positions_table(figures: &PassProcedureFigures, language: Language) -> Block {
-    let range = |ends: Option<(f64, f64)>| {
-        let said =
-            |(least, greatest)| language.fill("{0} to {1}", &[&format!("{least:.1}"), &format!("{greatest:.1}")]);
-        ends.map_or("–".to_owned(), said)
-    };
     let rows = figures.positions.iter().map(|p| {
         vec![
             p.position.to_string(),
             number(p.from_mm),
             number(p.to_mm),
-            range(p.slope_deg),
-            range(p.rotation_deg),
+            degrees(p.slope_deg, language),
+            degrees(p.rotation_deg, language),
             language.say(if p.allowed { "limit.allowed" } else { "not allowed" }).to_owned(),
         ]
     });
-    let caption = match &figures.positions_allowed {
+    let head = ["Position", "From", "To", "Slope", "Rotation", ""].map(|head| language.say(head));
+    table(&positions_caption(figures, language), &head, rows.collect(), 1..5)
+}
+
+pub(super) fn positions_caption(figures: &PassProcedureFigures, language: Language) -> String {
+    match &figures.positions_allowed {
         None => language.say("Welding positions (mm, degrees); the procedure allows any").to_owned(),
         Some(allowed) => {
             let names: Vec<String> = allowed.iter().map(WeldingPosition::to_string).collect();
             language.fill("Welding positions (mm, degrees); the procedure allows {0}", &[&names.join(", ")])
         }
-    };
-    let head = ["Position", "From", "To", "Slope", "Rotation", ""].map(|head| language.say(head));
-    table(&caption, &head, rows.collect(), 1..5)
+    }
+}
+
+pub(super) fn degrees(ends: Option<(f64, f64)>, language: Language) -> String {
+    let said = |(least, greatest)| language.fill("{0} to {1}", &[&format!("{least:.1}"), &format!("{greatest:.1}")]);
+    ends.map_or("–".to_owned(), said)
 }

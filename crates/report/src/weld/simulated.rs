@@ -41,11 +41,16 @@ pub(super) fn following_table(summary: &Summary, language: Language) -> Block {
 impl ClearanceFigures {
     /// The nearest place in words.
     pub(super) fn nearest_text(&self, language: Language) -> Option<String> {
-        let (between, at) = (self.between.as_ref()?, self.at_mm?);
+        let of = [self.between_text(language)?, number(self.nearest_mm), number(self.at_mm?)];
+        Some(language.fill("Nearest: {0}, {1} mm apart at s = {2} mm.", &of.each_ref().map(String::as_str)))
+    }
+
+    /// Which two things come nearest, in words.
+    pub(super) fn between_text(&self, language: Language) -> Option<String> {
+        let between = self.between.as_ref()?;
         let pair = between
             .split_once(" and ")
             .map(|(a, b)| language.fill("{0} and {1}", &[&said::watched(language, a), &said::watched(language, b)]));
-        let of = [&pair.unwrap_or_else(|| between.clone()), &number(self.nearest_mm), &number(at)];
-        Some(language.fill("Nearest: {0}, {1} mm apart at s = {2} mm.", &of.map(String::as_str)))
+        Some(pair.unwrap_or_else(|| between.clone()))
     }
 }

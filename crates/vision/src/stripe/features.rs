@@ -167,6 +167,37 @@ pub struct Features {
     pub values: ArrayVec<(Quantity, f64), 8>,
     /// 0 to 1; from [`Features::CONFIDENT`] on it may be followed.
     pub confidence: f64,
+    /// What takes most of the confidence, if that is too little to follow it.
+    pub doubt: Option<Doubt>,
+}
+
+/// What takes confidence from a joint that was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum Doubt {
+    /// What is seen does not lie on the joint's lines, or something as bright lies beside them.
+    #[error("much of what is seen is not on the joint's lines: reflections or spatter")]
+    Clutter,
+    /// A part of the joint is seen in few columns.
+    #[error("a part of the joint is seen in fewer than 30 columns: move the sensor nearer or across the whole joint")]
+    Short,
+    /// A part of the joint is not straight.
+    #[error("a part of the joint is not straight: its places are several rows off the line")]
+    Uneven,
+    /// The light on a part has holes, goes on beyond its end, or something hides the end.
+    #[error(
+        "the light does not begin and end where the joint's parts do: dark places on them, light beyond their ends, or \
+         something that hides an end"
+    )]
+    Light,
+    /// The shape is nearly that of another joint.
+    #[error("the shape is at the limit of this kind of joint")]
+    Shape,
+    /// It is far from where it was before.
+    #[error("it is far from where it was expected")]
+    Moved,
+    /// A place or value is no finite number.
+    #[error("a place or a value of it is not known")]
+    Unknown,
 }
 
 impl Features {

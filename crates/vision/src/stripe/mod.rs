@@ -23,7 +23,7 @@ mod segments;
 mod smooth;
 
 pub use chain::StripePoint;
-pub use features::{Expected, Feature, Features, JointKind, NoFeatures, Quantity, StripeTask};
+pub use features::{Doubt, Expected, Feature, Features, JointKind, NoFeatures, Quantity, StripeTask};
 pub use fit::StripeLine;
 pub use segments::Segment;
 

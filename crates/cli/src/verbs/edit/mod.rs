@@ -7,9 +7,12 @@ use crate::args::edit::{EditArgs, EditVerb};
 use crate::failure::Failure;
 use crate::files;
 use crate::rows::{print_json, print_text};
+use seamwright_program::Program;
 use seamwright_program::edit::{Editor, History, Operation, Patch, Report};
+use seamwright_weld::Job;
 use serde_json::{Value, json};
 use std::io::{self, Write as _};
+use std::path::Path;
 
 pub(crate) fn run(args: &EditArgs) -> Result<(), Failure> {
     match (&args.operation, &args.script) {
@@ -28,7 +31,7 @@ pub(crate) fn run(args: &EditArgs) -> Result<(), Failure> {
 
 fn edit(args: &EditArgs, operations: &[Operation]) -> Result<(), Failure> {
     let name = args.file.display().to_string();
-    let text = files::read(&args.file)?;
+    let text = read_program(&args.file)?;
     let (history, is_same) = journal::read(&args.file, &text)?;
     if !is_same {
         // Nothing can be done if standard error is closed.
@@ -42,6 +45,19 @@ fn edit(args: &EditArgs, operations: &[Operation]) -> Result<(), Failure> {
     finish(args, &text, &editor, &reports)
 }
 
+/// Reads the text of a program; refuses a job, which has no passes to be edited yet.
+fn read_program(file: &Path) -> Result<String, Failure> {
+    let text = files::read(file)?;
+    if Job::read(&file.display().to_string(), &text).is_err() || Program::is_in(&text) {
+        return Ok(text);
+    }
+    let stem = file.file_stem().unwrap_or(file.as_os_str()).display();
+    let file = file.display();
+    Err(Failure::Input(format!(
+        "{file}: this is a job, and edits are of programs\n   allowed: plan it first: seamwright plan {file}; then edit out/{stem}/program.toml"
+    )))
+}
+
 /// Undoes an edit, or makes it again.
 fn back(
     args: &EditArgs,
@@ -50,7 +66,7 @@ fn back(
     step: fn(&mut Editor) -> Result<Option<String>, seamwright_document::DocumentError>,
 ) -> Result<(), Failure> {
     let name = args.file.display().to_string();
-    let text = files::read(&args.file)?;
+    let text = read_program(&args.file)?;
     let (history, is_same) = journal::read(&args.file, &text)?;
     if !is_same && !force {
         let message = format!("{name}: the file was changed by hand since its last edit");
@@ -107,7 +123,7 @@ fn difference(before: &str, after: &str) -> Vec<String> {
 }
 
 fn history(args: &EditArgs) -> Result<(), Failure> {
-    let text = files::read(&args.file)?;
+    let text = read_program(&args.file)?;
     let (history, is_same) = journal::read(&args.file, &text)?;
     let names = |patches: &[Patch]| -> Vec<Value> { patches.iter().map(|p| p.name.as_str().into()).collect() };
     if args.json {

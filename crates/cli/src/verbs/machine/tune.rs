@@ -1,7 +1,7 @@
 use super::tuning::{AxisTuning, snippet, table};
 use crate::args::machine::TuneArgs;
 use crate::failure::Failure;
-use crate::files::Output;
+use crate::files::{Output, written_text};
 use crate::load::machine_and_file;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
@@ -27,8 +27,8 @@ pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {
             }
         }
         output.text("tuning.toml", &snippet(file.file(), &tunings))?;
-        for path in output.finish()? {
-            text += &format!("  wrote        {}\n", path.display());
+        for line in written_text(&output.finish()?) {
+            text += &format!("  wrote        {line}\n");
         }
     }
     if args.json {

@@ -2,7 +2,7 @@ use super::open;
 use crate::args::records::ExportArgs;
 use crate::clock;
 use crate::failure::Failure;
-use crate::files::Output;
+use crate::files::{Output, written_text};
 use crate::rows::{print_json, print_text};
 use seamwright_report::recorded_weld_page;
 
@@ -25,6 +25,6 @@ pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {
     if args.data.json {
         return print_json(&detail);
     }
-    let wrote: String = paths.iter().map(|path| format!("wrote {}\n", path.display())).collect();
+    let wrote: String = written_text(&paths).iter().map(|line| format!("wrote {line}\n")).collect();
     print_text(&wrote)
 }

@@ -35,8 +35,11 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
                 let allowed = "--machine, --mm-per-px and --overlay with an image";
                 return Err(Failure::Input(format!("{source}: a profile is in mm already\n   allowed: {allowed}")));
             }
-            let found = reader.read_profile(&points, &task(args, true)?);
-            write(args, &found, None, &source)
+            let task = task(args, true)?;
+            let found = reader.read_profile(&points, &task);
+            let turned = || -> Vec<DVec2> { points.iter().map(|p| DVec2::new(p.x, -p.y)).collect() };
+            let hint = || hint(StripeReader::new().read_profile(&turned(), &task));
+            write(args, &found, None, (&source, &hint))
         }
         Input::Image(image) => {
             let frame = image.frame().map_err(|e| Failure::Input(format!("{source}: {e}")))?;
@@ -45,12 +48,15 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
                 return Err(Failure::Input(format!("{source}: {found}\n   allowed: {width} x {height}, the sensor's")));
             }
             let to_mm = scale.to_mm.or_else(|| even(args.mm_per_px?, &image));
-            let found = reader.read_image(&frame, to_mm.as_ref(), &task(args, to_mm.is_some())?);
+            let task = task(args, to_mm.is_some())?;
+            let found = reader.read_image(&frame, to_mm.as_ref(), &task);
             if let Some(path) = &args.overlay {
                 let png = overlay::draw(&image, &reader, to_mm.as_ref(), found.as_ref().ok())?;
                 files::write_with(path, |out| Ok(out.write_all(&png)?))?;
             }
-            write(args, &found, Some(to_mm.as_ref()), &source)
+            // A map is of the image as it is: upside down only the shape counts.
+            let hint = || hint_of_image(&image, &self::task(args, false).ok()?);
+            write(args, &found, Some(to_mm.as_ref()), (&source, &hint))
         }
     }
 }
@@ -100,12 +106,43 @@ fn task(args: &StripeArgs, in_mm: bool) -> Result<StripeTask, Failure> {
     }
 }
 
-/// Writes what was found; `image` has the map of an image, if it has one.
+/// What to do if the joint is there when everything is turned upside down.
+fn hint(turned: Result<Features, NoFeatures>) -> Option<&'static str> {
+    turned.ok().filter(Features::is_confident)?;
+    Some(
+        "upside down the joint is there: turn the image by 180 degrees or mirror it, so that up is away from the plates",
+    )
+}
+
+/// The same of an image, in pixels.
+fn hint_of_image(image: &Image, task: &StripeTask) -> Option<&'static str> {
+    let flipped = upside_down(image);
+    let frame = flipped.frame().ok()?;
+    hint(StripeReader::new().read_image(&frame, None, task))
+}
+
+/// The image with its last row first.
+fn upside_down(image: &Image) -> Image {
+    fn turned<T: Copy>(pixels: &[T], width: usize) -> Vec<T> {
+        pixels.chunks(width.max(1)).rev().flatten().copied().collect()
+    }
+    match image {
+        Image::U8 { width, height, pixels } => {
+            Image::U8 { width: *width, height: *height, pixels: turned(pixels, *width) }
+        }
+        Image::U16 { width, height, pixels } => {
+            Image::U16 { width: *width, height: *height, pixels: turned(pixels, *width) }
+        }
+    }
+}
+
+/// Writes what was found; `image` has the map of an image, if it has one. Where it may not be followed, what `hint` says
+/// follows the reason.
 fn write(
     args: &StripeArgs,
     found: &Result<Features, NoFeatures>,
     image: Option<Option<&Homography>>,
-    source: &str,
+    (source, hint): (&str, &dyn Fn() -> Option<&'static str>),
 ) -> Result<(), Failure> {
     let place = Place { image };
     if args.json {
@@ -115,18 +152,23 @@ fn write(
     }
     // Nothing can be done if standard error is closed.
     let mut err = io::stderr();
-    match found {
-        Err(why) => {
-            let _ = writeln!(err, "{source}: no joint: {why}");
-            Err(Failure::Printed)
-        }
+    let why = match found {
+        Err(why) => format!("no joint: {why}"),
         Ok(f) if !f.is_confident() => {
-            let (is, least) = (f.confidence, Features::CONFIDENT);
-            let _ = writeln!(err, "note: confidence {is:.2} is below {least}: not to be followed");
-            Ok(())
+            let because = f.doubt.map_or_else(String::new, |doubt| format!(": {doubt}"));
+            format!(
+                "confidence {:.2} is below {}, so it is not to be followed{because}",
+                f.confidence,
+                Features::CONFIDENT
+            )
         }
-        Ok(_) => Ok(()),
+        Ok(_) => return Ok(()),
+    };
+    if let Some(hint) = hint() {
+        let _ = writeln!(err, "hint: {hint}");
     }
+    let _ = writeln!(err, "{source}: {why}");
+    Err(Failure::Printed)
 }
 
 /// How places are written.
@@ -211,6 +253,7 @@ impl Place<'_> {
             "joint": f.kind,
             "confidence": f.confidence,
             "confident": f.is_confident(),
+            "doubt": f.doubt.map(|doubt| doubt.to_string()),
             "points": points,
             "values": values,
         }))

@@ -41,8 +41,8 @@ impl View<'_> {
         }
         let gap = self.fillet_gap((&a, &b), at, change);
         let shorter = f64::from(change.min(last - change)) / f64::from(last);
-        let margin = cover * ramp(inside, -MARGIN_DEG, MARGIN_DEG / 2.0) * ramp(shorter, FACE[0], FACE[1]);
-        let support = Support { share: 1.0, segments: &[a, b], margin, covered: true };
+        let margin = ramp(inside, -MARGIN_DEG, MARGIN_DEG / 2.0) * ramp(shorter, FACE[0], FACE[1]);
+        let support = Support { share: 1.0, segments: &[a, b], margin, cover, covered: true };
         Ok(self.features(&[(Feature::Joint, at)], &[(Quantity::Gap, gap), (Quantity::Angle, angle)], &support))
     }
 

@@ -74,7 +74,7 @@ impl View<'_> {
             return Err(NoFeatures::NoGroove);
         }
         let cover = if hidden { 0.0 } else { self.cover(&self.v_parts(&v, [edge_left, a, b, edge_right])) };
-        let margin = cover * ramp(inside, 0.0, 5.0);
+        let margin = ramp(inside, 0.0, 5.0);
         let values = [
             (Quantity::Gap, gap),
             (Quantity::Mismatch, mismatch(&left, &right, joint, along)),
@@ -91,7 +91,7 @@ impl View<'_> {
             (Feature::LeftRoot, a),
             (Feature::RightRoot, b),
         ];
-        Ok(self.features(&points, &values, &Support { share, segments: &all, margin, covered: true }))
+        Ok(self.features(&points, &values, &Support { share, segments: &all, margin, cover, covered: true }))
     }
 
     /// Shoulder, wall, wall, shoulder of the longest lines that make a groove.

@@ -44,8 +44,8 @@ impl View<'_> {
             Part { course: Course::Line(first.line), columns: (0, a - 1), dark_after: [None, of_left] },
             Part { course: Course::Line(last.line), columns: (b + 1, end), dark_after: [of_right, None] },
         ];
-        let seen = seen * self.cover(&parts);
-        let margin = seen * ramp(height / self.task.least_step, 1.0, 1.2) * ramp(share, 0.7, 0.85);
+        let cover = seen * self.cover(&parts);
+        let margin = ramp(height / self.task.least_step, 1.0, 1.2) * ramp(share, 0.7, 0.85);
         let mut values =
             [(Quantity::Height, height), (Quantity::Bend, turn(&first.line, &last.line)), (Quantity::Gap, 0.0)];
         let known = match self.task.thickness {
@@ -57,6 +57,7 @@ impl View<'_> {
         };
         let points = [(Feature::Joint, lower.line.foot(upper.at)), (Feature::UpperEdge, upper.at)];
         let segments = [first, last];
-        Ok(self.features(&points, &values[..known], &Support { share, segments: &segments, margin, covered: false }))
+        let support = Support { share, segments: &segments, margin, cover, covered: false };
+        Ok(self.features(&points, &values[..known], &support))
     }
 }

@@ -10,7 +10,7 @@ mod round;
 
 use super::Feature;
 use super::edges::{Usual, is_hidden, lit_columns, sub_column};
-use super::features::{Features, JointKind, NoFeatures, Quantity, StripeTask};
+use super::features::{Doubt, Features, JointKind, NoFeatures, Quantity, StripeTask};
 use super::fit::StripeLine;
 use super::light::{Course, Light};
 use super::profile::{Profile, Sample};
@@ -75,6 +75,8 @@ struct Support<'a> {
     segments: &'a [Segment],
     /// 0 to 1: how much better it fits than what it could be confused with.
     margin: f64,
+    /// 0 to 1: how sure it is that the light on its parts begins and ends where they do.
+    cover: f64,
     /// Whether the light on all of it has been looked at, which says more than the chain does.
     covered: bool,
 }
@@ -285,14 +287,24 @@ impl View<'_> {
             _ => 1.0,
         };
         let chain = if support.covered { 1.0 } else { self.followed(support) };
-        let confidence =
-            chain * ramp(columns, 8.0, 30.0) * ramp(worst, 6.0, 2.0) * support.margin.clamp(0.0, 1.0) * innovation;
         let finite = points.iter().all(|p| p.1.is_finite()) && values.iter().all(|v| v.1.is_finite());
+        let factors = [
+            (Doubt::Clutter, chain),
+            (Doubt::Short, ramp(columns, 8.0, 30.0)),
+            (Doubt::Uneven, ramp(worst, 6.0, 2.0)),
+            (Doubt::Light, support.cover),
+            (Doubt::Shape, support.margin.clamp(0.0, 1.0)),
+            (Doubt::Moved, innovation),
+            (Doubt::Unknown, if finite { 1.0 } else { 0.0 }),
+        ];
+        let confidence: f64 = factors.iter().map(|(_, factor)| factor).product();
+        let weakest = factors.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(doubt, _)| doubt);
         Features {
             kind: self.task.joint,
             points: points.iter().copied().collect::<ArrayVec<_, 6>>(),
             values: values.iter().copied().collect::<ArrayVec<_, 8>>(),
             confidence: if finite { confidence.abs() } else { 0.0 },
+            doubt: weakest.filter(|_| !finite || confidence < Features::CONFIDENT),
         }
     }
 }

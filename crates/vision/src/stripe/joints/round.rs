@@ -185,10 +185,11 @@ impl View<'_> {
         // Walls and shoulders meet where the light of the shoulders ends.
         let off = [0, 1].map(|i| edges[i].distance(groove.ends[i]) / self.grain());
         let margin = margin * ramp(off[0].max(off[1]), EDGE_OFF[0], EDGE_OFF[1]);
-        let margin = margin * self.cover(&self.round_parts(groove, sides, roots));
+        let cover = self.cover(&self.round_parts(groove, sides, roots));
         let shoulders = self.share(self.samples(), &groove.shoulders);
         let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;
-        let support = Support { share: shoulders + share * inside, segments: &groove.shoulders, margin, covered: true };
+        let share = shoulders + share * inside;
+        let support = Support { share, segments: &groove.shoulders, margin, cover, covered: true };
         let points = [
             (Feature::Joint, joint),
             (Feature::LeftEdge, edges[0]),

@@ -106,13 +106,12 @@ impl View<'_> {
         ];
         let cover = if hidden { 0.0 } else { self.cover(&parts) };
         let margin = seam.margin
-            * cover
             * ramp(shorter, PLATE[0], PLATE[1])
             * ramp(bend.abs(), BEND[0], BEND[1])
             * ramp(step.abs() / self.task.least_step, 1.0, 0.85);
         let values = [(Quantity::Gap, gap), (Quantity::Mismatch, step), (Quantity::Bend, bend)];
         let points = [(Feature::Joint, joint), (Feature::LeftEdge, a.at), (Feature::RightEdge, b.at)];
-        let support = Support { share: 1.0, segments: &[left, right], margin, covered: true };
+        let support = Support { share: 1.0, segments: &[left, right], margin, cover, covered: true };
         Ok(self.features(&points, &values, &support))
     }
 

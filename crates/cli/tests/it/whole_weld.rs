@@ -1,0 +1,136 @@
+//! The report of a weld of many passes is one of all of them: totals, a table by pass, and what is found said once.
+
+use crate::common::{example, good};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+/// The example of many passes, planned: standard output, report.json, report.html.
+fn planned(folder: &Path) -> (String, Value, String) {
+    let out = folder.join("weld");
+    let summary = good(&["plan", &example("thick-saddle"), "-o", &out.display().to_string()]);
+    let json = serde_json::from_str(&fs::read_to_string(out.join("report.json")).unwrap()).unwrap();
+    (summary, json, fs::read_to_string(out.join("report.html")).unwrap())
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value}"))
+}
+
+/// What the tile called `label` shows.
+fn tile(page: &str, label: &str) -> f64 {
+    let tile = page.split("<dl class=\"tile").find(|tile| tile.contains(&format!("<dt>{label}</dt>"))).unwrap();
+    let value = tile.split("<dd class=\"value\">").nth(1).unwrap().split('<').next().unwrap();
+    value.replace('\u{2212}', "-").parse().unwrap()
+}
+
+/// The cells of the rows of the table whose caption contains `caption`.
+fn table(page: &str, caption: &str) -> Vec<Vec<String>> {
+    let table =
+        page.split("<table>").find(|table| table.split("</caption>").next().unwrap().contains(caption)).unwrap();
+    let rows = table.split("</table>").next().unwrap().split("<tr>").skip(1);
+    let cells = |row: &str| {
+        let cells = row.split("</t").filter_map(|cell| cell.rsplit_once('>').map(|(_, text)| text.to_owned()));
+        cells.collect::<Vec<_>>()
+    };
+    rows.map(cells).collect()
+}
+
+#[test]
+fn figures_of_many_passes_are_those_of_the_whole_weld() {
+    let folder = tempfile::tempdir().unwrap();
+    let (summary, report, page) = planned(folder.path());
+    let (totals, passes) = (&report["totals"], report["passes"].as_array().unwrap());
+    assert!(passes.len() > 10 && totals["passes"] == passes.len(), "{totals}");
+    // Each pass has a steady current, voltage and wire feed: energy and wire are these times the arc's time.
+    let [mut energy, mut wire, mut arc, mut travel, mut length] = [0.0; 5];
+    for pass in passes {
+        let steady = |name: &str| {
+            let ends = &pass["process_range"][name];
+            assert_eq!(ends[0], ends[1], "{name}");
+            number(&ends[0])
+        };
+        let arc_on = number(&pass["plan"]["arc_on_s"]);
+        let kj = steady("current_a") * steady("voltage_v") * arc_on / 1000.0;
+        assert!((number(&pass["arc_energy_kj"]) / kj - 1.0).abs() < 1e-9, "{}", pass["name"]);
+        let metres = steady("wire_feed_m_min") * arc_on / 60.0;
+        assert!((number(&pass["wire_m"]) / metres - 1.0).abs() < 1e-9, "{}", pass["name"]);
+        (energy, wire, arc) = (energy + kj, wire + metres, arc + arc_on);
+        travel += number(&pass["plan"]["weld_s"]);
+        length += number(&pass["plan"]["length_mm"]);
+    }
+    let same = |key: &str, sum: f64| assert!((number(&totals[key]) / sum - 1.0).abs() < 1e-9, "{key}: {totals}");
+    same("arc_energy_kj", energy);
+    same("wire_m", wire);
+    same("arc_on_s", arc);
+    same("weld_s", travel);
+    same("length_mm", length);
+    assert_eq!(totals["total_s"], report["total_s"]);
+    // A tack alone is welded in seconds.
+    assert!(travel > 100.0 * number(&report["plan"]["weld_s"]));
+    // The page and the command line say the same, to the digits that they have.
+    assert!((tile(&page, "Weld time") / travel - 1.0).abs() < 1e-3, "{}", tile(&page, "Weld time"));
+    assert!((tile(&page, "Arc-on time") / arc - 1.0).abs() < 1e-3);
+    assert!((tile(&page, "Wire") / wire - 1.0).abs() < 1e-3);
+    assert!(summary.contains(&format!("{travel:.2} s travel, {arc:.2} s arc on")), "{summary}");
+    assert!(summary.contains(&format!("{wire:.2} m of wire")), "{summary}");
+}
+
+#[test]
+fn each_pass_has_its_row_and_none_stands_for_the_weld() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, report, page) = planned(folder.path());
+    let passes = report["passes"].as_array().unwrap();
+    let rows = table(&page, "What each pass is welded with");
+    let column = |name: &str| rows[0].iter().position(|head| head == name).unwrap_or_else(|| panic!("{:?}", rows[0]));
+    let (feed, current) = (column("wire_feed_m_min"), column("current_a"));
+    // Passes that are alike share a row.
+    let numbers = |text: &str| {
+        let ends: Vec<usize> = text.split(" to ").map(|n| n.parse().unwrap()).collect();
+        ends[0]..=*ends.last().unwrap()
+    };
+    let (last, by_pass) = rows[1..].split_last().unwrap();
+    let covered: Vec<usize> = by_pass.iter().flat_map(|row| numbers(&row[0])).collect();
+    assert_eq!(covered, (1..=passes.len()).collect::<Vec<_>>());
+    for row in by_pass {
+        for pass in numbers(&row[0]).map(|n| &passes[n - 1]["process_range"]) {
+            assert_eq!(row[current].parse::<f64>().unwrap(), number(&pass["current_a"][0]));
+            assert_eq!(row[feed].parse::<f64>().unwrap(), number(&pass["wire_feed_m_min"][0]));
+        }
+    }
+    let wire: f64 = last[column("Wire, m")].parse().unwrap();
+    assert!((wire / number(&report["totals"]["wire_m"]) - 1.0).abs() < 1e-3);
+    // The job's table has nothing of one pass.
+    assert!(!table(&page, "Job data").iter().flatten().any(|cell| cell == "current_a"));
+}
+
+#[test]
+fn what_is_found_in_many_passes_is_said_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let (summary, report, page) = planned(folder.path());
+    let mut messages: Vec<&str> =
+        report["findings"].as_array().unwrap().iter().map(|f| f["message"].as_str().unwrap()).collect();
+    let all = messages.len();
+    messages.sort_unstable();
+    messages.dedup();
+    assert!(messages.len() < all, "the example has no finding twice: {messages:?}");
+    for message in messages {
+        assert_eq!(summary.matches(message).count(), 1, "{message}: {summary}");
+    }
+    assert_eq!(page.matches("<li>").count(), report_groups(&report), "{}", report["findings"]);
+    for text in [&summary, &page] {
+        assert!(!text.to_lowercase().contains("none needed"));
+    }
+    // One line says what was written, and the page is one that somebody reads.
+    assert_eq!(summary.matches("wrote").count(), 1, "{summary}");
+    assert!(page.matches("<figure").count() < 40, "{}", page.matches("<figure").count());
+}
+
+/// Findings that differ in kind, message or cure.
+fn report_groups(report: &Value) -> usize {
+    let key = |f: &Value| ["kind", "message", "cure", "allowed"].map(|key| f[key].to_string());
+    let mut keys: Vec<_> = report["findings"].as_array().unwrap().iter().map(key).collect();
+    keys.sort();
+    keys.dedup();
+    keys.len()
+}

@@ -1,0 +1,294 @@
+//! A weld of several passes on its page: tables by pass, and the curves of one pass of each kind. The curves of all passes
+//! would fill a book, and say the same again and again.
+
+use super::Plots;
+use super::certificate::UseFigures;
+use super::figures::{PassFigures, WeldReport};
+use super::limits::{axes_table, speed_text, uses_table};
+use super::overview::range;
+use super::page::{figure, number, paragraph, seam, small};
+use super::plan::AxisFigures;
+use super::simulated::simulation_text;
+use super::tracking;
+use crate::{Block, Chart, ChartGrid, Language, Table, format_number, said};
+
+/// A column of a table by pass: its heading and what a pass has in it.
+type Column<'a> = (String, Box<dyn Fn(&PassFigures) -> String + 'a>);
+
+/// Stands for a value that a pass does not have.
+const NONE: &str = "–";
+
+impl WeldReport {
+    /// What is said of all passes, before the job.
+    pub(super) fn all_passes(&self, plots: &[Plots], language: Language) -> Vec<Block> {
+        let heading = |text| Block::Heading(language.say(text).to_owned());
+        let mut blocks = vec![heading("Passes"), self.passes_table(language)];
+        let first = plots.first();
+        blocks.push(heading("Order of welding"));
+        blocks.extend(first.and_then(|plots| plots.order.as_ref()).map(|order| {
+            let caption = "Passes numbered in the order of welding. Dashed: the torch in the air, drawn straight from end to start.";
+            figure(order.to_svg(), caption, language)
+        }));
+        blocks.push(self.order_table(language));
+        if let Some(sections) = first.and_then(|plots| plots.sections.as_ref()) {
+            blocks.push(heading("Joint"));
+            blocks.push(figure(sections.to_svg(), super::page::SECTIONS, language));
+        }
+        blocks.extend(self.procedure_of_all(language));
+        blocks.push(heading("Checks"));
+        blocks.push(self.checks_table(language));
+        blocks.push(axes_table(&self.axes_of_all(), language));
+        blocks.push(uses_table(&self.uses_of_all(), language));
+        blocks.extend(self.simulated_of_all(language));
+        blocks
+    }
+
+    /// The curves of one pass of each kind.
+    pub(super) fn curves(&self, plots: &[Plots], language: Language) -> Vec<Block> {
+        let mut blocks = vec![
+            Block::Heading(language.say("Curves").to_owned()),
+            paragraph(
+                "Curves of one pass of each kind: one with a finding against it, or else the longest. Planning at the command line writes those of every pass.",
+                language,
+            ),
+        ];
+        for i in self.typical_passes() {
+            let (pass, Some(plots)) = (&self.passes[i], plots.get(i)) else { continue };
+            let number = (i + 1).to_string();
+            let what = language.say("Curves");
+            blocks.push(Block::Heading(language.fill("Pass {0} ({1}): {2}", &[&number, &pass.name, what])));
+            blocks.extend(pass_curves(pass, plots, language));
+        }
+        blocks
+    }
+
+    /// One pass of each role, in the order of welding: one with a finding against it, or else the longest.
+    fn typical_passes(&self) -> Vec<usize> {
+        let weight = |i: usize| {
+            let against = self.findings.iter().any(|f| f.pass == i + 1 && !f.allowed);
+            (against, self.passes[i].plan.length_mm)
+        };
+        let mut typical: Vec<usize> = Vec::new();
+        for i in 0..self.passes.len() {
+            match typical.iter_mut().find(|known| self.passes[**known].role == self.passes[i].role) {
+                Some(known) if weight(i) > weight(*known) => *known = i,
+                Some(_) => {}
+                None => typical.push(i),
+            }
+        }
+        typical.sort_unstable();
+        typical
+    }
+
+    /// What each pass is welded with, and what it comes to; passes that are alike in one row.
+    fn passes_table(&self, language: Language) -> Block {
+        let say = |text: &'static str| language.say(text).to_owned();
+        let mut names: Vec<&String> = self.passes.iter().flat_map(|pass| pass.process_range.keys()).collect();
+        names.sort_unstable();
+        names.dedup();
+        let mut columns: Vec<Column<'_>> = Vec::new();
+        for name in names {
+            let value = move |pass: &PassFigures| optional(pass.process_range.get(name).map(|r| range(*r, language)));
+            columns.push((said::named_value(language, name), Box::new(value)));
+        }
+        let speed = |pass: &PassFigures| range((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s), language);
+        columns.push((say("Speed, mm/s"), Box::new(speed)));
+        if self.passes.iter().any(|pass| pass.plan.arc_energy_kj_mm.is_some()) {
+            let energy = |pass: &PassFigures| optional(pass.plan.arc_energy_kj_mm.map(|e| short_range(e, language)));
+            columns.push((say("Arc energy, kJ/mm"), Box::new(energy)));
+        }
+        if self.passes.iter().any(|pass| pass.heat_input_kj_mm().is_some()) {
+            let heat = |pass: &PassFigures| optional(pass.heat_input_kj_mm().map(|h| short_range(h, language)));
+            columns.push((say("Heat input, kJ/mm"), Box::new(heat)));
+        }
+        columns.push((say("Length, mm"), Box::new(|pass| number(pass.plan.length_mm))));
+        columns.push((say("Travel, s"), Box::new(|pass| number(pass.plan.weld_s))));
+        columns.push((say("Arc on, s"), Box::new(|pass| number(pass.plan.arc_on_s))));
+        if self.totals.wire_m.is_some_and(|wire| wire > 0.0) {
+            columns.push((say("Wire, m"), Box::new(|pass| optional(pass.wire_m.map(|m| format_number(m, 3))))));
+        }
+        let caption = language.say("What each pass is welded with, of the plan");
+        let mut by_pass = by_pass(&self.passes, &columns, caption, language);
+        by_pass.rows.push(self.sums(&by_pass, columns.len(), language));
+        Block::Table(by_pass)
+    }
+
+    /// The last row of the table of passes: sums under the columns that have some.
+    fn sums(&self, table: &Table, columns: usize, language: Language) -> Vec<String> {
+        let totals = &self.totals;
+        let sums = [
+            ("Length, mm", Some(totals.length_mm)),
+            ("Travel, s", Some(totals.weld_s)),
+            ("Arc on, s", Some(totals.arc_on_s)),
+            ("Wire, m", totals.wire_m),
+        ];
+        let sum = |head: &String| {
+            let found = sums.iter().find(|(name, _)| language.say(name) == head);
+            found.and_then(|(_, value)| *value).map_or_else(String::new, number)
+        };
+        let all = [String::new(), language.say("all passes").to_owned()];
+        all.into_iter().chain(table.head[2..columns + 2].iter().map(sum)).collect()
+    }
+
+    /// What was checked of each pass.
+    fn checks_table(&self, language: Language) -> Block {
+        let say = |text: &'static str| language.say(text).to_owned();
+        let mut columns: Vec<Column<'_>> = vec![
+            (
+                say("As fast as asked, %"),
+                Box::new(|pass: &PassFigures| format_number(pass.certificate.at_asked_percent, 3)),
+            ),
+            (say("Attitude error, deg"), Box::new(|pass: &PassFigures| small(pass.plan.attitude_error_deg))),
+        ];
+        if self.passes.iter().any(|pass| pass.clearance.is_some()) {
+            let nearest = |pass: &PassFigures| match &pass.clearance {
+                Some(c) if c.between.is_some() => number(c.nearest_mm),
+                Some(c) => language.fill("more than {0}", &[&number(c.nearest_mm)]),
+                None => NONE.to_owned(),
+            };
+            columns.push((say("Nearest, mm"), Box::new(nearest)));
+            let between = |pass: &PassFigures| optional(pass.clearance.as_ref().and_then(|c| c.between_text(language)));
+            columns.push((say("between"), Box::new(between)));
+        }
+        let mut by_pass = by_pass(&self.passes, &columns, language.say("Checks of each pass"), language);
+        if let Some(last) = by_pass.numeric.get_mut(5) {
+            *last = false;
+        }
+        Block::Table(by_pass)
+    }
+
+    /// Where the axes go in any pass.
+    fn axes_of_all(&self) -> Vec<AxisFigures> {
+        let mut passes = self.passes.iter().map(|pass| &pass.plan.axes);
+        let mut all = passes.next().cloned().unwrap_or_default();
+        for axes in passes {
+            for (all, axis) in all.iter_mut().zip(axes) {
+                (all.min, all.max) = (all.min.min(axis.min), all.max.max(axis.max));
+            }
+        }
+        all
+    }
+
+    /// The greatest use of limits in any pass.
+    fn uses_of_all(&self) -> Vec<UseFigures> {
+        let mut passes = self.passes.iter().map(|pass| &pass.certificate.uses);
+        let mut all = passes.next().cloned().unwrap_or_default();
+        for uses in passes {
+            for (all, used) in all.iter_mut().zip(uses) {
+                all.speed_percent = all.speed_percent.max(used.speed_percent);
+                all.acceleration_percent = all.acceleration_percent.max(used.acceleration_percent);
+                all.jerk_percent = all.jerk_percent.max(used.jerk_percent);
+            }
+        }
+        all
+    }
+
+    /// What the simulated passes did, if they were simulated.
+    fn simulated_of_all(&self, language: Language) -> Vec<Block> {
+        let Some((_, worst)) = self.worst_simulated() else { return Vec::new() };
+        let heading = |text| Block::Heading(language.say(text).to_owned());
+        let say = |text: &'static str| language.say(text).to_owned();
+        let simulated = |of: fn(&seamwright_cell::Summary) -> Option<f64>| -> Box<dyn Fn(&PassFigures) -> String> {
+            Box::new(move |pass| optional(pass.simulation.as_ref().and_then(of).map(small)))
+        };
+        let columns: [Column<'_>; 3] = [
+            (say("Path error, mm"), simulated(|s| s.welded.then_some(s.path_error_mm.max))),
+            (say("RMS, mm"), simulated(|s| s.welded.then_some(s.path_error_mm.rms))),
+            (say("Speed ripple, %"), simulated(|s| s.speed_ripple.map(|ripple| 100.0 * ripple))),
+        ];
+        let caption = language.say("What each simulated pass did");
+        let mut blocks = vec![
+            heading("Simulated weld"),
+            Block::Paragraph(simulation_text(worst, &self.machine.assumed_drives, language)),
+            Block::Table(by_pass(&self.passes, &columns, caption, language)),
+        ];
+        let heads = |pass: &PassFigures| pass.simulation.as_ref().map_or(0, |s| s.heads.len());
+        if self.passes.iter().any(|pass| heads(pass) > 0) {
+            blocks.push(heading("Tracking"));
+            blocks.extend(self.tracked_of_all(language));
+        }
+        blocks
+    }
+
+    /// How far each pass lies from the joint.
+    fn tracked_of_all(&self, language: Language) -> Option<Block> {
+        let mut all: Option<Table> = None;
+        for (i, pass) in self.passes.iter().enumerate() {
+            let Some(simulation) = pass.simulation.as_ref().filter(|s| !s.heads.is_empty()) else { continue };
+            let mut of_pass = tracking::table(&simulation.heads, language);
+            of_pass.rows.iter_mut().for_each(|row| row.insert(0, (i + 1).to_string()));
+            match &mut all {
+                Some(all) => all.rows.append(&mut of_pass.rows),
+                None => {
+                    of_pass.head.insert(0, language.say("Pass").to_owned());
+                    of_pass.numeric.insert(0, false);
+                    all = Some(of_pass);
+                }
+            }
+        }
+        all.map(Block::Table)
+    }
+}
+
+/// A table with a row a pass; passes that follow one another and have the same in all columns share one.
+fn by_pass(passes: &[PassFigures], columns: &[Column<'_>], caption: &str, language: Language) -> Table {
+    let mut rows: Vec<(usize, usize, Vec<String>)> = Vec::new();
+    for (i, pass) in passes.iter().enumerate() {
+        let cells: Vec<String> = columns.iter().map(|(_, of)| of(pass)).collect();
+        match rows.last_mut() {
+            Some((_, last, same)) if *same == cells => *last = i,
+            _ => rows.push((i, i, cells)),
+        }
+    }
+    let row = |(first, last, cells): (usize, usize, Vec<String>)| {
+        let (numbers, names) = match first == last {
+            true => ((first + 1).to_string(), passes[first].name.clone()),
+            false => (
+                language.fill("{0} to {1}", &[&(first + 1).to_string(), &(last + 1).to_string()]),
+                format!("{} … {}", passes[first].name, passes[last].name),
+            ),
+        };
+        [numbers, names].into_iter().chain(cells).collect()
+    };
+    let head = [language.say("Pass"), language.say("Name")].map(str::to_owned);
+    Table {
+        caption: caption.to_owned(),
+        numeric: (0..columns.len() + 2).map(|column| column > 1).collect(),
+        head: head.into_iter().chain(columns.iter().map(|(head, _)| head.clone())).collect(),
+        rows: rows.into_iter().map(row).collect(),
+    }
+}
+
+fn optional(text: Option<String>) -> String {
+    text.unwrap_or_else(|| NONE.to_owned())
+}
+
+/// A range to three digits.
+fn short_range((low, high): (f64, f64), language: Language) -> String {
+    let ends = [low, high].map(|value| format_number(value, 3));
+    if ends[0] == ends[1] { ends[0].clone() } else { language.fill("{0} to {1}", &ends.each_ref().map(String::as_str)) }
+}
+
+/// The drawings of one pass.
+fn pass_curves(pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
+    let mut blocks = seam(plots, language);
+    for taught in &plots.taught {
+        blocks.push(Block::Paragraph(taught.text.clone()));
+        blocks.push(figure(taught.charts.to_svg(), super::page::TAUGHT, language));
+    }
+    let procedure = plots.procedure.as_ref();
+    let drawn = [
+        (procedure.and_then(|p| p.heat_input.as_ref()).map(Chart::to_svg), super::page::HEAT_INPUT),
+        (procedure.map(|p| p.positions.to_svg()), super::page::POSITIONS),
+        (plots.clearance.as_ref().map(Chart::to_svg), super::page::CLEARANCE),
+        (Some(plots.speed.to_svg()), super::page::SPEED),
+        (plots.deviation.as_ref().map(Chart::to_svg), super::page::DEVIATION),
+        (plots.tracking.as_ref().map(ChartGrid::to_svg), super::page::TRACKED),
+        (plots.path_error.as_ref().map(Chart::to_svg), super::page::PATH_ERROR),
+        (plots.following.as_ref().map(ChartGrid::to_svg), super::page::FOLLOWING),
+        (Some(plots.axes.to_svg()), super::page::AXES),
+    ];
+    blocks.extend(drawn.into_iter().filter_map(|(svg, caption)| Some(figure(svg?, caption, language))));
+    blocks.insert(0, Block::Paragraph(speed_text(&pass.certificate, language)));
+    blocks
+}

@@ -1,0 +1,142 @@
+//! The passes of each run of the procedure together: what they do against what it allows.
+
+use super::figures::WeldReport;
+use super::page::{number, table};
+use super::procedure::{
+    PassProcedureFigures, QuantityFigures, degrees, positions_caption, procedure_text, verdict, window_row, windows,
+};
+use crate::{Block, Language};
+use seamwright_program::WeldingPosition;
+
+/// The passes of one run.
+struct RunPasses<'a> {
+    /// Number, counted from 1, and figures of each.
+    passes: Vec<(usize, &'a PassProcedureFigures)>,
+}
+
+/// All stretches in one welding position.
+struct PositionSum {
+    position: WeldingPosition,
+    allowed: bool,
+    length_mm: f64,
+    slope_deg: Option<(f64, f64)>,
+    rotation_deg: Option<(f64, f64)>,
+    passes: Vec<usize>,
+}
+
+impl WeldReport {
+    /// All passes against their procedure, run by run, if there is one.
+    pub(super) fn procedure_of_all(&self, language: Language) -> Vec<Block> {
+        let Some(procedure) = &self.procedure else { return Vec::new() };
+        let mut runs: Vec<RunPasses<'_>> = Vec::new();
+        let passes = self.passes.iter().zip(1..).filter_map(|(pass, number)| Some((number, pass.procedure.as_ref()?)));
+        for pass in passes {
+            let kind = |figures: &PassProcedureFigures| (figures.run.clone(), figures.joint);
+            match runs.iter_mut().find(|run| kind(run.passes[0].1) == kind(pass.1)) {
+                Some(run) => run.passes.push(pass),
+                None => runs.push(RunPasses { passes: vec![pass] }),
+            }
+        }
+        let mut blocks = vec![Block::Heading(language.say("record.procedure").to_owned())];
+        for run in &runs {
+            blocks.push(Block::Paragraph(procedure_text(procedure, run.first(), language)));
+            blocks.push(run.windows_table(language));
+            blocks.push(run.positions_table(language));
+        }
+        blocks
+    }
+}
+
+impl<'a> RunPasses<'a> {
+    fn first(&self) -> &'a PassProcedureFigures {
+        self.passes[0].1
+    }
+
+    fn windows_table(&self, language: Language) -> Block {
+        let rows = self.first().quantities.iter().map(|q| {
+            let (all, outside) = self.quantity(q);
+            let verdict = match outside.is_empty() {
+                true => verdict(&all, language),
+                false => language.fill("outside: pass {0}", &[&numbers(&outside, language)]),
+            };
+            window_row(&all, verdict, language)
+        });
+        let passes: Vec<usize> = self.passes.iter().map(|(number, _)| *number).collect();
+        let caption = language.fill("The plan against the procedure, pass {0}", &[&numbers(&passes, language)]);
+        windows(&caption, rows.collect(), language)
+    }
+
+    /// The quantity with the extremes of all passes, and the passes in which it is outside.
+    fn quantity(&self, of: &QuantityFigures) -> (QuantityFigures, Vec<usize>) {
+        let (mut found, mut outside) = (None, Vec::new());
+        for (number, figures) in &self.passes {
+            for q in figures.quantities.iter().filter(|q| q.key == of.key) {
+                found = wider(found, q.found);
+                if !q.outside.is_empty() {
+                    outside.push(*number);
+                }
+            }
+        }
+        (QuantityFigures { found, outside: Vec::new(), ..of.clone() }, outside)
+    }
+
+    fn positions_table(&self, language: Language) -> Block {
+        let rows = self.positions().into_iter().map(|sum| {
+            vec![
+                sum.position.to_string(),
+                numbers(&sum.passes, language),
+                number(sum.length_mm),
+                degrees(sum.slope_deg, language),
+                degrees(sum.rotation_deg, language),
+                language.say(if sum.allowed { "limit.allowed" } else { "not allowed" }).to_owned(),
+            ]
+        });
+        let head = ["Position", "Pass", "Length, mm", "Slope", "Rotation", ""].map(|head| language.say(head));
+        table(&positions_caption(self.first(), language), &head, rows.collect(), 2..5)
+    }
+
+    fn positions(&self) -> Vec<PositionSum> {
+        let mut sums: Vec<PositionSum> = Vec::new();
+        for (number, figures) in &self.passes {
+            for p in &figures.positions {
+                let i = sums.iter().position(|sum| sum.position == p.position).unwrap_or_else(|| {
+                    sums.push(PositionSum {
+                        position: p.position,
+                        allowed: p.allowed,
+                        length_mm: 0.0,
+                        slope_deg: None,
+                        rotation_deg: None,
+                        passes: Vec::new(),
+                    });
+                    sums.len() - 1
+                });
+                let sum = &mut sums[i];
+                sum.length_mm += p.to_mm - p.from_mm;
+                sum.slope_deg = wider(sum.slope_deg, p.slope_deg);
+                sum.rotation_deg = wider(sum.rotation_deg, p.rotation_deg);
+                if sum.passes.last() != Some(number) {
+                    sum.passes.push(*number);
+                }
+            }
+        }
+        sums
+    }
+}
+
+/// The range that holds both.
+fn wider(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
+        _ => a.or(b),
+    }
+}
+
+/// Increasing numbers of passes: `1 to 4, 6`.
+fn numbers(passes: &[usize], language: Language) -> String {
+    let runs = passes.chunk_by(|a, b| *b == a + 1);
+    let text = |run: &[usize]| match run {
+        [first, .., last] => language.fill("{0} to {1}", &[&first.to_string(), &last.to_string()]),
+        _ => run.iter().map(usize::to_string).collect(),
+    };
+    runs.map(text).collect::<Vec<_>>().join(", ")
+}
