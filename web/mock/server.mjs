@@ -18,7 +18,7 @@ let holder = null;
 let stations = 0;
 const all = (message) => sockets.forEach((_, socket) => socket.send(JSON.stringify(message)));
 const cell = new Cell(all);
-const jobs = new Map(['saddle.toml', 'ellipse.toml', 't-joint.toml'].map((name) => [name, { text: readFileSync(new URL(name, examples), 'utf8'), example: true }]));
+const jobs = new Map(['saddle.toml', 'ellipse.toml', 't-joint.toml', 'hillside.toml'].map((name) => [name, { text: readFileSync(new URL(name, examples), 'utf8'), example: true }]));
 const row = ([name, { text, example }]) => ({ name, title: /title = "(.*)"/.exec(text)?.[1] ?? name, example });
 const weld = { id: 1, part: 'N-17', title: work(1, 'saddle.toml', null).title, simulated: true, begun: '2026-01-02T10:00:00Z', ended: '2026-01-02T10:06:00Z', result: 'good', note: '', machine: machine.name, procedure: '135-saddle', welder: 'A. Welder', heat_input_kj_mm: [0.61, 0.65, 0.7], worst_deviation_mm: [0.12, 804.2] };
 

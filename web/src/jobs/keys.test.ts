@@ -9,7 +9,7 @@ vi.stubGlobal('navigator', { languages: ['en'] });
 /** Names of axes and of process values beyond the usual are the file's own. */
 const OWN = new Set(['a', 'b', 's', 'a_mm', 'b_mm', 's_mm']);
 
-test('every key of the examples and of added tables has words in every language', async () => {
+test('every key of the examples, of added tables and of those that the format allows has words in every language', async () => {
   const { words, languages } = await import('../words/index.svelte');
   const { keyTitle, tableTitle } = await import('./keys');
   const names = new Set([...ADDABLE, ...Object.entries(PREPARATIONS).flatMap(([kind, sizes]) => [kind, ...Object.keys(sizes)])]);
@@ -21,6 +21,11 @@ test('every key of the examples and of added tables has words in every language'
       }
     }
   }
+  const schema = readFileSync(new URL('../../../docs/schema/job.json', import.meta.url), 'utf8');
+  JSON.parse(schema, (key, value: unknown) => {
+    if (key === 'properties' && typeof value === 'object' && value !== null) for (const name of Object.keys(value)) names.add(name);
+    return value;
+  });
   const wanted = [...names].filter((name) => /[a-z]/.test(name) && name !== 'schema' && !OWN.has(name));
   expect(wanted.length).toBeGreaterThan(100);
   for (const language of Object.keys(languages) as (keyof typeof languages)[]) {

@@ -74,6 +74,43 @@ async fn clearance_is_told_along_the_passes() {
     assert_eq!(draft["fixtures"][0]["frame"][11], 5000.0);
 }
 
+/// A collision of a job for another machine than the cell's: the machine is there to be drawn, its axes and the pair that is too near.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_collision_of_a_job_for_another_machine_can_be_seen() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    let text = example(&bench, &owner, "saddle.toml").await;
+    let plan = async |text: &str| {
+        let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": text })))).await;
+        answer["work"].clone()
+    };
+    let place = plan(&text).await["passes"][0]["path"][200].clone();
+    let (tip, torch) = (numbers(&place["tip"]), numbers(&place["torch"]));
+    // In the torch, 60 mm over its tip.
+    let at: Vec<f64> = tip.iter().zip(&torch).map(|(tip, out)| tip + 60.0 * out).collect();
+    let ball = format!(
+        "{text}\n[[fixtures]]\nname = \"ball\"\nshape.sphere = {{ radius_mm = 12 }}\nat = {{ move_mm = {at:?} }}\n"
+    );
+    let work = plan(&ball).await;
+    assert_eq!(work["good"], false);
+    let findings = work["findings"].as_array().unwrap();
+    let hit = findings.iter().find(|f| f["kind"] == "clearance" && f["message"].as_str().unwrap().contains("ball"));
+    let hit = hit.unwrap_or_else(|| panic!("{findings:?}"));
+    let near = &hit["nearest"];
+    assert!(near["between"].as_array().unwrap().contains(&json!("ball")), "{hit}");
+    assert!(near["distance_mm"].as_f64().unwrap() < near["least_mm"].as_f64().unwrap(), "{hit}");
+    let machine = |name: &str| owner.request("GET", &format!("/api/machine/of-job?name={name}"), None);
+    let (status, machine_view) = bench.ask(machine(work["machine"].as_str().unwrap())).await;
+    assert_eq!(status, StatusCode::OK, "{machine_view}");
+    assert_eq!(machine_view["name"], work["machine"]);
+    assert_eq!(machine_view["axes"].as_array().unwrap().len(), numbers(&hit["axes"]).len());
+    let solids = machine_view["solids"].as_array().unwrap();
+    let other = near["between"].as_array().unwrap().iter().find(|name| **name != "ball").unwrap();
+    assert!(solids.iter().any(|solid| solid["name"] == *other), "{other}");
+    assert_eq!(bench.ask(machine("nothing-like-it")).await.0, StatusCode::NOT_FOUND);
+    assert_ne!(bench.ask(machine("../../secret.toml")).await.0, StatusCode::OK);
+}
+
 /// A plan has the axes of its own machine, a number of each sample for each: the cell has another machine.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_plan_names_the_axes_of_its_machine() {

@@ -1,0 +1,58 @@
+// The form of a job: everything that the file has is there, and what the format allows can be added.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { hasBrowser, launch, page } from './browser.mjs';
+import { startMock } from './cell.mjs';
+import { axe, open, tab } from './operator.mjs';
+
+const options = { skip: hasBrowser ? false : 'no Chromium' };
+let cell;
+let browser;
+let one;
+
+before(async () => {
+  if (!hasBrowser) return;
+  cell = await startMock();
+  browser = await launch();
+  one = await page(browser);
+});
+after(async () => {
+  await browser?.close();
+  await cell?.end();
+});
+
+const table = (name) => one.locator('fieldset', { has: one.locator(`legend[title="${name}"]`) });
+const text = async () => {
+  await one.getByRole('button', { name: 'Text', exact: true }).click();
+  const lines = await one.locator('.cm-content').innerText();
+  await one.getByRole('button', { name: 'Form', exact: true }).click();
+  return lines;
+};
+
+test('values of nested inline tables can be read and changed', options, async () => {
+  await open(one, cell.address);
+  await tab(one, 'Jobs');
+  await one.locator('li.card', { hasText: 'Hillside' }).getByRole('button', { name: 'Use' }).click();
+  const beads = table('beads');
+  await beads.waitFor();
+  const current = beads.getByRole('textbox', { name: 'current [A]' });
+  assert.equal(await current.inputValue(), '150');
+  assert.equal(await beads.getByRole('textbox', { name: 'layer [mm]' }).count(), 3);
+  for (const field of await beads.getByRole('textbox').all()) assert.ok((await field.boundingBox()).width >= 72);
+  await current.fill('155');
+  assert.match(await text(), /process = \{ current_a = 155, voltage_v = 18/);
+});
+
+test('a value that the format allows can be added, with what it means', options, async () => {
+  const shell = table('seam.nozzle.body.cylinder');
+  const add = shell.getByRole('combobox', { name: 'Add a value' });
+  assert.match(await add.locator('option[value="thickness_mm"]').getAttribute('title'), /Thickness of the wall/);
+  await add.selectOption('thickness_mm');
+  const thickness = shell.getByRole('textbox', { name: 'thickness [mm]' });
+  await thickness.fill('12');
+  await thickness.blur();
+  assert.match(await text(), /axis = \[1, 0, 0\]\s*\n\s*thickness_mm = 12/);
+  // What it has is offered no longer.
+  assert.equal(await add.locator('option[value="thickness_mm"]').count(), 0);
+  await axe(one, 'form');
+});
