@@ -15,6 +15,7 @@ use crate::survey::{Survey, range_between, range_on_path, survey};
 use crate::{JointPath, LawPoint, SpeedLaw, weave_limits};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath};
+use std::borrow::Cow;
 
 /// Places at which the tip's way by path length is looked at before there are axes.
 const RATES: u32 = 60;
@@ -106,9 +107,9 @@ impl PassMotion {
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
         let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(&e, path.length(), number)])?;
-        let machine = &*held;
+        let (machine, (free, survey)) = with_best_freedom(held, path, pass, number, before)?;
+        let machine = &*machine;
         let (_, fastest) = pass.speeds();
-        let (free, survey) = along_axes(machine, path, pass, number, before)?;
         let follower = Follower { machine, path, free: &free };
         let mut findings = survey.findings;
         let mut joints = match JointPath::new(follower, &survey.start) {
@@ -219,6 +220,36 @@ impl PassMotion {
     pub fn set_points(&self, period: f64) -> SetPoints<'_> {
         SetPoints::new(self, period)
     }
+}
+
+/// The free axes along `path` and a survey of it, with the machine that has these axes free.
+///
+/// Where a six-axis arm passes a place at which the axes that the pose decides are singular, another choice of the free
+/// axis is not: without a closed form each is tried until one leads along the path.
+fn with_best_freedom<'m>(
+    machine: Cow<'m, Machine>,
+    path: &dyn TorchPath,
+    pass: &Pass,
+    number: usize,
+    before: Before,
+) -> Result<(Cow<'m, Machine>, (FreeAxes, Survey)), Vec<Finding>> {
+    let is_good = |found: &(FreeAxes, Survey)| found.1.findings.iter().all(|f| f.allowed);
+    let first = along_axes(&machine, path, pass, number, before);
+    let head = &machine.heads[0];
+    let redundant = !machine.free().is_empty() && path.axes(0.0).is_none() && path.second(0.0).is_none();
+    if first.as_ref().is_ok_and(is_good) || !head.is_numeric() || !redundant {
+        return first.map(|found| (machine, found));
+    }
+    let held: AxisSet = pass.spare_axes.hold.keys().filter_map(|name| machine.axis(name)).collect();
+    let others = head.chain.axes().iter().filter(|&axis| !machine.free().has(axis));
+    for other in others.filter_map(|axis| machine.freeing(held.with(axis))) {
+        before.effort.check(number, path.length())?;
+        match along_axes(&other, path, pass, number, before) {
+            Ok(found) if is_good(&found) => return Ok((Cow::Owned(other), found)),
+            _ => {}
+        }
+    }
+    first.map(|found| (machine, found))
 }
 
 /// The free axes along `path`, and what a survey of it finds; `machine` has the axes that `pass` holds free.
