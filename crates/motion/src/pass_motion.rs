@@ -18,6 +18,7 @@ use crate::weave_limits::Woven;
 use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath};
+use std::borrow::Cow;
 
 /// Places at which the tip's way by path length is looked at before there are axes.
 const RATES: u32 = 60;
@@ -101,13 +102,14 @@ impl PassMotion {
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
         let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(&e, path.length(), number)])?;
-        let machine = &*held;
-        let (_, fastest) = pass.speeds();
         let jumps = if path.axes(0.0).is_some() { Vec::new() } else { torch_jumps(path, number) };
-        if !jumps.is_empty() && !machine.free().is_empty() {
+        if !jumps.is_empty() && !held.free().is_empty() {
             return Err(jumps);
         }
-        let (free, survey) = along_axes(machine, path, pass, number, before).map_err(|found| with(&jumps, found))?;
+        let (machine, (free, survey)) =
+            with_best_freedom(held, path, pass, number, before).map_err(|found| with(&jumps, found))?;
+        let machine = &*machine;
+        let (_, fastest) = pass.speeds();
         let follower = Follower { machine, path, free: &free };
         let mut findings = with(&jumps, survey.findings);
         if !jumps.is_empty() {
@@ -234,6 +236,36 @@ impl PassMotion {
 /// `first` findings and then `others`.
 fn with(first: &[Finding], others: Vec<Finding>) -> Vec<Finding> {
     first.iter().cloned().chain(others).collect()
+}
+
+/// The free axes along `path` and a survey of it, with the machine that has these axes free.
+///
+/// Where a six-axis arm passes a place at which the axes that the pose decides are singular, another choice of the free
+/// axis is not: without a closed form each is tried until one leads along the path.
+fn with_best_freedom<'m>(
+    machine: Cow<'m, Machine>,
+    path: &dyn TorchPath,
+    pass: &Pass,
+    number: usize,
+    before: Before,
+) -> Result<(Cow<'m, Machine>, (FreeAxes, Survey)), Vec<Finding>> {
+    let is_good = |found: &(FreeAxes, Survey)| found.1.findings.iter().all(|f| f.allowed);
+    let first = along_axes(&machine, path, pass, number, before);
+    let head = &machine.heads[0];
+    let redundant = !machine.free().is_empty() && path.axes(0.0).is_none() && path.second(0.0).is_none();
+    if first.as_ref().is_ok_and(is_good) || !head.is_numeric() || !redundant {
+        return first.map(|found| (machine, found));
+    }
+    let held: AxisSet = pass.spare_axes.hold.keys().filter_map(|name| machine.axis(name)).collect();
+    let others = head.chain.axes().iter().filter(|&axis| !machine.free().has(axis));
+    for other in others.filter_map(|axis| machine.freeing(held.with(axis))) {
+        before.effort.check(number, path.length())?;
+        match along_axes(&other, path, pass, number, before) {
+            Ok(found) if is_good(&found) => return Ok((Cow::Owned(other), found)),
+            _ => {}
+        }
+    }
+    first.map(|found| (machine, found))
 }
 
 /// The free axes along `path`, and what a survey of it finds; `machine` has the axes that `pass` holds free.

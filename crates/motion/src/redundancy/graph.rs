@@ -7,6 +7,9 @@ use std::f64::consts::{FRAC_PI_3, TAU};
 /// Spacing of samples of a rotary axis (rad) and number over a linear one, if there is room for as many.
 const ROTARY_STEP: f64 = 15.0 * std::f64::consts::PI / 180.0;
 const LINEAR_SAMPLES: usize = 9;
+/// Samples are no closer together than this, rad and mm, but for three over any range.
+const FINEST_TURN: f64 = 0.15 * std::f64::consts::PI / 180.0;
+const FINEST_MM: f64 = 0.5;
 /// Free axes move by at most this many samples from one station to the next, or as far as the others.
 const WINDOW: f64 = 3.01;
 /// Rotary axes turn by at most this, rad: farther is another branch.
@@ -283,9 +286,14 @@ fn grids(task: &Task, samples: usize) -> Vec<Vec<f64>> {
     let mut counts: Vec<f64> = task.free.iter().map(wanted).collect();
     // All axes get finer or coarser alike.
     let factor = (samples as f64 / counts.iter().product::<f64>()).powf(1.0 / counts.len() as f64);
-    // Finer than wanted only where a sample costs little.
-    let factor = if task.machine.heads[0].is_numeric() { factor.min(1.0) } else { factor };
-    counts.iter_mut().for_each(|n| *n = (*n * factor).round().max(3.0));
+    let most = |axis: usize| {
+        let span = range(axis).map_or(TAU, |(low, high)| high - low);
+        let finest = if task.machine.axes[axis].kind == AxisKind::Linear { FINEST_MM } else { FINEST_TURN };
+        (span / finest).ceil() + 1.0
+    };
+    for (count, &axis) in counts.iter_mut().zip(&task.free) {
+        *count = (*count * factor).round().min(most(axis)).max(3.0);
+    }
     let grid = |(&axis, &count): (&usize, &f64)| {
         let sample = |i: usize| match range(axis) {
             Some((low, high)) => low + (high - low) * (0.004 + 0.992 * i as f64 / (count - 1.0)),

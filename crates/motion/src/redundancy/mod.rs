@@ -34,7 +34,7 @@ use thiserror::Error;
 /// Stations of the graph's first level and samples of the free axes there: a quick search, then a thorough one.
 const EFFORTS: [(usize, usize); 2] = [(24, 216), (48, 800)];
 /// The same where the inverse has no closed form.
-const NUMERIC_EFFORTS: [(usize, usize); 2] = [(24, 64), (48, 216)];
+const NUMERIC_EFFORTS: [(usize, usize); 2] = [(24, 64), (48, 120)];
 /// Nodes a whole turn apart are told apart if there are at most so many for one.
 const MAX_TURNS: f64 = 8.0;
 /// Levels of the graph after the first.

@@ -52,15 +52,17 @@ fn the_search_for_an_arm_ends_after_a_bounded_number_of_trials() {
         [("arm", ARM_JOB, ARM), ("arm and table", TABLE_JOB, ARM_AND_TABLE), ("other arm", OTHER_JOB, OTHER_ARM)]
     {
         let (planned, machine, work) = plan(job, machine, BOUND);
-        println!("{name}: {work} units, {:?}", planned.as_ref().map(WeldMotion::total_s));
-        match planned {
-            Ok(motion) => {
-                let path = &motion.passes[0].path;
-                for i in 0..=500 {
-                    assert!(machine.outside(&path.at(path.length() * f64::from(i) / 500.0)).is_none());
-                }
-            }
-            Err(findings) => assert!(findings.iter().all(|f| f.kind != "search"), "{name}: {findings:#?}"),
+        let motion = planned.unwrap_or_else(|f| panic!("{name}: {f:#?}"));
+        println!("{name}: {work} units, {:.1} s from home to home", motion.total_s());
+        let welding = Welding::read("job.toml", job).unwrap();
+        let (path, wanted) = (&motion.passes[0].path, welding.path(0));
+        for i in 0..=500 {
+            let s = path.length() * f64::from(i) / 500.0;
+            let (q, pose) = (path.at(s), wanted.pose(s));
+            assert!(machine.outside(&q).is_none(), "{name} at {s}");
+            let tip = machine.forward(&q);
+            assert!((tip.point - pose.point).length() < 1e-6, "{name} at {s}");
+            assert!((tip.direction - pose.direction).length() < 1e-6, "{name} at {s}");
         }
     }
 }
