@@ -14,7 +14,6 @@ const KNOWN: Record<string, Key[]> = {
   gas: ['gas'],
   process_state: ['trace.process_state'],
   burning: ['trace.burning'],
-  steady: ['trace.steady'],
   power: ['trace.power'],
   inputs: ['trace.inputs'],
   missed: ['setup.missed'],

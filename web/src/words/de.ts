@@ -575,7 +575,6 @@ export const de: Table = {
   'trace.attitude_error': 'Fehler der Stellung',
   'trace.process_state': 'Zustand des Prozesses',
   'trace.burning': 'Bogen oder Strahl brennt',
-  'trace.steady': 'Stetige Fahrt (zählt für die Grenzen)',
   'trace.power': 'Spannung der Antriebe',
   'trace.inputs': 'Eingänge (Bits)',
   'trace.true': 'Wahrer Ort',

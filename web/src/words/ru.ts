@@ -575,7 +575,6 @@ export const ru: Table = {
   'trace.attitude_error': 'Ошибка ориентации',
   'trace.process_state': 'Состояние процесса',
   'trace.burning': 'Дуга или луч горит',
-  'trace.steady': 'Равномерное движение (учитывается для пределов)',
   'trace.power': 'Питание приводов',
   'trace.inputs': 'Входы (биты)',
   'trace.true': 'Истинное место',
