@@ -171,7 +171,7 @@ export class Cell {
       inputs: [true, true],
       tracking: burns ? [tracked(this.s)] : [],
       near: { distance_mm: Math.max(12, tip[2] + 60), least_mm: 1, between: ['gas nozzle', 'shell'], at: [[tip[0], tip[1], tip[2] + 12], [tip[0], tip[1], tip[2] - 8]] },
-      ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 0, lost: 0, recording: burns ? 1 : null, left: this.left(), part: this.part, start: this.work ? (this.work.from ?? [1, 0]) : null, realtime: { missing: ['priority'], text: 'no real-time scheduling: permission denied' }, longest_gap_ms: 3,
+      ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 7596, lost: 0, recording: burns ? 1 : null, left: this.left(), part: this.part, start: this.work ? (this.work.from ?? [1, 0]) : null, realtime: { missing: ['priority'], text: 'no real-time scheduling: permission denied' }, longest_gap_ms: 1203,
     };
   }
 }

@@ -281,6 +281,20 @@ impl Loaded {
         )))
     }
 
+    /// What of the part the collision check does not see, so that no plan is green without saying it.
+    fn part_not_watched(&self) -> Option<Finding> {
+        let (message, cure) = if self.clamped.part.is_empty() {
+            let message = "no part is watched: collisions are checked against the machine and the fixtures only";
+            (message, "describe the part with [[part.solids]], or with the [seam] that it is made from")
+        } else if self.welding.program.value.part.replace {
+            ("the part made from the seam is replaced: only the solids of [part] are watched", "")
+        } else {
+            return None;
+        };
+        let (message, cure) = (message.to_owned(), cure.to_owned());
+        Some(Finding { kind: "unchecked", message, pass: 1, from_mm: 0.0, to_mm: 0.0, cure, allowed: true })
+    }
+
     /// The seam.
     ///
     /// # Errors
@@ -334,20 +348,6 @@ impl Loaded {
     /// motion: the weld could be made, but not as it must be.
     pub fn try_plan(&self) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
         self.try_plan_under(&self.machine, &Planning::default())
-    }
-
-    /// What of the part the collision check does not see, so that no plan is green without saying it.
-    fn part_not_watched(&self) -> Option<Finding> {
-        let (message, cure) = if self.clamped.part.is_empty() {
-            let message = "no part is watched: collisions are checked against the machine and the fixtures only";
-            (message, "describe the part with [[part.solids]], or with the [seam] that it is made from")
-        } else if self.welding.program.value.part.replace {
-            ("the part made from the seam is replaced: only the solids of [part] are watched", "")
-        } else {
-            return None;
-        };
-        let (message, cure) = (message.to_owned(), cure.to_owned());
-        Some(Finding { kind: "unchecked", message, pass: 1, from_mm: 0.0, to_mm: 0.0, cure, allowed: true })
     }
 
     /// Plans the weld on `machine` as [`Loaded::try_plan`] does, within the limits of `planning`.

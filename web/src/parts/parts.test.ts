@@ -85,7 +85,7 @@ test('events are told in the chosen language, what stands in them too', async ()
   });
   await words.choose('de');
   // The cell's sentences come after the panel's own words.
-  await vi.waitFor(() => expect(said('there are too many jobs; allowed: 1000')).toBe('es sind zu viele Aufträge; erlaubt: 1000'));
+  await vi.waitFor(() => expect(said('there are too many jobs; allowed: 1000')).toBe('es sind zu viele Aufträge; erlaubt: 1000'), { timeout: 30_000 });
   expect(shipped('a beam is thin')).toBe('ein Strahl ist dünn');
   expect(eventText(event('mode', ['dry run', 'hold']))).toBe('Probelauf -> Halt');
   expect(eventText(event('pass_ends', ['3', '12.50']))).toBe('Lage 3 endet bei 12.50 mm');
@@ -99,7 +99,8 @@ test('events are told in the chosen language, what stands in them too', async ()
   await words.choose('en');
   expect(eventText(event('loaded', ['{1} <b>']))).toBe('loaded: {1} <b>');
   expect(eventText(event('recorded', ['7', 'good']))).toBe('weld 7 recorded: good');
-});
+  // Loading all words takes a while on a busy computer.
+}, 60_000);
 
 test('a machine that goes back in a hold can be held', () => {
   for (const [mode, speed, moves] of [['hold', -4, true], ['hold', 4, true], ['hold', 0, false], ['weld', 4, false], [null, 4, false]] as const) {

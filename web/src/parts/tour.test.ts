@@ -43,5 +43,6 @@ test('beside the way it says what leads back to it', () => {
   expect(after({ mine: true, left: true })).toBe('on');
   // Control that was lost comes before what needs it, but not while something burns.
   expect(after(ready, { mine: false })).toBe('control');
+  expect(after(ready, { mine: false, mode: 'hold', burned: true })).toBe('control');
   expect(after(ready, { mine: false, mode: 'weld', burned: true })).toBe('watch');
 });

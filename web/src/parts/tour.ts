@@ -27,7 +27,7 @@ export const STEPS = 7;
 export function lead(seen: Seen): { step: number; key: Key } {
   const { mode } = seen;
   if (mode === 'weld') return { step: 6, key: 'tour.watch' };
-  if (mode === 'hold') return { step: 6, key: 'tour.hold' };
+  if (mode === 'hold') return { step: 6, key: seen.mine ? 'tour.hold' : 'tour.control' };
   if (seen.burned && !seen.left && (mode === 'ready' || seen.records)) {
     return seen.records ? { step: STEPS, key: 'tour.end' } : { step: STEPS, key: 'tour.record' };
   }

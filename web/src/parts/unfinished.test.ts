@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import type { LeftView } from '../wire';
-import { continueFrom, finishedPasses, interruption, reloadFrom } from './unfinished';
+import { continueFrom, finishedPasses, interruption, reloadFrom, type Unfinished } from './unfinished';
 
-const left = (pass: number, s_mm: number, more: Partial<LeftView> = {}): LeftView => ({ pass, s_mm, record: 7, title: 'Nozzle', part: 'N1-001', here: true, ...more });
+const left = (pass: number, s_mm: number, more: Partial<LeftView> = {}): Unfinished => ({ pass, s_mm, record: 7, title: 'Nozzle', part: 'N1-001', here: true, ...more }) as Unfinished;
 
 describe('an unfinished weld', () => {
   test('goes on at its newest interruption, whatever place was loaded before', () => {

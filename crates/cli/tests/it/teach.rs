@@ -91,8 +91,10 @@ fn taught_by_hand() {
     let told = good(&["teach", &job, "--semi-manual", &points, "-o", &program]);
     assert!(told.contains("operator's points"), "{told}");
     let text = std::fs::read_to_string(&program).unwrap();
-    // Half a millimetre above the nominal seam all along.
-    assert!(text.contains("60.5") && good(&["check", &program]).contains("can be made"), "{text}");
+    // Half a millimetre above the nominal seam all along, and the part is still there to keep clear of.
+    assert!(text.contains("[seam.spline]") && good(&["check", &program]).contains("can be made"), "{text}");
+    let heights = poses(&program).into_iter().map(|(point, _)| point.z);
+    assert!(heights.clone().all(|z| (z - 60.5).abs() < 0.06), "{:?}", heights.collect::<Vec<_>>());
     for (bad, why) in [
         ("x_mm,y_mm,z_mm\n", "no points"),
         ("x_mm,y_mm,z_mm\n0,500,0\n", "not within 15 mm"),
