@@ -27,6 +27,9 @@ enum Core {
     Ellipsoid(DVec3),
 }
 
+/// A direction whose part across a round body's axis is less is along it: the radius divided by it could overflow.
+const ALONG: f64 = 1e-290;
+
 /// A convex shape in a pose.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed {
@@ -80,7 +83,7 @@ impl Convex for Placed {
                 let across = d.x.hypot(d.y);
                 let (radius, height) =
                     if across * top + d.z * length > across * bottom { (top, length) } else { (bottom, 0.0) };
-                let scale = if across > 0.0 { radius / across } else { 0.0 };
+                let scale = if across > ALONG { radius / across } else { 0.0 };
                 DVec3::new(d.x * scale, d.y * scale, height)
             }
         };

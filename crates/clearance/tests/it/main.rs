@@ -2,6 +2,7 @@
 
 mod along;
 mod common;
+mod degenerate;
 mod distance;
 mod files;
 mod zones;
