@@ -13,6 +13,7 @@ mod branch;
 mod copies;
 mod document;
 pub mod edit;
+mod extent;
 mod finding;
 mod head;
 mod joint;
@@ -21,6 +22,7 @@ mod offsets;
 mod oscillation;
 mod part;
 mod pass;
+mod path_length;
 mod piece;
 mod plane_seam;
 mod points;
@@ -46,6 +48,7 @@ pub use bead::Bead;
 pub use branch::{Branch, OtherBranch};
 pub use copies::SeamCopy;
 pub use document::Program;
+pub use extent::{MAX_PASSES, MAX_ROWS, MAX_SEAM_MM, MAX_TRAVEL_S};
 pub use finding::Finding;
 pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
 pub use joint::{
@@ -56,6 +59,7 @@ pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use oscillation::Oscillation;
 pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Role, Span};
+pub use path_length::{SAME_POSITION_MM, is_before, is_beyond, is_same_position, part_start, parts_of};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
 pub use points::{
     Along, Columns, NUMBER_COLUMN, POSE_COLUMNS, PointEvent, PointSpan, Points, SPEED_COLUMN, TIME_COLUMN,
