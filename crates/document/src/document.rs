@@ -1,4 +1,5 @@
 use crate::address::{path_at, span_of};
+use crate::bounds;
 use crate::error::{DocumentError, place};
 use serde::de::DeserializeOwned;
 use std::ops::Range;
@@ -20,10 +21,14 @@ impl<T: DeserializeOwned> Document<T> {
     ///
     /// # Errors
     /// A [`DocumentError`] at the first thing that is wrong: syntax, a missing or unknown key, a wrong type, a value
-    /// out of its range.
+    /// out of its range or beyond the bound of its unit.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
         match toml::from_str(text) {
-            Ok(value) => Ok(Self { value, file: file.to_owned(), text: text.to_owned() }),
+            Ok(value) => {
+                let document = Self { value, file: file.to_owned(), text: text.to_owned() };
+                bounds::check(&document)?;
+                Ok(document)
+            }
             Err(error) => Err(explain(file, text, &error)),
         }
     }

@@ -6,16 +6,19 @@
 //! [`Document::error_at`] for an error at a key's address.
 //!
 //! The number types ([`Positive`], [`NonNegative`], [`Finite`]) refuse bad values while reading, so that the address
-//! is exact, and describe themselves in the JSON Schema.
+//! is exact, and describe themselves in the JSON Schema. Then every number is held against the bound of the unit that
+//! its key ends in ([`BOUNDS`]): a key that is added to a format is bounded without a further line.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod address;
+mod bounds;
 mod document;
 mod error;
 mod number;
 mod vector;
 
+pub use bounds::{BOUNDS, Bound};
 pub use document::{Document, closest};
 pub use error::DocumentError;
 /// Names of columns in tables and traces, which no axis and no process value may have.

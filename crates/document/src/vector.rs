@@ -1,4 +1,5 @@
 use crate::Finite;
+use crate::bounds::FARTHEST_MM;
 use glam::{DAffine3, DQuat, DVec3};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error as _;
@@ -9,9 +10,6 @@ use std::borrow::Cow;
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Point([Finite; 3]);
-
-/// Farthest coordinate, mm.
-const FARTHEST_MM: f64 = 1e7;
 
 impl<'de> Deserialize<'de> for Point {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -26,9 +24,9 @@ impl<'de> Deserialize<'de> for Point {
 }
 
 impl Point {
-    /// The point, if its coordinates are finite.
+    /// The point, if its coordinates are finite and within 1e7 mm of zero.
     pub fn new(p: DVec3) -> Option<Self> {
-        Some(Self([Finite::new(p.x)?, Finite::new(p.y)?, Finite::new(p.z)?]))
+        finite(p).filter(|_| p.abs().max_element() <= FARTHEST_MM).map(Self)
     }
 
     /// As a vector, mm.
@@ -40,6 +38,10 @@ impl Point {
     pub fn is_zero(&self) -> bool {
         self.get() == DVec3::ZERO
     }
+}
+
+fn finite(v: DVec3) -> Option<[Finite; 3]> {
+    Some([Finite::new(v.x)?, Finite::new(v.y)?, Finite::new(v.z)?])
 }
 
 /// A direction: three finite numbers, not all zero; the length does not matter.
@@ -60,8 +62,8 @@ impl Direction {
 
     /// The direction of `v`, if it is finite and has a length.
     pub fn new(v: DVec3) -> Option<Self> {
-        let parts = Point::new(v)?;
-        (v != DVec3::ZERO).then_some(Self(parts.0))
+        let parts = finite(v)?;
+        (v != DVec3::ZERO).then_some(Self(parts))
     }
 
     /// As a unit vector.
@@ -122,7 +124,7 @@ impl Transform {
     }
 
     /// The rigid motion `motion` (mm) as it stands in a file; the inverse of [`Transform::affine`] to rounding. None if
-    /// a number is not finite.
+    /// a number is not finite, or the displacement more than 1e7 mm.
     pub fn from_affine(motion: &DAffine3) -> Option<Self> {
         let turn = DQuat::from_mat3(&motion.matrix3).normalize();
         // The shorter way round, and from the sine, so that small angles keep their digits.

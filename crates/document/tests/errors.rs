@@ -69,6 +69,22 @@ fn numbers_out_of_range() {
 }
 
 #[test]
+fn numbers_beyond_the_bound_of_their_unit_are_refused_where_they_stand() {
+    let text = "schema = 1\n[nozzle]\nradius_mm = 9223372036854775807\n";
+    let e = wrong(text);
+    assert_eq!((e.line, e.column, e.key.as_str()), (3, 13, "nozzle.radius_mm"));
+    assert_eq!((e.value.as_str(), e.message.as_str()), ("9223372036854775807", "this is too large"));
+    assert_eq!(e.allowed.as_deref(), Some("up to 1000000 mm (a kilometre)"));
+    for (key, value) in [("radius_mm", "1e7"), ("radius_mm", "0x7fffffffff"), ("radius_mm = 1\nspeed_mm_s", "-1e20")] {
+        let e = wrong(&format!("schema = 1\n[nozzle]\n{key} = {value}\n"));
+        assert_eq!((e.value.as_str(), e.message.as_str()), (value, "this is too large"));
+    }
+    let e = wrong("schema = 1\n[nozzle]\nradius_mm = 1\nspeed_mm_s = 1e-300\n");
+    assert_eq!((e.line, e.message.as_str()), (4, "this is too small"));
+    assert!(Document::<File>::read("f", "schema = 1\n[nozzle]\nradius_mm = 1e6\nspeed_mm_s = 0\n").is_ok());
+}
+
+#[test]
 fn wrong_types() {
     let e = wrong("schema = 1\n[nozzle]\nradius_mm = \"250 mm\"\n");
     assert_eq!((e.line, e.key.as_str(), e.value.as_str()), (3, "nozzle.radius_mm", "\"250 mm\""));

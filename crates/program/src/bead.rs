@@ -1,3 +1,4 @@
+use crate::is_beyond;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative};
 use serde::{Deserialize, Serialize};
@@ -50,7 +51,7 @@ impl Bead {
             let message = format!("the column has {found} rows, s_mm has {rows}");
             return Err(file.error_at(&format!("{path}.{key}"), message, format!("{rows} numbers")));
         }
-        if let Some(i) = (1..rows).find(|&i| self.s_mm[i] <= self.s_mm[i - 1]) {
+        if let Some(i) = (1..rows).find(|&i| !is_beyond(self.s_mm[i].get(), self.s_mm[i - 1].get())) {
             let allowed = format!("more than {}", self.s_mm[i - 1].get());
             return Err(file.error_at(&format!("{path}.s_mm[{i}]"), "the path lengths must increase", allowed));
         }

@@ -1,6 +1,6 @@
 use crate::{
     Air, Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, Variables, check_offset,
-    check_process, variables,
+    check_process, is_beyond, is_same_position, variables,
 };
 use glam::DAffine3;
 use schemars::JsonSchema;
@@ -88,6 +88,7 @@ impl Program {
         if document.value.passes.is_empty() {
             return Err(document.error_at("passes", "the program has no passes", "at least one [[passes]]"));
         }
+        Self::check_extent(&document)?;
         if let Some(procedure) = &document.value.procedure {
             procedure.check(&document, "procedure")?;
             procedure.check_passes(&document, "procedure", &document.value.passes)?;
@@ -132,7 +133,7 @@ impl Program {
             pass.sequence.check(&document, &format!("passes[{p}].sequence"), &pass.spans[0].process)?;
             for (i, span) in pass.spans.iter().enumerate() {
                 let path = |key: &str| format!("passes[{p}].spans[{i}].{key}");
-                if (span.from_mm.get() - end).abs() > 1e-9 {
+                if !is_same_position(span.from_mm.get(), end) {
                     let message = "the span does not begin where the one before it ends";
                     return Err(document.error_at(&path("from_mm"), message, end.to_string()));
                 }
@@ -149,7 +150,7 @@ impl Program {
                     return Err(document.error_at(&format!("passes[{p}].least_speed_mm_s"), message, allowed));
                 }
                 end = span.to_mm.get();
-                if end <= span.from_mm.get() {
+                if !is_beyond(end, span.from_mm.get()) {
                     let allowed = format!("more than {}", span.from_mm.get());
                     return Err(document.error_at(&path("to_mm"), "the span has no length", allowed));
                 }

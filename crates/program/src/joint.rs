@@ -284,6 +284,26 @@ impl Preparation {
         }
     }
 
+    /// The key that a file gives instead of `key`, if it does: an angle of a bevel may be given by its cut.
+    pub fn given_key(&self, key: &'static str) -> &'static str {
+        match self {
+            Self::TBevel(p) if key == "angle_deg" && p.cut_deg.is_some() => "cut_deg",
+            _ => key,
+        }
+    }
+
+    /// Key of the size that the area of the groove follows from, below [`Preparation::key`].
+    pub fn size_key(&self) -> &'static str {
+        match self {
+            Self::Square(_) | Self::SingleV(_) | Self::Bevel(_) | Self::U(_) | Self::J(_) => "thickness_mm",
+            Self::TBevel(_) | Self::TJ(_) => "thickness_mm",
+            Self::FlareBevel(_) | Self::FlareV(_) => "radius_mm",
+            Self::Fillet(p) if p.throat_mm.is_some() => "throat_mm",
+            Self::Fillet(p) if p.first_leg_mm.is_some() => "first_leg_mm",
+            Self::Fillet(_) => "leg_mm",
+        }
+    }
+
     /// In words.
     pub fn name(&self) -> &'static str {
         match self {

@@ -1,10 +1,7 @@
 //! Parts of a pass, and a pass the other way round.
 
-use crate::{Pass, ProcessValues, Ramp, Span, SpanValue};
+use crate::{Pass, ProcessValues, Ramp, SAME_POSITION_MM, Span, SpanValue, is_beyond};
 use seamwright_document::{Finite, NonNegative, Positive};
-
-/// What is shorter is nothing, mm.
-const NOTHING_MM: f64 = 1e-9;
 
 impl Pass {
     /// The part of the pass between two of its own path lengths, mm: at every place its values are those of the pass
@@ -12,7 +9,7 @@ impl Pass {
     /// values are those of a turn before. Anything else ends with the pass.
     pub fn piece(&self, (from, to): (f64, f64), turn: Option<f64>) -> Self {
         let end = self.length();
-        let again = turn.filter(|turn| to > end && *turn <= end + NOTHING_MM).into_iter().flat_map(|turn| {
+        let again = turn.filter(|turn| to > end && !is_beyond(*turn, end)).into_iter().flat_map(|turn| {
             let after = move |span: &Span| clipped(span, turn, (end.max(from), to));
             self.spans.iter().filter_map(after).collect::<Vec<_>>()
         });
@@ -62,7 +59,7 @@ fn moved(span: Span, by: f64) -> Span {
 /// The part of `span`, moved on by `by`, that lies between two path lengths; none if that is nothing.
 fn clipped(span: &Span, by: f64, (from, to): (f64, f64)) -> Option<Span> {
     let (from, to) = (from.max(span.from_mm.get() + by), to.min(span.to_mm.get() + by));
-    if to - from <= NOTHING_MM {
+    if to - from <= SAME_POSITION_MM {
         return None;
     }
     let ends = (span.part(from - by), span.part(to - by));

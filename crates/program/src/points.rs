@@ -3,7 +3,7 @@
 
 use crate::{Pass, ProcessValues, Ramp, SpanValue, Torch, check_process_name};
 use schemars::JsonSchema;
-use seamwright_document::{Direction, Document, DocumentError, Finite, Point};
+use seamwright_document::{Bound, Direction, Document, DocumentError, Finite, Point};
 use serde::{Deserialize, Serialize};
 
 /// The columns of a pose: torch tip in the seam's frame (that of `placement`), mm, and the direction in which wire or beam points.
@@ -14,9 +14,6 @@ pub const TIME_COLUMN: &str = "time_s";
 pub const SPEED_COLUMN: &str = "speed_mm_s";
 /// Block number.
 pub const NUMBER_COLUMN: &str = "n";
-
-/// Longest time from one point to the next, s.
-const LONGEST_S: f64 = 1e7;
 
 /// The points that a pass goes through.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -204,8 +201,29 @@ impl Points {
                 self.check_row(file, &at(&format!("points[{k}]")), row, (&columns, Some(span.along)))?;
             }
         }
+        self.check_bounds(file, path)?;
         for (i, event) in self.events.iter().enumerate() {
             event.check(file, &format!("{path}.events[{i}]"), self.count())?;
+        }
+        Ok(())
+    }
+
+    /// Refuses numbers beyond the bound of their column's unit.
+    fn check_bounds<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        for (i, name) in self.columns.iter().enumerate() {
+            let Some(bound) = Bound::of_column(name) else { continue };
+            let refused = |at: &str, row: &[Finite]| {
+                let message = format!("{name} = {} is out of bounds", row[i].get());
+                Err(file.error_at(&format!("{at}[{i}]"), message, bound.allowed()))
+            };
+            if !bound.allows(self.start[i].get()) {
+                return refused(&format!("{path}.start"), &self.start);
+            }
+            for (k, span) in self.spans.iter().enumerate() {
+                if let Some(row) = span.points.iter().position(|row| !bound.allows(row[i].get())) {
+                    return refused(&format!("{path}.spans[{k}].points[{row}]"), &span.points[row]);
+                }
+            }
         }
         Ok(())
     }
@@ -321,8 +339,8 @@ impl Points {
         if stands && pace != 0.0 {
             return wrong(last, "0: it is the start, or as fast as the axes can");
         }
-        if !stands && (pace <= 0.0 || pace > LONGEST_S) {
-            return wrong(last, "more than 0, up to 1e7");
+        if !stands && pace <= 0.0 {
+            return wrong(last, "more than 0");
         }
         if let Some((_, i)) = columns.process.iter().find(|(_, i)| row[*i].get() < 0.0) {
             return wrong(*i, "0 or greater");

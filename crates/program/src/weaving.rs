@@ -1,7 +1,4 @@
-use crate::{Pass, Span, Swing, Weave};
-
-/// Knots nearer to an end of the pass than this are none, mm.
-const NEAR_MM: f64 = 1e-6;
+use crate::{Pass, SAME_POSITION_MM, Span, Swing, Weave};
 
 /// The weave of a pass, by the pass' path length `s`.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +61,7 @@ impl Weaving {
             cuts.extend(inside.map(|phase| self.weave.place(span, phase - begun)));
         }
         cuts.sort_by(f64::total_cmp);
-        cuts.dedup_by(|a, b| *a - *b < NEAR_MM);
+        cuts.dedup_by(|a, b| *a - *b < SAME_POSITION_MM);
         cuts
     }
 
@@ -90,9 +87,9 @@ impl Weaving {
                 knots.extend(inside.map(|phase| self.weave.place(span, phase - begun)));
             }
         }
-        knots.retain(|s| *s > NEAR_MM && *s < length - NEAR_MM);
+        knots.retain(|s| *s > SAME_POSITION_MM && *s < length - SAME_POSITION_MM);
         knots.sort_by(f64::total_cmp);
-        knots.dedup_by(|a, b| *a - *b < NEAR_MM);
+        knots.dedup_by(|a, b| *a - *b < SAME_POSITION_MM);
         knots
     }
 

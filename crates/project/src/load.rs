@@ -10,7 +10,7 @@ use seamwright_cell::{Error, check_drives};
 use seamwright_document::{Document, closest};
 use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
 use seamwright_motion::{PassMotion, Terms, WeldMotion, redundancy};
-use seamwright_program::{Finding, Pass, Program, TorchPath};
+use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_weld::{SeamCurve, WeldPath, Welding};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -91,9 +91,7 @@ fn check_held(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
     let program = &welding.program;
     for (i, pass) in program.value.passes.iter().enumerate() {
         if let Err(error) = redundancy::holding(machine, &pass.spare_axes) {
-            // A job has the table for its one pass.
-            let table = if Program::is_in(program.text()) { format!("passes[{i}].") } else { String::new() };
-            let path = format!("{table}spare_axes.hold.{}", error.axis());
+            let path = welding.keys(i).of(&format!("spare_axes.hold.{}", error.axis()));
             return Err(program.error_at(&path, error.to_string(), error.allowed()).into());
         }
     }
@@ -111,8 +109,6 @@ fn check_registers(welding: &Welding, machine: &Machine) -> Result<(), Failure> 
                 let Some((least, most)) = pass.process_range(name) else { continue };
                 let outside = [least, most].into_iter().find(|value| !(low..=high).contains(value));
                 let Some(value) = outside else { continue };
-                let inside = Program::is_in(program.text());
-                let table = if inside { format!("passes[{i}].spans[0]") } else { "weld".to_owned() };
                 let message = format!(
                     "pass {} asks for {value} of `{name}`, which its register ({}) of device `{}` cannot hold",
                     i + 1,
@@ -120,7 +116,7 @@ fn check_registers(welding: &Welding, machine: &Machine) -> Result<(), Failure> 
                     device.name
                 );
                 let allowed = format!("{low} to {high}, or another scale or type in the machine file");
-                return Err(program.error_at(&format!("{table}.process.{name}"), message, allowed).into());
+                return Err(program.error_at(&welding.keys(i).process(name), message, allowed).into());
             }
         }
     }

@@ -3,7 +3,7 @@ use crate::number::px;
 use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
 
 /// Room above each section for its title and notes, px.
-const HEAD: f64 = 54.0;
+const HEAD: f64 = 72.0;
 /// Room between sections, px.
 const GAP: f64 = 14.0;
 /// Room around what is drawn, px.
@@ -29,13 +29,15 @@ pub struct SectionDrawing {
     pub title: String,
     /// A line below the title.
     pub note: String,
+    /// A line about the torch; may be empty.
+    pub torch_note: String,
     /// Outlines of the parts.
     pub parts: Vec<Vec<[f64; 2]>>,
     /// The groove, from toe to toe around.
     pub groove: Vec<[f64; 2]>,
     /// Beads in the order of welding: outline, and a colour from 1.
     pub beads: Vec<(Vec<[f64; 2]>, usize)>,
-    /// Where the wire of each bead points to, and the direction back to the torch.
+    /// Where the wire points to in each bead, or at the seam, and the direction back to the torch.
     pub torches: Vec<([f64; 2], [f64; 2])>,
 }
 
@@ -90,6 +92,7 @@ impl Gallery {
             let y = top + (i / columns) as f64 * (HEAD + h + GAP);
             svg.text("head", x, y + 16.0, Anchor::Start, &section.title);
             svg.text("quiet", x, y + 34.0, Anchor::Start, &section.note);
+            svg.text("quiet", x, y + 52.0, Anchor::Start, &section.torch_note);
             let frame = Rect { x, y: y + HEAD - 10.0, w, h };
             if scale.is_finite() {
                 section.draw(&mut svg, frame, scale, self.language);
@@ -175,6 +178,7 @@ mod tests {
         let section = SectionDrawing {
             title: "s = 10 < 20 mm".to_owned(),
             note: "90 degrees".to_owned(),
+            torch_note: "work angle 5 degrees".to_owned(),
             parts: vec![square(0.0, 0.0, 20.0), square(-20.0, 0.0, 20.0)],
             groove: square(-5.0, -10.0, 10.0),
             beads: vec![(square(-5.0, -10.0, 5.0), 1), (square(0.0, -5.0, 5.0), 3)],

@@ -3,13 +3,10 @@ use crate::{SeamCurve, SeamPoint};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::MonotoneCurve;
-use seamwright_program::Torch;
+use seamwright_program::{SAME_POSITION_MM, Torch, is_before, is_beyond, is_same_position};
 
 /// Largest travel angle, degrees: beyond it the torch lies along the seam.
 const MAX_TRAVEL_DEG: f64 = 75.0;
-
-/// Places where angles are given that are nearer to each other are one, mm.
-const NEAR_MM: f64 = 1e-6;
 
 /// Torch angles along a weld: work angle as an offset from the bisector, and travel angle (AWS A3.0), rad.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,13 +26,14 @@ impl Attitude {
         for (i, at) in torch.at.iter().enumerate() {
             let (s, key) = (at.s_mm.get(), format!("{path}.at[{i}]"));
             let end = if seam.all_round() { seam.length() } else { seam.weld_length() };
-            let inside = s >= 0.0 && (s < end || (s <= end && !seam.all_round()));
-            if !inside {
+            // On a seam welded all round its end is its start, which has a row of its own.
+            let is_end = seam.all_round() && is_same_position(s, end);
+            if is_before(s, 0.0) || is_beyond(s, end) || is_end {
                 let or_end = if seam.all_round() { "less than" } else { "up to" };
                 let allowed = format!("from 0 {or_end} {end:.6}");
                 return Err(file.error_at(&format!("{key}.s_mm"), "this place is not on the weld", allowed));
             }
-            if rows.last().is_some_and(|(last, ..): &(f64, f64, f64)| *last >= s) {
+            if rows.last().is_some_and(|(last, ..): &(f64, f64, f64)| !is_beyond(s, *last)) {
                 let message = "the places must increase";
                 return Err(file.error_at(&format!("{key}.s_mm"), message, "more than the one before"));
             }
@@ -82,11 +80,15 @@ impl Attitude {
 
     /// Where a second derivative of the angles may jump, inside `range` of the seam, mm.
     pub(crate) fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
-        repeated(self.work.knots().iter().copied(), self.work.period(), range, NEAR_MM)
+        repeated(self.work.knots().iter().copied(), self.work.period(), range, SAME_POSITION_MM)
     }
 }
 
-fn check_angles<T>(file: &Document<T>, path: &str, work: f64, travel: f64) -> Result<(), DocumentError> {
+/// Checks the angles (degrees) in the table `path` of a file.
+///
+/// # Errors
+/// With the key's address.
+pub(crate) fn check_angles<T>(file: &Document<T>, path: &str, work: f64, travel: f64) -> Result<(), DocumentError> {
     if travel.abs() > MAX_TRAVEL_DEG {
         let allowed = format!("-{MAX_TRAVEL_DEG} (push) to {MAX_TRAVEL_DEG} (drag)");
         return Err(file.error_at(&format!("{path}.travel_angle_deg"), "the torch would lie along the seam", allowed));

@@ -1,12 +1,9 @@
 use crate::stretch::repeated;
-use crate::{SeamCurve, SeamPoint, Stretch};
+use crate::{PassKeys, SeamCurve, SeamPoint, Stretch};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_geometry::CubicSpline;
-use seamwright_program::Bead;
-
-/// Rows nearer than this to an end or to each other are no knots of their own, mm.
-const NEAR_MM: f64 = 1e-6;
+use seamwright_program::{Bead, SAME_POSITION_MM, is_before, is_beyond, is_same_position};
 
 /// Where a bead lies beside the seam, by the seam's path length: cubic splines through the rows of a [`Bead`], periodic
 /// on a seam welded all round, natural on any other.
@@ -23,24 +20,26 @@ pub struct BeadLine {
 }
 
 impl BeadLine {
-    /// The line of `bead`, which stands at `path` in `file`, of a pass over `stretch` of `seam`.
+    /// The line of `bead` of a pass over `stretch` of `seam`; the pass' values stand at `keys` in `file`.
     ///
     /// # Errors
     /// With the key's address: rows beside the weld, or rows that do not reach over the pass.
     pub fn new<T>(
         file: &Document<T>,
-        path: &str,
+        keys: &PassKeys,
         bead: &Bead,
         (seam, stretch): (&SeamCurve, &Stretch),
     ) -> Result<Self, DocumentError> {
         let rows: Vec<f64> = bead.s_mm.iter().map(|s| s.get()).collect();
         let last = rows.len().saturating_sub(1);
         let wrong = |i: usize, message: &str, allowed: String| {
-            Err(file.error_at(&format!("{path}.s_mm[{i}]"), message, allowed))
+            Err(file.error_at(&keys.of(&format!("bead.s_mm[{i}]")), message, allowed))
         };
         let period = seam.all_round().then(|| seam.length());
         let end = period.unwrap_or(seam.weld_length());
-        let beside = |s: f64| s < 0.0 || s > end || (period.is_some() && s >= end);
+        // On a seam welded all round its end is its start, which has a row of its own.
+        let is_end = |s: f64| period.is_some() && is_same_position(s, end);
+        let beside = |s: f64| is_before(s, 0.0) || is_beyond(s, end) || is_end(s);
         if let Some(i) = rows.iter().position(|s| beside(*s)) {
             let or_end = if period.is_some() { "less than" } else { "up to" };
             return wrong(i, "this place is not on the weld", format!("from 0 {or_end} {end}"));
@@ -48,10 +47,10 @@ impl BeadLine {
         let (from, to) = stretch.range();
         if period.is_none() && rows.len() > 1 {
             let message = "the rows do not reach over the whole pass";
-            if rows[0] > from + NEAR_MM {
+            if is_beyond(rows[0], from) {
                 return wrong(0, message, format!("up to {from}"));
             }
-            if rows[last] < to - NEAR_MM {
+            if is_before(rows[last], to) {
                 return wrong(last, message, format!("from {to} up to {end}"));
             }
         }
@@ -61,7 +60,7 @@ impl BeadLine {
                 Some(period) => CubicSpline::periodic(&points, period),
                 None => CubicSpline::natural(&points),
             };
-            spline.map_err(|e| file.error_at(&format!("{path}.s_mm"), e.to_string(), "path lengths that increase"))
+            spline.map_err(|e| file.error_at(&keys.of("bead.s_mm"), e.to_string(), "path lengths that increase"))
         };
         let parts: Vec<Finite> = bead.weave_part.iter().filter_map(|part| Finite::new(part.get())).collect();
         Ok(Self {
@@ -94,6 +93,6 @@ impl BeadLine {
     pub(crate) fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
         // One row is no knot: it is the same all along.
         let rows = self.rows.iter().copied().filter(|_| self.rows.len() > 1);
-        repeated(rows, self.period, range, NEAR_MM)
+        repeated(rows, self.period, range, SAME_POSITION_MM)
     }
 }

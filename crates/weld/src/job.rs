@@ -144,11 +144,12 @@ impl Job {
             let allowed = format!("less than speed_mm_s = {}", job.value.weld.speed_mm_s.get());
             return Err(job.error_at("weld.least_speed_mm_s", "the least speed is not below the asked one", allowed));
         }
+        let weld = (&job.value.sequence, &job.value.weld.process);
         if let Some(tacks) = &job.value.tacks {
-            tacks.check(&job, &job.value.weld.process)?;
+            tacks.check(&job, weld)?;
         }
         if let Some(cosmetic) = &job.value.cosmetic {
-            cosmetic.check(&job, &job.value.weld.process)?;
+            cosmetic.check(&job, weld)?;
         }
         order::copies(&job)?;
         if let Some(beads) = &job.value.beads {

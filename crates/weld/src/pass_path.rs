@@ -1,10 +1,7 @@
 use crate::{Attitude, BeadLine, SeamCurve, SeamPoint, Stretch};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
-use seamwright_program::{Groove, TorchPath, Weaving};
-
-/// Knots nearer to each other are one, mm.
-const NEAR_MM: f64 = 1e-6;
+use seamwright_program::{Groove, TorchPath, Weaving, is_same_position};
 
 /// Half the way over which the tip's rate is a difference, mm: small against any bend that can be welded.
 const HALF_MM: f64 = 1e-3;
@@ -148,14 +145,14 @@ impl PassPath<'_> {
         // A place of the attitude or of the bead next to one of the seam is that one.
         let more = [self.attitude.knots_within(range), self.bead.map_or(Vec::new(), |bead| bead.knots_within(range))];
         for place in more.into_iter().flatten() {
-            if knots.iter().all(|knot| (knot - place).abs() > NEAR_MM) {
+            if knots.iter().all(|knot| !is_same_position(*knot, place)) {
                 knots.push(place);
             }
         }
         let mut own: Vec<f64> = knots.into_iter().map(|s| self.stretch.own_s(s)).collect();
         own.extend(self.weaving.as_ref().map_or(Vec::new(), of));
         own.sort_by(f64::total_cmp);
-        own.dedup_by(|a, b| *a - *b < NEAR_MM);
+        own.dedup_by(|a, b| is_same_position(*a, *b));
         own
     }
 }

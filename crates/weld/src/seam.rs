@@ -9,7 +9,10 @@ use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{
     ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Tube,
 };
-use seamwright_program::{Seam, SeamStart, Side, Taught, WallFaces, WeldDirection};
+use seamwright_program::{
+    MAX_SEAM_MM, SAME_POSITION_MM, Seam, SeamStart, Side, Taught, WallFaces, WeldDirection, is_before, is_beyond,
+    is_same_position,
+};
 use std::sync::Arc;
 
 /// A point of the seam with everything that torch attitude needs, in the seam's frame; mm and rad.
@@ -55,7 +58,8 @@ pub struct SeamCurve {
     pub(crate) taught: Option<(Arc<SeamCurve>, Vec<TaughtSpan>)>,
 }
 
-/// Places on the seam that are nearer to each other are the same, mm.
+/// Corners of the seam nearer to each other are one, and its sides are looked at this far from it, mm: more than
+/// rounding, and too little for a bend to turn the torch.
 pub(crate) const SAME_MM: f64 = 1e-9;
 
 /// Largest angle of a start or end, degrees: ten turns.
@@ -111,6 +115,10 @@ impl SeamCurve {
             WeldDirection::CounterClockwise => 1.0,
             WeldDirection::Clockwise => -1.0,
         };
+        if curve.length() > MAX_SEAM_MM {
+            let message = format!("the seam would be {:.0} mm long", curve.length());
+            return Err(file.error_at("seam", message, format!("up to {MAX_SEAM_MM} mm")));
+        }
         let closed = curve.curve().closed();
         let angles = Angles::new(file, seam, closed)?;
         let length_at = |phi: f64| angles.parameter(phi.to_radians()).map_or(0.0, |u| curve.length_at(u));
@@ -132,18 +140,18 @@ impl SeamCurve {
                     return Err(file.error_at("start.overlap_mm", message, "either `overlap_mm` or `end_phi_deg`"));
                 }
                 let span = sense * (length_at(end.get()) - at);
-                if span <= 1e-9 || span > length * (1.0 + 1e-12) {
+                if !is_beyond(span, 0.0) || is_beyond(span, length) {
                     let message = "the weld would have no length, or more than one turn";
                     let more = if sense > 0.0 { "more" } else { "less" };
                     let allowed = format!("{more} than phi_deg = {}, by up to 360", start.phi_deg.get());
                     return Err(file.error_at("start.end_phi_deg", message, allowed));
                 }
-                span
+                if is_same_position(span, length) { length } else { span }
             }
             None => length + start.overlap_mm.get(),
         };
-        if start.overlap_mm.get() > length {
-            let allowed = format!("0 to {length:.3}");
+        if is_beyond(start.overlap_mm.get(), length) {
+            let allowed = format!("0 to {length:.6}");
             return Err(file.error_at("start.overlap_mm", "the overlap is longer than the seam", allowed));
         }
         let e = curve.curve().edge(curve.curve().domain().0);
@@ -167,7 +175,7 @@ impl SeamCurve {
 
     /// True if the seam is closed and welded all round.
     pub fn all_round(&self) -> bool {
-        self.closed && self.weld_length >= self.length() * (1.0 - 1e-12)
+        self.closed && !is_before(self.weld_length, self.length())
     }
 
     /// Least and greatest dihedral angle over the weld, rad, found at 720 places.
@@ -181,11 +189,11 @@ impl SeamCurve {
     pub fn s_of_phi(&self, phi: f64) -> Option<f64> {
         let s = self.sense * (self.curve.length_at(self.angles.parameter(phi)?) - self.start);
         if !self.closed {
-            let within = (-1e-9..=self.length() + 1e-9).contains(&s);
+            let within = !is_before(s, 0.0) && !is_beyond(s, self.length());
             return within.then_some(s.clamp(0.0, self.length()));
         }
         // A hair before the start is the start, not a turn later.
-        let turns = ((s + 1e-9) / self.length()).floor();
+        let turns = ((s + SAME_POSITION_MM) / self.length()).floor();
         Some((s - turns * self.length()).max(0.0))
     }
 

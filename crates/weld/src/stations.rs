@@ -1,7 +1,7 @@
 use crate::{Job, SeamCurve};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
-use seamwright_program::{Ramp, Span, SpanValue, check_process_name, check_process_value};
+use seamwright_program::{Ramp, Span, SpanValue, check_process_name, check_process_value, is_beyond, is_same_position};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -34,7 +34,7 @@ pub(crate) fn spans(job: &Document<Job>, seam: &SeamCurve) -> Result<Vec<Span>, 
     let mut places: Vec<f64> = stations.iter().map(|at| at.s_mm.get()).collect();
     places.insert(0, 0.0);
     places.push(length);
-    places.dedup_by(|later, earlier| *later - *earlier < 1e-9);
+    places.dedup_by(|later, earlier| is_same_position(*later, *earlier));
     let speeds: Vec<_> = stations.iter().filter_map(|at| Some((at.s_mm.get(), at.speed_mm_s?.get()))).collect();
     let span = |ends: &[f64]| {
         let mut span = Span {
@@ -66,10 +66,10 @@ fn check(job: &Document<Job>, length: f64) -> Result<(), DocumentError> {
     let mut last = None;
     for (i, at) in weld.at.iter().enumerate() {
         let (s, key) = (at.s_mm.get(), |key: &str| format!("weld.at[{i}].{key}"));
-        if s > length {
+        if is_beyond(s, length) {
             return Err(job.error_at(&key("s_mm"), "this place is not on the weld", format!("0 to {length:.6}")));
         }
-        if last.is_some_and(|last| s <= last) {
+        if last.is_some_and(|last| !is_beyond(s, last)) {
             return Err(job.error_at(&key("s_mm"), "the places must increase", "more than the one before"));
         }
         last = Some(s);

@@ -1,12 +1,9 @@
-use crate::SeamCurve;
+use crate::{PassKeys, SeamCurve};
 use seamwright_document::{Document, DocumentError};
-use seamwright_program::Pass;
+use seamwright_program::{Pass, is_beyond};
 
 /// A pass longer than this many turns is a slip.
 const MOST_TURNS: f64 = 2.0;
-
-/// Lengths in files are rounded: what is too long by this is not, mm.
-const ROUNDED_MM: f64 = 1e-6;
 
 /// The part of a seam that a pass runs over, one way or the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,26 +17,26 @@ pub struct Stretch {
 }
 
 impl Stretch {
-    /// The stretch of `pass`, which stands at `path` in `file`, on `seam`.
+    /// The stretch of `pass`, whose values stand at `keys` in `file`, on `seam`.
     ///
     /// # Errors
     /// With the key's address: a pass that begins beside the weld or goes on beyond its ends, or goes round a closed
     /// seam more than twice.
-    pub fn new<T>(file: &Document<T>, path: &str, pass: &Pass, seam: &SeamCurve) -> Result<Self, DocumentError> {
+    pub fn new<T>(file: &Document<T>, keys: &PassKeys, pass: &Pass, seam: &SeamCurve) -> Result<Self, DocumentError> {
         let (begin, length, weld) = (pass.begin_mm.get(), pass.length(), seam.weld_length());
         let sense = if pass.reverse { -1.0 } else { 1.0 };
-        if begin > weld + ROUNDED_MM {
+        if is_beyond(begin, weld) {
             let message = "the pass begins beyond the end of the weld";
-            return Err(file.error_at(&format!("{path}.begin_mm"), message, format!("0 to {weld}")));
+            return Err(file.error_at(&keys.of("begin_mm"), message, format!("0 to {weld}")));
         }
         let (room, message) = match (seam.all_round(), pass.reverse) {
             (true, _) => (MOST_TURNS * seam.length(), "the pass goes round the seam more than twice"),
             (false, false) => (weld - begin, "the pass goes on beyond the end of the weld"),
             (false, true) => (begin, "the pass runs back beyond the start of the weld"),
         };
-        if length > room + ROUNDED_MM {
+        if is_beyond(length, room) {
             let last = pass.spans.len().saturating_sub(1);
-            return Err(file.error_at(&format!("{path}.spans[{last}].to_mm"), message, format!("up to {room}")));
+            return Err(file.error_at(&keys.of(&format!("spans[{last}].to_mm")), message, format!("up to {room}")));
         }
         Ok(Self { begin, sense, length: length.min(room) })
     }

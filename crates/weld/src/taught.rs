@@ -4,7 +4,7 @@ use crate::SeamCurve;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{Along, Curve, Edge, EdgePoint, End, Ends, Jet, Spline, chord_lengths};
-use seamwright_program::Taught;
+use seamwright_program::{Taught, is_before, is_beyond};
 use std::sync::Arc;
 
 /// Points nearer to each other than this are one, mm.
@@ -92,14 +92,14 @@ impl TaughtEdge {
                 Err(file.error_at(&format!("taught[{i}].{key}"), message, allowed))
             };
             let (from, to) = (taught.from_mm.get(), taught.to_mm.get());
-            if from < end {
+            if is_before(from, end) {
                 let message = "this span begins before the one before it ends";
                 return wrong("from_mm", message, format!("{end} or more; spans in the order of welding"));
             }
-            if to <= from {
+            if !is_beyond(to, from) {
                 return wrong("to_mm", "the span has no length", format!("more than from_mm = {from}"));
             }
-            if to > length {
+            if is_beyond(to, length) {
                 return wrong("to_mm", "the span ends beyond the nominal seam", format!("up to {length:.6}"));
             }
             end = to;

@@ -1,10 +1,10 @@
 use crate::outside::{fetch, forget};
 use crate::{
-    Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassPath, PointPath, SeamCurve, SeamJoint, Stretch,
-    WeldPath, order, procedure,
+    Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassKeys, PassPath, PointPath, SeamCurve, SeamJoint,
+    Stretch, WeldPath, order, procedure,
 };
 use seamwright_document::{Document, DocumentError};
-use seamwright_program::{Finding, Pass, Program, Weaving};
+use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, Program, Role, Weaving};
 use std::sync::Arc;
 
 /// A weld read from a job or a program file: the program, the seam, and the torch angles along it.
@@ -16,6 +16,8 @@ pub struct Welding {
     pub seam: Option<SeamCurve>,
     /// Where each pass runs.
     lines: Vec<Arc<PassLine>>,
+    /// Where in the file the values of each pass stand.
+    keys: Vec<PassKeys>,
     /// The joint along the seam, if the file has one.
     pub joint: Option<SeamJoint>,
     /// How beads fill it, if that was planned: from a job, not from a program.
@@ -100,16 +102,18 @@ impl Welding {
         let cut = Cut::new(job, &j.seam)?;
         program.procedure = procedure::of_job(job, &program, outside)?;
         let program = job.with(program);
-        let lines = pass_lines(&program, Some(&seam), |_| String::new(), outside)?;
+        let keys: Vec<PassKeys> = program.value.passes.iter().map(|pass| PassKeys::derived(j, pass)).collect();
+        let lines = pass_lines(&program, Some(&seam), &keys, outside)?;
         let lines = lines.into_iter().map(Arc::new).collect();
-        Ok(Self { program, seam: Some(seam), lines, joint, plan, plan_findings, cut })
+        Ok(Self { program, seam: Some(seam), lines, keys, joint, plan, plan_findings, cut })
     }
 
     fn from_program(program: &Document<Program>, outside: &dyn Outside) -> Result<Self, DocumentError> {
         let p = &program.value;
         let seam = p.seam.as_ref().map(|seam| SeamCurve::with_taught(program, (seam, &p.start), &p.taught));
         let seam = seam.transpose()?;
-        let lines = pass_lines(program, seam.as_ref(), |i| format!("passes[{i}]."), outside)?;
+        let keys: Vec<PassKeys> = (0..p.passes.len()).map(PassKeys::listed).collect();
+        let lines = pass_lines(program, seam.as_ref(), &keys, outside)?;
         let joint = match (&p.joint, &seam) {
             (Some(joint), Some(seam)) => Some(SeamJoint::new(program, joint, seam)?),
             _ => None,
@@ -117,9 +121,10 @@ impl Welding {
         let cut = p.seam.as_ref().map_or(Ok(None), |seam| Cut::new(program, seam))?;
         // The lines of the passes as they stand in the file, so that errors have their addresses; then a line for each
         // time a pass is welded.
-        let times = p.passes.iter().map(|pass| usize::from(pass.repeat.get()));
+        let times = || p.passes.iter().map(|pass| usize::from(pass.repeat.get()));
         let lines: Vec<Arc<PassLine>> =
-            lines.into_iter().map(Arc::new).zip(times).flat_map(|(line, n)| std::iter::repeat_n(line, n)).collect();
+            lines.into_iter().map(Arc::new).zip(times()).flat_map(|(line, n)| std::iter::repeat_n(line, n)).collect();
+        let keys = keys.into_iter().zip(times()).flat_map(|(keys, n)| std::iter::repeat_n(keys, n)).collect();
         let mut value = program.value.expanded();
         for (pass, line) in value.passes.iter_mut().zip(&lines) {
             if let PassLine::Points(points) = line.as_ref() {
@@ -127,7 +132,7 @@ impl Welding {
             }
         }
         let program = program.with(value);
-        Ok(Self { program, seam, lines, joint, plan: None, plan_findings: Vec::new(), cut })
+        Ok(Self { program, seam, lines, keys, joint, plan: None, plan_findings: Vec::new(), cut })
     }
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
@@ -145,6 +150,23 @@ impl Welding {
             // Reading a program refuses it.
             (PassLine::Seam(_), None) => unreachable!("a pass along a seam has one"),
         }
+    }
+
+    /// Work angle (offset from the bisector of the faces, towards the first part) and travel angle of the torch, rad, at
+    /// path length `s` (mm) of the seam, in passes of this role; without what a bead adds to the work angle. None if there
+    /// is no such pass along the seam.
+    pub fn torch_angles(&self, role: Option<Role>, s: f64) -> Option<(f64, f64)> {
+        let passes = self.program.value.passes.iter().zip(&self.lines);
+        let line = passes.filter(|(pass, _)| pass.role == role).find_map(|(_, line)| match line.as_ref() {
+            PassLine::Seam(line) => Some(line),
+            PassLine::Points(_) => None,
+        })?;
+        Some(line.attitude.angles(s))
+    }
+
+    /// Where in the file the values of pass `pass` stand, counted from 0.
+    pub fn keys(&self, pass: usize) -> &PassKeys {
+        &self.keys[pass]
     }
 
     /// What stands against the weld before any machine is looked at.
@@ -198,11 +220,11 @@ struct SeamLine {
     bead: Option<BeadLine>,
 }
 
-/// Where the passes of `program` run; `at` is where in the file the keys of a pass are.
+/// Where the passes of `program` run; `keys` are where in the file their values stand.
 fn pass_lines(
     program: &Document<Program>,
     seam: Option<&SeamCurve>,
-    at: impl Fn(usize) -> String,
+    keys: &[PassKeys],
     outside: &dyn Outside,
 ) -> Result<Vec<PassLine>, DocumentError> {
     let machine = || {
@@ -210,17 +232,21 @@ fn pass_lines(
         machine.map_err(|w| program.error_at("machine", w.message, w.allowed))
     };
     let line = |(i, pass): (usize, &Pass)| {
-        let path = |key: &str| format!("{}{key}", at(i));
+        let keys = &keys[i];
         let seam = match (&pass.points, seam) {
             (None, Some(seam)) => seam,
             (Some(points), _) => {
                 return Ok(PassLine::Points(Box::new(PointPath::new(program, (i, points), &machine)?)));
             }
-            (None, None) => return Err(program.error_at(&path(""), "the pass runs along no seam", "[seam]")),
+            (None, None) => return Err(program.error_at(&keys.of(""), "the pass runs along no seam", "[seam]")),
         };
-        let stretch = Stretch::new(program, at(i).trim_end_matches('.'), pass, seam)?;
-        let bead = |bead| BeadLine::new(program, &path("bead"), bead, (seam, &stretch));
-        let attitude = Attitude::new(program, &path("torch"), &pass.torch, seam)?;
+        let stretch = Stretch::new(program, keys, pass, seam)?;
+        if pass.travel_s() > MAX_TRAVEL_S {
+            let message = format!("{} would travel for {:.0} s", pass.name, pass.travel_s());
+            return Err(program.error_at(&keys.speed(), message, format!("up to {MAX_TRAVEL_S} s: a higher speed")));
+        }
+        let bead = |bead| BeadLine::new(program, keys, bead, (seam, &stretch));
+        let attitude = Attitude::new(program, &keys.of("torch"), &pass.torch, seam)?;
         let bead = pass.bead.as_ref().map(bead).transpose()?;
         Ok(PassLine::Seam(Box::new(SeamLine { stretch, attitude, bead })))
     };

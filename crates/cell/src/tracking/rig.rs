@@ -7,6 +7,7 @@ use super::world::{Along, World};
 use crate::drives::Drives;
 use glam::DVec2;
 use seamwright_machine::Machine;
+use seamwright_program::is_before;
 use seamwright_servo::SetPoint;
 use seamwright_tracking::actuator::{Alarm, Cause, HeadTracking, Slide, SlideLimits};
 use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, SampleBuffer, Settings};
@@ -79,7 +80,7 @@ pub fn run(scenario: &Scenario, machine: &Machine, method: Method, seed: u64) ->
         }
     }
     let end = match scenario.legs.last() {
-        Some(super::Leg::To(end, _)) if travel.s < end - 1e-6 => Some(travel.s),
+        Some(super::Leg::To(end, _)) if is_before(travel.s, *end) => Some(travel.s),
         _ => None,
     };
     Ok(heads.into_iter().map(|head| head.outcome(end)).collect())

@@ -3,7 +3,11 @@
 use super::positive;
 use crate::args::PlacesArgs;
 use crate::failure::Failure;
+use seamwright_program::{is_beyond, part_start, parts_of};
 use seamwright_weld::SeamCurve;
+
+/// Most points along a seam: more would be written without end.
+const MAX_POINTS: u32 = 10_000_000;
 
 /// Where points are asked for.
 pub(super) enum Places {
@@ -23,7 +27,7 @@ impl Places {
             let place = |phi: &f64| {
                 let s = Some(phi).filter(|p| p.is_finite()).and_then(|p| seam.s_of_phi(p.to_radians()));
                 let s = s.ok_or_else(|| Failure::Input(format!("--phi-deg {phi}: this seam has no such angle")))?;
-                if s > length + 1e-9 {
+                if is_beyond(s, length) {
                     let message = format!("--phi-deg {phi}: this angle is not on the part that is welded");
                     return Err(Failure::Input(message));
                 }
@@ -33,10 +37,17 @@ impl Places {
         }
         if let Some(step) = args.every_mm {
             let step = positive("--every-mm", step)?;
-            return Ok(Self::Steps { step, whole: (length / step - 1e-9).floor() as u64 });
+            let parts = parts_of(length, step);
+            if parts > MAX_POINTS as usize {
+                let allowed = format!("at least {} mm: {MAX_POINTS} points", length / f64::from(MAX_POINTS));
+                return Err(Failure::Input(format!("--every-mm {step}: too many points\n   allowed: {allowed}")));
+            }
+            return Ok(Self::Steps { step, whole: parts as u64 - 1 });
         }
         match args.points.unwrap_or(points) {
-            n @ 0..2 => Err(Failure::Input(format!("--points {n}: not allowed\n   allowed: 2 or more"))),
+            n if !(2..=MAX_POINTS).contains(&n) => {
+                Err(Failure::Input(format!("--points {n}: not allowed\n   allowed: 2 to {MAX_POINTS}")))
+            }
             n => Ok(Self::Points(n)),
         }
     }
@@ -53,7 +64,7 @@ impl Places {
                 (0..=*whole).try_for_each(|i| at(i as f64 * step, None))?;
                 at(length, None)
             }
-            Self::Points(n) => (0..*n).try_for_each(|i| at(length * f64::from(i) / f64::from(n - 1), None)),
+            Self::Points(n) => (0..*n).try_for_each(|i| at(part_start(length, i as usize, *n as usize - 1), None)),
         }
     }
 }

@@ -4,9 +4,11 @@ use crate::failure::Failure;
 use crate::files;
 use crate::load::load;
 use crate::rows::{Cell, Rows};
+use seamwright_program::Role;
 use seamwright_report::{Language, sections};
+use seamwright_weld::Welding;
 
-const COLUMNS: [&str; 14] = [
+const COLUMNS: [&str; 16] = [
     "s_mm",
     "phi_deg",
     "dihedral_deg",
@@ -21,6 +23,8 @@ const COLUMNS: [&str; 14] = [
     "work_angle_deg",
     "area_mm2",
     "height_mm",
+    "torch_work_angle_deg",
+    "torch_travel_angle_deg",
 ];
 
 /// Sections when the command line does not say: every eighth of a seam welded all round, and its start again.
@@ -52,8 +56,8 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
         let head: Vec<Cell> = place.chain(groove).collect();
         let beads = welding.plan.as_ref().map(|plan| (plan, plan.in_order(&section, s)));
         let Some((plan, beads)) = beads else {
-            let empty = [Cell::Empty; COLUMNS.len() - 5];
-            return rows.row(&[head, empty.to_vec()].concat());
+            let empty = [Cell::Empty; COLUMNS.len() - 7];
+            return rows.row(&[head, empty.to_vec(), torch(welding, None, (s, 0.0)).to_vec()].concat());
         };
         beads.iter().zip(1..).try_for_each(|(bead, number)| {
             let mut cells = head.clone();
@@ -62,13 +66,23 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
             let (low, high) = bead.heights;
             let values = [bead.tip.x, bead.tip.y, bead.lean.to_degrees(), bead.area, high - low];
             cells.extend(values.map(Cell::Number));
+            cells.extend(torch(welding, Some(plan.layers[bead.layer].role), (s, bead.lean)));
             rows.row(&cells)
         })
     })?;
     if let Some(path) = &args.svg {
-        let mut gallery = sections((seam, joint), welding.plan.as_ref(), &drawn, Language::English);
+        let mut gallery = sections(welding, &drawn, Language::English);
         gallery.title.clone_from(&welding.program.value.title);
         files::write(path, &gallery.to_svg_standalone())?;
     }
     rows.finish()
+}
+
+/// Work angle of the torch from the faces' bisector, with the bead's `lean` (rad), and its travel angle at path length `s`
+/// in passes of a role.
+fn torch(welding: &Welding, role: Option<Role>, (s, lean): (f64, f64)) -> [Cell<'static>; 2] {
+    match welding.torch_angles(role, s) {
+        Some((work, travel)) => [work + lean, travel].map(|angle| Cell::Number(angle.to_degrees())),
+        None => [Cell::Empty; 2],
+    }
 }

@@ -31,6 +31,7 @@ mod reduce;
 mod run_cell;
 mod run_modbus;
 mod seams;
+mod section;
 mod serve;
 mod speed_mistakes;
 mod stripe;

@@ -4,7 +4,7 @@ use super::control::{Pace, Played};
 use super::order::{Instant, RunPhase};
 use super::timed::Timed;
 use super::{Command, PaceError};
-use seamwright_program::{AtHold, Sequence};
+use seamwright_program::{AtHold, Sequence, is_before, is_beyond, is_same_position};
 
 /// What follows when the torch rests with the process off.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,8 +60,6 @@ pub struct Run<'a, L: Timed + ?Sized> {
 /// Greatest pace of moves with the process off: at this pace a law at its limits leaves half of its accelerations and
 /// more of its jerks, so that a stop at a place always has room.
 const MOVE: f64 = 0.6;
-/// Places nearer to each other than this are one to a step, mm.
-const NEAR: f64 = 1e-6;
 /// How long nothing may move that should, s: the search for a course pauses for a few periods at most.
 const PATIENCE: f64 = 0.1;
 /// Moves to one place, each at half the pace of the one before.
@@ -144,7 +142,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
     }
 
     fn next_place(&self, here: f64) -> Option<f64> {
-        self.places.iter().copied().find(|s| *s > here + 1e-9 && *s < self.pace.length())
+        self.places.iter().copied().find(|s| is_beyond(*s, here) && *s < self.pace.length())
     }
 
     /// Moves without process at a pace that leaves room to stop anywhere; slower if that was not enough.
@@ -257,9 +255,9 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
     fn after_missed_place(&mut self, s: f64) {
         let next = match self.goal {
             Goal::End => return,
-            Goal::NextPlace => self.next_place(s + NEAR),
-            Goal::Place(place) if place >= self.pace.length() => return,
-            Goal::Place(place) => Some(place).filter(|place| *place > s + NEAR),
+            Goal::NextPlace => self.next_place(s),
+            Goal::Place(place) if !is_before(place, self.pace.length()) => return,
+            Goal::Place(place) => Some(place).filter(|place| is_beyond(*place, s)),
         };
         match (next, self.goal) {
             (Some(place), _) => self.pace.command(Command::StopAt(place)).unwrap_or_default(),
@@ -308,7 +306,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
                 let place = self.restart_place();
                 self.calm();
                 self.pace.command(Command::StopAt(place)).ok();
-                if (s - place).abs() <= 1e-9 || self.pace.at_rest() {
+                if is_same_position(s, place) || self.pace.at_rest() {
                     (self.then, self.missed) = (Then::Wait, 0);
                     self.halt();
                     self.goal = goal;

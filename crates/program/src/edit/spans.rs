@@ -2,13 +2,11 @@
 
 use super::draft::{Body, Draft, PointsDraft, Row, RowSpan, SeamSpan};
 use super::report::Report;
-use crate::{Along, Pass, Ramp, Span, SpanValue};
+use crate::{Along, Pass, Ramp, Span, SpanValue, is_before, is_beyond};
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};
 
-/// Path lengths nearer than this are one, mm.
-pub(super) const NOTHING_MM: f64 = 1e-9;
 /// Slopes and values of ramps that differ by less than this part of the value go on into each other.
 const SAME: f64 = 1e-9;
 
@@ -165,8 +163,7 @@ impl super::draft::PassDraft {
     /// Splits the span along the seam at path length `s` (mm), if that lies within one; its index.
     pub(super) fn split(&mut self, s: f64) -> Option<usize> {
         let Body::Seam(spans) = &mut self.body else { return None };
-        let inside =
-            |span: &SeamSpan| span.span.from_mm.get() + NOTHING_MM < s && s < span.span.to_mm.get() - NOTHING_MM;
+        let inside = |span: &SeamSpan| is_beyond(s, span.span.from_mm.get()) && is_before(s, span.span.to_mm.get());
         let i = spans.iter().position(inside)?;
         let (from, to) = (spans[i].span.from_mm.get(), spans[i].span.to_mm.get());
         let alone = Pass { spans: vec![spans[i].span.clone()], ..self.pass.clone() };

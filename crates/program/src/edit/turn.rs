@@ -3,6 +3,7 @@
 use super::draft::{Body, Draft, PointsDraft, Row, SeamSpan};
 use super::report::Report;
 use super::switches::reordered;
+use crate::is_before;
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Finite, NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -53,7 +54,7 @@ impl ReversePass {
                 }
                 points.reverse();
             }
-            Body::Seam(_) if self.seam_length_mm.is_none() && pass.pass.reverse && begin < end - CLOSED => {
+            Body::Seam(_) if self.seam_length_mm.is_none() && pass.pass.reverse && is_before(begin, end) => {
                 let message = "the pass runs over the seam's start";
                 return Err(draft.wrong_in(self.pass, message, "`seam_length_mm`: the seam is welded all round"));
             }

@@ -2,7 +2,7 @@
 
 use super::draft::{Body, Draft, PointsDraft, SeamSpan};
 use super::report::Report;
-use crate::{NUMBER_COLUMN, ProcessValue, Ramp, SpanValue};
+use crate::{NUMBER_COLUMN, ProcessValue, Ramp, SpanValue, is_beyond};
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Finite, NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -66,8 +66,7 @@ impl Draft<'_> {
     ) -> Result<std::ops::Range<usize>, DocumentError> {
         let length = self.pass(pass)?.pass().map_or(0.0, |pass| pass.length());
         let [from, to] = s_mm.map_or([0.0, length], |s| s.map(NonNegative::get));
-        let nothing = super::spans::NOTHING_MM;
-        if to - from <= nothing || to > length + nothing {
+        if !is_beyond(to, from) || is_beyond(to, length) {
             let message = format!("the pass has no range from {from} to {to} mm");
             return Err(self.wrong_in(pass, message, format!("0 to {length}, the lower end first")));
         }

@@ -1,13 +1,10 @@
 use super::window::halve;
-use crate::FilletOrButt;
+use crate::{FilletOrButt, is_beyond};
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative};
 use serde::{Deserialize, Serialize};
 use std::fmt;
-
-/// A stretch is longer than this, mm.
-const SAME_MM: f64 = 1e-9;
 
 /// A welding position of ISO 6947.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -214,7 +211,7 @@ impl PositionLimits {
             let before = (0..i).rev().find(outside).unwrap_or(0);
             let within = |s: f64| self.beyond(joint, position, at(s)) <= 0.0;
             let from_mm = halve(places[before], places[before + 1], within).max(now.from_mm);
-            if from_mm - now.from_mm > SAME_MM {
+            if is_beyond(from_mm, now.from_mm) {
                 all.push(PositionStretch { to_mm: from_mm, ..now });
                 now.from_mm = from_mm;
             }

@@ -9,8 +9,8 @@ use crate::{
 };
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
-use seamwright_program::{Pass, Span, TorchPath};
-use seamwright_weld::{SeamCurve, SeamJoint, Welding};
+use seamwright_program::{Pass, Span, TorchPath, is_beyond};
+use seamwright_weld::{SeamCurve, Welding};
 
 /// The plots of a weld.
 #[derive(Debug, Clone)]
@@ -97,9 +97,9 @@ impl Plots {
             sections: welding
                 .joint
                 .as_ref()
-                .zip(welding.seam.as_ref())
+                .and(welding.seam.as_ref())
                 .filter(|_| pass == 0)
-                .map(|of| gallery(welding, of, language)),
+                .map(|seam| gallery(welding, seam, language)),
             order: if pass == 0 { order::order(welding, language) } else { None },
         }
     }
@@ -137,10 +137,10 @@ impl Plots {
 }
 
 /// Cross-sections at nine places: on a seam welded all round every ninth of it.
-fn gallery(welding: &Welding, (joint, seam): (&SeamJoint, &SeamCurve), language: Language) -> Gallery {
+fn gallery(welding: &Welding, seam: &SeamCurve, language: Language) -> Gallery {
     let step = if seam.all_round() { seam.length() / 9.0 } else { seam.weld_length() / 8.0 };
     let places: Vec<f64> = (0..9).map(|i| f64::from(i) * step).collect();
-    sections((seam, joint), welding.plan.as_ref(), &places, language)
+    sections(welding, &places, language)
 }
 
 pub(super) fn axis(language: Language, label: &'static str, unit: &str) -> Axis {
@@ -199,7 +199,7 @@ fn views(welding: &Welding, pass: usize, language: Language) -> ThreeViews {
         path_name: language.say(path_name).to_owned(),
         vectors: vectors.collect(),
         vectors_name: language.say("torch axis").to_owned(),
-        marks: vec![mark("start", 0.0), mark(if length > turn { "end of overlap" } else { "end" }, length)],
+        marks: vec![mark("start", 0.0), mark(if is_beyond(length, turn) { "end of overlap" } else { "end" }, length)],
         ..ThreeViews::default()
     }
 }

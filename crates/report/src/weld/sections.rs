@@ -1,32 +1,52 @@
 use crate::{Gallery, Language, SectionDrawing, format_number};
 use glam::DVec2;
 use seamwright_program::Role;
-use seamwright_weld::{BeadPlan, SeamCurve, SeamJoint};
+use seamwright_weld::{BeadAt, BeadPlan, Section, Welding};
 
-/// Cross-sections of the joint at path lengths `places` (mm), with its beads if they are planned; places without a
-/// groove are left out.
-pub fn sections(
-    (seam, joint): (&SeamCurve, &SeamJoint),
-    beads: Option<&BeadPlan>,
-    places: &[f64],
-    language: Language,
-) -> Gallery {
-    let drawing = |s: &f64| section((seam, joint), beads, *s, language);
+/// Cross-sections of the joint at path lengths `places` (mm), with its beads if they are planned, and the torch in each of
+/// them; places without a groove are left out.
+pub fn sections(welding: &Welding, places: &[f64], language: Language) -> Gallery {
+    let drawing = |s: &f64| section(welding, *s, language);
     Gallery { language, title: String::new(), sections: places.iter().filter_map(drawing).collect() }
 }
 
-fn section(
-    (seam, joint): (&SeamCurve, &SeamJoint),
-    beads: Option<&BeadPlan>,
-    s: f64,
-    language: Language,
-) -> Option<SectionDrawing> {
+/// Where the torch points in a section and the angle of its body from the bisector, rad.
+struct Torch {
+    tip: DVec2,
+    lean: f64,
+}
+
+/// The torch in each bead, or at the seam where no beads are planned.
+fn torches(welding: &Welding, here: Option<&(&BeadPlan, Vec<BeadAt>)>, s: f64) -> Vec<Torch> {
+    let work = |role| welding.torch_angles(role, s).map(|(work, _)| work);
+    match here {
+        Some((plan, beads)) => beads
+            .iter()
+            .filter_map(|bead| {
+                let lean = bead.lean + work(Some(plan.layers[bead.layer].role))?;
+                Some(Torch { tip: bead.tip, lean })
+            })
+            .collect(),
+        None => work(None).map(|lean| Torch { tip: DVec2::ZERO, lean }).into_iter().collect(),
+    }
+}
+
+/// The torch's own angles, of the weld's first pass that is no tack.
+fn torch_note(welding: &Welding, s: f64, language: Language) -> Option<String> {
+    let roles = [None, Some(Role::Root), Some(Role::Fill), Some(Role::Cap)];
+    let (work, travel) = roles.into_iter().find_map(|role| welding.torch_angles(role, s))?;
+    let degrees = [work, travel].map(|angle| format_number(angle.to_degrees(), 3));
+    Some(language.fill("torch: work angle {0} deg, travel angle {1} deg", &[&degrees[0], &degrees[1]]))
+}
+
+fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawing> {
+    let (seam, joint) = (welding.seam.as_ref()?, welding.joint.as_ref()?);
     let point = seam.at(s);
-    let section = joint.section(&point)?;
+    let section: Section = joint.section(&point)?;
     let turn = DVec2::from_angle(joint.upright(&section));
     let place = |p: &DVec2| turn.rotate(*p).to_array();
     let outline = |points: Vec<DVec2>| points.iter().map(place).collect::<Vec<_>>();
-    let here = beads.map(|plan| (plan, plan.in_order(&section, s)));
+    let here = welding.plan.as_ref().map(|plan| (plan, plan.in_order(&section, s)));
     let colour = |role: Role| match role {
         Role::Root | Role::Tack => 2,
         Role::Fill => 1,
@@ -49,13 +69,10 @@ fn section(
                 all.iter().map(|bead| (outline(section.outline(bead)), colour(plan.layers[bead.layer].role)))
             })
             .collect(),
-        torches: here
+        torch_note: torch_note(welding, s, language).unwrap_or_default(),
+        torches: torches(welding, here.as_ref(), s)
             .iter()
-            .flat_map(|(_, all)| all.iter())
-            .map(|bead| {
-                let back = DVec2::new(bead.lean.sin(), bead.lean.cos());
-                (place(&bead.tip), place(&back))
-            })
+            .map(|torch| (place(&torch.tip), place(&DVec2::new(torch.lean.sin(), torch.lean.cos()))))
             .collect(),
     })
 }

@@ -1,6 +1,7 @@
 use crate::wire::{BeadView, SectionView};
 use glam::DVec2;
-use seamwright_weld::{BeadAt, BeadPlan, Layer, SeamCurve, SeamJoint, Welding};
+use seamwright_weld::{BeadAt, Layer, SeamCurve, SeamJoint, Welding};
+use std::f64::consts::FRAC_PI_2;
 
 /// Places along the seam.
 const PLACES: u32 = 9;
@@ -11,25 +12,26 @@ pub(crate) fn sections(welding: &Welding) -> Vec<SectionView> {
     // All round, the end is the start.
     let step =
         if seam.all_round() { seam.length() / f64::from(PLACES) } else { seam.weld_length() / f64::from(PLACES - 1) };
-    let at = |i| section(seam, joint, welding.plan.as_ref(), f64::from(i) * step);
+    let at = |i| section(welding, (seam, joint), f64::from(i) * step);
     (0..PLACES).filter_map(at).collect()
 }
 
-fn section(seam: &SeamCurve, joint: &SeamJoint, beads: Option<&BeadPlan>, s: f64) -> Option<SectionView> {
+fn section(welding: &Welding, (seam, joint): (&SeamCurve, &SeamJoint), s: f64) -> Option<SectionView> {
     let point = seam.at(s);
     let section = joint.section(&point)?;
     let (root_gap_mm, mismatch_mm) = joint.fit_up(s);
     let turn = DVec2::from_angle(joint.upright(&section));
     let place = |p: &DVec2| turn.rotate(*p).to_array().map(micrometres);
     let outline = |points: &[DVec2]| points.iter().map(place).collect::<Vec<_>>();
-    let beads = beads.map_or(Vec::new(), |plan| {
+    let beads = welding.plan.as_ref().map_or(Vec::new(), |plan| {
+        let work = |bead: &BeadAt| welding.torch_angles(Some(plan.layers[bead.layer].role), s).map_or(0.0, |of| of.0);
         let bead = |bead: &BeadAt| BeadView {
             name: name(&plan.layers[bead.layer], bead),
             role: plan.layers[bead.layer].role.name().to_owned(),
             area_mm2: bead.area,
             outline: outline(&section.outline(bead)),
             tip: place(&bead.tip),
-            back: turn.rotate(DVec2::new(bead.lean.sin(), bead.lean.cos())).to_array(),
+            back: turn.rotate(DVec2::from_angle(FRAC_PI_2 - bead.lean - work(bead))).to_array(),
         };
         plan.in_order(&section, s).iter().map(bead).collect()
     });

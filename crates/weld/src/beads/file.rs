@@ -1,3 +1,4 @@
+use crate::attitude::check_angles;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_program::{Pass, ProcessValues, Role, Weave, check_process};
@@ -173,6 +174,7 @@ impl Beads {
         }
         let mut all = process.clone();
         all.extend(run.process.clone());
+        check_angles(file, &path, 0.0, run.travel_angle_deg.map_or(0.0, Finite::get))?;
         let speed = run.speed_mm_s.unwrap_or(speed);
         let area = match (run.area_mm2, self.wire_mm) {
             (Some(area), _) if self.adapt != Adapt::WireFeed => area.get(),

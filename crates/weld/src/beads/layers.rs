@@ -22,6 +22,11 @@ pub(crate) struct Runs {
 }
 
 impl Runs {
+    /// Area of the smallest bead that fills a layer, mm^2.
+    fn smallest(&self) -> f64 {
+        self.fill.area.min(self.cap.area)
+    }
+
     pub(crate) fn of(&self, role: Role) -> &Asked {
         match role {
             Role::Root => self.root.as_ref().unwrap_or(&self.fill),
@@ -34,21 +39,32 @@ impl Runs {
 /// Most beads in a layer.
 const MOST: f64 = 400.0;
 
+/// More beads in a section are a slip: a V of 60 degrees in 300 mm takes 2,600 beads of 20 mm^2.
+pub(crate) const MAX_BEADS: usize = 5_000;
+
 /// The layers that fill a section best: every bead of its run's area, but for one factor for all that is as near to 1 as
 /// whole numbers of beads allow.
 ///
 /// One bead that is large enough is enough. Otherwise a root pass of its own, if there is one, then layers of as many
 /// beads side by side as give a height near to the wanted one, then the cap layer with what is above the line from toe to
 /// toe.
-pub(crate) fn layers(section: &Section, runs: &Runs) -> Vec<Layer> {
+///
+/// # Errors
+/// The number of beads it would take, if that is more than [`MAX_BEADS`].
+pub(crate) fn layers(section: &Section, runs: &Runs) -> Result<Vec<Layer>, f64> {
     let (_, high) = section.slices.heights();
     let total = section.total();
+    // Before the first layer is made: each of them takes memory, and there may be more than there is.
+    let beads = total / runs.smallest();
+    if beads > MAX_BEADS as f64 {
+        return Err(beads);
+    }
     let (first, alone) = match &runs.root {
         Some(root) => (Role::Root, root.area),
         None => (Role::Cap, runs.cap.area),
     };
     if total <= 1.25 * alone {
-        return vec![Layer { role: first, beads: 1, share: 1.0 }];
+        return Ok(vec![Layer { role: first, beads: 1, share: 1.0 }]);
     }
     let root = runs.root.as_ref().map_or(0.0, |root| root.area);
     let top = (total - section.slices.area_below(high - runs.cap.layer)).min(total - root);
@@ -60,7 +76,7 @@ pub(crate) fn layers(section: &Section, runs: &Runs) -> Vec<Layer> {
     let off = |stack: &[Layer]| (total / stack.iter().map(|l| l.share).sum::<f64>()).ln().abs();
     let best = all.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or_default();
     let sum: f64 = best.iter().map(|l| l.share).sum();
-    best.into_iter().map(|l| Layer { share: l.share / sum, ..l }).collect()
+    Ok(best.into_iter().map(|l| Layer { share: l.share / sum, ..l }).collect())
 }
 
 /// The layers under and with a cap layer of `cap` beads; their shares are areas, mm^2.

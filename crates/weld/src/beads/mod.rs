@@ -10,6 +10,7 @@ mod fill;
 mod layers;
 mod passes;
 mod plan;
+mod refusal;
 #[cfg(test)]
 mod tests;
 
@@ -17,6 +18,7 @@ pub use file::{Adapt, Beads, Order, Run};
 pub use fill::BeadAt;
 pub use layers::Layer;
 pub use plan::BeadPlan;
+pub(crate) use refusal::NoPlan;
 
 use crate::{SeamCurve, SeamJoint};
 use layers::Runs;
@@ -48,16 +50,26 @@ impl Beads {
             let message = "a ramp over the weld does not go with beads, whose values belong to runs";
             return Err(file.error_at(&format!("weld.process.{name}"), message, "a number"));
         }
-        let asked = |name, run| self.asked(file, (name, run), (speed, process));
+        let asked = |name, run: &Run| {
+            if run.travel_angle_deg.is_some() && !template.torch.at.is_empty() {
+                let message = "the travel angle is given here and at several places of the seam";
+                return Err(file.error_at(
+                    &format!("beads.{name}.travel_angle_deg"),
+                    message,
+                    "no such key, or no [[torch.at]]",
+                ));
+            }
+            self.asked(file, (name, run), (speed, process))
+        };
         let fill = asked("fill", &self.fill)?;
         let runs = Runs {
             root: self.root.as_ref().map(|run| asked("root", run)).transpose()?,
             cap: self.cap.as_ref().map(|run| asked("cap", run)).transpose()?.unwrap_or_else(|| fill.clone()),
             fill,
         };
-        let plan = BeadPlan::new(seam, joint, self, &runs).map_err(|(s, why)| {
-            let path = format!("joint.preparation.{}", joint.joint().preparation.key());
-            file.error_at(&path, format!("at s = {s:.1} mm: {why}"), why.cure().1)
+        let plan = BeadPlan::new(seam, joint, self, &runs).map_err(|why| {
+            let (key, allowed) = why.cure(&joint.joint().preparation, &runs);
+            file.error_at(&key, why.to_string(), allowed)
         })?;
         let all = passes::passes(&plan, self, &runs, seam, template);
         if self.adapt == Adapt::WeaveWidth && all.iter().all(|(pass, _)| pass.weave.is_none()) {

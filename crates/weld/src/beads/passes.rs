@@ -3,7 +3,7 @@ use super::layers::Runs;
 use super::plan::BeadPlan;
 use crate::SeamCurve;
 use seamwright_document::{Finite, NonNegative, Positive};
-use seamwright_program::{Bead, Pass, Ramp, Span, SpanValue, Weave};
+use seamwright_program::{Bead, Pass, Ramp, Span, SpanValue, Weave, part_start, parts_of};
 
 /// Speed or wire feed between the ends of a span may be off a straight line by this part.
 const STRAIGHT: f64 = 2e-3;
@@ -42,6 +42,8 @@ pub(crate) fn passes(
             };
             let begin = match part {
                 None if reverse && seam.all_round() => from,
+                // A part may end beyond the seam's start.
+                _ if reverse && seam.all_round() => to % seam.length(),
                 _ if reverse => to,
                 _ => from,
             };
@@ -105,8 +107,8 @@ fn columns(plan: &BeadPlan, bead: usize, follows: Option<&Weave>) -> Bead {
 /// Spans on which the value that follows the area is straight.
 fn spans(plan: &BeadPlan, adapt: Adapt, asked: &Asked, run: &Run) -> Vec<Span> {
     let step = plan.stations.get(1).copied().unwrap_or(run.length);
-    let count = (run.length / step).ceil().max(1.0) as usize;
-    let places: Vec<f64> = (0..=count).map(|i| run.length * i as f64 / count as f64).collect();
+    let count = parts_of(run.length, step);
+    let places: Vec<f64> = (0..=count).map(|i| part_start(run.length, i, count)).collect();
     let sense = if run.reverse { -1.0 } else { 1.0 };
     let ratio = |s: &f64| plan.area(run.bead, run.begin + sense * s).map_or(1.0, |area| area / asked.area);
     let value = |ratio: f64| if adapt == Adapt::WireFeed { ratio } else { 1.0 / ratio };

@@ -1,9 +1,10 @@
+use super::NoPlan;
 use super::file::{Adapt, Asked, Beads, Order};
 use super::fill::{BeadAt, Laying, fill};
 use super::layers::{Layer, Runs, layers};
-use crate::joint::{NoGroove, SeamJoint};
+use crate::joint::SeamJoint;
 use crate::{SeamCurve, Section};
-use seamwright_program::{Finding, Role};
+use seamwright_program::{Finding, Role, part_start, parts_of};
 
 /// Where all beads lie along a seam.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,6 +27,11 @@ pub struct BeadPlan {
     period: Option<f64>,
 }
 
+/// More stations along a seam are a slip: 100 m of seam at the default distance.
+pub(crate) const MAX_STATIONS: usize = 20_000;
+/// More beads times stations, or passes times stations, take more memory than a plan is worth.
+pub(crate) const MAX_BEAD_STATIONS: usize = 1_000_000;
+
 /// A part of the seam for one layer may end this much of a station beyond the last station it is at.
 const HALF: f64 = 0.5;
 
@@ -36,25 +42,31 @@ impl BeadPlan {
     /// Guarantee: at every station the beads' areas sum to that of groove and cap.
     ///
     /// # Errors
-    /// Where there is no groove: the place (mm), and why.
-    pub(crate) fn new(
-        seam: &SeamCurve,
-        joint: &SeamJoint,
-        beads: &Beads,
-        runs: &Runs,
-    ) -> Result<Self, (f64, NoGroove)> {
+    /// Where there is no groove, and plans that would be too large: found before they are made.
+    pub(crate) fn new(seam: &SeamCurve, joint: &SeamJoint, beads: &Beads, runs: &Runs) -> Result<Self, NoPlan> {
         let period = seam.all_round().then(|| seam.length());
         let length = period.unwrap_or_else(|| seam.weld_length());
-        let cells = (length / beads.station_mm.get()).ceil().max(1.0) as usize;
+        let cells = parts_of(length, beads.station_mm.get());
         let count = if period.is_some() { cells } else { cells + 1 };
-        let stations: Vec<f64> = (0..count).map(|i| length * i as f64 / cells as f64).collect();
-        let section = |s: &f64| joint.try_section(&seam.at(*s)).map_err(|why| (*s, why));
+        if count > MAX_STATIONS {
+            return Err(NoPlan::Stations(count));
+        }
+        let stations: Vec<f64> = (0..count).map(|i| part_start(length, i, cells)).collect();
+        let section = |s: &f64| joint.try_section(&seam.at(*s)).map_err(|why| NoPlan::NoGroove { s: *s, why });
         let sections: Vec<Section> = stations.iter().map(section).collect::<Result<_, _>>()?;
         let totals: Vec<f64> = sections.iter().map(Section::total).collect();
         let (least, most) = totals.iter().fold((f64::INFINITY, 0.0), |(l, h), t| (f64::min(l, *t), f64::max(h, *t)));
         let wanted = if beads.adapt == Adapt::Passes { most } else { (least * most).sqrt() };
         let nearest = (0..count).min_by(|a, b| (totals[*a] - wanted).abs().total_cmp(&(totals[*b] - wanted).abs()));
-        let layers = layers(&sections[nearest.unwrap_or(0)], runs);
+        let chosen = &sections[nearest.unwrap_or(0)];
+        let layers = layers(chosen, runs).map_err(|beads| {
+            let groove = chosen.total();
+            NoPlan::Beads { groove, beads, smallest: groove / beads }
+        })?;
+        let per_station: usize = layers.iter().map(|l| l.beads).sum();
+        if per_station * count > MAX_BEAD_STATIONS {
+            return Err(NoPlan::Positions { passes: per_station, stations: count });
+        }
         let laying = Laying {
             wall: beads.wall(),
             tilt: beads.wall_tilt_deg.get().to_radians(),
@@ -72,6 +84,11 @@ impl BeadPlan {
         };
         if beads.adapt == Adapt::Passes {
             plan.leave_out(runs, beads.shortest_mm.get());
+        }
+        // A layer over several pieces of the seam has each bead as often, with all of its rows.
+        let passes: usize = plan.layers.iter().zip(&plan.parts).map(|(l, parts)| l.beads * parts.len().max(1)).sum();
+        if passes * count > MAX_BEAD_STATIONS {
+            return Err(NoPlan::Positions { passes, stations: count });
         }
         plan.order = plan.ordered(beads.order);
         let mut here = Vec::new();
@@ -225,8 +242,9 @@ impl BeadPlan {
             *run = (run.0 - more, run.1 + more);
             if self.period.is_none() {
                 *run = (run.0.max(0.0), run.1.min(end));
-            } else if run.0 < 0.0 {
-                *run = (run.0 + end, run.1 + end);
+            } else {
+                let turns = end * (run.0 / end).floor();
+                *run = (run.0 - turns, run.1 - turns);
             }
         }
         let whole = runs.iter().any(|run| run.1 - run.0 >= end);

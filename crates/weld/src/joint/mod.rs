@@ -11,7 +11,7 @@ pub use section::Section;
 
 use crate::{SeamCurve, SeamPoint};
 use seamwright_document::{Document, DocumentError};
-use seamwright_program::Joint;
+use seamwright_program::{Joint, is_beyond};
 pub(crate) use section::NoGroove;
 use section::Place;
 
@@ -33,9 +33,9 @@ impl SeamJoint {
         joint.check(file, "joint")?;
         let end = if seam.all_round() { seam.length() } else { seam.weld_length() };
         for (i, at) in joint.fit_up.iter().enumerate() {
-            if at.s_mm.get() > end {
+            if is_beyond(at.s_mm.get(), end) {
                 let path = format!("joint.fit_up[{i}].s_mm");
-                return Err(file.error_at(&path, "this place is not on the weld", format!("from 0 to {end:.3}")));
+                return Err(file.error_at(&path, "this place is not on the weld", format!("from 0 to {end:.6}")));
             }
         }
         let built = Self { joint: joint.clone(), period: seam.all_round().then(|| seam.length()) };
@@ -49,6 +49,7 @@ impl SeamJoint {
 
     fn refused<T>(&self, file: &Document<T>, why: &NoGroove, p: &SeamPoint) -> DocumentError {
         let (key, allowed) = why.cure();
+        let key = self.joint.preparation.given_key(key);
         let mut path = format!("joint.preparation.{}", self.joint.preparation.key());
         if !key.is_empty() {
             path = format!("{path}.{key}");

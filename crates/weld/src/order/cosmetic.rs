@@ -1,7 +1,8 @@
+use super::ShortSequence;
 use crate::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive};
-use seamwright_program::{Oscillation, Pass, ProcessValues, Role, SpanValue, check_process};
+use seamwright_program::{Oscillation, Pass, ProcessValues, Role, Sequence, SpanValue, check_process, is_beyond};
 use serde::{Deserialize, Serialize};
 
 /// A last pass over the finished weld, on the seam's line, that smooths its surface: with a weak or wide beam. What is not
@@ -18,6 +19,9 @@ pub struct Cosmetic {
     /// Process values that differ from those of `[weld.process]`.
     #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
     pub process: ProcessValues,
+    /// Times before and after the travel.
+    #[serde(default, skip_serializing_if = "ShortSequence::is_usual")]
+    pub sequence: ShortSequence,
     /// How the beam is deflected to and fro while it goes along.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub oscillation: Option<Oscillation>,
@@ -27,11 +31,16 @@ pub struct Cosmetic {
 const SHORTEST_MM: f64 = 1.0;
 
 impl Cosmetic {
-    /// Checks what does not depend on the seam; `process` are the weld's process values.
+    /// Checks what does not depend on the seam; `sequence` and `process` are those of the weld.
     ///
     /// # Errors
     /// With the key's address: a process value that the weld has not, or that is a ramp.
-    pub(crate) fn check<T>(&self, file: &Document<T>, process: &ProcessValues) -> Result<(), DocumentError> {
+    pub(crate) fn check<T>(
+        &self,
+        file: &Document<T>,
+        (sequence, process): (&Sequence, &ProcessValues),
+    ) -> Result<(), DocumentError> {
+        self.sequence.check(file, "cosmetic.sequence", (sequence, process))?;
         check_process(file, "cosmetic.process", &self.process)?;
         for (key, value) in &self.process {
             let path = format!("cosmetic.process.{key}");
@@ -52,15 +61,16 @@ impl Cosmetic {
     /// With the key's address: a begin beyond the end of the weld.
     pub(crate) fn pass<T>(&self, file: &Document<T>, seam: &SeamCurve, weld: &Pass) -> Result<Pass, DocumentError> {
         let last = weld.length() - SHORTEST_MM;
-        if self.from_mm.get() > last {
+        if is_beyond(self.from_mm.get(), last) {
             let message = "the cosmetic pass begins where the weld has ended";
-            return Err(file.error_at("cosmetic.from_mm", message, format!("0 to {last:.3}")));
+            return Err(file.error_at("cosmetic.from_mm", message, format!("0 to {last:.6}")));
         }
         let turn = seam.all_round().then(|| seam.length());
         let mut pass = Pass {
             name: "cosmetic".to_owned(),
             role: Some(Role::Cosmetic),
             least_speed_mm_s: None,
+            sequence: self.sequence.of(&weld.sequence),
             weave: None,
             oscillation: self.oscillation,
             ..weld.piece((self.from_mm.get(), weld.length()), turn)

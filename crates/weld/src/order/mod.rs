@@ -8,6 +8,7 @@ mod cosmetic;
 mod file;
 mod parts;
 mod rows;
+mod short_sequence;
 mod tacks;
 #[cfg(test)]
 mod tests;
@@ -16,16 +17,14 @@ mod tour;
 pub use cosmetic::Cosmetic;
 pub use file::{Parts, Rule, Turns, WeldOrder};
 pub use rows::Rows;
+pub use short_sequence::ShortSequence;
 pub use tacks::Tacks;
 
 use crate::{Job, SeamCurve};
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError, Transform};
-use seamwright_program::{Pass, SeamCopy};
+use seamwright_program::{MAX_PASSES, MAX_ROWS, Pass, SeamCopy};
 use tour::{Leg, Stop, in_rows, tour};
-
-/// More passes in a program are a slip.
-const MOST_PASSES: usize = 10_000;
 
 /// What is welded on a copy before the torch goes on to the next one: passes, each with its parts.
 type Visit = Vec<Vec<Pass>>;
@@ -73,7 +72,7 @@ pub(crate) fn copies(job: &Document<Job>) -> Result<Vec<SeamCopy>, DocumentError
             return Err(job.error_at("rows", "the copies are given twice", "either [rows] or [[copies]]"));
         }
         Some(rows) => {
-            rows.check(job)?;
+            rows.check(job, &j.placement)?;
             rows.copies(&j.placement)
         }
         None => {
@@ -106,12 +105,15 @@ pub(crate) fn ordered(
     if let Some(tacks) = &j.tacks {
         let root = passes.first().and_then(|pass| pass.bead.as_ref());
         let tacks: Visit = tacks.passes(job, seam, (weld, root))?.into_iter().map(|tack| vec![tack]).collect();
-        not_too_many(job, "tacks", tacks.len() * copies.len().max(1))?;
+        let rows = tacks.iter().flatten().map(Pass::rows).sum();
+        not_too_many(job, "tacks", (tacks.len(), rows), copies)?;
         ordering.add(&tacks, None);
     }
+    // Counted before they are made: each part has all rows of its pass.
+    let parts = passes.iter().map(|pass| (order.count_parts(pass, seam), pass.rows()));
+    let all = parts.fold((0, 0), |(parts, rows), (n, of_pass)| (parts + n, rows + n * of_pass));
+    not_too_many(job, if j.order.is_some() { "order" } else { "beads" }, all, copies)?;
     let welds: Visit = passes.iter().map(|pass| order.parts_of(pass, seam)).collect();
-    let parts: usize = welds.iter().map(Vec::len).sum();
-    not_too_many(job, "order", parts * copies.len().max(1) + ordering.done.len())?;
     match order.passes {
         Turns::CopyByCopy => ordering.add(&welds, Some(0)),
         Turns::PassByPass => {
@@ -123,13 +125,25 @@ pub(crate) fn ordered(
     Ok(ordering.done)
 }
 
-/// Refuses `count` passes that the table `key` would give, if they are very many.
-fn not_too_many(job: &Document<Job>, key: &str, count: usize) -> Result<(), DocumentError> {
-    if count <= MOST_PASSES {
-        return Ok(());
+/// Refuses the passes with rows that the table `key` would give on each of the `copies`, if they are very many.
+fn not_too_many(
+    job: &Document<Job>,
+    key: &str,
+    (passes, rows): (usize, usize),
+    copies: &[SeamCopy],
+) -> Result<(), DocumentError> {
+    let times = copies.len().max(1);
+    let (passes, rows) = (passes.saturating_mul(times), rows.saturating_mul(times));
+    let cure = "fewer copies or tacks, or fewer or longer parts";
+    if passes > MAX_PASSES {
+        let message = format!("these are {passes} passes in all");
+        return Err(job.error_at(key, message, format!("up to {MAX_PASSES}: {cure}")));
     }
-    let allowed = format!("up to {MOST_PASSES}: fewer copies or tacks, or fewer or longer parts");
-    Err(job.error_at(key, format!("these are {count} passes in all"), allowed))
+    if rows > MAX_ROWS {
+        let message = format!("these are {passes} passes with {rows} rows of beads and spans in all");
+        return Err(job.error_at(key, message, format!("up to {MAX_ROWS} rows: {cure}, or a larger beads.station_mm")));
+    }
+    Ok(())
 }
 
 /// Row and place of each copy, in the part's frame; one alone where there are no copies.

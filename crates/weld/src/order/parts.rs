@@ -2,7 +2,7 @@ use super::file::{Parts, WeldOrder};
 use crate::SeamCurve;
 use crate::seam::SAME_MM;
 use seamwright_document::{Document, DocumentError};
-use seamwright_program::Pass;
+use seamwright_program::{Pass, SAME_POSITION_MM, is_before, is_beyond, is_same_position, part_start, parts_of};
 
 /// Quarters in the order of welding: each followed by the one opposite it.
 const QUARTERS: [usize; 4] = [0, 2, 1, 3];
@@ -14,8 +14,6 @@ const LEAST_MM: f64 = 10.0 * CORNER_MM;
 const MOST_PIECES: usize = 1000;
 /// Cosine of the largest turn of a seam that is no corner: 0.1 degrees.
 const STRAIGHT: f64 = 1.0 - 1.5e-6;
-/// Lengths of files are rounded: what is too short by this is not, mm.
-const ROUNDED_MM: f64 = 1e-6;
 
 impl WeldOrder {
     /// Checks the parts against the seam.
@@ -34,7 +32,7 @@ impl WeldOrder {
                     "\"whole\", \"quadrants\" or { back_step_mm = 150 }",
                 ));
             }
-            Parts::AtCorners if seam.all_round() && seam.weld_length() > seam.length() + ROUNDED_MM => {
+            Parts::AtCorners if seam.all_round() && is_beyond(seam.weld_length(), seam.length()) => {
                 let message = "from corner to corner there is nothing to overlap";
                 return Err(file.error_at("start.overlap_mm", message, "0 with order.parts = \"at_corners\""));
             }
@@ -44,18 +42,18 @@ impl WeldOrder {
                 return Err(file.error_at("order.parts", message, "\"whole\" or { back_step_mm = 150 }"));
             }
             Parts::Quadrants => 0.25 * seam.length(),
-            Parts::BackStepMm(step) if step.get() >= seam.weld_length() => {
+            Parts::BackStepMm(step) if !is_before(step.get(), seam.weld_length()) => {
                 let message = "the pieces would be longer than the weld";
                 let allowed = format!("less than {}", seam.weld_length());
                 return Err(file.error_at("order.parts.back_step_mm", message, allowed));
             }
-            Parts::BackStepMm(step) if pieces(seam.weld_length(), step.get()) > MOST_PIECES => {
+            Parts::BackStepMm(step) if parts_of(seam.weld_length(), step.get()) > MOST_PIECES => {
                 let allowed = format!("at least {:.3}: {MOST_PIECES} pieces", seam.weld_length() / MOST_PIECES as f64);
                 return Err(file.error_at("order.parts.back_step_mm", "these are very many pieces", allowed));
             }
-            Parts::BackStepMm(step) => seam.weld_length() / pieces(seam.weld_length(), step.get()) as f64,
+            Parts::BackStepMm(step) => seam.weld_length() / parts_of(seam.weld_length(), step.get()) as f64,
         };
-        if self.tie_in_mm.get() >= part {
+        if !is_before(self.tie_in_mm.get(), part) {
             let message = "the parts would lie on one another from end to end";
             return Err(file.error_at("order.tie_in_mm", message, format!("less than a part: {part:.3}")));
         }
@@ -66,6 +64,18 @@ impl WeldOrder {
         Ok(())
     }
 
+    /// Number of parts that [`WeldOrder::parts_of`] makes of `pass`.
+    pub(crate) fn count_parts(&self, pass: &Pass, seam: &SeamCurve) -> usize {
+        let turn = seam.all_round().then(|| seam.length());
+        match self.parts {
+            Parts::Whole => 1,
+            Parts::Quadrants if is_before(pass.length(), seam.length()) => 1,
+            Parts::Quadrants => QUARTERS.len(),
+            Parts::AtCorners => ends_at_corners(pass, seam, turn).len().saturating_sub(1),
+            Parts::BackStepMm(step) => parts_of(pass.length(), step.get()),
+        }
+    }
+
     /// The parts of `pass` on `seam` in the order of welding.
     pub(crate) fn parts_of(&self, pass: &Pass, seam: &SeamCurve) -> Vec<Pass> {
         let turn = seam.all_round().then(|| seam.length());
@@ -73,7 +83,7 @@ impl WeldOrder {
         match self.parts {
             Parts::Whole => vec![pass.clone()],
             // A layer over a part of the seam has no quarters.
-            Parts::Quadrants if length < seam.length() - ROUNDED_MM => vec![pass.clone()],
+            Parts::Quadrants if is_before(length, seam.length()) => vec![pass.clone()],
             Parts::Quadrants => {
                 let quarter = 0.25 * seam.length();
                 let piece = |q: usize| pass.piece((quarter * q as f64, quarter * (q + 1) as f64 + tie_in), turn);
@@ -84,13 +94,11 @@ impl WeldOrder {
                 ends.windows(2).map(|end| pass.piece((end[0] + CORNER_MM, end[1] - CORNER_MM), turn)).collect()
             }
             Parts::BackStepMm(step) => {
-                let count = pieces(length, step.get());
+                let count = parts_of(length, step.get());
                 // Welded all round without an overlap, the last piece ties in with the first one.
-                let over = turn
-                    .filter(|turn| length < turn + ROUNDED_MM && length > turn - ROUNDED_MM)
-                    .map_or(0.0, |_| tie_in);
+                let over = turn.filter(|turn| is_same_position(length, *turn)).map_or(0.0, |_| tie_in);
                 let piece = |i: usize| {
-                    let (from, to) = (length * i as f64 / count as f64, length * (i + 1) as f64 / count as f64);
+                    let (from, to) = (part_start(length, i, count), part_start(length, i + 1, count));
                     let to = if i + 1 == count { to + over } else { to };
                     pass.piece(((from - tie_in).max(0.0), to), turn).turned(turn)
                 };
@@ -105,9 +113,9 @@ impl WeldOrder {
 fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64> {
     let (from, to) = (pass.seam_s(0.0), pass.seam_s(pass.length()));
     let low = from.min(to);
-    let all_round = turn.filter(|turn| pass.length() >= turn - ROUNDED_MM);
+    let all_round = turn.filter(|turn| !is_before(pass.length(), *turn));
     // All round one of every corner, also of one at the start.
-    let range = all_round.map_or((low, from.max(to)), |turn| (low - ROUNDED_MM, low + turn - ROUNDED_MM));
+    let range = all_round.map_or((low, from.max(to)), |turn| (low - SAME_POSITION_MM, low + turn - SAME_POSITION_MM));
     let mut ends: Vec<f64> = corners(seam, range).iter().map(|s| (s - from).abs()).collect();
     ends.sort_by(f64::total_cmp);
     ends.dedup_by(|later, earlier| *later - *earlier < LEAST_MM);
@@ -130,9 +138,4 @@ fn corners(seam: &SeamCurve, range: (f64, f64)) -> Vec<f64> {
         before.tangent.dot(after.tangent) < STRAIGHT || before.bisector.dot(after.bisector) < STRAIGHT
     };
     seam.knots_within(range).into_iter().filter(turns).collect()
-}
-
-/// The number of equal pieces of at most `step` in `length`.
-fn pieces(length: f64, step: f64) -> usize {
-    ((length - ROUNDED_MM) / step).ceil().max(1.0) as usize
 }

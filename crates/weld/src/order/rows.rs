@@ -25,11 +25,11 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// Checks the table `rows` of a job.
+    /// Checks the table `rows` of a job whose seam stands at `placement`.
     ///
     /// # Errors
-    /// With the key's address: no copies or very many, copies at one place.
-    pub(crate) fn check<T>(&self, file: &Document<T>) -> Result<(), DocumentError> {
+    /// With the key's address: no copies or very many, copies at one place or out of this world.
+    pub(crate) fn check<T>(&self, file: &Document<T>, placement: &Transform) -> Result<(), DocumentError> {
         for (key, count) in [("rows.rows", self.rows), ("rows.columns", self.columns)] {
             if count == 0 || count > MOST {
                 return Err(file.error_at(key, "this gives no copies, or very many", format!("1 to {MOST}")));
@@ -39,9 +39,9 @@ impl Rows {
             let allowed = format!("1 to {}: {MOST} copies in all", MOST / self.rows);
             return Err(file.error_at("rows.columns", "these are very many copies", allowed));
         }
-        let step = |step: Point| !step.is_zero() && (step.get() * f64::from(MOST)).is_finite();
+        let step = |step: Point| !step.is_zero();
         let message = "the copies would stand at one place";
-        let allowed = "three numbers that are not all 0, of a size";
+        let allowed = "three numbers that are not all 0";
         if self.columns > 1 && !step(self.step_mm) {
             return Err(file.error_at("rows.step_mm", message, allowed));
         }
@@ -49,6 +49,11 @@ impl Rows {
             return Err(file.error_at("rows.row_step_mm", message, allowed));
         }
         let places: Vec<DVec3> = self.places().map(|(_, _, place)| place).collect();
+        let place = |step: DVec3| Point::new(placement.move_mm.get() + step);
+        if places.iter().any(|step| place(*step).is_none()) {
+            let key = if self.columns > 1 { "rows.step_mm" } else { "rows.row_step_mm" };
+            return Err(file.error_at(key, "a copy would stand too far away", "copies within 1e7 mm of 0"));
+        }
         let twice = |(i, place): (usize, &DVec3)| places[..i].contains(place);
         if places.iter().enumerate().any(twice) {
             return Err(file.error_at(

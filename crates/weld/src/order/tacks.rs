@@ -1,7 +1,10 @@
+use super::ShortSequence;
 use crate::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
-use seamwright_program::{Bead, Pass, ProcessValues, Role, Span, SpanValue, check_process};
+use seamwright_program::{
+    Bead, Pass, ProcessValues, Role, Sequence, Span, SpanValue, check_process, is_before, parts_of,
+};
 use serde::{Deserialize, Serialize};
 
 /// More tacks than this on a seam are a slip.
@@ -28,6 +31,9 @@ pub struct Tacks {
     /// Process values that differ from those of `[weld.process]`.
     #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
     pub process: ProcessValues,
+    /// Times before and after the travel.
+    #[serde(default, skip_serializing_if = "ShortSequence::is_usual")]
+    pub sequence: ShortSequence,
 }
 
 fn clear() -> NonNegative {
@@ -35,11 +41,16 @@ fn clear() -> NonNegative {
 }
 
 impl Tacks {
-    /// Checks what does not depend on the seam; `process` are the weld's process values.
+    /// Checks what does not depend on the seam; `sequence` and `process` are those of the weld.
     ///
     /// # Errors
     /// With the key's address: neither number nor pitch or both, fewer than two, a process value that the weld has not.
-    pub(crate) fn check<T>(&self, file: &Document<T>, process: &ProcessValues) -> Result<(), DocumentError> {
+    pub(crate) fn check<T>(
+        &self,
+        file: &Document<T>,
+        (sequence, process): (&Sequence, &ProcessValues),
+    ) -> Result<(), DocumentError> {
+        self.sequence.check(file, "tacks.sequence", (sequence, process))?;
         if self.count.is_some() == self.pitch_mm.is_some() {
             let message = "the number of tacks follows from one of two keys";
             return Err(file.error_at("tacks", message, "either `count` or `pitch_mm`"));
@@ -91,6 +102,7 @@ impl Tacks {
                 begin_mm: NonNegative::new(begin).unwrap_or_default(),
                 reverse: false,
                 least_speed_mm_s: None,
+                sequence: self.sequence.of(&weld.sequence),
                 bead: bead.clone(),
                 weave: None,
                 spans: vec![Span {
@@ -115,7 +127,7 @@ impl Tacks {
         let least = |pitches: f64| if round { pitches.max(2.0) } else { pitches.max(1.0) + 1.0 };
         let count = match (self.count, self.pitch_mm) {
             (Some(count), _) => f64::from(count),
-            (None, pitch) => least((way / pitch.map_or(way, Positive::get) - 1e-9).ceil()),
+            (None, pitch) => least(parts_of(way, pitch.map_or(way, Positive::get)) as f64),
         };
         if count > MOST {
             let allowed = format!("at least {:.3}: {MOST} tacks", way / MOST);
@@ -123,7 +135,7 @@ impl Tacks {
         }
         let pitch = if round { way / count } else { way / (count - 1.0) };
         let asked = self.pitch_mm.map_or(pitch, |asked| asked.get().min(pitch));
-        if length >= asked {
+        if !is_before(length, asked) {
             let allowed = match (self.pitch_mm, round) {
                 (Some(pitch), _) if pitch.get() <= length => format!("less than pitch_mm = {}", pitch.get()),
                 _ => format!("less than the way from a tack to the next: {count} on {:.3} mm of seam", seam.length()),
@@ -131,7 +143,7 @@ impl Tacks {
             return Err(file.error_at("tacks.length_mm", "the tacks would meet", allowed));
         }
         let first = if round { 0.5 * (pitch - length) } else { clear };
-        if first < clear - 1e-9 {
+        if is_before(first, clear) {
             let message = format!("tacks would begin {first:.3} mm from the weld's start");
             return Err(file.error_at("tacks.clear_mm", message, format!("up to {first:.3}, or fewer tacks")));
         }
@@ -147,14 +159,20 @@ fn opposite_first(count: usize, ring: bool) -> Vec<usize> {
         if ring { d.min(count - d) } else { d }
     };
     let mut order: Vec<usize> = Vec::with_capacity(count);
+    // Distance of each place from those in order; none of those themselves.
+    let mut from_all: Vec<Option<usize>> = vec![Some(count); count];
     while order.len() < count {
-        let left = || (0..count).filter(|i| !order.contains(i));
-        let from_all = |i: usize| order.iter().map(|k| apart(i, *k)).min().unwrap_or(0);
-        let Some(next) = left().max_by_key(|i| (from_all(*i), usize::MAX - i)) else { break };
+        let left = || from_all.iter().enumerate().filter_map(|(i, apart)| Some((i, (*apart)?)));
+        let Some((next, _)) = left().max_by_key(|(i, apart)| (*apart, usize::MAX - i)) else { break };
         let opposite = if ring { (next + count / 2) % count } else { count - 1 - next };
-        let second = left().filter(|i| *i != next).min_by_key(|i| (apart(*i, opposite), *i));
-        order.push(next);
-        order.extend(second);
+        let others = left().map(|(i, _)| i).filter(|i| *i != next);
+        let second = others.min_by_key(|i| (apart(*i, opposite), *i));
+        for taken in std::iter::once(next).chain(second) {
+            order.push(taken);
+            for (i, nearest) in from_all.iter_mut().enumerate() {
+                *nearest = nearest.map(|nearest| nearest.min(apart(i, taken))).filter(|_| i != taken);
+            }
+        }
     }
     order
 }

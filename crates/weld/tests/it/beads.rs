@@ -44,6 +44,23 @@ fn off(welding: &Welding) -> f64 {
 }
 
 #[test]
+fn welds_whose_last_station_rounds_up_are_planned() {
+    for text in [
+        include_str!("../../../../tests/data/field-trial/hillside212.toml"),
+        include_str!("../../../../tests/data/field-trial/11-nozzle.toml"),
+    ] {
+        let welding = read(text);
+        let (seam, passes) = (welding.seam.as_ref().unwrap(), &welding.program.value.passes);
+        assert!(!seam.all_round() && passes.len() > 1);
+        for pass in passes {
+            assert!(pass.bead.as_ref().unwrap().s_mm.iter().all(|s| s.get() <= seam.weld_length()), "{}", pass.name);
+        }
+        let saved = welding.program.value.to_toml().unwrap();
+        assert_eq!(read(&saved).program.value.passes.len(), passes.len());
+    }
+}
+
+#[test]
 fn every_example_with_beads_fills_its_joint() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let mut with_beads = 0;

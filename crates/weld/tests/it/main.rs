@@ -1,6 +1,7 @@
 //! All tests in one program, which is compiled and linked once.
 
 mod beads;
+mod bounds;
 mod branch;
 mod nozzle_wall;
 mod part;
@@ -8,6 +9,8 @@ mod part_random;
 mod pass;
 mod plane;
 mod points;
+mod random_jobs;
+mod short_sequences;
 mod space;
 mod spline;
 mod stations;

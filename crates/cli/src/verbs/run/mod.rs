@@ -18,6 +18,7 @@ use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Urgent,
 use seamwright_cell::tracking::Tracking;
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
+use seamwright_program::is_before;
 use seamwright_project::devices::{self, Lines};
 use seamwright_project::power_loss;
 use std::io::{BufRead as _, IsTerminal as _, Write as _};
@@ -91,7 +92,7 @@ fn start(
 ) -> Result<Start, Failure> {
     let Some(place) = from else { return Ok(Start::at_home(motion)) };
     let length = motion.passes.get(place.pass - 1).map(|pass| pass.path.length());
-    if !length.is_some_and(|length| place.s_mm < length) {
+    if !length.is_some_and(|length| is_before(place.s_mm, length)) {
         let passes = motion.passes.len();
         let most =
             length.map_or(format!("passes 1 to {passes}"), |length| format!("up to {length:.2} mm in that pass"));

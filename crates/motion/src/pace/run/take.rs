@@ -1,7 +1,8 @@
 //! What orders do, by the phase in which they come.
 
-use super::{Goal, NEAR, Run, Then};
+use super::{Goal, Run, Then};
 use crate::pace::{Command, Order, PaceError, RunPhase, Timed};
+use seamwright_program::is_beyond;
 
 /// Overrides below it hold.
 const LEAST: f64 = 0.001;
@@ -37,10 +38,10 @@ impl<L: Timed + ?Sized> Run<'_, L> {
             Order::Step => self.go(Goal::NextPlace)?,
             Order::StepTo(s) => {
                 let length = self.pace.length();
-                if !(s > self.welded + NEAR && s <= length) {
+                if !is_beyond(s, self.welded) || is_beyond(s, length) {
                     return Err(PaceError::StepTo { value: s, welded: self.welded, length });
                 }
-                self.go(Goal::Place(s))?;
+                self.go(Goal::Place(s.min(length)))?;
             }
         }
         self.pass_over()

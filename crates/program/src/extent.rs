@@ -1,0 +1,67 @@
+//! How much a program can hold. More is a slip, and would take memory or time without end.
+
+use crate::{Pass, Program};
+use seamwright_document::{Document, DocumentError};
+
+/// Most passes of a program, each as often as it is welded.
+pub const MAX_PASSES: usize = 10_000;
+
+/// Most rows of all passes (positions of beads, points), each as often as its pass is welded: about 1 GB.
+pub const MAX_ROWS: usize = 4_000_000;
+
+/// Longest seam, mm: a kilometre. Arc length of a longer one is not exact to 1e-9 mm any more.
+pub const MAX_SEAM_MM: f64 = 1e6;
+
+/// Longest travel of a pass, s: a day.
+pub const MAX_TRAVEL_S: f64 = 86_400.0;
+
+impl Pass {
+    /// Rows that it holds: spans, positions of its bead, points.
+    pub fn rows(&self) -> usize {
+        let bead = self.bead.as_ref().map_or(0, |bead| bead.s_mm.len());
+        let points = self.points.as_ref().map_or(0, crate::Points::count);
+        self.spans.len() + bead + points
+    }
+
+    /// Time that it travels along the seam at the asked speed, s.
+    pub fn travel_s(&self) -> f64 {
+        let time = |span: &crate::Span| {
+            let (from, to) = span.speed_mm_s.ends();
+            let (low, high) = (from.min(to), from.max(to));
+            // Linear in path length: the time is the length over the logarithmic mean of the speeds.
+            let mean = if high - low < 1e-6 * high { low } else { (high - low) / (high / low).ln() };
+            (span.to_mm.get() - span.from_mm.get()) / mean
+        };
+        self.spans.iter().map(time).sum()
+    }
+}
+
+impl Program {
+    /// Refuses a program that holds more than a plan can, before its passes are repeated.
+    ///
+    /// # Errors
+    /// With the key's address.
+    pub(crate) fn check_extent(document: &Document<Self>) -> Result<(), DocumentError> {
+        let (mut passes, mut rows) = (0, 0);
+        for (i, pass) in document.value.passes.iter().enumerate() {
+            let times = usize::from(pass.repeat.get());
+            passes += times;
+            rows += times * pass.rows();
+            let wrong = |what: String, allowed: String| {
+                let key = if times > 1 { format!("passes[{i}].repeat") } else { format!("passes[{i}]") };
+                Err(document.error_at(&key, what, allowed))
+            };
+            if passes > MAX_PASSES {
+                return wrong(
+                    "with this the program has too many passes".to_owned(),
+                    format!("up to {MAX_PASSES} in all"),
+                );
+            }
+            if rows > MAX_ROWS {
+                let what = "with this the program has too many rows of points, beads and spans".to_owned();
+                return wrong(what, format!("up to {MAX_ROWS} in all"));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,63 @@
+//! Comparison of path lengths.
+//!
+//! A path length is worked out along several ways (arc length of the seam, sums of spans, even divisions of a pass,
+//! numbers of a file), which agree only to rounding. Every comparison of two path lengths that decides something goes
+//! through this module, so that no position is on the weld for one part of the program and beside it for another.
+
+/// Path lengths that differ by no more than this are the same position, mm.
+///
+/// Arc length is exact to 1e-9 mm, doubles of a kilometre (the longest seam) have a spacing of 1e-10 mm, and a number that
+/// an error prints with six digits is off by half of this: a nanometre is above all rounding and far below what any
+/// machine resolves.
+pub const SAME_POSITION_MM: f64 = 1e-6;
+
+/// True if two path lengths (mm) are the same position.
+pub fn is_same_position(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME_POSITION_MM
+}
+
+/// True if path length `s` lies beyond `end`, mm.
+pub fn is_beyond(s: f64, end: f64) -> bool {
+    s > end + SAME_POSITION_MM
+}
+
+/// True if path length `s` lies before `start`, mm.
+pub fn is_before(s: f64, start: f64) -> bool {
+    s < start - SAME_POSITION_MM
+}
+
+/// Number of equal parts of at most `step` mm that make up `length` mm, at least 1. Saturates at the largest integer.
+pub fn parts_of(length: f64, step: f64) -> usize {
+    ((length - SAME_POSITION_MM) / step).ceil().max(1.0) as usize
+}
+
+/// The path length at which part `i` of `count` equal parts of `length` mm starts. The last part ends at exactly
+/// `length`: `length * count / count` may round beyond it.
+pub fn part_start(length: f64, i: usize, count: usize) -> f64 {
+    length * (i as f64 / count as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_parts_end_where_the_whole_ends() {
+        let mut beyond = 0;
+        for count in 1..2000 {
+            let length = 37.123_456_789 * count as f64 / 7.0;
+            assert!(part_start(length, count, count) <= length && part_start(length, count, count) >= length);
+            beyond += usize::from(length * count as f64 / count as f64 > length);
+        }
+        assert!(beyond > 0, "the product first is no hazard with these numbers");
+    }
+
+    #[test]
+    fn positions_are_the_same_within_rounding_and_differ_above_it() {
+        assert!(!is_beyond(218.5 + 2e-13, 218.5) && is_beyond(218.500_01, 218.5));
+        assert!(!is_before(-2e-13, 0.0) && is_before(-1e-5, 0.0));
+        assert!(is_same_position(1e6, 1e6 + 1e-9) && !is_same_position(0.0, 1e-5));
+        assert_eq!((parts_of(100.0, 10.0), parts_of(100.0 + 1e-9, 10.0), parts_of(100.1, 10.0)), (10, 10, 11));
+        assert_eq!((parts_of(1e-9, 10.0), parts_of(1.0, 1e-300)), (1, usize::MAX));
+    }
+}

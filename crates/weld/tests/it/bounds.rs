@@ -1,0 +1,102 @@
+//! Numbers and counts beyond all sense are refused where they stand, before anything is made of them.
+
+use seamwright_document::DocumentError;
+use seamwright_weld::Welding;
+
+const HILLSIDE: &str = include_str!("../../../../examples/hillside.toml");
+
+fn refused(text: &str) -> DocumentError {
+    let error = Welding::read("job.toml", text).map(|w| w.program.value.passes.len()).unwrap_err();
+    println!("{error}");
+    assert!(error.line > 0 && error.allowed.is_some(), "{error}");
+    error
+}
+
+fn with(changes: &[(&str, &str)]) -> String {
+    changes.iter().fold(HILLSIDE.to_owned(), |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replacen(from, to, 1)
+    })
+}
+
+#[test]
+fn slips_of_the_trial_are_refused_at_their_key() {
+    let trial = [
+        (
+            include_str!("../../../../tests/data/field-trial/sec-seam-hang.toml"),
+            "joint.preparation.t_bevel.thickness_mm",
+        ),
+        (
+            include_str!("../../../../tests/data/field-trial/sec-bead-memory.toml"),
+            "joint.preparation.t_bevel.thickness_mm",
+        ),
+        (include_str!("../../../../tests/data/field-trial/sec-check-oom.toml"), "weld.speed_mm_s"),
+        (include_str!("../../../../tests/data/field-trial/sec-motion-hang.toml"), "sequence.postflow_s"),
+        (include_str!("../../../../tests/data/field-trial/sec-motion-hang2.toml"), "sequence.travel_delay_s"),
+    ];
+    for (text, key) in trial {
+        assert_eq!(refused(text).key, key);
+    }
+}
+
+#[test]
+fn a_groove_of_too_many_beads_is_refused_before_they_are_made() {
+    let e = refused(&with(&[("thickness_mm = 8 ", "thickness_mm = 8000 ")]));
+    assert_eq!((e.key.as_str(), e.value.as_str()), ("joint.preparation.t_bevel.thickness_mm", "8000"));
+    // Where the bead is the slip, its run is named.
+    let e = refused(&with(&[("fill = { layer_mm = 3 }", "fill = { layer_mm = 3, area_mm2 = 1e-9 }")]));
+    assert_eq!(e.key, "beads.fill");
+    let e = refused(&with(&[("wire_mm = 1.2", "wire_mm = 1e-6")]));
+    assert!(e.key.starts_with("beads"), "{e}");
+}
+
+#[test]
+fn counts_that_several_keys_multiply_to_are_refused_at_one_of_them() {
+    // Along a seam of 200 m beads are laid out at every tenth of a millimetre.
+    let big = [
+        ("radius_mm = 60", "radius_mm = 30000"),
+        ("radius_mm = 150", "radius_mm = 90000"),
+        ("wire_mm = 1.2", "wire_mm = 1.2\nstation_mm = 0.1"),
+    ];
+    assert_eq!(refused(&with(&big)).key, "beads.station_mm");
+    // A thousand copies of many beads.
+    let rows = "[rows]\nrows = 10\ncolumns = 100\nstep_mm = [400, 0, 0]\nrow_step_mm = [0, 400, 0]\n[joint]";
+    let e = refused(&with(&[("[joint]", rows), ("wire_mm = 1.2", "wire_mm = 1.2\nstation_mm = 0.2")]));
+    assert!(e.message.contains("rows") || e.message.contains("passes"), "{e}");
+    // A step too large for the copies to stand in this world.
+    let far = rows.replace("400, 0, 0", "9e6, 0, 0");
+    assert_eq!(refused(&with(&[("[joint]", &far)])).key, "rows.step_mm");
+}
+
+#[test]
+fn a_pass_of_more_than_a_day_is_refused_at_its_speed() {
+    let job =
+        "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.circle]\nradius_mm = 100\n[weld]\nspeed_mm_s = 0.005\n";
+    assert_eq!(refused(job).key, "weld.speed_mm_s");
+    assert_eq!(refused(&job.replace("0.005", "1e-20")).message, "this is too small");
+    let e = refused(&with(&[("speed_mm_s = 5,", "speed_mm_s = 0.001, area_mm2 = 20,")]));
+    assert_eq!(e.key, "beads.root.speed_mm_s");
+}
+
+#[test]
+fn seams_of_more_than_a_kilometre_are_refused() {
+    let job = |seam: &str| format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{seam}\n[weld]\nspeed_mm_s = 5\n");
+    let e = refused(&job(
+        "[seam.line]\nstart_mm = [-9e6, 0, 0]\nend_mm = [9e6, 0, 0]\nfirst_normal = [0, 0, 1]\nsecond_normal = [0, 0, 1]",
+    ));
+    assert_eq!(e.key, "seam");
+    let e = refused(&job("[seam.helix]\nradius_mm = 1000\npitch_mm = 10\nturns = 900"));
+    assert_eq!(e.key, "seam");
+    assert_eq!(refused(&job("[seam.circle]\nradius_mm = 1e7")).key, "seam.circle.radius_mm");
+}
+
+#[test]
+fn programs_of_too_many_passes_are_refused_before_they_are_repeated() {
+    let span = "[[passes.spans]]\nfrom_mm = 0\nto_mm = 100\nspeed_mm_s = 5\n";
+    let pass = |repeat: u32| format!("[[passes]]\nname = \"p\"\nrepeat = {repeat}\n{span}");
+    let text = format!(
+        "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.circle]\nradius_mm = 100\n{}",
+        (0..11).map(|_| pass(1000)).collect::<String>()
+    );
+    assert_eq!(refused(&text).key, "passes[10].repeat");
+}
