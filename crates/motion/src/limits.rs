@@ -113,19 +113,22 @@ fn slow_runs(planned: Planned, pass: &Pass, times: f64) -> Vec<SlowRun> {
             _ => runs.push(Vec::new()),
         }
     }
+    let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
+    let slowest = |run: &[Interval]| run.iter().copied().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0));
+    runs.retain(|run| {
+        let reached = slowest(run).map_or(1.0, |interval| interval.reached.0);
+        run.last().is_some_and(|last| reached <= 1.0 - worth_saying(planned, (run[0].from, last.to), changes))
+    });
     if planned.joints.is_woven() {
         // At every swing there is one: they are told as one.
         runs = vec![runs.concat()];
     }
-    let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
     let slow = |run: &Vec<Interval>| {
-        let slowest = run.iter().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0))?;
+        let slowest = slowest(run)?;
         let (part, at) = slowest.reached;
-        let (from, to) = (run[0].from, run[run.len() - 1].to);
         let asked = asked(at);
         let binding = Binding::new(planned.machine, slowest.bound);
-        let slow = part <= 1.0 - worth_saying(planned, (from, to), changes);
-        slow.then_some(SlowRun { from, to, at, asked, reached: part * asked, binding })
+        Some(SlowRun { from: run[0].from, to: run.last()?.to, at, asked, reached: part * asked, binding })
     };
     runs.iter().filter_map(slow).collect()
 }

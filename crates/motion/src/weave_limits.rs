@@ -146,7 +146,9 @@ impl<'a> Woven<'a> {
     /// above it, if there is one: bisected in the windows, then planned as a whole.
     fn highest(&self) -> Option<f64> {
         let fits = |factor: f64| self.used(factor).is_some_and(|all| all.iter().all(|used| used.part <= USED));
-        let factor = greatest(fits)?;
+        // Most of what a weave takes grows with a power of its frequency, as it does with that of the speed.
+        let guess = self.used(1.0)?.iter().map(|used| used.holds).fold(1.0, f64::min);
+        let factor = greatest(guess, fits)?;
         PLANNED.iter().map(|part| part * factor).find(|factor| self.keeps(*factor))
     }
 
@@ -214,14 +216,29 @@ fn greater(most: Used, (at, speed): (f64, f64), rows: &[[f64; 3]], limits: &[Lim
     })
 }
 
-/// The greatest factor below 1 that fits, to [`CLOSE`] and never above it, if any does: lowered until one fits, then
-/// bisected.
-fn greatest(fits: impl Fn(f64) -> bool) -> Option<f64> {
-    let (mut low, mut high) = (0.7, 1.0);
-    while !fits(low) {
-        (low, high) = (0.5 * low, low);
-        if low < LEAST {
-            return None;
+/// The greatest factor below 1 that fits, to [`CLOSE`] and never above it, if any does: about a `guess`, in steps that
+/// double until one fits and one does not, then bisected.
+fn greatest(guess: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
+    let mut step = 2.0 * CLOSE;
+    let (mut low, mut high) = (guess.clamp(LEAST, 1.0) / (1.0 + step), 1.0);
+    if fits(low) {
+        while low * (1.0 + step) < 1.0 {
+            let next = low * (1.0 + step);
+            if !fits(next) {
+                high = next;
+                break;
+            }
+            (low, step) = (next, 2.0 * step);
+        }
+    } else {
+        loop {
+            (low, high, step) = (low / (1.0 + step), low, 2.0 * step);
+            if low < LEAST {
+                return None;
+            }
+            if fits(low) {
+                break;
+            }
         }
     }
     while high > low * (1.0 + CLOSE) {
@@ -239,9 +256,13 @@ mod tests {
     fn the_greatest_factor_is_found_from_below() {
         for i in 1..200 {
             let bound = f64::from(i) / 200.0;
-            match greatest(|f| f <= bound) {
-                Some(found) => assert!(found <= bound && found * (1.0 + CLOSE) >= bound, "{bound}: {found}"),
-                None => assert!(bound < 0.03, "{bound}"),
+            for guess in [1e-9, 0.5 * bound, 0.999 * bound, bound, 1.001 * bound, 3.0 * bound, 1.0] {
+                match greatest(guess, |f| f <= bound) {
+                    Some(found) => {
+                        assert!(found <= bound && found * (1.0 + CLOSE) >= bound, "{guess} {bound}: {found}")
+                    }
+                    None => assert!(bound < 1.5 * LEAST, "{guess} {bound}"),
+                }
             }
         }
     }

@@ -26,8 +26,9 @@ const ENOUGH: f64 = 3e-4;
 /// Cells in which the law is too stiff to follow an asked speed that changes are halved if no limit is used by more than
 /// this part in them and beside,
 const SPARED: f64 = 0.9;
-/// and the tip takes longer than this to pass them, s: nothing on a machine is as short.
-const BRIEF: f64 = 5e-4;
+/// and the tip takes longer than this to pass them, s: cells much narrower than their neighbours cost the solver steps, and
+/// a change of the asked speed by a half in a second is followed within a thousandth in cells as brief.
+const BRIEF: f64 = 4e-3;
 /// Use of a limit between the places of rows from which on cells are halved rather than given less room.
 const ROUGH: f64 = 1.001;
 /// Narrower cells than this part of the path get less room rather than being halved: they would cost digits.

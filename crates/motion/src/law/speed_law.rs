@@ -194,14 +194,18 @@ impl SpeedLaw {
     }
 
     /// Those of `cells` between the run-up with which they begin and the run-down with which they end: in these the speed
-    /// comes nearer to the asked one, or goes away from it.
+    /// rises or comes nearer to the asked one, or it falls or goes away from that.
     fn between(&self, cells: Range<usize>) -> Range<usize> {
-        let change = |i: usize| match self.cells[i].parts {
-            [before, after] if before + after > 0.0 => after - before,
-            _ => self.in_cell(i, 1.0).v - self.in_cell(i, 0.0).v,
+        let changes = |i: usize| {
+            let [before, after] = self.cells[i].parts;
+            // An asked speed that changes by much does not hide that the tip speeds up, or slows down.
+            let [from, to] = [0.0, 1.0].map(|part| self.in_cell(i, part).v);
+            if before + after > 0.0 { [to - from, after - before] } else { [to - from; 2] }
         };
-        let up = cells.clone().take_while(|i| !self.cells[*i].cruises && change(*i) > 0.0).count();
-        let down = cells.clone().rev().take_while(|i| !self.cells[*i].cruises && change(*i) < 0.0).count();
+        let rises = |i: &usize| !self.cells[*i].cruises && changes(*i).iter().any(|change| *change > 0.0);
+        let falls = |i: &usize| !self.cells[*i].cruises && changes(*i).iter().any(|change| *change < 0.0);
+        let up = cells.clone().take_while(rises).count();
+        let down = cells.clone().rev().take_while(falls).count();
         cells.start + up..(cells.end - down).max(cells.start + up)
     }
 

@@ -213,7 +213,10 @@ fn the_highest_frequency_costs_about_a_plan() {
         let counted = Counted { path: path.slower(1.0).unwrap(), poses: &poses };
         let motion = PassMotion::plan(&machine, &counted, &welding.program.value.passes[0], 1);
         let poses = poses.load(Ordering::Relaxed);
-        (motion.err().unwrap_or_default(), poses)
+        let mut findings = motion.err().unwrap_or_default();
+        // That the machine has too few axes for the direction is of no interest here.
+        findings.retain(|f| f.kind != "attitude");
+        (findings, poses)
     };
     let (findings, refused) = planned(8.0);
     let [finding] = &findings[..] else { panic!("{findings:#?}") };
