@@ -205,6 +205,12 @@ export const de: Table = {
   'said.cleared_of': '{0} ({1}) ist vorbei',
   'said.pass_ends': 'Lage {0} endet bei {1} mm',
   'said.left_before': 'Schweißung {0} wurde durch Ausfall von Strom oder Programm verlassen: vor dem Fortsetzen das Raupenende ansehen',
+  'said.stopped_by': 'Die Zelle wurde gestoppt durch {0}',
+  'said.cycles_missed': '{0} Takte wurden ausgelassen, bis zu {1} ms am Stück',
+  'said.no_realtime': 'Der Takt läuft ohne Echtzeitrechte: {0}',
+  'said.safe_unconfirmed': '{0}: Sichere Ausgänge sind nicht bestätigt: {1}',
+  'said.journal_damaged':
+    'Das Positionsjournal ist beschädigt: Eine durch Stromausfall abgebrochene Schweißung wäre nicht bekannt; Werkstück prüfen, dann referenzieren',
   'said.recorded': 'Schweißung {0} aufgezeichnet: {1}',
   'said.record_not_whole': 'Schweißung {0}: das Protokoll ist unvollständig: {1}',
   'said.record_interrupted': 'Schweißung {0} wurde unterbrochen; ihr Protokoll ist wieder vollständig',

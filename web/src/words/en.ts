@@ -203,6 +203,12 @@ export const en = {
   'said.cleared_of': '{0} ({1}) has gone',
   'said.pass_ends': 'pass {0} ends at {1} mm',
   'said.left_before': 'weld {0} was left by a failure of power or program: look at the end of its bead before going on',
+  'said.stopped_by': 'the cell was stopped by {0}',
+  'said.cycles_missed': '{0} cycles were missed, up to {1} ms at once',
+  'said.no_realtime': 'the cycle runs without real-time rights: {0}',
+  'said.safe_unconfirmed': '{0}: its outputs are not confirmed to be safe: {1}',
+  'said.journal_damaged':
+    'the journal of positions is damaged: a weld left by a power failure would not be known; look at the part, then home',
   'said.recorded': 'weld {0} recorded: {1}',
   'said.record_not_whole': 'weld {0}: the record is not complete: {1}',
   'said.record_interrupted': 'weld {0} was interrupted; its record is whole again',

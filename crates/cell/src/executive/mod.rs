@@ -24,6 +24,7 @@ mod mode;
 mod process;
 mod program;
 mod readiness;
+mod shutdown;
 mod state;
 mod supervision;
 mod work;

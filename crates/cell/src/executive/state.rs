@@ -155,6 +155,10 @@ pub trait Port {
     fn record_fails(&self) -> bool {
         false
     }
+    /// True once everything shall come to its end: process off, axes at rest, power off.
+    fn shuts_down(&self) -> bool {
+        false
+    }
 }
 
 impl<P: Port + ?Sized> Port for &mut P {
@@ -172,6 +176,10 @@ impl<P: Port + ?Sized> Port for &mut P {
 
     fn record_fails(&self) -> bool {
         (**self).record_fails()
+    }
+
+    fn shuts_down(&self) -> bool {
+        (**self).shuts_down()
     }
 }
 

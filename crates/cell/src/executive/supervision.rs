@@ -216,7 +216,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 
     /// Does what an alarm asks for.
-    fn react(&mut self, reaction: Reaction) {
+    pub(super) fn react(&mut self, reaction: Reaction) {
         match reaction {
             Reaction::Tell => {}
             Reaction::Hold => self.hold(),

@@ -32,6 +32,7 @@ mod run_modbus;
 mod seams;
 mod serve;
 mod speed_mistakes;
+mod stopped;
 mod stripe;
 mod taught;
 mod teach;

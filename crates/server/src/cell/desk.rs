@@ -12,10 +12,11 @@ use super::stillness::Stillness;
 use crate::wire::{FromCell, LackView, Shelving, WorkView};
 use rtrb::{Consumer, Producer};
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Origin};
-use seamwright_cell::realtime::{Outside, Shown};
+use seamwright_cell::realtime::{Footing, Outside, Shown, Shutdown};
 use seamwright_record::Plan;
 use std::collections::{HashMap, VecDeque};
-use std::sync::Arc;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, OnceLock};
 use std::sync::mpsc::{Receiver, TryRecvError};
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
@@ -24,6 +25,9 @@ use tokio::sync::oneshot;
 const LOOK: Duration = Duration::from_millis(2);
 /// How often clients are shown what the cell is doing.
 const SHOW: Duration = Duration::from_micros(33_333);
+
+/// After a signal or a panic the cycle has this long to come to its end; then the desk ends without it.
+const SHUTDOWN: Duration = Duration::from_secs(15);
 
 /// Commands that wait for the cycle at most.
 const WAITING: usize = 512;
@@ -75,6 +79,8 @@ pub(super) struct Desk {
     now: Option<Shown>,
     shown: Instant,
     stillness: Stillness,
+    /// What the system grants to the cycle.
+    footing: Arc<OnceLock<Footing>>,
     missed: u32,
     pub(super) left: Option<Left>,
     pub(super) quits: bool,
@@ -96,8 +102,8 @@ impl Desk {
         queues: Queues,
         from: Receiver<ToDesk>,
         names: Names,
-        (recorder, mirror): (Recorder, Mirror),
-        left: Option<Left>,
+        (recorder, mirror, left): (Recorder, Mirror, Option<Left>),
+        footing: Arc<OnceLock<Footing>>,
     ) -> Self {
         let Queues { outside, next, done } = queues;
         Self {
@@ -117,6 +123,7 @@ impl Desk {
             now: None,
             shown: Instant::now(),
             stillness: Stillness::default(),
+            footing,
             missed: 0,
             left,
             quits: false,
@@ -124,14 +131,32 @@ impl Desk {
         }
     }
 
-    /// Runs until `ended` says that the cycle has ended.
-    pub(super) fn run(mut self, ended: impl Fn() -> bool) {
+    /// Runs until `ended` says that the cycle has ended, or `shutdown` was asked for and it does not. Records are closed then.
+    pub(super) fn run(mut self, ended: impl Fn() -> bool, shutdown: &Shutdown) {
+        let mut asked: Option<Instant> = None;
+        // After a fault of its own it only waits: the cycle ends by itself, which the fault has asked it to.
+        let mut fails = false;
         while !ended() {
-            self.look();
+            fails = fails || catch_unwind(AssertUnwindSafe(|| self.look())).is_err();
+            if shutdown.is_requested() && asked.get_or_insert_with(Instant::now).elapsed() > SHUTDOWN {
+                eprintln!("error: the cycle does not come to its end: check that arc, gas and drives are off");
+                break;
+            }
             std::thread::sleep(LOOK);
         }
-        self.look();
-        self.recorder.end();
+        let closed = catch_unwind(AssertUnwindSafe(|| {
+            if !fails {
+                self.look();
+            }
+            if let Some(cause) = shutdown.cause() {
+                self.tell(happening("stopped_by", [cause.to_string()]));
+                self.recorder.stopped_by(&cause.to_string());
+            }
+            self.recorder.close();
+        }));
+        if closed.is_err() {
+            eprintln!("error: the record of the last weld was not closed: the next start makes it whole");
+        }
     }
 
     fn look(&mut self) {

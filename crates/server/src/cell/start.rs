@@ -10,12 +10,12 @@ use super::left::Left;
 use super::names::Names;
 use super::prepared::{Prepared, Task};
 use super::recorder::Recorder;
-use seamwright_cell::realtime::{Urgent, live};
+use seamwright_cell::realtime::{Shutdown, Urgent, live};
 use seamwright_machine::{Clamped, Machine, MachineDevices};
 use seamwright_record::DataFolder;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Sender, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread::JoinHandle;
 
 /// Programs that wait for the cycle, and those that it has done with.
@@ -37,10 +37,11 @@ pub(crate) struct Cell {
 impl Cell {
     /// Starts a cell on the devices of `machine`, off and without a program; records go to `data`. Files that the machine file
     /// names are seen from `beside`; `values` are the process values of the programs that come, for devices that are not simulated.
+    /// `shutdown` ends it past everything else: process off within a cycle, rest, power off.
     ///
     /// # Errors
     /// In words: a folder that cannot be written, values in the machine file that make no drive, devices that do not answer.
-    pub(crate) fn start(machine: &Machine, beside: &Path, values: &[String], data: &Path) -> Result<Self, String> {
+    pub(crate) fn start(machine: &Machine, beside: &Path, values: &[String], data: &Path, shutdown: &Shutdown) -> Result<Self, String> {
         seamwright_cell::check_drives(machine).map_err(|e| e.to_string())?;
         let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
         let interrupted = folder.recover().map_err(|e| e.to_string())?;
@@ -64,7 +65,7 @@ impl Cell {
             hub.event(0.0, happening("alarm_before", [alarm.name.clone(), alarm.raised.to_string()]));
         }
         let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;
-        let (port, outside) = live();
+        let (port, outside) = live(shutdown);
         let urgent = outside.urgent();
         let (next, to_cycle) = rtrb::RingBuffer::new(PROGRAMS);
         let (from_cycle, done) = rtrb::RingBuffer::new(PROGRAMS);
@@ -73,16 +74,21 @@ impl Cell {
         // Files that are not devices' come first: nothing is switched before everything else is good.
         let devices = CellDevices::new(&task, beside, values)?;
         hub.set_connection(devices.to());
-        let cycle =
-            std::thread::spawn(move || cycle::run(task, devices, port, Swap { next: to_cycle, done: from_cycle }));
+        let footing = Arc::new(OnceLock::new());
+        let (its_footing, its_shutdown) = (Arc::clone(&footing), shutdown.clone());
+        let cycle = std::thread::spawn(move || {
+            let swap = Swap { next: to_cycle, done: from_cycle };
+            cycle::run(task, devices, port, (swap, &its_footing, &its_shutdown));
+        });
         let (desk, from) = channel();
         let names = Names { machine: machine.clone(), fingerprint, values: 0, heads: 0 };
         let recorder = Recorder::new(data, Arc::clone(&hub), archive.clone());
         let mirror = Mirror::new(&unknown);
         hub.alarms(mirror.views(&names));
         let queues = Queues { outside, next, done };
-        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror), left);
-        let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished()));
+        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror, left), footing);
+        let its_shutdown = shutdown.clone();
+        let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished(), &its_shutdown));
         let watched = Arc::downgrade(&hub);
         std::thread::spawn(move || around::watch(&watched));
         let devices = (machine.devices.clone(), beside.to_owned());

@@ -1,5 +1,6 @@
 use super::answer::Refused;
 use axum::http::StatusCode;
+use seamwright_cell::realtime::contained;
 use std::sync::Arc;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
@@ -43,11 +44,12 @@ impl Turns {
         work: impl FnOnce() -> Result<T, Refused> + Send + 'static,
     ) -> Result<T, Refused> {
         let turn = self.take().await?;
-        tokio::task::spawn_blocking(move || {
+        let done = tokio::task::spawn_blocking(move || {
             let _turn = turn;
-            work()
-        })
-        .await?
+            // A fault in a plan costs its answer, not the cell.
+            contained(work)
+        });
+        done.await?.unwrap_or_else(|_| Err(Refused::server("it failed by a fault of the program: please report it")))
     }
 }
 

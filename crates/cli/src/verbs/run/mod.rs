@@ -14,19 +14,23 @@ use desk::Desk;
 use seamwright_cell::SimulatedCell;
 use seamwright_cell::devices::Fault;
 use seamwright_cell::executive::{Devices, Executive, Place, Start, Work};
-use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Urgent, live};
+use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shutdown, Urgent, guarded, live};
 use seamwright_cell::tracking::Tracking;
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_project::devices::{self, Lines};
 use seamwright_project::power_loss;
 use std::io::{BufRead as _, IsTerminal as _, Write as _};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::time::Duration;
+use std::thread::ScopedJoinHandle;
+use std::time::{Duration, Instant};
 use table::Table;
 
 /// How often the desk looks at what the cycle has sent.
 const LOOK: Duration = Duration::from_millis(5);
+/// After a signal the cycle has this long to bring everything to rest and its devices to their safe states.
+const SHUTDOWN: Duration = Duration::from_secs(15);
 
 /// What a cell ran on, and how it ended.
 pub(super) struct Ended {
@@ -115,13 +119,17 @@ fn with_cell(
     let machine = &loaded.machine;
     let work = cell.work(start(loaded, around, motion, asked.from)?).map_err(|e| bad(&e))?;
     let tracking = cell.tracking(asked.from.unwrap_or_default()).map_err(|e| bad(&e))?;
+    // From here on there are devices that nobody may leave as they are.
+    let shutdown = Shutdown::default();
+    shutdown.on_signals()?;
+    shutdown.on_panic();
     // Nothing is written before they answer.
     let (devices, lines) = devices(loaded, cell, &work, asked)?;
     let mut output = Output::new(asked.output)?;
     let kept = (work.values(), tracking.is_some(), asked.from);
     let table = Table::new((loaded, motion), &output, asked.record, kept)?;
     let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
-    let ended = real(work, machine, (devices, lines, tracking), asked.cpu, &mut desk)?;
+    let ended = real(work, machine, (devices, lines, tracking), (asked.cpu, &shutdown), &mut desk)?;
     desk.close(&mut output, &loaded.welding.program.value.title, &ended)?;
     output.finish()?;
     tell_missed(&ended, machine.servo_period_s);
@@ -154,40 +162,80 @@ fn real(
     work: Work<'_>,
     machine: &Machine,
     (devices, lines, mut tracking): (Box<dyn Devices + Send + '_>, Lines, Option<Tracking<'_>>),
-    cpu: Option<usize>,
+    (cpu, shutdown): (Option<usize>, &Shutdown),
     desk: &mut Desk,
 ) -> Result<Ended, Failure> {
-    let (port, mut outside) = live();
+    let (port, mut outside) = live(shutdown);
     let typed = typed(outside.urgent());
     let places = desk.journal()?.map(power_loss::writer);
     std::thread::scope(|scope| {
         let cycle = scope.spawn(move || {
             let footing = Footing::ask(cpu);
             let mut paced = Paced { devices, pacer: Pacer::new(machine.servo_period_s) };
-            let guide = tracking.as_mut().map(|tracking| tracking as _);
-            let mut executive = Executive::new(machine, &mut paced as &mut dyn Devices, port).with_guide(guide);
-            executive.serve(Some(&work));
-            let left = executive.left();
-            drop(executive);
-            (left, footing, paced.pacer.latency().clone())
+            let left = guarded(&mut paced, shutdown, |paced| {
+                let guide = tracking.as_mut().map(|tracking| tracking as _);
+                let mut executive = Executive::new(machine, paced as &mut dyn Devices, port).with_guide(guide);
+                executive.serve(Some(&work));
+                executive.left()
+            });
+            let latency = paced.pacer.latency().clone();
+            // Until here real devices may be out of their safe states.
+            drop(paced);
+            (left, footing, latency)
         });
-        while !cycle.is_finished() {
-            look(&mut outside, &typed, desk);
-            if let (Some(places), Some(position)) = (&places, desk.position()) {
-                // A disk that is slow misses some.
-                places.tell(position);
+        let listened = catch_unwind(AssertUnwindSafe(|| {
+            let mut waits = None;
+            while !cycle.is_finished() {
+                look(&mut outside, &typed, desk);
+                if let (Some(places), Some(position)) = (&places, desk.position()) {
+                    // A disk that is slow misses some.
+                    places.tell(position);
+                }
+                give_up_late(shutdown, &mut waits);
+                std::thread::sleep(LOOK);
             }
-            std::thread::sleep(LOOK);
+            look(&mut outside, &typed, desk);
+        }));
+        if listened.is_err() {
+            wait_for_end(&cycle, shutdown);
         }
-        look(&mut outside, &typed, desk);
         let (left, footing, latency) =
             cycle.join().map_err(|_| Failure::Environment("the thread of the cycle ended early".to_owned()))?;
+        if let Some(cause) = shutdown.cause() {
+            desk.ended_by(cause);
+        }
         // It ended in order: nothing is left to power failures.
-        if let Some(places) = places {
+        if let Some(places) = places.filter(|_| left.is_ok()) {
             places.end()?;
         }
-        Ok(Ended { left, timing: Some((footing, latency)), lines })
+        Ok(Ended { left: left.unwrap_or(None), timing: Some((footing, latency)), lines })
     })
+}
+
+/// Waits for the cycle without a desk.
+fn wait_for_end<T>(cycle: &ScopedJoinHandle<'_, T>, shutdown: &Shutdown) {
+    let mut waits = None;
+    while !cycle.is_finished() {
+        give_up_late(shutdown, &mut waits);
+        std::thread::sleep(LOOK);
+    }
+}
+
+/// Ends the process where the cycle does not come to its end: it hangs in a device. Those that have a thread or a watchdog of
+/// their own have left the process off by then.
+fn give_up_late(shutdown: &Shutdown, waits: &mut Option<Instant>) {
+    let Some(cause) = shutdown.cause() else { return };
+    if waits.get_or_insert_with(Instant::now).elapsed() < SHUTDOWN {
+        return;
+    }
+    // Nothing can be done if standard error is closed.
+    let _ = writeln!(
+        std::io::stderr(),
+        "error: ended by {cause}, but the cycle does not come to its end within {} s: check that arc, gas and drives are off\n   \
+         the record is made whole by the next `seamwright records recover`",
+        SHUTDOWN.as_secs()
+    );
+    std::process::exit(3);
 }
 
 /// Takes what the cycle has sent and the operator typed, and gives the next order.

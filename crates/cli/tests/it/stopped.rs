@@ -1,0 +1,95 @@
+//! `run` ended by a signal while it welds on a real device: arc, gas and values are off, the record is closed, the exit code says so.
+
+use crate::common::{example, good};
+use crate::modbus_server::TestServer;
+use crate::modbus_welder::{MAP, welder};
+use serde_json::Value;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// The example ellipse on a machine whose process source is at `address`.
+pub(crate) fn job(folder: &Path, address: &str) -> String {
+    let machine = good(&["machines", "ellipse-xy"]);
+    let machine = format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 1\n{MAP}");
+    std::fs::write(folder.join("cell.toml"), machine).unwrap();
+    let text = std::fs::read_to_string(example("ellipse")).unwrap();
+    let path = folder.join("job.toml");
+    std::fs::write(&path, text.replace("machine = \"ellipse-xy\"", "machine = \"cell.toml\"")).unwrap();
+    path.display().to_string()
+}
+
+pub(crate) fn eventually(what: &str, done: impl Fn() -> bool) {
+    let begun = Instant::now();
+    while !done() {
+        assert!(begun.elapsed() < Duration::from_secs(60), "not within 60 s: {what}");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+/// A weld whose arc burns on the device of `server`.
+pub(crate) struct Welding {
+    pub(crate) child: Child,
+    pub(crate) out: PathBuf,
+    pub(crate) data: PathBuf,
+}
+
+impl Welding {
+    pub(crate) fn begin(folder: &Path, server: &TestServer) -> Self {
+        let job = job(folder, &server.address.to_string());
+        let [out, data] = ["out", "data"].map(|name| folder.join(name));
+        let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
+            .args(["run", &job, "--part", "N-1", "-o"])
+            .arg(&out)
+            .arg("--data")
+            .arg(&data)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let orders = child.stdin.as_mut().unwrap();
+        orders.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 100000 s\n").unwrap();
+        eventually("the arc", || server.bank().discrete[4]);
+        Self { child, out, data }
+    }
+
+    pub(crate) fn signal(&self, name: &str) {
+        let status = Command::new("kill").args([&format!("-{name}"), &self.child.id().to_string()]).status();
+        assert!(status.unwrap().success());
+    }
+
+    /// Its exit code, and what it said.
+    pub(crate) fn ends(self) -> (Option<i32>, String) {
+        let output = self.child.wait_with_output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    }
+}
+
+#[test]
+fn a_signal_takes_the_process_away_and_closes_the_record() {
+    for name in ["TERM", "INT", "HUP", "QUIT", "TSTP"] {
+        let server = TestServer::new(welder);
+        let folder = tempfile::tempdir().unwrap();
+        let welding = Welding::begin(folder.path(), &server);
+        assert!(server.bank().holding[0] > 0);
+        welding.signal(name);
+        let (out, data) = (welding.out.clone(), welding.data.display().to_string());
+        let (code, told) = welding.ends();
+        assert_eq!(code, Some(3), "SIG{name}: {told}");
+        assert!(told.contains(&format!("SIG{name}")), "{told}");
+        {
+            let bank = server.bank();
+            assert!(!bank.coils[0] && !bank.coils[1] && bank.holding[..2] == [0, 0], "SIG{name}");
+        }
+        let welds: Value = serde_json::from_str(&good(&["records", "list", "--data", &data, "--json"])).unwrap();
+        assert_eq!((&welds[0]["result"], &welds[0]["part"]), (&"stopped".into(), &"N-1".into()), "{welds}");
+        assert!(welds[0]["note"].as_str().unwrap().contains(&format!("signal SIG{name}")), "{welds}");
+        assert!(welds[0]["ended"].is_string(), "{welds}");
+        good(&["records", "verify", "--data", &data]);
+        let run: Value = serde_json::from_str(&std::fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
+        assert_eq!(run["ended_by"], format!("signal SIG{name}"), "{run}");
+        assert_eq!(run["mode"], "off", "it came to rest before its power went: {run}");
+    }
+}
