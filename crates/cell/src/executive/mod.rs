@@ -31,7 +31,7 @@ mod work;
 
 pub use alarm::{Alarm, Entry, Reaction, catalogue};
 pub use alarm_list::{AlarmList, AlarmState, MOST_ALARMS, Place, Raised};
-pub use bus::{Devices, DriveReport, Orders, ProcessOrders, Reports, SensorReport, SourceReport, VALUES};
+pub use bus::{Devices, DriveReport, Orders, ProcessOrders, Reports, SensorReport, Slack, SourceReport, VALUES};
 pub use command::{Ask, Command, Origin};
 pub use core::{End, Executive};
 pub use guide::{Guide, Guided, Planned, SeamOrders, Seen, Tracked, Trouble};

@@ -65,6 +65,8 @@ pub enum Note {
     Alarm(Raised),
     /// Its cause has gone; which axis or condition.
     Cleared(Alarm, u8),
+    /// Cycles were missed of late: how many, and the longest time without one, ms.
+    Missed(u32, f64),
     /// A pass came to its end, welded up to there.
     PassEnds(Place),
     /// Where a program was left that can be gone on with.

@@ -51,7 +51,6 @@ fn shut_down<'a>(
         drives: SimulatedDrives::new(machine, 1).unwrap(),
         source: SimulatedSource::new(1, machine.servo_period_s),
         inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-        period_s: machine.servo_period_s,
     };
     let work = planned.work(Start::at_home(&planned.motion));
     let mut port = Flagged { script: Script::new(lines), when, set: None };
@@ -107,7 +106,6 @@ fn a_panic_of_the_cycle_orders_the_devices_off() {
         drives: SimulatedDrives::new(&machine, 1).unwrap(),
         source: parts.source.unwrap(),
         inputs: parts.inputs.unwrap(),
-        period_s: PERIOD_S,
     };
     let shutdown = Shutdown::default();
     let panicked = guarded(&mut devices, &shutdown, |devices| {

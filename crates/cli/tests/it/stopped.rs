@@ -3,8 +3,9 @@
 use crate::common::{example, good};
 use crate::modbus_server::TestServer;
 use crate::modbus_welder::{MAP, welder};
+use seamwright_record::trace::Trace;
 use serde_json::Value;
-use std::io::Write as _;
+use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -91,5 +92,57 @@ fn a_signal_takes_the_process_away_and_closes_the_record() {
         let run: Value = serde_json::from_str(&std::fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
         assert_eq!(run["ended_by"], format!("signal SIG{name}"), "{run}");
         assert_eq!(run["mode"], "off", "it came to rest before its power went: {run}");
+    }
+}
+
+/// A process that was frozen while it welds on simulated devices: on waking the process is off, the alarm says why, and the record
+/// has it.
+#[test]
+fn a_frozen_weld_is_stopped_and_told() {
+    for frozen in [Duration::from_millis(500), Duration::from_millis(1500)] {
+        let folder = tempfile::tempdir().unwrap();
+        let [out, data] = ["out", "data"].map(|name| folder.path().join(name).display().to_string());
+        let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
+            .args(["run", example("ellipse").to_str().unwrap(), "-o", &out, "--data", &data, "--json"])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let mut orders = child.stdin.take().unwrap();
+        orders.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 2 mm\n?\nwait fault\n").unwrap();
+        let mut events = BufReader::new(child.stdout.take().unwrap()).lines().map(|line| line.unwrap());
+        let event = |line: &str| serde_json::from_str::<Value>(line).unwrap();
+        let travels = events.by_ref().map(|line| event(&line)).find(|event| event["event"] == "state").unwrap();
+        assert_eq!(travels["mode"], "weld", "{travels}");
+        let pid = child.id().to_string();
+        let signal = |name: &str| assert!(Command::new("kill").args([name, &pid]).status().unwrap().success());
+        signal("-STOP");
+        std::thread::sleep(frozen);
+        signal("-CONT");
+        let alarm = events.by_ref().map(|line| event(&line)).find(|event| event["event"] == "alarm").unwrap();
+        assert_eq!((&alarm["alarm"], &alarm["first_out"]), (&"cycles missed".into(), &true.into()), "{alarm}");
+        drop(orders);
+        let rest: Vec<Value> = events.map(|line| event(&line)).collect();
+        assert!(rest.iter().any(|event| event["to"] == "fault"), "{rest:?}");
+        assert_eq!(child.wait().unwrap().code(), Some(3));
+        let told = std::fs::read_to_string(Path::new(&out).join("events.jsonl")).unwrap();
+        let missed = told.lines().map(event).filter(|event| event["event"] == "missed");
+        let longest = missed.map(|event| event["longest_ms"].as_f64().unwrap()).fold(0.0, f64::max);
+        assert!(longest > 0.9 * frozen.as_secs_f64() * 1e3, "{longest} ms: {told}");
+        let shown: Value = serde_json::from_str(&good(&["records", "show", "1", "--data", &data, "--json"])).unwrap();
+        assert!(shown["alarms"][0]["name"] == "cycles missed" && shown["result"] == "stopped", "{shown}");
+        let noted = |e: &Value| e["text"].as_str().unwrap().contains("cycles were missed");
+        assert!(shown["events"].as_array().unwrap().iter().any(noted), "{shown}");
+        // The process was ordered off with the first exchange after the gap.
+        let trace = Trace::open(&Path::new(&data).join("welds/000001/trace.parquet")).unwrap();
+        let (mut gap, mut on) = (false, 0);
+        trace
+            .read(&["missed", "arc"], |row| {
+                on += u32::from(gap && row[1] > 0.5);
+                gap |= row[0] > 200.0;
+            })
+            .unwrap();
+        assert!(gap && on == 0, "{gap} {on}");
     }
 }

@@ -51,6 +51,9 @@ impl Desk {
                     None => happening("cleared", [name]),
                 });
             }
+            Note::Missed(cycles, longest_ms) => {
+                self.tell(happening("cycles_missed", [cycles.to_string(), format!("{longest_ms:.0}")]));
+            }
             Note::PassEnds(place) => {
                 self.tell(happening("pass_ends", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
             }

@@ -19,7 +19,7 @@ use std::time::Duration;
 
 fn machine(address: &str) -> String {
     let machine = shipped("ellipse-xy").unwrap().text;
-    format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 2\n{MAP}")
+    format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 1\n{MAP}")
 }
 
 /// Jobs on the devices of the cell: the second without a voltage, and one whose machine file leads to others.

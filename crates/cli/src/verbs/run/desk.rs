@@ -239,6 +239,10 @@ impl Desk {
                 let text = format!("{}{} has gone", alarm.entry().name, self.detail(alarm, detail));
                 self.event(t, "cleared", &text, json!({ "alarm": alarm.entry().name }));
             }
+            Note::Missed(cycles, longest_ms) => {
+                let text = format!("{cycles} cycles were missed, up to {longest_ms:.0} ms at once");
+                self.event(t, "missed", &text, json!({ "cycles": cycles, "longest_ms": longest_ms }));
+            }
             Note::PassEnds(place) => {
                 self.passes.push(place);
                 let text = format!("pass {} ends at {:.2} mm", place.pass, place.s_mm);
