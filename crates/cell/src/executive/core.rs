@@ -37,6 +37,7 @@ pub(super) struct Doing {
     pub(super) phase: Option<RunPhase>,
     pub(super) place: Place,
     pub(super) speed: f64,
+    pub(super) steady: bool,
     pub(super) welded_mm: f64,
     pub(super) seam: SeamOrders,
 }
@@ -276,6 +277,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             place: doing.place,
             phase: doing.phase,
             speed: doing.speed,
+            steady: doing.steady,
             welded_mm: doing.welded_mm,
             process: self.process.state(),
             armed: self.is_armed(),

@@ -17,6 +17,8 @@ pub struct Status {
     pub phase: Option<RunPhase>,
     /// Speed along the path that is asked of the axes, mm/s: `pace` is in it.
     pub speed: f64,
+    /// The pass is travelled at the pace that is asked for, with arc or beam burning long enough for its values to have settled.
+    pub steady: bool,
     /// Path length up to which the pass is welded, mm.
     pub welded_mm: f64,
     /// Arc or beam.

@@ -103,7 +103,7 @@ fn a_frozen_weld_is_stopped_and_told() {
         let folder = tempfile::tempdir().unwrap();
         let [out, data] = ["out", "data"].map(|name| folder.path().join(name).display().to_string());
         let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
-            .args(["run", example("ellipse").to_str().unwrap(), "-o", &out, "--data", &data, "--json"])
+            .args(["run", &example("ellipse"), "-o", &out, "--data", &data, "--json"])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())

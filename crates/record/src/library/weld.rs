@@ -13,7 +13,7 @@ pub enum WeldResult {
     Running,
     /// Done, within its tolerance.
     Good,
-    /// Done, and something is beyond its tolerance.
+    /// Done, but not all of it as its tolerance or its procedure asks.
     Deviating,
     /// Stopped before its end.
     Stopped,
@@ -306,6 +306,7 @@ impl Library {
                 allowed: low.zip(high),
                 outside_s: row.get(7)?,
                 outside_mm: row.get(8)?,
+                outside_along: None,
             })
         })
     }

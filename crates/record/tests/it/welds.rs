@@ -62,6 +62,49 @@ fn figures_are_those_of_the_rows() {
     assert!(figures.deviations[0].points.iter().any(|p| (p.1 - 0.2).abs() < 1e-6 && (p.0 - 30.0).abs() < 1e-9));
 }
 
+/// A hold in the seam, with the arc on at rest, out, and struck anew: no value has left its window. What leaves it while the torch
+/// travels has, and where.
+#[test]
+fn a_hold_is_no_violation_and_a_violation_has_a_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    for odd in [false, true] {
+        let mut held = plan("P-1");
+        held.columns.push(Column::new("steady", "1", Kind::U8));
+        held.basis.judged[0].along = vec![(10.0, 90.0)];
+        let mut recording = data.begin(&held).unwrap();
+        let mut t = 0.0;
+        let mut rows = |seconds: f64, at: &dyn Fn(f64) -> (f64, f64, f64, f64)| {
+            for i in 0..(seconds * 1000.0) as u32 {
+                let (s, arc, current, steady) = at(f64::from(i) * 1e-3);
+                recording.row([t, 1.0, s, arc, 0.01, current, 27.0, steady]);
+                t += 1e-3;
+            }
+        };
+        let travel = |s: f64| if odd && (70.0..72.0).contains(&s) { 275.0 } else { 240.0 };
+        rows(4.0, &|t| (10.0 * t, 1.0, 240.0, 1.0));
+        // A crater at rest, nothing, a strike at rest, and a ramp of the speed.
+        rows(0.5, &|t| (40.0, 1.0, 240.0 - 400.0 * t, 0.0));
+        rows(2.0, &|_| (40.0, 0.0, 0.0, 0.0));
+        rows(0.5, &|t| (40.0, 1.0, 480.0 * t, 0.0));
+        rows(0.4, &|t| (40.0 + 2.5 * t, 1.0, 240.0, 0.0));
+        rows(5.9, &|t| (41.0 + 10.0 * t, 1.0, travel(41.0 + 10.0 * t), 1.0));
+        let record = recording.finish(&mut data, &outcome(WeldResult::Good)).unwrap();
+        let values = data.figures(record.id).unwrap().values;
+        let (current, heat) = (&values[0], &values[1]);
+        assert_eq!((&*current.name, current.least), ("current_a", 240.0), "{values:?}");
+        assert!((heat.least - 0.5184).abs() < 1e-3, "{values:?}");
+        if odd {
+            let (from, to) = current.outside_along.unwrap();
+            assert!((from - 70.0).abs() < 0.02 && (to - 72.0).abs() < 0.02, "{values:?}");
+            assert!(current.outside_s > 0.19 && record.result == WeldResult::Deviating, "{values:?}");
+        } else {
+            let out = values.iter().find(|v| v.outside_s > 0.0 || v.outside_along.is_some());
+            assert!(out.is_none() && record.result == WeldResult::Good, "{values:?} {record:?}");
+        }
+    }
+}
+
 #[test]
 fn welds_are_found() {
     let folder = tempfile::tempdir().unwrap();
