@@ -13,10 +13,8 @@ fn folder_of(path: &Path) -> &Path {
 /// A temporary file beside `path`.
 pub(crate) fn beside(path: &Path) -> Result<NamedTempFile, Error> {
     let folder = folder_of(path);
+    // The owner's alone, as temporary files are.
     let mut builder = tempfile::Builder::new();
-    // The permissions that a new file of the user's has.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder.prefix(".seamwright-").tempfile_in(folder).map_err(|e| Error::io(folder, "cannot be written", e))
 }
 

@@ -106,6 +106,8 @@ export const de: Table = {
   'lack.alarm': 'Alarm: {0}. Beheben, dann quittieren.',
   'lack.arming': 'Nicht freigegeben oder zu lange her: erneut freigeben (gilt eine Minute).',
   'lack.source': 'Die Prozessquelle ist nicht bereit.',
+  'lack.finished_pass': 'Teil „{0}“ ist bis Lage {1}, {2} mm geschweißt: Dieser Start würde es noch einmal schweißen.',
+  'lack.finished_part': 'Teil „{0}“ ist fertig geschweißt (Schweißung {1}): Dieser Start würde es noch einmal schweißen.',
   'lack.not_at_start': 'Achse {0} steht nicht, wo der Weg zur Naht beginnt: Programm von hier neu laden.',
   'lack.work': 'Kein Programm geladen: unter „Aufträge“ eines wählen.',
   'lack.value': 'Die Zahl liegt außerhalb des Erlaubten.',
@@ -211,6 +213,7 @@ export const de: Table = {
   'said.safe_unconfirmed': '{0}: Sichere Ausgänge sind nicht bestätigt: {1}',
   'said.journal_damaged':
     'Das Positionsjournal ist beschädigt: Eine durch Stromausfall abgebrochene Schweißung wäre nicht bekannt; Werkstück prüfen, dann referenzieren',
+  'said.weld_lost': 'Schweißung {0} hat Dateien, steht aber nicht in der Bibliothek: Die Bibliothek ist beschädigt, der Eintrag ging verloren',
   'said.recorded': 'Schweißung {0} aufgezeichnet: {1}',
   'said.record_not_whole': 'Schweißung {0}: das Protokoll ist unvollständig: {1}',
   'said.record_interrupted': 'Schweißung {0} wurde unterbrochen; ihr Protokoll ist wieder vollständig',

@@ -104,6 +104,8 @@ export const en = {
   'lack.alarm': 'Alarm: {0}. Put it right, then acknowledge.',
   'lack.arming': 'Not armed, or too long ago: arm again (holds for one minute).',
   'lack.source': 'The process source is not ready.',
+  'lack.finished_pass': 'Part “{0}” is welded up to pass {1}, {2} mm: this start would weld it again.',
+  'lack.finished_part': 'Part “{0}” is welded whole (weld {1}): this start would weld it again.',
   'lack.not_at_start': 'Axis {0} is not where the way to the weld begins: load the program again from here.',
   'lack.work': 'No program is loaded: choose one in Jobs.',
   'lack.value': 'The number is outside what is allowed.',
@@ -209,6 +211,7 @@ export const en = {
   'said.safe_unconfirmed': '{0}: its outputs are not confirmed to be safe: {1}',
   'said.journal_damaged':
     'the journal of positions is damaged: a weld left by a power failure would not be known; look at the part, then home',
+  'said.weld_lost': 'weld {0} has files but is not in the library, which is damaged: its entry was lost',
   'said.recorded': 'weld {0} recorded: {1}',
   'said.record_not_whole': 'weld {0}: the record is not complete: {1}',
   'said.record_interrupted': 'weld {0} was interrupted; its record is whole again',

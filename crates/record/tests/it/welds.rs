@@ -3,7 +3,7 @@
 use crate::common::{self, WeldResult, outcome, plan, row};
 use seamwright_record::figures::Figures;
 use seamwright_record::library::{Alarm, AuditEntry, DocumentKind, Event, Place, Query};
-use seamwright_record::trace::Trace;
+use seamwright_record::trace::{Column, Kind, Trace};
 use seamwright_record::{DataFolder, Error, Moment, Plan};
 use std::fs;
 use std::path::Path;

@@ -2,7 +2,7 @@ use crate::wire::LackView;
 
 /// What can happen, by key: its kind, and the English sentence with `{0}`, `{1}` .. for its parameters. Panels have the sentences
 /// in their languages (`web/src/words`), checked against this table.
-const HAPPENINGS: [(&str, &str, &str); 34] = [
+const HAPPENINGS: [(&str, &str, &str); 35] = [
     ("mode", "mode", "{0} -> {1}"),
     ("order", "order", "{0}"),
     ("refused", "refused", "{0}: {1}"),
@@ -32,6 +32,7 @@ const HAPPENINGS: [(&str, &str, &str); 34] = [
         "alarm",
         "the journal of positions is damaged: a weld left by a power failure would not be known; look at the part, then home",
     ),
+    ("weld_lost", "record", "weld {0} has files but is not in the library, which is damaged: its entry was lost"),
     ("recorded", "record", "weld {0} recorded: {1}"),
     ("record_not_whole", "record", "weld {0}: the record is not complete: {1}"),
     ("record_interrupted", "record", "weld {0} was interrupted; its record is whole again"),

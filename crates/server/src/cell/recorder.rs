@@ -58,6 +58,11 @@ impl Recorder {
         Self { folder: folder.to_owned(), hub, archive, open: None, closing: Vec::new() }
     }
 
+    /// Where welds are recorded.
+    pub(super) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
     /// Number of the weld that is recorded.
     pub(super) fn weld(&self) -> Option<i64> {
         self.open.as_ref().map(|o| o.recording.id())
@@ -68,17 +73,22 @@ impl Recorder {
         self.open.as_ref().is_some_and(Open::is_whole)
     }
 
-    /// A weld begins: `passes` of it are to come, by `welder`.
+    /// A weld begins: `passes` of it are to come, by `welder`; `missing` is what the cycle lacks of real-time rights.
     ///
     /// # Errors
     /// If it cannot be recorded.
-    pub(super) fn begin(&mut self, plan: &Plan, passes: usize, welder: &str) -> Result<(), Error> {
+    pub(super) fn begin(&mut self, plan: &Plan, passes: usize, welder: &str, missing: &[&str]) -> Result<(), Error> {
         self.end();
         let mut data = DataFolder::open(&self.folder)?;
         let plan = Plan { welder: Some(welder.to_owned()), ..plan.clone() };
         let recording = data.begin(&plan)?;
         let places = Some(power_loss::writer(data.journal()?));
         let welder = welder.to_owned();
+        let mut events = Vec::new();
+        if !missing.is_empty() {
+            let text = format!("without real-time rights: {}", missing.join(", "));
+            events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
+        }
         self.open = Some(Open {
             recording,
             places,
@@ -89,7 +99,7 @@ impl Recorder {
             wanted: passes,
             left: None,
             here: Place::default(),
-            events: Vec::new(),
+            events,
             stopped: None,
             ended: None,
         });

@@ -6,9 +6,9 @@ use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, ToDesk};
 use super::happening::happening;
 use super::hub::Hub;
-use super::left::Left;
 use super::names::Names;
 use super::prepared::{Prepared, Task};
+use super::progress;
 use super::recorder::Recorder;
 use seamwright_cell::realtime::{Shutdown, Urgent, live};
 use seamwright_machine::{Clamped, Machine, MachineDevices};
@@ -45,11 +45,14 @@ impl Cell {
         seamwright_cell::check_drives(machine).map_err(|e| e.to_string())?;
         let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
         let interrupted = folder.recover().map_err(|e| e.to_string())?;
-        let last = folder.journal().map_err(|e| e.to_string())?.last();
-        // Of a weld whose record is gone nothing can be said.
-        let failed = last.and_then(|at| Left::before(&at, folder.library()).ok());
-        let left = failed.map_or_else(|| Left::stopped(folder.library()), |left| Ok(Some(left)));
-        let left = left.map_err(|e| e.to_string())?;
+        let journal = folder.journal().map_err(|e| e.to_string())?;
+        let (last, damaged) = (journal.last(), journal.is_damaged());
+        drop(journal);
+        let lost = folder.lost_welds().map_err(|e| e.to_string())?;
+        if let Some(at) = &last {
+            progress::remember(at, folder.library()).map_err(|e| e.to_string())?;
+        }
+        let left = progress::newest_left(folder.library()).map_err(|e| e.to_string())?;
         let unknown = folder.library().listed_alarms().map_err(|e| e.to_string())?;
         drop(folder);
         let hub = Arc::new(Hub::new());
@@ -60,6 +63,12 @@ impl Cell {
         }
         if let Some(at) = &last {
             hub.event(0.0, happening("left_before", [at.weld.to_string()]));
+        }
+        if damaged {
+            hub.event(0.0, happening("journal_damaged", []));
+        }
+        for weld in &lost {
+            hub.event(0.0, happening("weld_lost", [weld.to_string()]));
         }
         for alarm in &unknown {
             hub.event(0.0, happening("alarm_before", [alarm.name.clone(), alarm.raised.to_string()]));
@@ -101,6 +110,18 @@ impl Cell {
         drop(self.desk.send(ToDesk::Quit));
         let thread = self.thread.lock().unwrap_or_else(PoisonError::into_inner).take();
         drop(thread.map(JoinHandle::join));
+        self.tell_unsafe();
         self.archive.flush();
+    }
+
+    /// Tells of devices that have not said that their outputs are safe.
+    fn tell_unsafe(&self) {
+        let lines = self.hub.connection().map(|to| to.lines);
+        for (name, line) in lines.iter().flat_map(|lines| lines.iter()) {
+            if let Some(Err(why)) = line.get().safe {
+                eprintln!("error: device `{name}`: its outputs are not confirmed to be safe: {why}");
+                self.hub.event(0.0, happening("safe_unconfirmed", [name.clone(), why]));
+            }
+        }
     }
 }

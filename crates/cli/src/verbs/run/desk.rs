@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::verbs::recorded::Happened;
 use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
-use seamwright_cell::realtime::{ShutdownCause, Shown};
+use seamwright_cell::realtime::{Footing, ShutdownCause, Shown};
 use seamwright_cell::tracking;
 use seamwright_machine::Machine;
 use seamwright_project::devices;
@@ -97,6 +97,20 @@ impl Desk {
     /// Something that cannot be gone on with: everything comes to an end.
     pub(in crate::verbs) fn give_up(&mut self, why: &str) {
         self.refused.get_or_insert(why.to_owned());
+    }
+
+    /// What the system grants to the cycle: what is missing stands in the record and is told at once.
+    pub(in crate::verbs) fn granted(&mut self, footing: &Footing) {
+        if footing.is_whole() {
+            return;
+        }
+        // Nothing can be done if standard error is closed.
+        let _ = writeln!(std::io::stderr(), "note: the cycle runs without real-time rights: {footing}");
+        let missing: Vec<&str> = footing.missing().collect();
+        let text = format!("without real-time rights: {}", missing.join(", "));
+        self.tell("realtime", &text, json!({ "missing": missing }));
+        let place = library::Place { pass: None, s_mm: None, t_s: None };
+        self.kept.push(library::Event { at: Moment::now(), text, place });
     }
 
     /// A signal or a fault of the program has ended the cell.

@@ -22,6 +22,7 @@ use seamwright_project::devices::{self, Lines};
 use seamwright_project::power_loss;
 use std::io::{BufRead as _, IsTerminal as _, Write as _};
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::OnceLock;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::thread::ScopedJoinHandle;
 use std::time::{Duration, Instant};
@@ -130,10 +131,24 @@ fn with_cell(
     let table = Table::new((loaded, motion), &output, asked.record, kept)?;
     let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
     let ended = real(work, machine, (devices, lines, tracking), (asked.cpu, &shutdown), &mut desk)?;
-    desk.close(&mut output, &loaded.welding.program.value.title, &ended)?;
+    let closed = desk.close(&mut output, &loaded.welding.program.value.title, &ended);
     output.finish()?;
     tell_missed(&ended, machine.servo_period_s);
+    closed?;
+    check_safe(&ended.lines)?;
     desk.judge()
+}
+
+/// Refuses to end as if all were well where a device has not said that its outputs are safe.
+fn check_safe(lines: &Lines) -> Result<(), Failure> {
+    for (name, line) in lines {
+        if let Some(Err(why)) = line.get().safe {
+            return Err(Failure::Environment(format!(
+                "device `{name}`: its outputs are not confirmed to be safe: {why}\n   look at once whether arc and gas are off"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Those that the machine file names; simulated ones if it names none.
@@ -167,10 +182,12 @@ fn real(
 ) -> Result<Ended, Failure> {
     let (port, mut outside) = live(shutdown);
     let typed = typed(outside.urgent());
+    let footing = OnceLock::new();
     let places = desk.journal()?.map(power_loss::writer);
     std::thread::scope(|scope| {
+        let granted = &footing;
         let cycle = scope.spawn(move || {
-            let footing = Footing::ask(cpu);
+            let footing = granted.get_or_init(|| Footing::ask(cpu)).clone();
             let mut paced = Paced { devices, pacer: Pacer::new(machine.servo_period_s) };
             let left = guarded(&mut paced, shutdown, |paced| {
                 let guide = tracking.as_mut().map(|tracking| tracking as _);
@@ -185,7 +202,12 @@ fn real(
         });
         let listened = catch_unwind(AssertUnwindSafe(|| {
             let mut waits = None;
+            let mut known = false;
             while !cycle.is_finished() {
+                if let Some(footing) = footing.get().filter(|_| !known) {
+                    known = true;
+                    desk.granted(footing);
+                }
                 look(&mut outside, &typed, desk);
                 if let (Some(places), Some(position)) = (&places, desk.position()) {
                     // A disk that is slow misses some.
