@@ -146,3 +146,34 @@ fn a_frozen_weld_is_stopped_and_told() {
         assert!(gap && on == 0, "{gap} {on}");
     }
 }
+
+/// The data folder is removed while a weld is recorded in it: an alarm, and no exit as if all were well.
+#[test]
+fn a_record_that_is_removed_is_an_alarm() {
+    let folder = tempfile::tempdir().unwrap();
+    let [out, data] = ["out", "data"].map(|name| folder.path().join(name));
+    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
+        .args(["run", &example("ellipse"), "--json", "-o"])
+        .arg(&out)
+        .arg("--data")
+        .arg(&data)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut orders = child.stdin.take().unwrap();
+    orders.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 1 mm\n?\n").unwrap();
+    let mut events = BufReader::new(child.stdout.take().unwrap()).lines().map(|line| line.unwrap());
+    let event = |line: String| serde_json::from_str::<Value>(&line).unwrap();
+    events.by_ref().map(event).find(|event| event["event"] == "state").unwrap();
+    std::fs::remove_dir_all(&data).unwrap();
+    let alarm = events.by_ref().map(event).find(|event| event["event"] == "alarm").unwrap();
+    assert_eq!(alarm["alarm"], "record failing", "{alarm}");
+    orders.write_all(b"stop\n").unwrap();
+    drop(orders);
+    drop(events);
+    let output = child.wait_with_output().unwrap();
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(3) && told.contains("removed"), "{:?} {told}", output.status);
+}

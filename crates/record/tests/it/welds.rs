@@ -342,3 +342,105 @@ fn no_room_no_weld() {
     assert!(matches!(error, Error::Full { .. }) && error.to_string().contains("MB are free"), "{error}");
     assert!(data.library().find(&Query::default()).unwrap().is_empty());
 }
+
+/// A library that has lost a weld (as SQLite takes damage to the write-ahead log for its end) is found out by the weld's files, which
+/// no later weld overwrites.
+#[test]
+fn a_weld_that_the_library_has_lost_is_told_and_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    weld(&mut data, &plan("P-1"), WeldResult::Good);
+    let copy = folder.path().join("before.sqlite");
+    let db = rusqlite::Connection::open(data.library().path()).unwrap();
+    db.execute("VACUUM INTO ?1", [copy.to_str().unwrap()]).unwrap();
+    drop(db);
+    let lost = weld(&mut data, &plan("P-2"), WeldResult::Good);
+    let trace = data.weld_folder(lost).join("trace.parquet");
+    let rows = fs::read(&trace).unwrap();
+    assert!(data.lost_welds().unwrap().is_empty() && data.verify().unwrap().problems.is_empty());
+    let library = data.library().path().to_owned();
+    drop(data);
+    for end in ["-wal", "-shm"] {
+        let _ = fs::remove_file(format!("{}{end}", library.display()));
+    }
+    fs::rename(&copy, &library).unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    assert_eq!(data.lost_welds().unwrap(), [lost]);
+    let problems = data.verify().unwrap().problems;
+    assert!(problems.len() == 1 && problems[0].contains(&format!("weld {lost}:")), "{problems:?}");
+    let next = weld(&mut data, &plan("P-3"), WeldResult::Good);
+    assert!(next > lost, "{next}");
+    assert_eq!(fs::read(&trace).unwrap(), rows);
+}
+
+/// The folder of a weld is removed while it is recorded: rows are said to be lost, not taken.
+#[test]
+fn a_folder_that_is_removed_in_a_weld_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("data");
+    let mut data = DataFolder::open(&path).unwrap();
+    let mut recording = data.begin(&plan("P-1")).unwrap();
+    (0..100).for_each(|i| recording.row(row(i)));
+    recording.flush();
+    assert_eq!(recording.trouble(), None);
+    fs::remove_dir_all(&path).unwrap();
+    (100..200).for_each(|i| recording.row(row(i)));
+    recording.flush();
+    let trouble = recording.trouble().unwrap();
+    assert!(trouble.contains("removed") && trouble.contains("trace.raw"), "{trouble}");
+}
+
+/// What is recorded is its owner's alone, in a folder that everybody reads too.
+#[cfg(unix)]
+#[test]
+fn records_are_private_in_an_open_folder() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let folder = tempfile::tempdir().unwrap();
+    fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o755)).unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    let mut recording = data.begin(&plan("P-1")).unwrap();
+    recording.row(row(0));
+    recording.flush();
+    drop(data.journal().unwrap());
+    let mut look = vec![folder.path().to_owned()];
+    let mut seen = Vec::new();
+    while let Some(at) = look.pop() {
+        for entry in fs::read_dir(at).unwrap().map(Result::unwrap) {
+            let mode = entry.metadata().unwrap().permissions().mode();
+            assert_eq!(mode & 0o077, 0, "{:?}: {mode:o}", entry.path());
+            seen.push(entry.file_name().to_string_lossy().into_owned());
+            look.extend(entry.path().is_dir().then(|| entry.path()));
+        }
+    }
+    for name in ["library.sqlite", "library.sqlite-wal", "position.a", "trace.raw", "welds"] {
+        assert!(seen.iter().any(|n| n == name), "{name}: {seen:?}");
+    }
+    recording.finish(&mut data, &outcome(WeldResult::Stopped)).unwrap();
+    let files = data.library().files(1).unwrap();
+    let mode = |name: &str| fs::metadata(data.weld_folder(1).join(name)).unwrap().permissions().mode();
+    assert!(files.len() == 2 && files.iter().all(|file| mode(&file.name) & 0o077 == 0));
+}
+
+/// A clock that is set makes no weld end before it began: how long it took is by another one.
+#[test]
+fn no_weld_ends_before_it_began() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    let recording = data.begin(&plan("P-1")).unwrap();
+    let id = recording.id();
+    // As if the clock had been an hour ahead when it began, and was set right since.
+    let ahead = Moment::now().0 + 3_600_000;
+    let db = rusqlite::Connection::open(data.library().path()).unwrap();
+    db.execute("UPDATE weld SET begun = ?1 WHERE id = ?2", [ahead, id]).unwrap();
+    drop(db);
+    drop(recording);
+    data.recover().unwrap();
+    let recovered = data.library().weld(id).unwrap();
+    assert!(recovered.ended.unwrap() >= recovered.begun, "{recovered:?}");
+    let recording = data.begin(&plan("P-2")).unwrap();
+    let id = recording.id();
+    std::thread::sleep(std::time::Duration::from_millis(30));
+    recording.finish(&mut data, &outcome(WeldResult::Good)).unwrap();
+    let weld = data.library().weld(id).unwrap();
+    assert!(weld.ended.unwrap().0 - weld.begun.0 >= 30, "{weld:?}");
+}

@@ -202,3 +202,63 @@ fn newest_of(
     }
     Ok(whole)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use seamwright_record::figures::Basis;
+
+    fn to_weld(part: &str, start: (u32, f64)) -> ToWeld {
+        let text = |text: &str| (text.to_owned(), text.to_owned());
+        let plan = Plan {
+            part: part.to_owned(),
+            title: "Nozzle".to_owned(),
+            simulated: true,
+            job: None,
+            program: text("program"),
+            machine: text("machine"),
+            procedure: None,
+            welder: None,
+            columns: Vec::new(),
+            about: Vec::new(),
+            most_rows: 1,
+            rows: 1,
+            basis: Basis::default(),
+            note: String::new(),
+        };
+        ToWeld::new(plan, 3, Some(start))
+    }
+
+    /// A continued weld that is left again in its second pass: the root is finished, and no older place brings it back.
+    #[test]
+    fn a_finished_pass_is_not_begun_again_unasked() {
+        let mut parts = Parts::default();
+        let first = to_weld("N-1", (1, 0.0));
+        assert_eq!(parts.finished(&first, None), None);
+        parts.note(&first, Progress::Left(Left::now((1, 135.2), Some(1), &first)));
+        let continued = to_weld("N-1", (1, 135.2));
+        assert_eq!(parts.finished(&continued, None), None);
+        parts.note(&continued, Progress::Left(Left::now((2, 6.0), Some(2), &continued)));
+        for (start, again) in
+            [((1, 0.0), true), ((1, 135.2), true), ((2, 0.0), true), ((2, 5.0), true), ((2, 6.0), false), ((3, 0.0), false)]
+        {
+            let lack = parts.finished(&to_weld("N-1", start), None);
+            assert_eq!(lack.as_ref().map(|lack| lack.key.as_str()), again.then_some("finished_pass"), "{start:?}");
+            assert!(lack.is_none_or(|lack| lack.of == ["N-1", "2", "6.00"]), "{start:?}");
+            // Another part is not concerned.
+            assert_eq!(parts.finished(&to_weld("N-2", start), None), None);
+        }
+        let Some(Progress::Left(left)) = parts.of(&continued, None) else { panic!("nothing is left") };
+        let seen = left.seen(Some(&continued));
+        assert_eq!((seen.pass, seen.finished, seen.here, seen.record), (2, 1, true, Some(2)));
+        // Loaded without the number of a part it is offered too, but starts anew unasked: it may be another part.
+        let unnumbered = to_weld("", (1, 0.0));
+        assert_eq!(parts.of(&unnumbered, None), Some(Progress::Left(left)));
+        assert_eq!(parts.finished(&unnumbered, None), None);
+        // Welded whole it is finished; one without a number never is.
+        parts.note(&continued, Progress::Whole(Some(3)));
+        assert_eq!(parts.finished(&first, None).map(|lack| lack.key), Some("finished_part".to_owned()));
+        parts.note(&unnumbered, Progress::Whole(Some(4)));
+        assert_eq!(parts.finished(&unnumbered, None), None);
+    }
+}
