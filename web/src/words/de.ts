@@ -563,6 +563,7 @@ export const de: Table = {
   'trace.attitude_error': 'Fehler der Stellung',
   'trace.process_state': 'Zustand des Prozesses',
   'trace.burning': 'Bogen oder Strahl brennt',
+  'trace.steady': 'Gleichmäßige Fahrt',
   'trace.power': 'Spannung der Antriebe',
   'trace.inputs': 'Eingänge (Bits)',
   'trace.true': 'Wahrer Ort',

@@ -561,6 +561,7 @@ export const en = {
   'trace.attitude_error': 'Attitude error',
   'trace.process_state': 'State of the process',
   'trace.burning': 'Arc or beam burns',
+  'trace.steady': 'Steady travel',
   'trace.power': 'Power of the drives',
   'trace.inputs': 'Inputs (bits)',
   'trace.true': 'True place',

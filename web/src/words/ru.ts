@@ -563,6 +563,7 @@ export const ru: Table = {
   'trace.attitude_error': 'Ошибка ориентации',
   'trace.process_state': 'Состояние процесса',
   'trace.burning': 'Дуга или луч горит',
+  'trace.steady': 'Равномерное движение',
   'trace.power': 'Питание приводов',
   'trace.inputs': 'Входы (биты)',
   'trace.true': 'Истинное место',

@@ -563,6 +563,7 @@ export const uk: Table = {
   'trace.attitude_error': 'Похибка орієнтації',
   'trace.process_state': 'Стан процесу',
   'trace.burning': 'Дуга або промінь горить',
+  'trace.steady': 'Рівномірний рух',
   'trace.power': 'Живлення приводів',
   'trace.inputs': 'Входи (біти)',
   'trace.true': 'Істинне місце',

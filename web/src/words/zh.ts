@@ -562,6 +562,7 @@ export const zh: Table = {
   'trace.attitude_error': '姿态误差',
   'trace.process_state': '工艺状态',
   'trace.burning': '电弧或束流接通',
+  'trace.steady': '匀速行进',
   'trace.power': '驱动供电',
   'trace.inputs': '输入（位）',
   'trace.true': '真实位置',
