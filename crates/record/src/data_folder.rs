@@ -217,7 +217,10 @@ impl DataFolder {
         let audit = self.library.verify_audit()?;
         problems.extend(audit.broken.as_ref().map(|(id, why)| format!("audit entry {id}: {why}")));
         problems.extend(self.lost_welds()?.into_iter().map(|id| {
-            format!("weld {id}: its files are in {}, but the library has no entry of it: it was lost", self.weld_folder(id).display())
+            format!(
+                "weld {id}: its files are in {}, but the library has no entry of it: it was lost",
+                self.weld_folder(id).display()
+            )
         }));
         let (mut files, welds) = (0, self.library.find(&crate::library::Query::default())?);
         for weld in &welds {

@@ -139,8 +139,7 @@ impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
         self.drives.exchange(orders, &mut reports.drives);
         reports.truth = self.drives.truth().copied();
         self.source.exchange(&orders.process, &mut reports.source);
-        let mut inputs =
-            InputBits { bits: reports.inputs, starts: reports.inputs_starts, age_s: reports.inputs_age_s };
+        let mut inputs = InputBits { bits: reports.inputs, starts: reports.inputs_starts, age_s: reports.inputs_age_s };
         self.inputs.exchange(orders.watchdog, &mut inputs);
         (reports.inputs, reports.inputs_starts, reports.inputs_age_s) = (inputs.bits, inputs.starts, inputs.age_s);
     }

@@ -19,10 +19,13 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.process.kill();
         self.disarm();
         if self.busy || self.mode.moves() {
-            if now - since > REST_S {
-                self.react(Reaction::PowerOff);
-            } else if now <= since {
+            if now <= since {
                 self.stop();
+            } else if now - since > REST_S {
+                self.react(Reaction::PowerOff);
+            } else if self.rests() {
+                // Gas that would flow on is not waited for.
+                self.power = false;
             }
             return;
         }

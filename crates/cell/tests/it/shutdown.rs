@@ -84,7 +84,7 @@ fn a_shutdown_ends_every_mode_without_an_order() {
         let (script, set) = shut_down(&planned, lines, when);
         let after = &script.cycles[set..];
         assert!(after.iter().all(|c| !c.on), "case {i}: the process is on after the flag");
-        assert!((after.len() as f64) * period < 3.0, "case {i}: {} cycles", after.len());
+        assert!((after.len() as f64) * period < 2.0, "case {i}: {} cycles", after.len());
         assert!(!after.last().unwrap().powered, "case {i}");
         for (k, axis) in planned.machine.axes.iter().enumerate() {
             let q: Vec<f64> = script.cycles[set - 2..].iter().filter(|c| c.powered).map(|c| c.q[k]).collect();

@@ -57,8 +57,7 @@ impl TestServer {
         };
         let address = SocketAddr::from(([127, 0, 0, 1], 0));
         let (silent, mute) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicBool::new(false)));
-        let mut server =
-            Self { address, bank: Arc::new(Mutex::new(bank)), silent, mute, single: false, running: None };
+        let mut server = Self { address, bank: Arc::new(Mutex::new(bank)), silent, mute, single: false, running: None };
         server.start();
         server
     }

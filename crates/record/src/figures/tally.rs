@@ -57,7 +57,17 @@ impl Gathered {
     /// Nothing has been gathered yet.
     fn new(judged: Judged, column: Option<usize>) -> Self {
         let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        Self { judged, column, least, greatest, sum: 0.0, weight: 0.0, outside_s: 0.0, outside_mm: 0.0, outside_along: None }
+        Self {
+            judged,
+            column,
+            least,
+            greatest,
+            sum: 0.0,
+            weight: 0.0,
+            outside_s: 0.0,
+            outside_mm: 0.0,
+            outside_along: None,
+        }
     }
 
     /// Adds a value over a span.

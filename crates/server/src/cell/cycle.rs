@@ -48,7 +48,8 @@ pub(super) fn run(
         let machine = task.machine().clone();
         let pacer = Pacer::new(machine.servo_period_s);
         let mut paced = Paced { devices: WithSensors { devices, sensors: None }, pacer };
-        let next = guarded(&mut paced, shutdown, |paced| on_machine(&machine, paced, &mut port, (&mut task, &mut swap)));
+        let next =
+            guarded(&mut paced, shutdown, |paced| on_machine(&machine, paced, &mut port, (&mut task, &mut swap)));
         // The desk hears from the flag that the cycle has failed.
         let Ok(Some(next)) = next else { return };
         task.devices = Some(paced.devices.devices);

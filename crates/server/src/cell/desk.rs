@@ -16,8 +16,8 @@ use seamwright_cell::realtime::{Footing, Outside, Shown, Shutdown};
 use seamwright_record::{DataFolder, Plan};
 use std::collections::{HashMap, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Arc, OnceLock};
 use std::sync::mpsc::{Receiver, TryRecvError};
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 

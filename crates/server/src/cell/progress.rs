@@ -92,7 +92,8 @@ pub(super) fn remember(at: &Position, library: &Library) -> Result<(), Error> {
         return Ok(());
     }
     let place = Place { pass: at.pass.max(1) as usize, s_mm: at.welded_to };
-    weld_events::event(0.0, &Note::Left(place), place).map_or(Ok(()), |event| library.add_event(Some(weld), &event).map(drop))
+    weld_events::event(0.0, &Note::Left(place), place)
+        .map_or(Ok(()), |event| library.add_event(Some(weld), &event).map(drop))
 }
 
 /// How far parts are welded: what the library has, and what has happened since, which it may not have yet.
@@ -110,10 +111,13 @@ impl Parts {
     /// How far the part is that is in the cell. A program that is loaded for a part without a number is that for any part of which
     /// something is left, the newest.
     pub(super) fn of(&self, now: &ToWeld, library: Option<&Library>) -> Option<Progress> {
-        if let Some(known) = self.known.get(&now.key()) {
-            return Some(known.clone());
-        }
         let part = &now.plan.part;
+        match self.known.get(&now.key()) {
+            // The last part without a number is whole; others may be left.
+            Some(Progress::Whole(_)) if part.is_empty() => {}
+            Some(known) => return Some(known.clone()),
+            None => {}
+        }
         let own = |key: &&Key| key.0 == now.program && part.is_empty();
         let since = self.known.iter().filter(|(key, _)| own(key)).map(|(_, progress)| progress);
         let since = since.filter(|progress| matches!(progress, Progress::Left(_)));
@@ -156,7 +160,9 @@ impl Parts {
             // Parts without a number are others each time.
             Progress::Whole(record) if !part.is_empty() => {
                 let record = record.map_or_else(String::new, |id| id.to_string());
-                let text = format!("part \"{part}\" is welded whole (weld {record}): it would be welded again; confirm, or name another part");
+                let text = format!(
+                    "part \"{part}\" is welded whole (weld {record}): it would be welded again; confirm, or name another part"
+                );
                 Some(LackView { key: "finished_part".to_owned(), of: vec![part.clone(), record], text })
             }
             Progress::Left(_) | Progress::Whole(_) => None,
@@ -239,9 +245,14 @@ mod tests {
         let continued = to_weld("N-1", (1, 135.2));
         assert_eq!(parts.finished(&continued, None), None);
         parts.note(&continued, Progress::Left(Left::now((2, 6.0), Some(2), &continued)));
-        for (start, again) in
-            [((1, 0.0), true), ((1, 135.2), true), ((2, 0.0), true), ((2, 5.0), true), ((2, 6.0), false), ((3, 0.0), false)]
-        {
+        for (start, again) in [
+            ((1, 0.0), true),
+            ((1, 135.2), true),
+            ((2, 0.0), true),
+            ((2, 5.0), true),
+            ((2, 6.0), false),
+            ((3, 0.0), false),
+        ] {
             let lack = parts.finished(&to_weld("N-1", start), None);
             assert_eq!(lack.as_ref().map(|lack| lack.key.as_str()), again.then_some("finished_pass"), "{start:?}");
             assert!(lack.is_none_or(|lack| lack.of == ["N-1", "2", "6.00"]), "{start:?}");

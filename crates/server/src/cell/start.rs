@@ -41,7 +41,13 @@ impl Cell {
     ///
     /// # Errors
     /// In words: a folder that cannot be written, values in the machine file that make no drive, devices that do not answer.
-    pub(crate) fn start(machine: &Machine, beside: &Path, values: &[String], data: &Path, shutdown: &Shutdown) -> Result<Self, String> {
+    pub(crate) fn start(
+        machine: &Machine,
+        beside: &Path,
+        values: &[String],
+        data: &Path,
+        shutdown: &Shutdown,
+    ) -> Result<Self, String> {
         seamwright_cell::check_drives(machine).map_err(|e| e.to_string())?;
         let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
         let interrupted = folder.recover().map_err(|e| e.to_string())?;
@@ -95,7 +101,8 @@ impl Cell {
         let mirror = Mirror::new(&unknown);
         hub.alarms(mirror.views(&names));
         let queues = Queues { outside, next, done };
-        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror, left), footing);
+        let listens =
+            Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror, left), footing);
         let its_shutdown = shutdown.clone();
         let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished(), &its_shutdown));
         let watched = Arc::downgrade(&hub);

@@ -138,9 +138,7 @@ async fn the_cell_begins_anew_with_restored_data() {
     let end = Shutdown::default();
     let ends = end.clone();
     let of = settings(folder.path());
-    let served = std::thread::spawn(move || {
-        until(&of, |url| told.send(url.to_owned()).unwrap(), &ends)
-    });
+    let served = std::thread::spawn(move || until(&of, |url| told.send(url.to_owned()).unwrap(), &ends));
     let url = address.recv_timeout(Duration::from_secs(60)).unwrap();
     let (host, key) = url.strip_prefix("http://").unwrap().split_once("/#key=").unwrap();
     let log_in = async |user: &str, password: &str| {

@@ -129,7 +129,8 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
 async fn weld_to(page: &mut Page, mm: f64) -> f64 {
     page.order("arm").await;
     page.order("start_weld").await;
-    page.until("travel", |v| v["kind"] == "status" && v["mode"] == "weld" && v["welded_mm"].as_f64().unwrap() > mm).await;
+    page.until("travel", |v| v["kind"] == "status" && v["mode"] == "weld" && v["welded_mm"].as_f64().unwrap() > mm)
+        .await;
     page.order("stop").await;
     let left = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_object()).await;
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
@@ -141,7 +142,11 @@ async fn load_part(bench: &Bench, owner: &Visitor, page: &mut Page, part: &str, 
     let load = json!({ "job": "short.toml", "from": from, "part": part });
     let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
     assert!(status.is_success(), "{work}");
-    let there = |v: &Value| v["kind"] == "status" && v["part"] == part && v["start"] == if from.is_null() { json!([1, 0.0]) } else { from.clone() };
+    let there = |v: &Value| {
+        v["kind"] == "status"
+            && v["part"] == part
+            && v["start"] == if from.is_null() { json!([1, 0.0]) } else { from.clone() }
+    };
     page.until("the part", there).await["left"].clone()
 }
 

@@ -85,11 +85,7 @@ impl Looker {
 }
 
 /// Reads all batches; where one is refused, each of its registers alone.
-async fn read(
-    wire: &mut Wire,
-    (device, batches): (&ModbusDevice, &[Batch]),
-    seen: &mut [Seen],
-) -> Result<(), Trouble> {
+async fn read(wire: &mut Wire, (device, batches): (&ModbusDevice, &[Batch]), seen: &mut [Seen]) -> Result<(), Trouble> {
     let mut cells = Vec::new();
     for batch in batches {
         match wire.read(batch.table, batch.at, batch.count, &mut cells).await {

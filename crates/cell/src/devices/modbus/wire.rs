@@ -106,7 +106,11 @@ impl Wire {
         self.call(request, (table, at, cells.len())).await.map(drop)
     }
 
-    async fn call(&mut self, request: Request<'_>, (table, at, count): (Table, u16, usize)) -> Result<Response, Trouble> {
+    async fn call(
+        &mut self,
+        request: Request<'_>,
+        (table, at, count): (Table, u16, usize),
+    ) -> Result<Response, Trouble> {
         let timeout = self.timeout;
         let answer = tokio::time::timeout(timeout, self.context.call(request)).await;
         match answer {

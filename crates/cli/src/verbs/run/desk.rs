@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::verbs::recorded::Happened;
 use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
-use seamwright_cell::realtime::{Footing, ShutdownCause, Shown};
+use seamwright_cell::realtime::{Footing, Shown, ShutdownCause};
 use seamwright_cell::tracking;
 use seamwright_machine::Machine;
 use seamwright_project::devices;
