@@ -84,10 +84,11 @@ fn a_signal_takes_the_process_away_and_closes_the_record() {
             let bank = server.bank();
             assert!(!bank.coils[0] && !bank.coils[1] && bank.holding[..2] == [0, 0], "SIG{name}");
         }
-        let welds: Value = serde_json::from_str(&good(&["records", "list", "--data", &data, "--json"])).unwrap();
-        assert_eq!((&welds[0]["result"], &welds[0]["part"]), (&"stopped".into(), &"N-1".into()), "{welds}");
-        assert!(welds[0]["note"].as_str().unwrap().contains(&format!("signal SIG{name}")), "{welds}");
-        assert!(welds[0]["ended"].is_string(), "{welds}");
+        let weld: Value =
+            serde_json::from_str(&good(&["records", "show", "1", "--data", &data, "--json"])).unwrap();
+        assert_eq!((&weld["result"], &weld["part"]), (&"stopped".into(), &"N-1".into()), "{weld}");
+        assert!(weld["note"].as_str().unwrap().contains(&format!("signal SIG{name}")), "{weld}");
+        assert!(weld["ended"].is_string(), "{weld}");
         good(&["records", "verify", "--data", &data]);
         let run: Value = serde_json::from_str(&std::fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
         assert_eq!(run["ended_by"], format!("signal SIG{name}"), "{run}");
