@@ -922,6 +922,14 @@ near: NearView | null,
  */
 ages: Ages, 
 /**
+ * What the system grants to the cycle.
+ */
+realtime: RealtimeView, 
+/**
+ * Longest time without a cycle since the start, ms.
+ */
+longest_gap_ms: number, 
+/**
  * Cycles that were missed, and cycles that were not recorded, in all.
  */
 missed: number, 
@@ -933,6 +941,10 @@ lost: number,
  * Where a weld was left by a stop, a fault or a power failure and can be gone on with.
  */
 left: LeftView | null, 
+/**
+ * Where the weld of the program in the cell begins: pass from 1, and path length, mm; none without a program.
+ */
+start: [number, number] | null, 
 /**
  * Number of the part that the next weld is recorded of; empty if it has none. A part that is welded whole takes it along.
  */
@@ -968,6 +980,10 @@ pass: number,
  */
 s_mm: number, 
 /**
+ * So many passes, from the first, are finished.
+ */
+finished: number, 
+/**
  * Number of its record in the library, if it was recorded.
  */
 record: number | null, 
@@ -983,6 +999,19 @@ part: string,
  * What is in the cell is the same program, for this part or for none that has a number: it can go on there.
  */
 here: boolean, };
+
+/**
+ * What the system grants to the cycle.
+ */
+export type RealtimeView = { 
+/**
+ * What is missing: `priority` (real-time scheduling), `memory` (locked), `cpu` (of its own, if asked for); empty if nothing is.
+ */
+missing: Array<string>, 
+/**
+ * The same in English, with the system's reasons and what allows it.
+ */
+text: string, };
 
 /**
  * Arc or beam.
@@ -2521,7 +2550,11 @@ export type AskView = { "do": "switch_on", } | { "do": "switch_off", } | { "do":
 /**
  * The axis, counted from 0; all if missing.
  */
-axis?: number, } | { "do": "start_jog", } | { "do": "start_teach", } | { "do": "start_dry_run", } | { "do": "arm", } | { "do": "start_weld", } | { "do": "hold", } | { "do": "resume", } | { "do": "reverse", } | { "do": "stop", } | { "do": "override", 
+axis?: number, } | { "do": "start_jog", } | { "do": "start_teach", } | { "do": "start_dry_run", } | { "do": "arm", } | { "do": "start_weld", 
+/**
+ * What is finished may be welded again: somebody was asked. No if missing.
+ */
+reweld?: boolean, } | { "do": "hold", } | { "do": "resume", } | { "do": "reverse", } | { "do": "stop", } | { "do": "override", 
 /**
  * 0 to 1.
  */

@@ -4,7 +4,7 @@
 
 use glam::{DVec2, DVec3};
 use seamwright_cell::executive::{
-    Ask, Command, Cycle, Devices, Executive, Mode, Note, Orders, Place, Port, Reports, Start,
+    Ask, Command, Cycle, Devices, Executive, Mode, Note, Orders, Place, Port, Reports, Slack, Start,
 };
 use seamwright_cell::tracking::{Distortion, RESERVE};
 use seamwright_cell::{Conditions, SimulatedCell};
@@ -86,7 +86,7 @@ impl<D: Devices> Devices for Timed<D> {
         self.left = Some(Instant::now());
     }
 
-    fn rides_out(&self) -> u32 {
+    fn rides_out(&self) -> Slack {
         self.devices.rides_out()
     }
 

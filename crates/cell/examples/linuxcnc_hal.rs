@@ -20,7 +20,7 @@ mod linux {
         Device, DeviceSet, Drives, Faulty, LinuxCncDrives, LinuxCncError, SimulatedInputs, SimulatedSource, Taken,
     };
     use seamwright_cell::executive::{
-        Alarm, Ask, Command, Cycle, DriveReport, Executive, Interlocks, Mode, Note, Orders, Port, Start, Work,
+        Alarm, Ask, Command, Cycle, DriveReport, Executive, Interlocks, Mode, Note, Orders, Port, Slack, Start, Work,
     };
     use seamwright_cell::realtime::{Footing, Paced, Pacer};
     use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
@@ -68,7 +68,7 @@ mod linux {
             self.starved = report.starved;
         }
 
-        fn rides_out(&self) -> u32 {
+        fn rides_out(&self) -> Slack {
             self.drives.rides_out()
         }
 
@@ -170,7 +170,6 @@ mod linux {
             drives: Corrected { drives, cycles: 0, by: 0.0, steps: Vec::with_capacity(1000), starved: 0 },
             source: SimulatedSource::new(1, period),
             inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-            period_s: period,
         };
         let footing = Footing::ask(None);
         let mut operator = Operator {

@@ -52,7 +52,7 @@ impl<D: Drives> Bench<'_, D> {
 
     /// Time in which orders are seen in reports, s.
     fn delay_s(&self) -> f64 {
-        f64::from(self.drives.rides_out().min(1000)) * self.machine.servo_period_s + 2.0 * self.drives.late_s()
+        f64::from(self.drives.rides_out().cycles.min(1000)) * self.machine.servo_period_s + 2.0 * self.drives.late_s()
     }
 
     fn all(&self) -> u16 {

@@ -76,7 +76,6 @@ fn a_weld_costs_no_allocation() {
         drives: SimulatedDrives::new(&machine, 1).unwrap(),
         source: SimulatedSource::new(1, machine.servo_period_s),
         inputs,
-        period_s: machine.servo_period_s,
     };
     let mut operator = Operator::default();
     let mut executive = Executive::new(&machine, &mut devices, &mut operator);
@@ -208,7 +207,6 @@ fn jogging_costs_no_allocation() {
         drives: SimulatedDrives::new(&machine, 1).unwrap(),
         source: SimulatedSource::new(1, machine.servo_period_s),
         inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-        period_s: machine.servo_period_s,
     };
     let mut hand = Hand { home: machine.home(), ..Hand::default() };
     let mut executive = Executive::new(&machine, &mut devices, &mut hand);

@@ -32,10 +32,11 @@ fn an_exchange_costs_no_allocation() {
         orders.values[0] = f64::from(k % 70);
         assert_no_alloc(|| {
             source.exchange(&orders, &mut report);
-            if inputs.exchange(k % 2 == 0, &mut bits) { fresh += 1 } else { old += 1 }
+            inputs.exchange(k % 2 == 0, &mut bits);
+            if bits.age_s < 0.05 { fresh += 1 } else { old += 1 }
         });
         std::thread::sleep(Duration::from_millis(1));
     }
     assert_eq!(violation_count(), 0);
-    assert!(fresh > 20 && old > 100 && report.starts > 1, "{fresh} {old} {report:?}");
+    assert!(fresh > 20 && old > 20 && report.starts > 1, "{fresh} {old} {report:?}");
 }

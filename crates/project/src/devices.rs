@@ -98,7 +98,6 @@ fn put_together(
         drives: Faulty::new(drives, Device::Drives, faults, period),
         source: Faulty::new(source, Device::Source, faults, period),
         inputs: Faulty::new(inputs, Device::Inputs, faults, period),
-        period_s: period,
     }
 }
 
@@ -117,7 +116,7 @@ pub fn of_machine(
     let mut inputs: Option<Box<dyn Inputs + Send>> = None;
     let mut lines = Lines::new();
     for device in &machine.devices.modbus {
-        let parts = modbus::connect(device, values, machine.servo_period_s).map_err(|e| failure(&e))?;
+        let parts = modbus::connect(device, values).map_err(|e| failure(&e))?;
         if let Some(part) = parts.source {
             source = Some(Box::new(part));
         }

@@ -53,10 +53,18 @@ impl Watch {
 /// If something was left and `from` does not say where to go on.
 pub fn check(data: Option<&Path>, from: Option<Place>) -> Result<(), Failure> {
     let Some(folder) = data.filter(|folder| folder.exists()) else { return Ok(()) };
-    let Some(left) = DataFolder::open(folder)?.journal()?.last() else { return Ok(()) };
+    let journal = DataFolder::open(folder)?.journal()?;
     if from.is_some() {
         return Ok(());
     }
+    if journal.is_damaged() {
+        return Err(Failure::Input(format!(
+            "{}: both files of the journal of positions are damaged: a weld may have been left by a failure, and where is not known\n   \
+             allowed: look at the part, then --from PASS,MM to go on there, or --from 1,0 to weld anew",
+            folder.display()
+        )));
+    }
+    let Some(left) = journal.last() else { return Ok(()) };
     let (pass, welded) = (left.pass.max(1), left.welded_to);
     Err(Failure::Input(format!(
         "weld {} was left by a failure of power or program: pass {pass}, welded up to {welded:.2} mm, the torch at {:.2} mm\n   \

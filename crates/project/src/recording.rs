@@ -52,7 +52,7 @@ pub fn most_rows(period_s: f64) -> u64 {
 fn kind(name: &str) -> Kind {
     match name {
         "pass" | "missed" => Kind::U32,
-        "arc" | "mode" | "gas" | "process_state" | "burning" | "power" => Kind::U8,
+        "arc" | "mode" | "gas" | "process_state" | "burning" | "power" | "steady" => Kind::U8,
         "t_s" | "s_mm" | "tip_s_mm" | "welded_mm" | "inputs" => Kind::F64,
         axis if ["_set_mm", "_set_deg", "_true_mm", "_true_deg", "_measured_mm", "_measured_deg"]
             .iter()

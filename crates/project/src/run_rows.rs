@@ -40,6 +40,7 @@ pub fn columns(machine: &Machine, values: &[String], heads: &[String]) -> Vec<(S
         ("power", "1"),
         ("inputs", "1"),
         ("missed", "1"),
+        ("steady", "1"),
     ]
     .map(|(name, unit)| (name.to_owned(), unit))
     .to_vec();
@@ -121,6 +122,7 @@ pub fn row(tips: &mut Tips, machine: &Machine, c: &Shown, values: usize, heads: 
         bit(c.orders.power),
         c.reports.inputs as f64,
         f64::from(c.reports.missed),
+        bit(c.steady),
     ];
     for (i, axis) in machine.axes.iter().enumerate() {
         row.push(axis.to_file(c.orders.set[i].position));

@@ -3,7 +3,7 @@
 use crate::{Failure, files};
 use rtrb::Consumer;
 use seamwright_cell::devices::{Drives, StepDrives};
-use seamwright_cell::executive::{DriveReport, Orders};
+use seamwright_cell::executive::{DriveReport, Orders, Slack};
 use seamwright_machine::{AxisKind, Joints, Machine, Steps};
 use seamwright_motion::pulses::{Edge, Event};
 use seamwright_record::{VcdAxis, VcdWriter, Wire};
@@ -89,8 +89,8 @@ impl Drives for StreamedSteps {
         }
     }
 
-    fn rides_out(&self) -> u32 {
-        self.drives.as_ref().map_or(0, Drives::rides_out)
+    fn rides_out(&self) -> Slack {
+        self.drives.as_ref().map_or(Slack::stored(0), Drives::rides_out)
     }
 
     fn late_s(&self) -> f64 {

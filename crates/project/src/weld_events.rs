@@ -9,6 +9,9 @@ pub fn event(t: f64, note: &Note, here: Place) -> Option<Event> {
     let (text, place) = match note {
         Note::Mode(from, to) => (format!("{from} -> {to}"), here),
         Note::Taken(command) => (order(&command.ask)?, here),
+        Note::Missed(cycles, longest_ms) => {
+            (format!("{cycles} cycles were missed, up to {longest_ms:.0} ms at once"), here)
+        }
         Note::PassEnds(place) => (format!("pass {} ends", place.pass), *place),
         Note::Left(place) => (format!("pass {} was left, welded up to {:.2} mm", place.pass, place.s_mm), *place),
         Note::Refused(..) | Note::Lacks(..) | Note::Alarm(_) | Note::Cleared(..) => return None,

@@ -3,7 +3,7 @@ use crate::journal::Journal;
 use crate::library::{AuditCheck, DocumentKind, Library, NewWeld, WeldRecord, WeldResult};
 use crate::recording::{hash_of, settle};
 use crate::trace::{self, Trace, recover::is_written};
-use crate::{Error, Moment, Plan, Recording, sha256_of_file};
+use crate::{Error, Moment, Plan, Recording, private, sha256_of_file};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -49,7 +49,7 @@ impl DataFolder {
     pub fn open(path: &Path) -> Result<Self, Error> {
         crate::finish_replacing(path)?;
         let welds = path.join("welds");
-        fs::create_dir_all(&welds).map_err(|e| Error::io(&welds, "cannot be made", e))?;
+        private::folder(&welds).map_err(|e| Error::io(&welds, "cannot be made", e))?;
         Ok(Self { path: path.to_owned(), library: Library::open(&path.join("library.sqlite"))? })
     }
 
@@ -122,10 +122,12 @@ impl DataFolder {
             basis: plan.basis.clone(),
             note: plan.note.clone(),
         };
-        let id = self.library.begin_weld(&new)?;
+        // Never into the folder of a weld that the library has lost.
+        let last = self.weld_folders()?.into_iter().max().unwrap_or(0);
+        let id = self.library.begin_weld(&new, last)?;
         let folder = self.weld_folder(id);
-        fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, "cannot be made", e))?;
-        Recording::new(id, folder, plan)
+        private::folder(&folder).map_err(|e| Error::io(&folder, "cannot be made", e))?;
+        Recording::new((id, new.begun), folder, plan)
     }
 
     /// Refuses a weld whose trace would not find room: as raw rows, and once more as Parquet.
@@ -139,6 +141,30 @@ impl DataFolder {
             }
             _ => Ok(()),
         }
+    }
+
+    /// Numbers of welds that have files, but no entry in the library: it has lost them, by damage to its write-ahead log say, which
+    /// SQLite takes for its end.
+    ///
+    /// # Errors
+    /// If folder or library cannot be read.
+    pub fn lost_welds(&self) -> Result<Vec<i64>, Error> {
+        let known = self.library.weld_numbers()?;
+        let mut lost = self.weld_folders()?;
+        lost.retain(|id| known.binary_search(id).is_err());
+        lost.sort_unstable();
+        Ok(lost)
+    }
+
+    /// Numbers of the folders in `welds` that have files.
+    fn weld_folders(&self) -> Result<Vec<i64>, Error> {
+        let welds = self.path.join("welds");
+        let Ok(entries) = fs::read_dir(&welds) else { return Ok(Vec::new()) };
+        let number = |entry: fs::DirEntry| {
+            let id = entry.file_name().to_str()?.parse().ok()?;
+            fs::read_dir(entry.path()).ok()?.next().map(|_| id)
+        };
+        Ok(entries.flatten().filter_map(number).collect())
     }
 
     /// Makes whole what crashes left: traces to Parquet, and welds that ran to interrupted ones.
@@ -178,7 +204,8 @@ impl DataFolder {
         let modified = modified.filter_map(|f| f.metadata().ok()?.modified().ok()).max();
         let since = modified.and_then(|t| t.duration_since(std::time::UNIX_EPOCH).ok());
         let last = since.map_or(weld.begun, |d| Moment(i64::try_from(d.as_millis()).unwrap_or(i64::MAX)));
-        settle(self, weld.id, folder, (result, weld.ended.unwrap_or(last), note))
+        // A clock that was set back in between makes no weld end before it began.
+        settle(self, weld.id, folder, (result, weld.ended.unwrap_or(last.max(weld.begun)), note))
     }
 
     /// Checks the database, the audit log, and the hash of every file and text that the library names.
@@ -190,6 +217,12 @@ impl DataFolder {
         problems.extend(self.library.foreign_schema()?);
         let audit = self.library.verify_audit()?;
         problems.extend(audit.broken.as_ref().map(|(id, why)| format!("audit entry {id}: {why}")));
+        problems.extend(self.lost_welds()?.into_iter().map(|id| {
+            format!(
+                "weld {id}: its files are in {}, but the library has no entry of it: it was lost",
+                self.weld_folder(id).display()
+            )
+        }));
         let (mut files, welds) = (0, self.library.find(&crate::library::Query::default())?);
         for weld in &welds {
             let folder = self.weld_folder(weld.id);

@@ -1,7 +1,8 @@
 //! What a trace comes to: heat input and deviations along the seam, values against their windows.
 //!
 //! Worked out from the columns `t_s`, `pass`, `s_mm`, `arc`, where there is one `tip_s_mm`, and those that the [`Basis`]
-//! names. Each row holds until the next. The same for a weld that ended well and for what a crash left of one.
+//! names. Each row holds until the next. The same for a weld that ended well and for what a crash left of one. Where there is a
+//! column `steady`, values count only where it is 1: what lies in a hold, a ramp, a start or an end is no travel.
 
 mod tally;
 
@@ -44,7 +45,7 @@ pub struct Judged {
     pub along: Vec<(f64, f64)>,
 }
 
-/// What a value was while the arc was on.
+/// What a value was while the pass was travelled with the arc on.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Value {
     /// The pass, counted from 1.
@@ -63,6 +64,9 @@ pub struct Value {
     pub outside_s: f64,
     /// Over how much of the way it was outside, mm.
     pub outside_mm: f64,
+    /// From where to where on the seam it was outside, first and last, mm; unknown of values that the library has.
+    #[serde(skip)]
+    pub outside_along: Option<(f64, f64)>,
 }
 
 /// A curve over path length (mm) in one pass.

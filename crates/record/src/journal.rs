@@ -13,8 +13,8 @@
 //! | 32 | corrections (mm): of each head lateral, height |
 //! | 4 | CRC-32 of all this |
 
-use crate::{Error, whole_file};
-use std::fs::{File, OpenOptions};
+use crate::{Error, private, whole_file};
+use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -53,6 +53,8 @@ pub struct Journal {
     /// Number of the newest entry.
     sequence: u64,
     last: Option<Position>,
+    /// Neither file has a whole entry, and at least one had something: what the newest said is not known.
+    damaged: bool,
 }
 
 impl Journal {
@@ -64,14 +66,23 @@ impl Journal {
         let [a, b] = NAMES.map(|name| open(&folder.join(name)));
         let mut files = [a?, b?];
         let mut newest = (0, None);
+        let (mut whole, mut written) = (false, false);
         for (path, file) in &mut files {
-            let entry = read(file).map_err(|e| Error::io(path, "cannot be read", e))?;
+            let failed = |e| Error::io(path, "cannot be read", e);
+            let entry = read(file).map_err(failed)?;
+            whole |= entry.is_some();
+            written |= !is_blank(file).map_err(failed)?;
             if let Some(entry) = entry.filter(|entry| entry.0 > newest.0) {
                 newest = entry;
             }
         }
         let (sequence, last) = newest;
-        Ok(Self { files, sequence, last })
+        Ok(Self { files, sequence, last, damaged: written && !whole })
+    }
+
+    /// True if both files are damaged: a weld may have been left, and where is not known. The next entry ends that.
+    pub fn is_damaged(&self) -> bool {
+        self.damaged
     }
 
     /// The newest entry that is whole: none if the weld before ended well, or there was none.
@@ -103,7 +114,7 @@ impl Journal {
             .and_then(|_| file.write_all(&encoded(sequence, position)))
             .and_then(|()| file.sync_data());
         written.map_err(|e| Error::io(path, "cannot be written", e))?;
-        (self.sequence, self.last) = (sequence, position);
+        (self.sequence, self.last, self.damaged) = (sequence, position, false);
         Ok(())
     }
 }
@@ -120,7 +131,7 @@ impl Drop for Journal {
 /// Opens a file of full length, which it locks.
 fn open(path: &Path) -> Result<(PathBuf, File), Error> {
     let failed = |e| Error::io(path, "cannot be written", e);
-    let mut options = OpenOptions::new();
+    let mut options = private::options();
     let mut file = options.read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
     if file.try_lock().is_err() {
         return Err(Error::Busy { path: path.to_owned() });
@@ -163,6 +174,14 @@ fn read(file: &mut File) -> std::io::Result<Option<(u64, Option<Position>)>> {
         result => result?,
     }
     Ok(decoded(&bytes))
+}
+
+/// True for a file in which nothing was ever written.
+fn is_blank(file: &mut File) -> std::io::Result<bool> {
+    let mut bytes = Vec::with_capacity(BLOCK);
+    file.seek(SeekFrom::Start(0))?;
+    file.take(BLOCK as u64).read_to_end(&mut bytes)?;
+    Ok(bytes.iter().all(|byte| *byte == 0))
 }
 
 fn decoded(bytes: &[u8; ENTRY]) -> Option<(u64, Option<Position>)> {
@@ -297,6 +316,26 @@ mod tests {
             }
             NAMES.iter().for_each(|name| fs::remove_file(folder.path().join(name)).unwrap());
         }
+    }
+
+    /// Both damaged is not "nothing was left": it is said, until an entry is written. One damaged, or none written, is not that.
+    #[test]
+    fn both_files_damaged_are_told() {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(!Journal::open(folder.path()).unwrap().is_damaged());
+        let whole = written(folder.path(), 5);
+        let [a, b] = NAMES.map(|name| folder.path().join(name));
+        let mut torn = whole.clone();
+        torn.iter_mut().for_each(|bytes| bytes[40] ^= 4);
+        put(&a, &torn[0]);
+        assert!(!Journal::open(folder.path()).unwrap().is_damaged());
+        put(&b, &torn[1]);
+        let mut journal = Journal::open(folder.path()).unwrap();
+        assert!(journal.is_damaged() && journal.last().is_none());
+        journal.clear().unwrap();
+        assert!(!journal.is_damaged());
+        drop(journal);
+        assert!(!Journal::open(folder.path()).unwrap().is_damaged());
     }
 
     proptest! {

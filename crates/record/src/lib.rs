@@ -19,6 +19,7 @@ mod hash;
 pub mod journal;
 pub mod library;
 mod moment;
+mod private;
 mod recording;
 mod replace;
 pub mod trace;

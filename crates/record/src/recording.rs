@@ -5,6 +5,7 @@ use crate::{DataFolder, Error, Moment, sha256, sha256_of_file, whole_file};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 /// A weld that is to be recorded. Texts with the name under which the library keeps them.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,6 +58,8 @@ pub struct Outcome {
 #[derive(Debug)]
 pub struct Recording {
     id: i64,
+    /// When it began, by the system's clock, and by one that nobody sets.
+    begun: (Moment, Instant),
     folder: PathBuf,
     writer: TraceWriter,
     note: String,
@@ -64,9 +67,9 @@ pub struct Recording {
 }
 
 impl Recording {
-    pub(crate) fn new(id: i64, folder: PathBuf, plan: &Plan) -> Result<Self, Error> {
+    pub(crate) fn new((id, begun): (i64, Moment), folder: PathBuf, plan: &Plan) -> Result<Self, Error> {
         let writer = TraceWriter::create(&folder.join("trace.parquet"), &plan.columns, &plan.about, plan.most_rows)?;
-        Ok(Self { id, folder, writer, note: plan.note.clone(), trouble: None })
+        Ok(Self { id, begun: (begun, Instant::now()), folder, writer, note: plan.note.clone(), trouble: None })
     }
 
     /// Number of the weld in the library.
@@ -103,7 +106,7 @@ impl Recording {
     /// If the library cannot be written: the trace is kept, and [`DataFolder::recover`] puts it into the library later.
     /// A trace that cannot be finished is no error; the weld's note says so.
     pub fn finish(self, data: &mut DataFolder, outcome: &Outcome) -> Result<WeldRecord, Error> {
-        let Self { id, folder, writer, note, trouble } = self;
+        let Self { id, begun, folder, writer, note, trouble } = self;
         let mut notes: Vec<String> = vec![note, outcome.note.clone()];
         let lost = writer.lost();
         notes.extend(trouble.map(|why| format!("{lost} rows of the trace were lost: {why}")));
@@ -113,7 +116,9 @@ impl Recording {
         });
         notes.extend(kept.err().map(|why| format!("the record is not whole: {why}")));
         notes.retain(|note| !note.is_empty());
-        settle(data, id, &folder, (outcome.result, Moment::now(), notes.join("; ")))
+        let lasted = i64::try_from(begun.1.elapsed().as_millis()).unwrap_or(i64::MAX);
+        let ended = Moment(begun.0.0.saturating_add(lasted));
+        settle(data, id, &folder, (outcome.result, ended, notes.join("; ")))
     }
 }
 

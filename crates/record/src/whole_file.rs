@@ -205,9 +205,9 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Begins the file `path` of a data folder.
+/// Begins the file `path` of a data folder: its owner's alone, whatever the folder allows.
 pub(crate) fn create(path: &Path) -> Result<WholeFile, Error> {
-    WholeFile::create(path).map_err(|e| Error::io(path, "cannot be written", e))
+    WholeFile::create_private(path).map_err(|e| Error::io(path, "cannot be written", e))
 }
 
 /// Gives a written file of a data folder its name, for good.

@@ -6,6 +6,7 @@ use crate::planner::Planner;
 use crate::teaching::Cameras;
 use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
+use seamwright_cell::realtime::{Shutdown, ShutdownCause};
 use seamwright_machine::Machine;
 use seamwright_project::files;
 use seamwright_record::{discard_checked, finish_replacing, replace_by_checked};
@@ -57,21 +58,24 @@ pub enum Error {
     System(String),
 }
 
-/// Serves the panel until it is told to end (SIGINT, SIGTERM): then everything stops, power goes, and it returns. `ready` is
-/// told the address once it answers.
+/// How often it is looked whether a signal or a fault ends the panel.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// Serves the panel until a signal (SIGINT, SIGTERM, SIGHUP and their like) or a fault of the program ends it: the process is off
+/// within a cycle, everything comes to rest, power goes, records are closed, and it returns. `ready` is told the address once it
+/// answers.
 ///
 /// # Errors
 /// See [`Error`].
 pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error> {
-    until(settings, ready, asked_to_end)
+    let shutdown = Shutdown::default();
+    shutdown.on_signals().map_err(|e| Error::System(e.to_string()))?;
+    shutdown.on_panic();
+    until(settings, ready, &shutdown)
 }
 
-/// Serves until `ends`: one life of the cell after the other, with restored data between them.
-pub(crate) fn until<F: Future<Output = ()>>(
-    settings: &Settings,
-    ready: impl FnOnce(&str),
-    ends: impl Fn() -> F,
-) -> Result<(), Error> {
+/// Serves until `shutdown`: one life of the cell after the other, with restored data between them.
+pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Shutdown) -> Result<(), Error> {
     let data = &settings.data;
     let jobs = data.join("jobs");
     let record = |e: seamwright_record::Error| Error::System(e.to_string());
@@ -79,7 +83,7 @@ pub(crate) fn until<F: Future<Output = ()>>(
     // What was checked before the last end is looked at anew.
     discard_checked(data).map_err(record)?;
     let mut ready = Some(ready);
-    let mut lives = Lives { settings, key: secret().map_err(Error::System)?, listener: None, restored: None };
+    let mut lives = Lives { settings, shutdown, key: secret().map_err(Error::System)?, listener: None, restored: None };
     loop {
         files::make_private(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
         // Stops, sockets and signals on the one, everything that handlers do on the other: see `front`.
@@ -89,11 +93,16 @@ pub(crate) fn until<F: Future<Output = ()>>(
                 ready(address);
             }
         };
-        let restores = runtime.block_on(lives.live(tell, &ends, work.handle()));
+        let restores = runtime.block_on(lives.live(tell, work.handle()));
         // Pages and whatever still reads the data.
         work.shutdown_timeout(PATIENCE);
         runtime.shutdown_timeout(PATIENCE);
-        let Some(user) = restores? else { return Ok(()) };
+        let restores = restores?;
+        if shutdown.cause() == Some(ShutdownCause::Panic) {
+            let text = "the program failed (panic): the cell was stopped and its devices were ordered off";
+            return Err(Error::System(text.to_owned()));
+        }
+        let Some(user) = restores else { return Ok(()) };
         let kept = replace_by_checked(data).map_err(record)?;
         lives.restored = Some((user, kept.file_name().unwrap_or_default().to_string_lossy().into_owned()));
     }
@@ -108,6 +117,8 @@ fn threads(name: &str) -> Result<Runtime, Error> {
 /// What outlives a restore.
 struct Lives<'a> {
     settings: &'a Settings,
+    /// Ends all of them.
+    shutdown: &'a Shutdown,
     /// Opens the panel while there is no administrator.
     key: String,
     /// Who comes while the cell begins anew waits here.
@@ -118,12 +129,7 @@ struct Lives<'a> {
 
 impl Lives<'_> {
     /// From the start of the cell to its end; who restores data for the next one, if somebody does.
-    async fn live<F: Future<Output = ()>>(
-        &mut self,
-        ready: impl FnOnce(&str),
-        ends: impl Fn() -> F,
-        work: &Handle,
-    ) -> Result<Option<String>, Error> {
+    async fn live(&mut self, ready: impl FnOnce(&str), work: &Handle) -> Result<Option<String>, Error> {
         let settings = self.settings;
         let system = |e: &dyn std::fmt::Display| Error::System(e.to_string());
         let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0))?;
@@ -134,8 +140,9 @@ impl Lives<'_> {
         };
         let listener = self.listen()?;
         let port = listener.local_addr().map_err(|e| system(&e))?.port();
-        let cell = Cell::start(&settings.machine, &settings.folder, &settings.values, &settings.data)
-            .map_err(Error::Settings)?;
+        let (machine, folder) = (&settings.machine, &settings.folder);
+        let cell = Cell::start(machine, folder, &settings.values, &settings.data, self.shutdown);
+        let cell = cell.map_err(Error::Settings)?;
         let has_admin = accounts.has_admin();
         let mut panel = Panel::new(cell, accounts, self.key.clone(), settings.data.clone(), hosts(&names, port));
         panel.tls = tls.is_some();
@@ -162,7 +169,7 @@ impl Lives<'_> {
         let mut restores = panel.restores.subscribe();
         let user = tokio::select! {
             () = answer(listener, tls, Arc::clone(&panel), work.clone()) => None,
-            () = ends() => None,
+            () = requested(self.shutdown) => None,
             wanted = restores.wait_for(Option::is_some) => wanted.ok().and_then(|w| w.as_ref().map(|w| w.0.clone())),
         };
         renews.inspect(|task| task.abort());
@@ -252,18 +259,9 @@ fn hosts(names: &[String], port: u16) -> Vec<String> {
     written.flat_map(|name| [Some(format!("{name}:{port}")), usual.then_some(name)]).flatten().collect()
 }
 
-async fn asked_to_end() {
-    #[cfg(unix)]
-    {
-        use tokio::signal::unix::{SignalKind, signal};
-        if let Ok(mut terminate) = signal(SignalKind::terminate()) {
-            tokio::select! {
-                _ = tokio::signal::ctrl_c() => {}
-                _ = terminate.recv() => {}
-            }
-            return;
-        }
+/// Waits for a shutdown. The cycle has its own look at the flag: it waits for nobody here.
+async fn requested(shutdown: &Shutdown) {
+    while !shutdown.is_requested() {
+        tokio::time::sleep(LOOK).await;
     }
-    // Without a handler it ends the hard way.
-    drop(tokio::signal::ctrl_c().await);
 }

@@ -17,6 +17,7 @@ const KNOWN: Record<string, Key[]> = {
   power: ['trace.power'],
   inputs: ['trace.inputs'],
   missed: ['setup.missed'],
+  steady: ['trace.steady'],
 };
 const AXIS = /^(.+)_(set|measured|true|following_error|current)_(mm|deg|part)$/;
 const OF_AXIS: Record<string, Key> = { set: 'set', measured: 'actual', true: 'trace.true', following_error: 'plot.error', current: 'axis.current' };

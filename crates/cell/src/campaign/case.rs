@@ -7,7 +7,7 @@ use crate::devices::{
     WithSensors,
 };
 use crate::executive::{
-    Alarm, Devices, DriveReport, Executive, Interlocks, Mode, Orders, Place, Reports, SensorReport, SourceReport,
+    Alarm, Devices, DriveReport, Executive, Interlocks, Mode, Orders, Place, Reports, SensorReport, Slack, SourceReport,
 };
 use crate::tracking::SimulatedSensors;
 use seamwright_tracking::beam::Picture;
@@ -167,8 +167,8 @@ impl<D: Devices> Devices for Late<D> {
         }
     }
 
-    fn rides_out(&self) -> u32 {
-        RIDES_OUT
+    fn rides_out(&self) -> Slack {
+        Slack::stored(RIDES_OUT)
     }
 
     fn drives_late_s(&self) -> f64 {
@@ -204,7 +204,6 @@ impl<'a> Trial<'a> {
             drives: Faulty::new(SimulatedDrives::new(machine, seed)?, Device::Drives, &fault, period).told_by(&told),
             source: Faulty::new(SimulatedSource::new(seed, period), Device::Source, &fault, period).told_by(&told),
             inputs: Faulty::new(inputs, Device::Inputs, &fault, period).told_by(&told),
-            period_s: period,
         };
         let sensors = match stage.tracked.filter(|_| device == Device::Sensors) {
             Some(tracked) => tracked.cell.sensors()?,

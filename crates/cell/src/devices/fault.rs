@@ -1,5 +1,5 @@
 use super::{Drives, InputBits, Inputs, Sensors, Source};
-use crate::executive::{DriveReport, Orders, ProcessOrders, SeamOrders, SensorReport, SourceReport};
+use crate::executive::{DriveReport, Orders, ProcessOrders, SeamOrders, SensorReport, Slack, SourceReport};
 use glam::DVec2;
 use seamwright_machine::Joints;
 use seamwright_tracking::beam::Picture;
@@ -276,7 +276,7 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
         };
     }
 
-    fn rides_out(&self) -> u32 {
+    fn rides_out(&self) -> Slack {
         self.device.rides_out()
     }
 
@@ -313,11 +313,11 @@ impl<T: Source> Source for Faulty<T, SourceReport> {
 }
 
 impl<T: Inputs> Inputs for Faulty<T, InputBits> {
-    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool {
+    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) {
         let fault = self.now();
         let kind = fault.map(|(f, _)| f.kind);
         let mut fresh = self.own.unwrap_or(*inputs);
-        let known = self.device.exchange(watchdog, &mut fresh);
+        self.device.exchange(watchdog, &mut fresh);
         self.own = Some(fresh);
         if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
             self.starts += 1;
@@ -325,16 +325,15 @@ impl<T: Inputs> Inputs for Faulty<T, InputBits> {
         fresh.starts += self.starts;
         let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
         match fault {
-            Some((Fault { kind: k, .. }, _)) if k.is_mute() => {
-                return false;
+            Some((Fault { kind: k, .. }, _)) if k.is_mute() => inputs.age_s += self.period,
+            Some((Fault { kind: FaultKind::Slow, .. }, _)) => {
+                *inputs = InputBits { age_s: LATE as f64 * self.period, ..delayed };
             }
-            Some((Fault { kind: FaultKind::Slow, .. }, _)) => *inputs = delayed,
             Some((Fault { kind: FaultKind::Wrong, which, .. }, _)) => {
                 *inputs = InputBits { bits: fresh.bits ^ (1 << which), ..fresh };
             }
             _ => *inputs = fresh,
         }
-        known
     }
 }
 

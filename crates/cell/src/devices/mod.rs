@@ -16,7 +16,9 @@ pub use linuxcnc::{LinuxCncDrives, LinuxCncError, Sample, Taken};
 pub use simulated::{SimulatedDrives, SimulatedInputs, SimulatedSource};
 pub use steps::StepDrives;
 
-use crate::executive::{Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, SourceReport};
+use crate::executive::{
+    Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, Slack, SourceReport,
+};
 use seamwright_machine::Joints;
 use seamwright_tracking::beam::Picture;
 
@@ -24,8 +26,8 @@ use seamwright_tracking::beam::Picture;
 pub trait Drives {
     /// A period with these orders; what is known at its end. Leaves `report` as it was, but for its age, if nothing is known.
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport);
-    /// Cycles that may be missed at once without harm.
-    fn rides_out(&self) -> u32;
+    /// Missed cycles that they ride out without harm.
+    fn rides_out(&self) -> Slack;
     /// Greatest age of a report that is still fresh, s.
     fn late_s(&self) -> f64;
     /// Where the axes truly are, of simulated drives.
@@ -61,7 +63,7 @@ impl<D: Drives + ?Sized> Drives for Box<D> {
         (**self).exchange(orders, report);
     }
 
-    fn rides_out(&self) -> u32 {
+    fn rides_out(&self) -> Slack {
         (**self).rides_out()
     }
 
@@ -91,23 +93,32 @@ impl<S: Source + ?Sized> Source for Box<S> {
 }
 
 /// Inputs of doors, valves and switches.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InputBits {
     /// A bit each, in the order of the machine's conditions.
     pub bits: u64,
     /// How often their device has started.
     pub starts: u32,
+    /// Age of all this, s.
+    pub age_s: f64,
+}
+
+impl Default for InputBits {
+    /// Nothing is known, since ever.
+    fn default() -> Self {
+        Self { bits: 0, starts: 0, age_s: f64::INFINITY }
+    }
 }
 
 /// What reads inputs and passes the watchdog on.
 pub trait Inputs {
-    /// A period; true if `inputs` are fresh.
-    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool;
+    /// A period; what is known at its end. Leaves `inputs` as they were, but for their age, if nothing is known.
+    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits);
 }
 
 impl<I: Inputs + ?Sized> Inputs for Box<I> {
-    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool {
-        (**self).exchange(watchdog, inputs)
+    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) {
+        (**self).exchange(watchdog, inputs);
     }
 }
 
@@ -120,8 +131,6 @@ pub struct DeviceSet<D, S, I> {
     pub source: S,
     /// The inputs.
     pub inputs: I,
-    /// A period, s.
-    pub period_s: f64,
 }
 
 impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
@@ -130,13 +139,12 @@ impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
         self.drives.exchange(orders, &mut reports.drives);
         reports.truth = self.drives.truth().copied();
         self.source.exchange(&orders.process, &mut reports.source);
-        let mut inputs = InputBits { bits: reports.inputs, starts: reports.inputs_starts };
-        let fresh = self.inputs.exchange(orders.watchdog, &mut inputs);
-        (reports.inputs, reports.inputs_starts) = (inputs.bits, inputs.starts);
-        reports.inputs_age_s = if fresh { 0.0 } else { reports.inputs_age_s + self.period_s };
+        let mut inputs = InputBits { bits: reports.inputs, starts: reports.inputs_starts, age_s: reports.inputs_age_s };
+        self.inputs.exchange(orders.watchdog, &mut inputs);
+        (reports.inputs, reports.inputs_starts, reports.inputs_age_s) = (inputs.bits, inputs.starts, inputs.age_s);
     }
 
-    fn rides_out(&self) -> u32 {
+    fn rides_out(&self) -> Slack {
         self.drives.rides_out()
     }
 
@@ -160,7 +168,7 @@ impl<D: Devices, S: Sensors> Devices for WithSensors<D, S> {
         self.sensors.exchange(&orders.seam, reports.truth.as_ref(), &mut reports.sensors);
     }
 
-    fn rides_out(&self) -> u32 {
+    fn rides_out(&self) -> Slack {
         self.devices.rides_out()
     }
 

@@ -1,7 +1,7 @@
 use super::{Drives, InputBits, Inputs, LATE_PERIODS, Source};
 use crate::Error;
 use crate::disturbance::uniform;
-use crate::executive::{DriveReport, Orders, ProcessOrders, SourceReport, VALUES};
+use crate::executive::{DriveReport, Orders, ProcessOrders, Slack, SourceReport, VALUES};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use seamwright_machine::{Joints, Machine};
@@ -111,8 +111,8 @@ impl Drives for SimulatedDrives {
     }
 
     /// Its time stands still while nobody asks.
-    fn rides_out(&self) -> u32 {
-        u32::MAX
+    fn rides_out(&self) -> Slack {
+        Slack::standing(self.period)
     }
 
     fn late_s(&self) -> f64 {
@@ -194,8 +194,7 @@ impl SimulatedInputs {
 }
 
 impl Inputs for SimulatedInputs {
-    fn exchange(&mut self, _watchdog: bool, inputs: &mut InputBits) -> bool {
-        (inputs.bits, inputs.starts) = (self.bits, inputs.starts.max(1));
-        true
+    fn exchange(&mut self, _watchdog: bool, inputs: &mut InputBits) {
+        *inputs = InputBits { bits: self.bits, starts: inputs.starts.max(1), age_s: 0.0 };
     }
 }

@@ -126,13 +126,40 @@ pub struct SourceReport {
     pub starts: u32,
 }
 
+/// Missed cycles that the drives ride out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slack {
+    /// So many at once do no harm.
+    pub cycles: u32,
+    /// Part of a missed cycle that is made up for in each cycle after it: how fast what the drives have in store fills again.
+    pub regained: f64,
+}
+
+/// Longest time that drives without a clock of their own, simulated ones and pulses, may stand still at a place with the process
+/// on, s. Above what a desktop without real-time rights makes a thread wait, far below what burns through.
+const STANDS_S: f64 = 0.25;
+
+impl Slack {
+    /// Of drives that stand where they are while no cycle comes, and go on as if nothing had been.
+    pub fn standing(period_s: f64) -> Self {
+        Self { cycles: (STANDS_S / period_s).round() as u32, regained: f64::INFINITY }
+    }
+
+    /// Of drives with this many set-points in store.
+    pub fn stored(cycles: u32) -> Self {
+        /// Part of a cycle by which the store fills again in a cycle.
+        const REFILLS: f64 = 0.01;
+        Self { cycles, regained: REFILLS }
+    }
+}
+
 /// Everything that the executive drives.
 pub trait Devices {
     /// Gives `orders` for the next period, waits until it begins, and puts into `reports` what is known then. Must neither
     /// allocate nor lock.
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports);
-    /// Cycles that may be missed at once without harm: what the drives have in store.
-    fn rides_out(&self) -> u32;
+    /// Missed cycles that the drives ride out without harm.
+    fn rides_out(&self) -> Slack;
     /// Greatest age of the drives' report that is still fresh, s.
     fn drives_late_s(&self) -> f64;
     /// The picture of the joint that has arrived in the last exchange, of a beam that looks.
@@ -146,7 +173,7 @@ impl<D: Devices + ?Sized> Devices for Box<D> {
         (**self).exchange(orders, reports);
     }
 
-    fn rides_out(&self) -> u32 {
+    fn rides_out(&self) -> Slack {
         (**self).rides_out()
     }
 
@@ -164,7 +191,7 @@ impl<D: Devices + ?Sized> Devices for &mut D {
         (**self).exchange(orders, reports);
     }
 
-    fn rides_out(&self) -> u32 {
+    fn rides_out(&self) -> Slack {
         (**self).rides_out()
     }
 

@@ -37,6 +37,7 @@ pub(super) struct Doing {
     pub(super) phase: Option<RunPhase>,
     pub(super) place: Place,
     pub(super) speed: f64,
+    pub(super) steady: bool,
     pub(super) welded_mm: f64,
     pub(super) seam: SeamOrders,
 }
@@ -71,7 +72,9 @@ pub struct Executive<'a, D, P> {
     pub(super) homes_one: Option<usize>,
     /// What the hand on the keys wants, fresh in this cycle.
     pub(super) jog: Option<jog::Command>,
-    end: Option<End>,
+    pub(super) end: Option<End>,
+    /// When the outside asked for the end, s.
+    pub(super) shuts_down_since: Option<f64>,
     cycles: u64,
     pub(super) orders: Orders,
     pub(super) reports: Reports,
@@ -112,6 +115,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             homes_one: None,
             jog: None,
             end: None,
+            shuts_down_since: None,
             cycles: 0,
             orders: Orders::default(),
             reports: Reports::default(),
@@ -241,7 +245,10 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
     }
 
     /// One cycle: orders out, reports in, judged; commands; shown.
-    pub(super) fn tick(&mut self, doing: Doing, work: Option<&Work<'_>>) {
+    pub(super) fn tick(&mut self, mut doing: Doing, work: Option<&Work<'_>>) {
+        if self.port.shuts_down() {
+            self.shut_down(&mut doing);
+        }
         self.doing = doing;
         let alarm = self.process.step(doing.asked, &self.reports.source);
         self.orders.power = self.power;
@@ -258,6 +265,9 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         self.supervise();
         self.jog = None;
         for _ in 0..COMMANDS {
+            if self.shuts_down_since.is_some() {
+                break;
+            }
             let Some(command) = self.port.command(self.now()) else { break };
             self.take(command, work);
         }
@@ -267,6 +277,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             place: doing.place,
             phase: doing.phase,
             speed: doing.speed,
+            steady: doing.steady,
             welded_mm: doing.welded_mm,
             process: self.process.state(),
             armed: self.is_armed(),
@@ -295,10 +306,11 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
     fn obey(&mut self, ask: Ask, work: Option<&Work<'_>>) -> Result<(), Missing> {
         if ask.stops() {
             if ask == Ask::Stop {
-                self.process.kill();
+                self.stop();
+            } else {
+                self.halt = true;
+                self.event(Event::Hold);
             }
-            self.halt = true;
-            self.event(if ask == Ask::Stop { Event::Abort } else { Event::Hold });
             return Ok(());
         }
         let event = match ask {

@@ -24,13 +24,14 @@ mod mode;
 mod process;
 mod program;
 mod readiness;
+mod shutdown;
 mod state;
 mod supervision;
 mod work;
 
 pub use alarm::{Alarm, Entry, Reaction, catalogue};
 pub use alarm_list::{AlarmList, AlarmState, MOST_ALARMS, Place, Raised};
-pub use bus::{Devices, DriveReport, Orders, ProcessOrders, Reports, SensorReport, SourceReport, VALUES};
+pub use bus::{Devices, DriveReport, Orders, ProcessOrders, Reports, SensorReport, Slack, SourceReport, VALUES};
 pub use command::{Ask, Command, Origin};
 pub use core::{End, Executive};
 pub use guide::{Guide, Guided, Planned, SeamOrders, Seen, Tracked, Trouble};

@@ -13,6 +13,11 @@ use seamwright_motion::air::Leg;
 use seamwright_motion::pace::{Instant, Order, Pace, Run, RunPhase, Timed};
 use seamwright_program::Sequence;
 
+/// A pace this near to the one that is asked for is that.
+const PACED: f64 = 1e-3;
+/// Time in which process values and the tip's speed over a while settle after a start or a ramp, s.
+const SETTLES_S: f64 = 0.25;
+
 /// A stretch of a program that is run.
 struct Stretch<'a, L> {
     law: &'a L,
@@ -97,6 +102,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.steer(&mut run, &mut asked);
         let mut seen = Mode::Hold;
         let mut burnt_s = 0.0;
+        let mut steady_s = 0.0;
         loop {
             seen = self.order(&mut run, seen);
             self.steer(&mut run, &mut asked);
@@ -116,8 +122,11 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             }
             let burns = self.process.state() == ProcessState::Burns;
             burnt_s = if burns { burnt_s + self.machine.servo_period_s } else { 0.0 };
+            let paced = now.phase == RunPhase::Travel && (now.played.phi - asked).abs() < PACED;
+            steady_s = if burns && paced { steady_s + self.machine.servo_period_s } else { 0.0 };
             let mut doing =
                 self.doing(work, stretch.pass.filter(|_| welds), (now, run.welded_to(), burnt_s), stretch.pass);
+            doing.steady = steady_s > SETTLES_S;
             match self.follow(&planned(&now)) {
                 Some(guided) => doing.seam = guided.seam,
                 None => self.set(&now.played.rates.q, &now.played.rates.v, &now.played.rates.a),
@@ -188,6 +197,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             phase: in_pass.then_some(now.phase),
             place,
             speed: if in_pass { tip.v } else { 0.0 },
+            steady: false,
             welded_mm: if in_pass { welded_mm } else { 0.0 },
         }
     }

@@ -17,6 +17,8 @@ pub struct Status {
     pub phase: Option<RunPhase>,
     /// Speed along the path that is asked of the axes, mm/s: `pace` is in it.
     pub speed: f64,
+    /// The pass is travelled at the pace that is asked for, with arc or beam burning long enough for its values to have settled.
+    pub steady: bool,
     /// Path length up to which the pass is welded, mm.
     pub welded_mm: f64,
     /// Arc or beam.
@@ -65,6 +67,8 @@ pub enum Note {
     Alarm(Raised),
     /// Its cause has gone; which axis or condition.
     Cleared(Alarm, u8),
+    /// Cycles were missed of late: how many, and the longest time without one, ms.
+    Missed(u32, f64),
     /// A pass came to its end, welded up to there.
     PassEnds(Place),
     /// Where a program was left that can be gone on with.
@@ -155,6 +159,10 @@ pub trait Port {
     fn record_fails(&self) -> bool {
         false
     }
+    /// True once everything shall come to its end: process off, axes at rest, power off.
+    fn shuts_down(&self) -> bool {
+        false
+    }
 }
 
 impl<P: Port + ?Sized> Port for &mut P {
@@ -172,6 +180,10 @@ impl<P: Port + ?Sized> Port for &mut P {
 
     fn record_fails(&self) -> bool {
         (**self).record_fails()
+    }
+
+    fn shuts_down(&self) -> bool {
+        (**self).shuts_down()
     }
 }
 

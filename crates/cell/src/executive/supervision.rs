@@ -16,8 +16,9 @@ const PERIODS: u32 = 3;
 /// Allowed following error: 1 mm or degree at rest, and what a speed makes in this time, s.
 const FOLLOWING_S: f64 = 0.01;
 
-/// Part of a cycle by which the drives' store fills again in a cycle.
-const REFILLS: f64 = 0.01;
+/// Missed cycles are noted if the longest time without one is at least this, s; together, no more often than this, s.
+const NOTED_GAP_S: f64 = 0.02;
+const NOTED_EVERY_S: f64 = 10.0;
 
 /// What supervision remembers from cycle to cycle.
 #[derive(Debug, Clone)]
@@ -30,8 +31,13 @@ pub(super) struct Supervision {
     following: [u32; MAX_AXES],
     /// Time for which each process value was off, s.
     off: [f64; VALUES],
-    /// Cycles missed lately: each counts less by the hundredth part of one in every cycle since.
+    /// Cycles missed that the drives have not made up for.
     missed: f64,
+    /// Cycles missed since they were noted last, the most of them at once, and when that was, s.
+    unnoted: (u32, u32, f64),
+    /// Time without cycles (s) that ages of reports have in them without a fault of the devices, and until when, s.
+    gap_s: f64,
+    gap_until: f64,
     /// Time since power was asked for, s.
     powered_for: f64,
     /// Allowed following error of each axis at rest, mm or rad.
@@ -50,6 +56,9 @@ impl Supervision {
             following: [0; MAX_AXES],
             off: [0.0; VALUES],
             missed: 0.0,
+            unnoted: (0, 0, f64::NEG_INFINITY),
+            gap_s: 0.0,
+            gap_until: f64::NEG_INFINITY,
             powered_for: 0.0,
             allowed,
         }
@@ -63,16 +72,42 @@ impl Supervision {
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Judges the reports of a cycle.
     pub(super) fn supervise(&mut self) {
+        self.judge_cycles();
         self.judge_drives();
         self.judge_following();
         self.judge_inputs();
         self.judge_source();
         self.judge_values();
-        let missed = &mut self.supervision.missed;
-        *missed = (*missed - REFILLS).max(0.0) + f64::from(self.reports.missed);
-        let too_many = *missed > f64::from(self.devices.rides_out());
-        self.condition(Alarm::Overrun, 0, too_many);
         self.condition(Alarm::RecordFailing, 0, self.port.record_fails());
+    }
+
+    /// Counts and notes missed cycles; more than the drives ride out are an alarm.
+    fn judge_cycles(&mut self) {
+        let (now, period, slack) = (self.now(), self.machine.servo_period_s, self.devices.rides_out());
+        let lost = self.reports.missed;
+        let Supervision { missed, unnoted, gap_s, gap_until, .. } = &mut self.supervision;
+        *missed = (*missed - slack.regained).max(0.0) + f64::from(lost);
+        let too_many = *missed > f64::from(slack.cycles);
+        if lost > 0 {
+            // Devices have the usual time from here to be heard of again.
+            let before = if now < *gap_until { *gap_s } else { 0.0 };
+            *gap_s = before + f64::from(lost) * period;
+            *gap_until = now + LATE_S;
+        }
+        let (cycles, longest, since) = *unnoted;
+        let (cycles, longest) = (cycles.saturating_add(lost), longest.max(lost));
+        let long = f64::from(longest) * period >= NOTED_GAP_S && now - since >= NOTED_EVERY_S;
+        *unnoted = (cycles, longest, since);
+        if long || (too_many && lost > 0) {
+            *unnoted = (0, 0, now);
+            self.port.note(now, Note::Missed(cycles, 1e3 * f64::from(longest) * period));
+        }
+        self.condition(Alarm::Overrun, 0, too_many);
+    }
+
+    /// Greatest age of reports that is still fresh, s: `usual`, and the time in which there was no cycle to take them.
+    fn late_s(&self, usual: f64) -> f64 {
+        usual + if self.now() < self.supervision.gap_until { self.supervision.gap_s } else { 0.0 }
     }
 
     fn judge_drives(&mut self) {
@@ -87,7 +122,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 self.happened(alarm, 0);
             }
         }
-        let fresh = drives.age_s <= self.devices.drives_late_s();
+        let fresh = drives.age_s <= self.late_s(self.devices.drives_late_s());
         let lost = fresh && drives.referenced & self.all_axes() != self.all_axes();
         if lost && self.power && !matches!(self.mode, Mode::Idle | Mode::Homing) {
             self.happened(Alarm::DrivesRestarted, 0);
@@ -125,7 +160,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 
     fn judge_inputs(&mut self) {
-        let silent = self.reports.inputs_age_s > LATE_S;
+        let silent = self.reports.inputs_age_s > self.late_s(LATE_S);
         // Nobody needs them while nothing has power.
         self.condition(Alarm::InputsSilent, 0, silent && self.mode.has_power());
         let inputs = self.reports.inputs;
@@ -155,7 +190,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let source = self.reports.source;
         let used = self.process.on() || self.mode == Mode::Weld;
         // A source that is switched off at the wall is no alarm while nobody welds.
-        self.condition(Alarm::SourceSilent, 0, source.age_s > LATE_S && used);
+        self.condition(Alarm::SourceSilent, 0, source.age_s > self.late_s(LATE_S) && used);
         self.condition(Alarm::SourceFault, 0, source.fault != 0 && used);
         self.condition(Alarm::WireStuck, 0, source.stuck);
         self.condition(Alarm::ProcessStuckOn, 0, self.process.stays_on());
@@ -216,7 +251,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 
     /// Does what an alarm asks for.
-    fn react(&mut self, reaction: Reaction) {
+    pub(super) fn react(&mut self, reaction: Reaction) {
         match reaction {
             Reaction::Tell => {}
             Reaction::Hold => self.hold(),

@@ -28,6 +28,13 @@ impl Footing {
         let _ = system::priority(BELOW);
     }
 
+    /// What is missing, by key: `priority`, `memory`, `cpu`.
+    pub fn missing(&self) -> impl Iterator<Item = &'static str> {
+        let cpu = self.cpu.as_ref().is_some_and(Result::is_err);
+        let all = [("priority", self.priority.is_err()), ("memory", self.memory.is_err()), ("cpu", cpu)];
+        all.into_iter().filter_map(|(key, is_missing)| is_missing.then_some(key))
+    }
+
     /// True if nothing is missing.
     pub fn is_whole(&self) -> bool {
         self.priority.is_ok() && self.memory.is_ok() && self.cpu.as_ref().is_none_or(Result::is_ok)

@@ -1,3 +1,4 @@
+use super::Shutdown;
 use crate::executive::{Ask, Command, Cycle, Note, Orders, Port, Reports, Status};
 use rtrb::{Consumer, Producer, RingBuffer};
 use std::ops::Deref;
@@ -43,6 +44,7 @@ pub struct LivePort {
     /// The record has lost something, here or outside.
     failed: Arc<AtomicBool>,
     urgent: Urgent,
+    shutdown: Shutdown,
     lost: u64,
 }
 
@@ -104,14 +106,22 @@ const COMMANDS: usize = 64;
 const CYCLES: usize = 2048;
 const NOTES: usize = 1024;
 
-/// Queues between an executive and the outside: fixed in size, without locks.
-pub fn live() -> (LivePort, Outside) {
+/// Queues between an executive and the outside: fixed in size, without locks. `shutdown` ends the executive past all of them.
+pub fn live(shutdown: &Shutdown) -> (LivePort, Outside) {
     let (to_executive, commands) = RingBuffer::new(COMMANDS);
     let (cycles, shown) = RingBuffer::new(CYCLES);
     let (notes, noted) = RingBuffer::new(NOTES);
     let failed = Arc::new(AtomicBool::new(false));
     let urgent = Urgent::default();
-    let port = LivePort { commands, cycles, notes, failed: Arc::clone(&failed), urgent: urgent.clone(), lost: 0 };
+    let port = LivePort {
+        commands,
+        cycles,
+        notes,
+        failed: Arc::clone(&failed),
+        urgent: urgent.clone(),
+        shutdown: shutdown.clone(),
+        lost: 0,
+    };
     (port, Outside { commands: to_executive, cycles: shown, notes: noted, failed, urgent })
 }
 
@@ -142,5 +152,9 @@ impl Port for LivePort {
 
     fn record_fails(&self) -> bool {
         self.failed.load(Ordering::Relaxed)
+    }
+
+    fn shuts_down(&self) -> bool {
+        self.shutdown.is_requested()
     }
 }

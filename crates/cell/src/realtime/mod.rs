@@ -4,11 +4,15 @@
 //! same, [`Footing`] says what is missing, and [`Latency`] what it costs. More cycles missed at once than the drives ride out stop the cell.
 
 mod footing;
+mod guarded;
 mod latency;
 mod live;
 mod pacer;
+mod shutdown;
 
 pub use footing::Footing;
+pub use guarded::{CyclePanicked, guarded};
 pub use latency::Latency;
 pub use live::{LivePort, Noted, Outside, Shown, Urgent, live};
 pub use pacer::{Paced, Pacer};
+pub use shutdown::{Shutdown, ShutdownCause, contained};

@@ -1,5 +1,5 @@
 use super::Latency;
-use crate::executive::{Devices, Orders, Reports};
+use crate::executive::{Devices, Orders, ProcessOrders, Reports, Slack};
 use seamwright_tracking::beam::Picture;
 
 /// Begins of cycles at whole multiples of a period, by the monotonic clock.
@@ -46,11 +46,17 @@ pub struct Paced<D> {
 impl<D: Devices> Devices for Paced<D> {
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
         let missed = self.pacer.wait();
-        self.devices.exchange(orders, reports);
+        if missed > self.devices.rides_out().cycles {
+            // These orders are of a time before the gap: the process must not burn on by them.
+            let process = ProcessOrders { on: false, ..orders.process };
+            self.devices.exchange(&Orders { process, ..*orders }, reports);
+        } else {
+            self.devices.exchange(orders, reports);
+        }
         reports.missed = missed;
     }
 
-    fn rides_out(&self) -> u32 {
+    fn rides_out(&self) -> Slack {
         self.devices.rides_out()
     }
 

@@ -77,7 +77,6 @@ impl<'a> SimulatedCell<'a> {
             drives: Faulty::new(drives, Device::Drives, faults, period),
             source: Faulty::new(SimulatedSource::new(seed, period), Device::Source, faults, period),
             inputs: Faulty::new(inputs, Device::Inputs, faults, period),
-            period_s: period,
         };
         let sensors = Faulty::new(self.sensors()?, Device::Sensors, faults, period);
         Ok(WithSensors { devices, sensors })

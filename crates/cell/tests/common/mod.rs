@@ -231,7 +231,6 @@ pub(crate) fn play(planned: &Planned, start: Start, script: &mut Script<'_>) -> 
         drives: SimulatedDrives::new(machine, 1).unwrap(),
         source: SimulatedSource::new(1, machine.servo_period_s),
         inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-        period_s: machine.servo_period_s,
     };
     let work = planned.work(start);
     let mut executive = Executive::new(machine, &mut devices, script);

@@ -7,7 +7,7 @@ use seamwright_cell::devices::{
     Device, DeviceSet, Drives, Fault, FaultKind, Faulty, InputBits, Inputs, SimulatedInputs, SimulatedSource, Source,
     When,
 };
-use seamwright_cell::executive::{Devices as _, DriveReport, Orders, Reports, SourceReport};
+use seamwright_cell::executive::{Devices as _, DriveReport, Orders, Reports, Slack, SourceReport};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -18,8 +18,8 @@ struct NoDrives;
 impl Drives for NoDrives {
     fn exchange(&mut self, _orders: &Orders, _report: &mut DriveReport) {}
 
-    fn rides_out(&self) -> u32 {
-        0
+    fn rides_out(&self) -> Slack {
+        Slack::stored(0)
     }
 
     fn late_s(&self) -> f64 {
@@ -154,7 +154,7 @@ fn simulated(event: Event) -> Bench<impl Source, impl Inputs> {
     let inputs =
         Faulty::new(SimulatedInputs::new(MET), Device::Inputs, &faults(Device::Inputs), PERIOD_S).told_by(&told);
     Bench {
-        set: DeviceSet { drives: NoDrives, source, inputs, period_s: PERIOD_S },
+        set: DeviceSet { drives: NoDrives, source, inputs },
         orders: Orders::default(),
         reports: Reports::default(),
         happens: Box::new(move |_, begins| told.store(begins, Ordering::Relaxed)),
@@ -175,7 +175,7 @@ fn on_modbus<S, I>(server: TestServer, source: S, inputs: I) -> Bench<S, I> {
     let server = Arc::new(std::sync::Mutex::new(server));
     let other = Arc::clone(&server);
     Bench {
-        set: DeviceSet { drives: NoDrives, source, inputs, period_s: PERIOD_S },
+        set: DeviceSet { drives: NoDrives, source, inputs },
         orders: Orders::default(),
         reports: Reports::default(),
         happens: Box::new(move |event, begins| match (event, begins) {

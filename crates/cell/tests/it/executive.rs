@@ -175,7 +175,6 @@ fn a_program_is_changed_at_rest() {
         drives: SimulatedDrives::new(machine, 1).unwrap(),
         source: SimulatedSource::new(1, machine.servo_period_s),
         inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-        period_s: machine.servo_period_s,
     };
     let around = Surroundings::new(machine, &Clamped::default()).unwrap();
     let (nothing, weld_work) = (Work::none(machine, &around), planned.work(Start::at_home(&planned.motion)));

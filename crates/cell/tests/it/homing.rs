@@ -26,7 +26,6 @@ fn play(machine: &Machine, script: &mut Script<'_>) {
         drives: SimulatedDrives::new(machine, 1).unwrap().standing_at(&beside(machine)),
         source: SimulatedSource::new(1, machine.servo_period_s),
         inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-        period_s: machine.servo_period_s,
     };
     Executive::new(machine, &mut devices, &mut *script).serve(Some(&work));
 }

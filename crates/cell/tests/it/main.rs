@@ -17,6 +17,7 @@ mod modbus;
 mod modbus_cell;
 #[path = "../support/modbus_server.rs"]
 mod modbus_server;
+mod shutdown;
 mod simulate;
 mod step_drives;
 mod stripe;

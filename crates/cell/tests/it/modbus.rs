@@ -5,7 +5,7 @@ use crate::modbus_server::{Bank, TestServer};
 use seamwright_cell::devices::modbus::{Looker, ModbusInputs, ModbusParts, ModbusSource, connect};
 use seamwright_cell::devices::{InputBits, Inputs as _, Source as _};
 use seamwright_cell::executive::{ProcessOrders, SourceReport};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// A cycle over connected devices.
 struct Cell {
@@ -161,7 +161,7 @@ fn the_watchdog_counts_and_a_bit_toggles() {
     for (map, toggles) in [(MAP.to_owned(), false), (MAP.replace("{ holding = 20 }", "{ coil = 7 }"), true)] {
         let server = TestServer::new(welder);
         let device = device(&server.address.to_string(), &map);
-        let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned), PERIOD_S).unwrap());
+        let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned)).unwrap());
         let mut seen = Vec::new();
         for _ in 0..200 {
             cell.cycle();
@@ -182,7 +182,7 @@ fn only_what_changes_is_written() {
     let server = TestServer::new(welder);
     let map = MAP.replace("watchdog = { holding = 20 }", "");
     let device = device(&server.address.to_string(), &map);
-    let parts = connect(&device, &VALUES.map(str::to_owned), PERIOD_S).unwrap();
+    let parts = connect(&device, &VALUES.map(str::to_owned)).unwrap();
     let traffic = parts.traffic.clone();
     let mut cell = Cell::new(parts);
     cell.strike(100.0);
@@ -215,7 +215,7 @@ fn gaps_that_are_not_there() {
         .replace("wire_m_min = { holding = 2,", "wire_m_min = { holding = 50,")
         .replace("{ holding = 20 }", "{ holding = 52 }");
     let device = device(&server.address.to_string(), &map);
-    let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned), PERIOD_S).unwrap());
+    let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned)).unwrap());
     cell.strike(100.0);
     assert_eq!(cell.bits.bits, 0b111);
 }
@@ -258,7 +258,7 @@ fn what_cannot_be_connected() {
     let server = TestServer::new(welder);
     let values = VALUES.map(str::to_owned);
     let told = |map: &str, values: &[String]| {
-        connect(&device(&server.address.to_string(), map), values, PERIOD_S).unwrap_err().to_string()
+        connect(&device(&server.address.to_string(), map), values).unwrap_err().to_string()
     };
     let error = told(MAP, &["voltage_v".to_owned()]);
     assert!(error.contains("`io`") && error.contains("voltage_v"), "{error}");
@@ -271,7 +271,7 @@ fn what_cannot_be_connected() {
     assert!(error.contains("no answer within 500 ms"), "{error}");
     let address = server.address.to_string();
     drop(server);
-    let error = connect(&device(&address, MAP), &values, PERIOD_S).unwrap_err().to_string();
+    let error = connect(&device(&address, MAP), &values).unwrap_err().to_string();
     assert!(error.contains(&address) && error.contains("refused"), "{error}");
 }
 
@@ -295,4 +295,75 @@ fn looking_changes_nothing() {
     let actual = row("actual.current_a");
     assert!(actual.raw.is_none() && actual.age_s.is_infinite() && actual.trouble.unwrap().contains("input 10"));
     assert!(row("reports.fault").raw.is_some(), "its neighbours are read all the same");
+}
+
+/// An order to be off does not wait for the answer to a question: questions stay unanswered, and off is there long before the
+/// time-out of one.
+#[test]
+fn off_waits_for_no_answer_to_a_question() {
+    let server = TestServer::new(welder);
+    let map = MAP.replace("timeout_s = 0.5", "timeout_s = 1").replace("watchdog_s = 0.4", "watchdog_s = 2");
+    let device = device(&server.address.to_string(), &map);
+    let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned)).unwrap());
+    for _ in 0..3 {
+        cell.strike(100.0);
+        let reads = server.bank().reads;
+        server.mute(true);
+        // A question is under way.
+        cell.until("silence", |c| c.report.age_s > 0.05);
+        cell.orders.on = false;
+        let ordered = Instant::now();
+        cell.until("off", |_| !server.bank().coils[1]);
+        let took = ordered.elapsed().as_secs_f64();
+        assert!(took < 0.7, "off after {took} s");
+        assert!(server.bank().reads <= reads + 4, "questions were answered");
+        server.mute(false);
+    }
+}
+
+/// A device that takes one connection only: told at the start, with what to do; with `connections = 1` it works.
+#[test]
+fn a_device_that_takes_one_connection() {
+    let server = TestServer::single(welder);
+    let values = VALUES.map(str::to_owned);
+    let two = device(&server.address.to_string(), MAP);
+    let error = connect(&two, &values).unwrap_err().to_string();
+    assert!(error.contains("connections = 1"), "{error}");
+    let map = MAP.replace("unit = 1", "unit = 1\nconnections = 1");
+    let parts = connect(&device(&server.address.to_string(), &map), &values).unwrap();
+    let traffic = parts.traffic.clone();
+    let mut cell = Cell::new(parts);
+    cell.strike(100.0);
+    cell.orders.on = false;
+    cell.until("off", |_| !server.bank().coils[1]);
+    cell.strike(100.0);
+    drop(cell);
+    assert!(is_safe(&server.bank()));
+    assert_eq!((traffic.get().connections, traffic.get().safe), (1, Some(Ok(()))));
+}
+
+/// Ages are by the clock: a cell that stood still finds its reports old, although it has counted no cycle.
+#[test]
+fn reports_grow_old_while_no_cycle_comes() {
+    let server = TestServer::new(welder);
+    let mut cell = Cell::new(parts(&server));
+    cell.until("fresh", |c| c.report.age_s < 0.05 && c.bits.age_s < 0.05);
+    server.silence(true);
+    std::thread::sleep(Duration::from_millis(400));
+    cell.cycle();
+    assert!(cell.report.age_s > 0.3 && cell.bits.age_s > 0.3, "{} {}", cell.report.age_s, cell.bits.age_s);
+}
+
+/// What cannot be made safe is said.
+#[test]
+fn a_device_that_has_gone_is_not_said_to_be_safe() {
+    let mut server = TestServer::new(welder);
+    let parts = parts(&server);
+    let traffic = parts.traffic.clone();
+    let mut cell = Cell::new(parts);
+    cell.strike(100.0);
+    server.stop();
+    drop(cell);
+    let safe = traffic.get().safe.unwrap();
+    assert!(safe.is_err(), "{safe:?}");
 }

@@ -46,7 +46,7 @@ pub(crate) fn device(address: &str, map: &str) -> ModbusDevice {
 
 /// The device of [`MAP`] on `server`, connected.
 pub(crate) fn parts(server: &TestServer) -> ModbusParts {
-    connect(&device(&server.address.to_string(), MAP), &VALUES.map(str::to_owned), PERIOD_S).unwrap()
+    connect(&device(&server.address.to_string(), MAP), &VALUES.map(str::to_owned)).unwrap()
 }
 
 /// A welding source that burns while it is on, with all inputs as they should be and a heart-beat.

@@ -35,6 +35,10 @@ pub(crate) struct TestServer {
     pub(crate) address: SocketAddr,
     bank: Arc<Mutex<Bank>>,
     silent: Arc<AtomicBool>,
+    /// Questions (requests to read) stay unanswered, orders do not.
+    mute: Arc<AtomicBool>,
+    /// Takes one connection at a time: others are closed at once.
+    single: bool,
     running: Option<(Arc<AtomicBool>, JoinHandle<()>)>,
 }
 
@@ -52,10 +56,24 @@ impl TestServer {
             works,
         };
         let address = SocketAddr::from(([127, 0, 0, 1], 0));
-        let mut server =
-            Self { address, bank: Arc::new(Mutex::new(bank)), silent: Arc::new(AtomicBool::new(false)), running: None };
+        let (silent, mute) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicBool::new(false)));
+        let mut server = Self { address, bank: Arc::new(Mutex::new(bank)), silent, mute, single: false, running: None };
         server.start();
         server
+    }
+
+    /// The same, but it takes one connection at a time.
+    pub(crate) fn single(works: fn(&mut Bank)) -> Self {
+        let mut server = Self::new(works);
+        server.stop();
+        server.single = true;
+        server.start();
+        server
+    }
+
+    /// Takes questions and does not answer them; orders are obeyed and answered.
+    pub(crate) fn mute(&self, mute: bool) {
+        self.mute.store(mute, Ordering::SeqCst);
     }
 
     pub(crate) fn bank(&self) -> MutexGuard<'_, Bank> {
@@ -81,7 +99,9 @@ impl TestServer {
         let listener = std::net::TcpListener::bind(self.address).unwrap();
         listener.set_nonblocking(true).unwrap();
         self.address = listener.local_addr().unwrap();
-        let device = Device { bank: Arc::clone(&self.bank), silent: Arc::clone(&self.silent) };
+        let device =
+            Device { bank: Arc::clone(&self.bank), silent: Arc::clone(&self.silent), mute: Arc::clone(&self.mute) };
+        let (single, open) = (self.single, Arc::new(()));
         let asked = Arc::clone(&stop);
         let thread = std::thread::spawn(move || {
             let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
@@ -91,7 +111,14 @@ impl TestServer {
                 let connected = |stream: tokio::net::TcpStream, from| {
                     stream.set_nodelay(true).unwrap();
                     let device = device.clone();
-                    async move { accept_tcp_connection(stream, from, |_| Ok(Some(device.clone()))) }
+                    // What a connection holds as long as it is open.
+                    let free = !single || Arc::strong_count(&open) == 1;
+                    let held = Arc::clone(&open);
+                    async move {
+                        accept_tcp_connection(stream, from, |_| {
+                            Ok(free.then(|| Connected { device: device.clone(), _open: held.clone() }))
+                        })
+                    }
                 };
                 let asked = async move {
                     while !asked.load(Ordering::SeqCst) {
@@ -115,19 +142,28 @@ impl Drop for TestServer {
 struct Device {
     bank: Arc<Mutex<Bank>>,
     silent: Arc<AtomicBool>,
+    mute: Arc<AtomicBool>,
 }
 
-impl Service for Device {
+/// A connection to it.
+#[derive(Clone)]
+struct Connected {
+    device: Device,
+    _open: Arc<()>,
+}
+
+impl Service for Connected {
     type Request = Request<'static>;
     type Response = Response;
     type Exception = ExceptionCode;
     type Future = Pin<Box<dyn Future<Output = Result<Response, ExceptionCode>> + Send>>;
 
     fn call(&self, request: Self::Request) -> Self::Future {
-        if self.silent.load(Ordering::SeqCst) {
+        let Device { bank, silent, mute } = &self.device;
+        if silent.load(Ordering::SeqCst) || mute.load(Ordering::SeqCst) && !request.is_write() {
             return Box::pin(std::future::pending());
         }
-        let answer = self.bank.lock().unwrap().answer(&request);
+        let answer = bank.lock().unwrap().answer(&request);
         Box::pin(std::future::ready(answer))
     }
 }

@@ -34,6 +34,7 @@ mod seams;
 mod section;
 mod serve;
 mod speed_mistakes;
+mod stopped;
 mod stripe;
 mod taught;
 mod teach;

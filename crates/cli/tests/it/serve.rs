@@ -46,6 +46,18 @@ fn the_panel_answers_and_ends_in_order() {
     assert!(TcpStream::connect(address).is_err());
 }
 
+/// Whatever ends it does so in order: a closed terminal (SIGHUP) too.
+#[test]
+fn every_signal_ends_the_panel_in_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("cell").display().to_string();
+    for signal in ["-HUP", "-INT", "-QUIT"] {
+        let (mut child, _) = serve(&["--data", &data, "--job", "ellipse"]);
+        assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+        assert_eq!(child.wait().unwrap().code(), Some(0), "{signal}");
+    }
+}
+
 #[test]
 fn what_cannot_be_served_is_told() {
     let folder = tempfile::tempdir().unwrap();

@@ -37,13 +37,21 @@ pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<Mod
         return Err(file.error_at(&at, message, "registers for inputs, or for outputs.on and reports.burning"));
     }
     overlaps(file, &at, &registers)?;
+    let connections = device.connections.unwrap_or(2);
+    if !(1..=2).contains(&connections) {
+        return Err(file.error_at(&format!("{at}.connections"), "this is not a sensible number", "1 or 2"));
+    }
+    // An order to be off may wait for an answer that never comes.
+    let switches = registers.iter().any(|r| r.role == Role::On);
+    let longest = if switches { 1.0 } else { 5.0 };
     let poll_hz = within("poll_hz", device.poll_hz, 100.0, (20.0, 1000.0), "Hz")?;
     Ok(ModbusDevice {
         name: name.to_owned(),
         address: address(file, &at, &device.address)?,
         unit,
         poll_s: 1.0 / poll_hz,
-        timeout_s: within("timeout_s", device.timeout_s, 0.2, (0.01, 5.0), "s")?,
+        timeout_s: within("timeout_s", device.timeout_s, 0.2, (0.01, longest), "s")?,
+        connections,
         watchdog_s: within("watchdog_s", device.watchdog_s, 0.1, (0.01, 2.0), "s")?,
         heartbeat_s: within("heartbeat_s", device.heartbeat_s, 0.5, (0.05, 10.0), "s")?,
         registers,

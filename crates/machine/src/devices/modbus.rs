@@ -15,8 +15,11 @@ pub struct ModbusFile {
     pub unit: Option<u8>,
     /// How often it is read, Hz, 20 to 1000; 100 if missing.
     pub poll_hz: Option<Positive>,
-    /// Longest time for an answer, s, 0.01 to 5; 0.2 if missing. Then the connection is made anew.
+    /// Longest time for an answer, s, 0.01 to 5, or to 1 if the device switches the process; 0.2 if missing. Then the connection is
+    /// made anew.
     pub timeout_s: Option<Positive>,
+    /// Connections that are made: 2, orders on one of their own, or 1 if the device takes no more; 2 if missing.
+    pub connections: Option<u8>,
     /// Time without a cycle after which outputs go to their safe states, s, 0.01 to 2; 0.1 if missing.
     pub watchdog_s: Option<Positive>,
     /// Longest time in which the device's heart-beat stays the same, s, 0.05 to 10; 0.5 if missing.
@@ -170,6 +173,8 @@ pub struct ModbusDevice {
     pub poll_s: f64,
     /// Longest time for an answer, s.
     pub timeout_s: f64,
+    /// Connections: 2, or 1 for orders and reports together.
+    pub connections: u8,
     /// Time without a cycle after which outputs go to their safe states, s.
     pub watchdog_s: f64,
     /// Longest time in which the heart-beat stays the same, s.

@@ -15,6 +15,8 @@ struct Heat {
     joule: f64,
     way: f64,
     time: f64,
+    /// The torch rested or ramped here: it is no measure of the travel.
+    unsteady: bool,
 }
 
 /// What is known of a pass bin by bin.
@@ -39,27 +41,49 @@ struct Gathered {
     weight: f64,
     outside_s: f64,
     outside_mm: f64,
+    outside_along: Option<(f64, f64)>,
+}
+
+/// For how long (s), over how much way (mm) and with which weight a value held, and from where to where (mm).
+#[derive(Debug, Clone, Copy)]
+struct Span {
+    time: f64,
+    way: f64,
+    weight: f64,
+    along: (f64, f64),
 }
 
 impl Gathered {
     /// Nothing has been gathered yet.
     fn new(judged: Judged, column: Option<usize>) -> Self {
         let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        Self { judged, column, least, greatest, sum: 0.0, weight: 0.0, outside_s: 0.0, outside_mm: 0.0 }
+        Self {
+            judged,
+            column,
+            least,
+            greatest,
+            sum: 0.0,
+            weight: 0.0,
+            outside_s: 0.0,
+            outside_mm: 0.0,
+            outside_along: None,
+        }
     }
 
-    /// A value over a time (s) and a way (mm), which counts with this weight.
-    fn add(&mut self, value: f64, weight: f64, time: f64, way: f64) {
+    /// Adds a value over a span.
+    fn add(&mut self, value: f64, span: Span) {
         if !value.is_finite() {
             return;
         }
         self.least = self.least.min(value);
         self.greatest = self.greatest.max(value);
-        self.sum += value * weight;
-        self.weight += weight;
+        self.sum += value * span.weight;
+        self.weight += span.weight;
         if self.judged.allowed.is_some_and(|allowed| outside(value, allowed)) {
-            self.outside_s += time;
-            self.outside_mm += way;
+            self.outside_s += span.time;
+            self.outside_mm += span.way;
+            let (from, to) = self.outside_along.unwrap_or(span.along);
+            self.outside_along = Some((from.min(span.along.0), to.max(span.along.1)));
         }
     }
 
@@ -78,6 +102,8 @@ pub(super) struct Tally {
     columns: Vec<String>,
     /// Place of the column that says where the tip is.
     tip: usize,
+    /// Place of the column that says whether the pass is travelled steadily, if there is one.
+    steady: Option<usize>,
     /// Places and scales of the columns whose product is the power.
     power: Vec<(usize, f64)>,
     efficiency: f64,
@@ -101,6 +127,7 @@ impl Tally {
             })
         };
         let tip = place(if there("tip_s_mm") { "tip_s_mm" } else { "s_mm" });
+        let steady = there("steady").then(|| place("steady"));
         let known = basis.power.as_ref().filter(|power| power.factors.iter().all(|(name, _)| there(name)));
         let power = known.map_or(Vec::new(), |p| p.factors.iter().map(|(name, by)| (place(name), *by)).collect());
         let names = trace.columns().iter().map(|c| c.name.as_str());
@@ -118,7 +145,7 @@ impl Tally {
         }
         let efficiency = known.map_or(0.0, |p| p.efficiency);
         let (last, figures) = (None, Figures::default());
-        Self { columns, tip, power, efficiency, deviations, passes, values, last, figures }
+        Self { columns, tip, steady, power, efficiency, deviations, passes, values, last, figures }
     }
 
     /// Columns of the rows that are to be added.
@@ -148,6 +175,7 @@ impl Tally {
             return;
         }
         self.figures.arc_on_s += time;
+        let steady = self.steady.is_none_or(|place| row[place] > 0.5);
         let pass = self.passes.entry(number as u32).or_default();
         let bin = (s / BIN_MM).clamp(0.0, MOST_BINS) as usize;
         if !self.power.is_empty() {
@@ -156,6 +184,7 @@ impl Tally {
             heat.joule += time * self.power.iter().map(|(place, by)| row[*place] * by).product::<f64>();
             heat.way += way;
             heat.time += time;
+            heat.unsteady |= !steady;
         }
         pass.deviations.resize(self.deviations.len(), Vec::new());
         for (bins, place) in pass.deviations.iter_mut().zip(&self.deviations) {
@@ -174,9 +203,10 @@ impl Tally {
         for i in &pass.judged {
             let value = &mut self.values[*i];
             if let Some(column) = value.column
+                && steady
                 && value.counts(s, s)
             {
-                value.add(row[column], time, time, way);
+                value.add(row[column], Span { time, way, weight: time, along: (s, s + way.max(0.0)) });
             }
         }
     }
@@ -191,10 +221,11 @@ impl Tally {
                 let (from, to) = (i as f64 * BIN_MM, (i + 1) as f64 * BIN_MM);
                 let value = self.efficiency * heat.joule / heat.way / 1000.0;
                 curve.push((0.5 * (from + to), value));
-                let counts = of_pass.is_none_or(|i| self.values[i].counts(from, to));
+                let counts = !heat.unsteady && of_pass.is_none_or(|i| self.values[i].counts(from, to));
                 if counts {
-                    all.add(value, heat.way, heat.time, heat.way);
-                    of_pass.into_iter().for_each(|i| self.values[i].add(value, heat.way, heat.time, heat.way));
+                    let span = Span { time: heat.time, way: heat.way, weight: heat.way, along: (from, to) };
+                    all.add(value, span);
+                    of_pass.into_iter().for_each(|i| self.values[i].add(value, span));
                 }
             }
             if !curve.is_empty() {
@@ -222,6 +253,7 @@ impl Tally {
                 allowed: v.judged.allowed,
                 outside_s: v.outside_s,
                 outside_mm: v.outside_mm,
+                outside_along: v.outside_along,
             })
             .collect();
         self.figures

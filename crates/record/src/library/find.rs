@@ -12,6 +12,8 @@ pub struct Query {
     pub since: Option<Moment>,
     /// Begun before this moment.
     pub until: Option<Moment>,
+    /// SHA-256 of the program.
+    pub program: Option<String>,
     /// Number of the procedure.
     pub procedure: Option<String>,
     /// Name of the machine.
@@ -38,6 +40,7 @@ impl Library {
         query.part.iter().for_each(|v| condition("part = ?#", text(v)));
         query.since.iter().for_each(|v| condition("begun >= ?#", Value::Integer(v.0)));
         query.until.iter().for_each(|v| condition("begun < ?#", Value::Integer(v.0)));
+        query.program.iter().for_each(|v| condition("p.sha256 = ?#", text(v)));
         query.procedure.iter().for_each(|v| condition("w.name = ?#", text(v)));
         query.machine.iter().for_each(|v| condition("m.name = ?#", text(v)));
         query.result.iter().for_each(|v| condition("result = ?#", Value::Text(v.name().to_owned())));

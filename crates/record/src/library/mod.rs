@@ -17,7 +17,7 @@ pub use document::{Document, DocumentKind};
 pub use find::Query;
 pub use weld::{NewWeld, WeldDetail, WeldEnd, WeldFile, WeldRecord, WeldResult};
 
-use crate::Error;
+use crate::{Error, private};
 use rusqlite::{Connection, OpenFlags, Params, Row};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -38,6 +38,10 @@ impl Library {
     /// # Errors
     /// If it cannot be written, is damaged, is no library, or is of a later version.
     pub fn open(path: &Path) -> Result<Self, Error> {
+        if !path.exists() {
+            // What SQLite puts beside it has the same permissions. If it cannot be made SQLite says why.
+            drop(private::options().write(true).create_new(true).open(path));
+        }
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let mut library = Self::connect(path, flags)?;
         library.migrate()?;

@@ -13,7 +13,7 @@ pub enum WeldResult {
     Running,
     /// Done, within its tolerance.
     Good,
-    /// Done, and something is beyond its tolerance.
+    /// Done, but not all of it as its tolerance or its procedure asks.
     Deviating,
     /// Stopped before its end.
     Stopped,
@@ -170,20 +170,20 @@ fn written_result<S: serde::Serializer>(result: &WeldResult, out: S) -> Result<S
 }
 
 impl Library {
-    /// Keeps the beginning of a weld; its number.
+    /// Keeps the beginning of a weld; its number, which is greater than `after` and than any that there was.
     ///
     /// # Errors
     /// If the library cannot be written.
-    pub fn begin_weld(&self, weld: &NewWeld) -> Result<i64, Error> {
+    pub fn begin_weld(&self, weld: &NewWeld, after: i64) -> Result<i64, Error> {
         if let Some(name) = &weld.welder {
             self.run("INSERT INTO welder (name) VALUES (?1) ON CONFLICT DO NOTHING", [name])?;
         }
         let basis = serde_json::to_string(&weld.basis).map_err(|e| Error::wrong(e.to_string(), "finite numbers"))?;
         let NewWeld { part, title, simulated, job, program, machine, procedure, welder, begun, note, .. } = weld;
         self.run(
-            "INSERT INTO weld (part, title, simulated, job, program, machine, procedure, welder, begun, result, basis, note)
-             VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, (SELECT id FROM welder WHERE name = ?8), ?9, 'running', ?10, ?11)",
-            params![part, title, simulated, job, program, machine, procedure, welder, begun.0, basis, note],
+            "INSERT INTO weld (id, part, title, simulated, job, program, machine, procedure, welder, begun, result, basis, note)
+             VALUES (1 + max(?12, coalesce((SELECT seq FROM sqlite_sequence WHERE name = 'weld'), 0)), ?1, ?2, ?3, ?4, ?5, ?6, ?7, (SELECT id FROM welder WHERE name = ?8), ?9, 'running', ?10, ?11)",
+            params![part, title, simulated, job, program, machine, procedure, welder, begun.0, basis, note, after],
         )?;
         Ok(self.db.last_insert_rowid())
     }
@@ -216,7 +216,18 @@ impl Library {
             let row = params![id, v.pass, v.name, v.least, v.mean, v.greatest, low, high, v.outside_s, v.outside_mm];
             change.execute(sql, row).map_err(failed)?;
         }
-        change.commit().map_err(failed)
+        change.commit().map_err(failed)?;
+        // Out of the write-ahead log, whose damage SQLite takes for its end. Whoever reads just now does not keep it from the next time.
+        let _ = self.db.query_row("PRAGMA wal_checkpoint(PASSIVE)", (), |_| Ok(()));
+        Ok(())
+    }
+
+    /// Numbers of all welds, in order.
+    ///
+    /// # Errors
+    /// If the library cannot be read.
+    pub fn weld_numbers(&self) -> Result<Vec<i64>, Error> {
+        self.all("SELECT id FROM weld ORDER BY id", (), |row| row.get(0))
     }
 
     /// A weld.
@@ -306,6 +317,7 @@ impl Library {
                 allowed: low.zip(high),
                 outside_s: row.get(7)?,
                 outside_mm: row.get(8)?,
+                outside_along: None,
             })
         })
     }

@@ -1,9 +1,9 @@
 //! The raw file, written block by block and read up to where it is whole.
 
 use super::Column;
-use crate::Error;
+use crate::{Error, private};
 use serde::{Deserialize, Serialize};
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::{File, TryLockError};
 use std::io::{BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -53,7 +53,7 @@ impl RawWriter {
     /// A new file with its header on the disk.
     pub(super) fn create(path: &Path, header: &Header) -> Result<Self, Error> {
         let failed = |e| Error::io(path, "cannot be written", e);
-        let file = OpenOptions::new().write(true).create_new(true).open(path).map_err(|e| match e.kind() {
+        let file = private::options().write(true).create_new(true).open(path).map_err(|e| match e.kind() {
             std::io::ErrorKind::AlreadyExists => Error::damaged(
                 path,
                 "a crash left this trace here, or it is being written",
@@ -114,7 +114,20 @@ impl RawWriter {
     pub(super) fn flush(&mut self) -> Result<(), Error> {
         self.write_block()?;
         self.synced = Instant::now();
-        self.file.sync_data().map_err(|e| Error::io(&self.path, "cannot be written", e))
+        self.file.sync_data().map_err(|e| Error::io(&self.path, "cannot be written", e))?;
+        self.check_there()
+    }
+
+    /// A file that was removed takes rows all the same, and is gone with its writer.
+    fn check_there(&self) -> Result<(), Error> {
+        match same_file(&self.file, &self.path) {
+            Ok(true) => return Ok(()),
+            Ok(false) => {}
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => {}
+            Err(e) => return Err(Error::io(&self.path, "cannot be looked at", e)),
+        }
+        let why = "it was removed or replaced while it was written: its rows are lost";
+        Err(Error::damaged(&self.path, why, "the folder as it was, until the weld has ended"))
     }
 
     fn write_block(&mut self) -> Result<(), Error> {
@@ -139,6 +152,19 @@ impl RawWriter {
         self.block.truncate(BLOCK_HEAD);
         written.map_err(|e| Error::io(&self.path, "cannot be written", e))
     }
+}
+
+/// True if `path` is the name of `file`.
+#[cfg(unix)]
+fn same_file(file: &File, path: &Path) -> std::io::Result<bool> {
+    use std::os::unix::fs::MetadataExt as _;
+    let (open, named) = (file.metadata()?, std::fs::metadata(path)?);
+    Ok((open.dev(), open.ino()) == (named.dev(), named.ino()))
+}
+
+#[cfg(not(unix))]
+fn same_file(_file: &File, path: &Path) -> std::io::Result<bool> {
+    path.try_exists()
 }
 
 /// Closing alone does not free the file: a program that is being started by another thread has it open for a moment too.
@@ -330,7 +356,7 @@ mod tests {
     #[test]
     fn a_full_disk_is_told() {
         // Whatever is written to this device fails for want of room.
-        let file = OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let file = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let error = RawWriter::on(file, Path::new("trace.raw"), &header()).unwrap_err();
         assert!(matches!(error, Error::Full { .. }) && !error.is_input(), "{error}");
         assert!(error.to_string().contains("the disk is full"), "{error}");

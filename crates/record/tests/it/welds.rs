@@ -3,7 +3,7 @@
 use crate::common::{self, WeldResult, outcome, plan, row};
 use seamwright_record::figures::Figures;
 use seamwright_record::library::{Alarm, AuditEntry, DocumentKind, Event, Place, Query};
-use seamwright_record::trace::Trace;
+use seamwright_record::trace::{Column, Kind, Trace};
 use seamwright_record::{DataFolder, Error, Moment, Plan};
 use std::fs;
 use std::path::Path;
@@ -60,6 +60,49 @@ fn figures_are_those_of_the_rows() {
     assert!((figures.arc_on_s - 10.0).abs() < 2e-3 && (figures.last_s - 11.999).abs() < 1e-9);
     assert!(figures.heat_input[0].points.len() == 50 && figures.deviations[0].points.len() == 50);
     assert!(figures.deviations[0].points.iter().any(|p| (p.1 - 0.2).abs() < 1e-6 && (p.0 - 30.0).abs() < 1e-9));
+}
+
+/// A hold in the seam, with the arc on at rest, out, and struck anew: no value has left its window. What leaves it while the torch
+/// travels has, and where.
+#[test]
+fn a_hold_is_no_violation_and_a_violation_has_a_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    for odd in [false, true] {
+        let mut held = plan("P-1");
+        held.columns.push(Column::new("steady", "1", Kind::U8));
+        held.basis.judged[0].along = vec![(10.0, 90.0)];
+        let mut recording = data.begin(&held).unwrap();
+        let mut t = 0.0;
+        let mut rows = |seconds: f64, at: &dyn Fn(f64) -> (f64, f64, f64, f64)| {
+            for i in 0..(seconds * 1000.0) as u32 {
+                let (s, arc, current, steady) = at(f64::from(i) * 1e-3);
+                recording.row([t, 1.0, s, arc, 0.01, current, 27.0, steady]);
+                t += 1e-3;
+            }
+        };
+        let travel = |s: f64| if odd && (70.0..72.0).contains(&s) { 275.0 } else { 240.0 };
+        rows(4.0, &|t| (10.0 * t, 1.0, 240.0, 1.0));
+        // A crater at rest, nothing, a strike at rest, and a ramp of the speed.
+        rows(0.5, &|t| (40.0, 1.0, 240.0 - 400.0 * t, 0.0));
+        rows(2.0, &|_| (40.0, 0.0, 0.0, 0.0));
+        rows(0.5, &|t| (40.0, 1.0, 480.0 * t, 0.0));
+        rows(0.4, &|t| (40.0 + 2.5 * t, 1.0, 240.0, 0.0));
+        rows(5.9, &|t| (41.0 + 10.0 * t, 1.0, travel(41.0 + 10.0 * t), 1.0));
+        let record = recording.finish(&mut data, &outcome(WeldResult::Good)).unwrap();
+        let values = data.figures(record.id).unwrap().values;
+        let (current, heat) = (&values[0], &values[1]);
+        assert_eq!((&*current.name, current.least), ("current_a", 240.0), "{values:?}");
+        assert!((heat.least - 0.5184).abs() < 1e-3, "{values:?}");
+        if odd {
+            let (from, to) = current.outside_along.unwrap();
+            assert!((from - 70.0).abs() < 0.02 && (to - 72.0).abs() < 0.02, "{values:?}");
+            assert!(current.outside_s > 0.19 && record.result == WeldResult::Deviating, "{values:?}");
+        } else {
+            let out = values.iter().find(|v| v.outside_s > 0.0 || v.outside_along.is_some());
+            assert!(out.is_none() && record.result == WeldResult::Good, "{values:?} {record:?}");
+        }
+    }
 }
 
 #[test]
@@ -298,4 +341,106 @@ fn no_room_no_weld() {
     let error = data.begin(&Plan { rows: u64::MAX / 1000, ..plan("P-1") }).unwrap_err();
     assert!(matches!(error, Error::Full { .. }) && error.to_string().contains("MB are free"), "{error}");
     assert!(data.library().find(&Query::default()).unwrap().is_empty());
+}
+
+/// A library that has lost a weld (as SQLite takes damage to the write-ahead log for its end) is found out by the weld's files, which
+/// no later weld overwrites.
+#[test]
+fn a_weld_that_the_library_has_lost_is_told_and_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    weld(&mut data, &plan("P-1"), WeldResult::Good);
+    let copy = folder.path().join("before.sqlite");
+    let db = rusqlite::Connection::open(data.library().path()).unwrap();
+    db.execute("VACUUM INTO ?1", [copy.to_str().unwrap()]).unwrap();
+    drop(db);
+    let lost = weld(&mut data, &plan("P-2"), WeldResult::Good);
+    let trace = data.weld_folder(lost).join("trace.parquet");
+    let rows = fs::read(&trace).unwrap();
+    assert!(data.lost_welds().unwrap().is_empty() && data.verify().unwrap().problems.is_empty());
+    let library = data.library().path().to_owned();
+    drop(data);
+    for end in ["-wal", "-shm"] {
+        let _ = fs::remove_file(format!("{}{end}", library.display()));
+    }
+    fs::rename(&copy, &library).unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    assert_eq!(data.lost_welds().unwrap(), [lost]);
+    let problems = data.verify().unwrap().problems;
+    assert!(problems.len() == 1 && problems[0].contains(&format!("weld {lost}:")), "{problems:?}");
+    let next = weld(&mut data, &plan("P-3"), WeldResult::Good);
+    assert!(next > lost, "{next}");
+    assert_eq!(fs::read(&trace).unwrap(), rows);
+}
+
+/// The folder of a weld is removed while it is recorded: rows are said to be lost, not taken.
+#[test]
+fn a_folder_that_is_removed_in_a_weld_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("data");
+    let mut data = DataFolder::open(&path).unwrap();
+    let mut recording = data.begin(&plan("P-1")).unwrap();
+    (0..100).for_each(|i| recording.row(row(i)));
+    recording.flush();
+    assert_eq!(recording.trouble(), None);
+    fs::remove_dir_all(&path).unwrap();
+    (100..200).for_each(|i| recording.row(row(i)));
+    recording.flush();
+    let trouble = recording.trouble().unwrap();
+    assert!(trouble.contains("removed") && trouble.contains("trace.raw"), "{trouble}");
+}
+
+/// What is recorded is its owner's alone, in a folder that everybody reads too.
+#[cfg(unix)]
+#[test]
+fn records_are_private_in_an_open_folder() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let folder = tempfile::tempdir().unwrap();
+    fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o755)).unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    let mut recording = data.begin(&plan("P-1")).unwrap();
+    recording.row(row(0));
+    recording.flush();
+    drop(data.journal().unwrap());
+    let mut look = vec![folder.path().to_owned()];
+    let mut seen = Vec::new();
+    while let Some(at) = look.pop() {
+        for entry in fs::read_dir(at).unwrap().map(Result::unwrap) {
+            let mode = entry.metadata().unwrap().permissions().mode();
+            assert_eq!(mode & 0o077, 0, "{:?}: {mode:o}", entry.path());
+            seen.push(entry.file_name().to_string_lossy().into_owned());
+            look.extend(entry.path().is_dir().then(|| entry.path()));
+        }
+    }
+    for name in ["library.sqlite", "library.sqlite-wal", "position.a", "trace.raw", "welds"] {
+        assert!(seen.iter().any(|n| n == name), "{name}: {seen:?}");
+    }
+    recording.finish(&mut data, &outcome(WeldResult::Stopped)).unwrap();
+    let files = data.library().files(1).unwrap();
+    let mode = |name: &str| fs::metadata(data.weld_folder(1).join(name)).unwrap().permissions().mode();
+    assert!(files.len() == 2 && files.iter().all(|file| mode(&file.name) & 0o077 == 0));
+}
+
+/// A clock that is set makes no weld end before it began: how long it took is by another one.
+#[test]
+fn no_weld_ends_before_it_began() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    let recording = data.begin(&plan("P-1")).unwrap();
+    let id = recording.id();
+    // As if the clock had been an hour ahead when it began, and was set right since.
+    let ahead = Moment::now().0 + 3_600_000;
+    let db = rusqlite::Connection::open(data.library().path()).unwrap();
+    db.execute("UPDATE weld SET begun = ?1 WHERE id = ?2", [ahead, id]).unwrap();
+    drop(db);
+    drop(recording);
+    data.recover().unwrap();
+    let recovered = data.library().weld(id).unwrap();
+    assert!(recovered.ended.unwrap() >= recovered.begun, "{recovered:?}");
+    let recording = data.begin(&plan("P-2")).unwrap();
+    let id = recording.id();
+    std::thread::sleep(std::time::Duration::from_millis(30));
+    recording.finish(&mut data, &outcome(WeldResult::Good)).unwrap();
+    let weld = data.library().weld(id).unwrap();
+    assert!(weld.ended.unwrap().0 - weld.begun.0 >= 30, "{weld:?}");
 }

@@ -6,7 +6,7 @@ mod tables;
 use crate::said;
 use crate::weld::table;
 use crate::{Block, Language, Page, Severity, Tile, Verdict, format_number};
-use seamwright_record::figures::Figures;
+use seamwright_record::figures::{Figures, Value};
 use seamwright_record::library::{WeldDetail, WeldRecord, WeldResult};
 
 /// The report as one self-contained HTML page in this language; `program` is the text that was welded, `date` when the page
@@ -51,7 +51,7 @@ pub fn recorded_weld_page(
         title: weld.title.clone(),
         subtitle: language.fill(subtitle, &[&weld.id.to_string()]),
         meta: meta.map(|(name, value)| (language.say(name).to_owned(), value)).into(),
-        verdict: Some(verdict(detail, language)),
+        verdict: Some(verdict(detail, figures, language)),
         blocks,
     }
     .render()
@@ -64,27 +64,40 @@ fn signatures(weld: &WeldRecord, language: Language) -> Block {
     table(language.say("To be filled in by hand"), &head, rows, 4..4)
 }
 
-fn verdict(detail: &WeldDetail, language: Language) -> Verdict {
-    let outside = detail.values.iter().filter(|v| v.outside_s > 0.0).count();
+fn verdict(detail: &WeldDetail, figures: &Figures, language: Language) -> Verdict {
+    let outside: Vec<String> =
+        detail.values.iter().filter(|v| v.outside_s > 0.0).map(|v| outside(v, figures, language)).collect();
     let said = match detail.weld.result {
         WeldResult::Good => "Welded to its end, within its tolerance.",
-        WeldResult::Deviating => "Welded to its end, beyond its tolerance.",
+        WeldResult::Deviating => "Welded to its end, but not all of it as asked.",
         WeldResult::Stopped => "Stopped before its end.",
         WeldResult::Interrupted => "Interrupted: the program or the power failed.",
         WeldResult::Running => "Not ended: it runs, or a crash left it so.",
     };
-    let windows = match (outside, detail.weld.procedure.is_some()) {
+    let windows = match (outside.as_slice(), detail.weld.procedure.is_some()) {
         (_, false) => language.say("There is no procedure to hold it against.").to_owned(),
-        (0, _) => language.say("All values within the procedure's windows.").to_owned(),
-        (1, _) => language.say("One value left its window.").to_owned(),
-        (n, _) => language.fill("{0} values left their windows.", &[&n.to_string()]),
+        ([], _) => language.say("All values within the procedure's windows.").to_owned(),
+        (list, _) => language.fill("Outside the procedure's windows: {0}.", &[&list.join("; ")]),
     };
     let note = match detail.weld.note.as_str() {
         "" => String::new(),
         note => language.fill("Note: {0}.", &[&said::note(language, note)]),
     };
-    let ok = detail.weld.result == WeldResult::Good && outside == 0 && detail.weld.note.is_empty();
+    let ok = detail.weld.result == WeldResult::Good && outside.is_empty() && detail.weld.note.is_empty();
     Verdict { ok, text: [language.say(said), &windows, &note].join(language.between_sentences()).trim_end().to_owned() }
+}
+
+/// A value that left its window, and where: as the trace says, which knows more of it than the library.
+fn outside(value: &Value, figures: &Figures, language: Language) -> String {
+    let name = said::value(language, &value.name);
+    let known = figures.values.iter().find(|v| (v.pass, &v.name) == (value.pass, &value.name));
+    match known.unwrap_or(value).outside_along {
+        Some((from, to)) => {
+            let [from, to] = [from, to].map(|mm| format_number(mm, 5));
+            language.fill("{0} in pass {1}, s = {2} to {3} mm", &[&name, &value.pass.to_string(), &from, &to])
+        }
+        None => language.fill("{0} in pass {1}", &[&name, &value.pass.to_string()]),
+    }
 }
 
 fn tiles(weld: &WeldRecord, figures: &Figures, alarms: usize, language: Language) -> Vec<Tile> {

@@ -33,7 +33,8 @@ pub(super) fn values(values: &[Value], language: Language) -> Block {
         .concat()
     });
     let head = ["pass", "Value", "least", "mean", "greatest", "allowed", "Outside, s", "Outside, mm", ""];
-    let caption = "Actual values with the arc on, between run-up and run-down, against the procedure's windows";
+    let caption =
+        "Actual values while the pass was travelled, without holds, starts and ends, against the procedure's windows";
     table(language.say(caption), &head.map(|head| language.say(head)), rows.collect(), 2..5)
 }
 

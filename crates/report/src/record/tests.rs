@@ -15,6 +15,7 @@ fn detail() -> WeldDetail {
         allowed: Some((220.0, 260.0)),
         outside_s,
         outside_mm: 10.0 * outside_s,
+        outside_along: (outside_s > 0.0).then_some((12.0, 14.5)),
     };
     let at = Moment(1_795_269_909_000);
     let place = Place { pass: Some(1), s_mm: Some(31.25), t_s: Some(4.0) };
@@ -74,7 +75,8 @@ fn everything_stands_on_the_page() {
         "saddle-4axis",
         "WPS 135-01",
         "A. Welder",
-        "One value left its window",
+        "Outside the procedure&#39;s windows: ",
+        "in pass 2, s = 12 to 14.5 mm",
         "Heat input along the seam",
         "Torch tip beside the planned path",
         "Weld beside the joint",

@@ -1,7 +1,7 @@
 //! The devices of the cell, and what they are connected for.
 
 use super::prepared::{Prepared, SEED};
-use seamwright_cell::executive::{Devices, Orders, Reports};
+use seamwright_cell::executive::{Devices, Orders, Reports, Slack};
 use seamwright_project::devices::{self, Lines};
 use std::path::Path;
 use std::sync::{Arc, Weak};
@@ -80,7 +80,7 @@ impl Devices for CellDevices {
         self.cell.exchange(orders, reports);
     }
 
-    fn rides_out(&self) -> u32 {
+    fn rides_out(&self) -> Slack {
         self.cell.rides_out()
     }
 

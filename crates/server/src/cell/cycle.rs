@@ -1,13 +1,15 @@
 //! The thread of the cycle: executives one after another, each with its programs.
 
 use super::connection::CellDevices;
-use super::guiding::Slot;
+use super::guiding::{Sensing, Slot};
 use super::prepared::Prepared;
 use rtrb::{Consumer, Producer};
 use seamwright_cell::devices::WithSensors;
 use seamwright_cell::executive::{End, Executive};
-use seamwright_cell::realtime::{Footing, LivePort, Paced, Pacer};
+use seamwright_cell::realtime::{Footing, LivePort, Paced, Pacer, Shutdown, guarded};
+use seamwright_machine::Machine;
 use std::cell::RefCell;
+use std::sync::{Arc, OnceLock};
 
 /// What the cycle is given and gives back.
 pub(super) struct Swap {
@@ -34,37 +36,55 @@ impl Swap {
 }
 
 /// Runs on `devices` until it is told to quit. A task for another machine brings its devices, and gets a new executive, which is
-/// off.
-pub(super) fn run(mut task: Box<Prepared>, mut devices: CellDevices, mut port: LivePort, mut swap: Swap) {
-    Footing::ask(None);
+/// off. What the system grants to the thread is put into `footing`. A panic leaves the devices off and asks for `shutdown`.
+pub(super) fn run(
+    mut task: Box<Prepared>,
+    mut devices: CellDevices,
+    mut port: LivePort,
+    (mut swap, footing, shutdown): (Swap, &Arc<OnceLock<Footing>>, &Shutdown),
+) {
+    footing.get_or_init(|| Footing::ask(None));
     loop {
         let machine = task.machine().clone();
-        let guide = RefCell::new(None);
-        let mut slot = Slot(&guide);
         let pacer = Pacer::new(machine.servo_period_s);
-        let paced = Paced { devices: WithSensors { devices, sensors: None }, pacer };
-        let mut executive = Executive::new(&machine, paced, &mut port).with_guide(Some(&mut slot));
-        let next = loop {
-            guide.replace(task.guide.take());
-            executive.devices_mut().devices.sensors = task.sensors.take();
-            if task.with(|work| executive.serve(Some(work))) == End::Quit {
-                return;
-            }
-            // They go with their task.
-            task.guide = guide.take();
-            task.sensors = executive.devices_mut().devices.sensors.take();
-            match swap.next() {
-                Some(next) if next.fingerprint() != task.fingerprint() => break next,
-                Some(next) => swap.done(Some(std::mem::replace(&mut task, next))),
-                None => {}
-            }
-        };
-        task.devices = Some(executive.into_devices().devices.devices);
+        let mut paced = Paced { devices: WithSensors { devices, sensors: None }, pacer };
+        let next =
+            guarded(&mut paced, shutdown, |paced| on_machine(&machine, paced, &mut port, (&mut task, &mut swap)));
+        // The desk hears from the flag that the cycle has failed.
+        let Ok(Some(next)) = next else { return };
+        task.devices = Some(paced.devices.devices);
         swap.done(Some(std::mem::replace(&mut task, next)));
         match task.devices.take() {
             Some(its) => devices = its,
             // The desk has made sure of them before it gave the task.
             None => return,
+        }
+    }
+}
+
+/// Runs the programs of one machine; the first task for another one, or none at the end.
+fn on_machine(
+    machine: &Machine,
+    paced: &mut Paced<WithSensors<CellDevices, Option<Sensing>>>,
+    port: &mut LivePort,
+    (task, swap): (&mut Box<Prepared>, &mut Swap),
+) -> Option<Box<Prepared>> {
+    let guide = RefCell::new(None);
+    let mut slot = Slot(&guide);
+    let mut executive = Executive::new(machine, paced, port).with_guide(Some(&mut slot));
+    loop {
+        guide.replace(task.guide.take());
+        executive.devices_mut().devices.sensors = task.sensors.take();
+        if task.with(|work| executive.serve(Some(work))) == End::Quit {
+            return None;
+        }
+        // They go with their task.
+        task.guide = guide.take();
+        task.sensors = executive.devices_mut().devices.sensors.take();
+        match swap.next() {
+            Some(next) if next.fingerprint() != task.fingerprint() => return Some(next),
+            Some(next) => swap.done(Some(std::mem::replace(task, next))),
+            None => {}
         }
     }
 }

@@ -4,19 +4,20 @@ use super::around::Around;
 use super::connection::Connection;
 use super::happening::{Happening, happening};
 use super::hub::Hub;
-use super::left::{Left, ToWeld};
 use super::names::{Extra, Names};
 use super::prepared::Prepared;
+use super::progress::{Left, Parts, Progress, ToWeld};
 use super::recorder::Recorder;
 use super::stillness::Stillness;
 use crate::wire::{FromCell, LackView, Shelving, WorkView};
 use rtrb::{Consumer, Producer};
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Origin};
-use seamwright_cell::realtime::{Outside, Shown};
-use seamwright_record::Plan;
+use seamwright_cell::realtime::{Footing, Outside, Shown, Shutdown};
+use seamwright_record::{DataFolder, Plan};
 use std::collections::{HashMap, VecDeque};
-use std::sync::Arc;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, TryRecvError};
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 
@@ -25,6 +26,9 @@ const LOOK: Duration = Duration::from_millis(2);
 /// How often clients are shown what the cell is doing.
 const SHOW: Duration = Duration::from_micros(33_333);
 
+/// After a signal or a panic the cycle has this long to come to its end; then the desk ends without it.
+const SHUTDOWN: Duration = Duration::from_secs(15);
+
 /// Commands that wait for the cycle at most.
 const WAITING: usize = 512;
 
@@ -32,6 +36,8 @@ const WAITING: usize = 512;
 pub(crate) enum ToDesk {
     /// For the executive.
     Command(Command),
+    /// Start of a weld whose finished passes may be welded again: somebody was asked.
+    Reweld(Command),
     /// Another program.
     Load(Box<Loading>, Loaded),
     /// An alarm put aside, or taken back, by a user.
@@ -75,8 +81,17 @@ pub(super) struct Desk {
     now: Option<Shown>,
     shown: Instant,
     stillness: Stillness,
+    /// What the system grants to the cycle.
+    pub(super) footing: Arc<OnceLock<Footing>>,
+    /// It was told.
+    granted: bool,
     missed: u32,
+    /// The most cycles missed at once.
+    longest: u32,
     pub(super) left: Option<Left>,
+    /// The one before, until the weld that runs comes to something.
+    pub(super) left_before: Option<Left>,
+    pub(super) parts: Parts,
     pub(super) quits: bool,
     /// What keeps the record from being written, as it was told.
     pub(super) trouble: Option<String>,
@@ -96,8 +111,8 @@ impl Desk {
         queues: Queues,
         from: Receiver<ToDesk>,
         names: Names,
-        (recorder, mirror): (Recorder, Mirror),
-        left: Option<Left>,
+        (recorder, mirror, left): (Recorder, Mirror, Option<Left>),
+        footing: Arc<OnceLock<Footing>>,
     ) -> Self {
         let Queues { outside, next, done } = queues;
         Self {
@@ -117,24 +132,59 @@ impl Desk {
             now: None,
             shown: Instant::now(),
             stillness: Stillness::default(),
+            footing,
+            granted: false,
+            longest: 0,
             missed: 0,
             left,
+            left_before: None,
+            parts: Parts::default(),
             quits: false,
             trouble: None,
         }
     }
 
-    /// Runs until `ended` says that the cycle has ended.
-    pub(super) fn run(mut self, ended: impl Fn() -> bool) {
+    /// Runs until `ended` says that the cycle has ended, or `shutdown` was asked for and it does not. Records are closed then.
+    pub(super) fn run(mut self, ended: impl Fn() -> bool, shutdown: &Shutdown) {
+        let mut asked: Option<Instant> = None;
+        // After a fault of its own it only waits: the cycle ends by itself, which the fault has asked it to.
+        let mut fails = false;
         while !ended() {
-            self.look();
+            fails = fails || catch_unwind(AssertUnwindSafe(|| self.look())).is_err();
+            if shutdown.is_requested() && asked.get_or_insert_with(Instant::now).elapsed() > SHUTDOWN {
+                eprintln!("error: the cycle does not come to its end: check that arc, gas and drives are off");
+                break;
+            }
             std::thread::sleep(LOOK);
         }
-        self.look();
-        self.recorder.end();
+        let closed = catch_unwind(AssertUnwindSafe(|| {
+            if !fails {
+                self.look();
+            }
+            if let Some(cause) = shutdown.cause() {
+                self.tell(happening("stopped_by", [cause.to_string()]));
+                self.recorder.stopped_by(&cause.to_string());
+            }
+            self.recorder.close();
+        }));
+        if closed.is_err() {
+            eprintln!("error: the record of the last weld was not closed: the next start makes it whole");
+        }
+    }
+
+    /// Tells once what the cycle lacks of real-time rights.
+    fn tell_footing(&mut self) {
+        let Some(footing) = self.footing.get().filter(|_| !self.granted) else { return };
+        if !footing.is_whole() {
+            let text = footing.to_string();
+            eprintln!("note: the cycle runs without real-time rights: {text}");
+            self.tell(happening("no_realtime", [text]));
+        }
+        self.granted = true;
     }
 
     fn look(&mut self) {
+        self.tell_footing();
         // Drops what the cycle is done with.
         while self.done.pop().is_ok() {}
         while let Ok((t, note)) = self.outside.notes.pop() {
@@ -151,8 +201,11 @@ impl Desk {
         }
         loop {
             match self.from.try_recv() {
-                Ok(ToDesk::Command(command)) if self.waiting.len() < WAITING => self.waiting.push_back(command),
-                Ok(ToDesk::Command(command)) => self.crowded(&command),
+                Ok(ToDesk::Command(command)) if command.ask == Ask::StartWeld && !self.may_start(&command) => {}
+                Ok(ToDesk::Command(command) | ToDesk::Reweld(command)) if self.waiting.len() < WAITING => {
+                    self.waiting.push_back(command);
+                }
+                Ok(ToDesk::Command(command) | ToDesk::Reweld(command)) => self.crowded(&command),
                 Ok(ToDesk::Load(loading, answer)) => self.load(*loading, answer),
                 Ok(ToDesk::Shelve(asked, user, answer)) => drop(answer.send(self.shelve(&asked, &user))),
                 Ok(ToDesk::Quit) | Err(TryRecvError::Disconnected) => {
@@ -171,6 +224,15 @@ impl Desk {
             }
             self.waiting.pop_front();
         }
+    }
+
+    /// False, and refused, if the weld would weld what is finished without anybody having been asked.
+    fn may_start(&mut self, command: &Command) -> bool {
+        let Some(of) = &self.to_weld else { return true };
+        let data = DataFolder::open_to_read(self.recorder.folder()).ok();
+        let Some(lack) = self.parts.finished(of, data.as_ref().map(DataFolder::library)) else { return true };
+        self.refuse(*command, lack);
+        false
     }
 
     /// More is asked than the cycle takes: what comes now is refused. Stops and holds have a way of their own.
@@ -194,6 +256,7 @@ impl Desk {
 
     fn cycle(&mut self, shown: &Shown) {
         self.missed = self.missed.saturating_add(shown.reports.missed);
+        self.longest = self.longest.max(shown.reports.missed);
         if let Some(trouble) = self.recorder.row(&self.names, shown)
             && self.trouble.as_ref() != Some(&trouble)
         {
@@ -207,7 +270,10 @@ impl Desk {
             self.shown = Instant::now();
             let extra = Extra {
                 missed: self.missed,
+                longest: self.longest,
+                footing: self.footing.get(),
                 left: self.left.as_ref().map(|left| left.seen(self.to_weld.as_ref())),
+                start: self.to_weld.as_ref().map(|of| of.start),
                 part: self.to_weld.as_ref().map_or_else(String::new, |of| of.plan.part.clone()),
                 recording: self.recorder.weld(),
                 stands: self.stillness.stands(),
@@ -252,7 +318,8 @@ impl Desk {
             return;
         }
         let Loading { prepared, view, around, plan, passes, user } = loading;
-        let to_weld = plan.map(|plan| ToWeld::new(plan, passes));
+        let start = view.as_ref().and_then(|view| view.from);
+        let to_weld = plan.map(|plan| ToWeld::new(plan, passes, start));
         let to = prepared.devices.as_ref().map(|devices| devices.to().clone());
         let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
         let values = prepared.with(|work| work.values().len());
@@ -285,6 +352,12 @@ impl Desk {
         }
         self.names = pending.names;
         self.to_weld = pending.to_weld;
+        if let Some(of) = &self.to_weld {
+            let data = DataFolder::open_to_read(self.recorder.folder()).ok();
+            if let Some(Progress::Left(left)) = self.parts.of(of, data.as_ref().map(DataFolder::library)) {
+                self.left = Some(left);
+            }
+        }
         if let Some(view) = &pending.view {
             self.tell(happening("loaded", [view.title.clone()]).by(Some(pending.user)));
         }

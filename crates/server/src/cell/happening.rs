@@ -2,7 +2,7 @@ use crate::wire::LackView;
 
 /// What can happen, by key: its kind, and the English sentence with `{0}`, `{1}` .. for its parameters. Panels have the sentences
 /// in their languages (`web/src/words`), checked against this table.
-const HAPPENINGS: [(&str, &str, &str); 29] = [
+const HAPPENINGS: [(&str, &str, &str); 35] = [
     ("mode", "mode", "{0} -> {1}"),
     ("order", "order", "{0}"),
     ("refused", "refused", "{0}: {1}"),
@@ -23,6 +23,16 @@ const HAPPENINGS: [(&str, &str, &str); 29] = [
         "left",
         "weld {0} was left by a failure of power or program: look at the end of its bead before going on",
     ),
+    ("stopped_by", "alarm", "the cell was stopped by {0}"),
+    ("cycles_missed", "alarm", "{0} cycles were missed, up to {1} ms at once"),
+    ("no_realtime", "alarm", "the cycle runs without real-time rights: {0}"),
+    ("safe_unconfirmed", "alarm", "{0}: its outputs are not confirmed to be safe: {1}"),
+    (
+        "journal_damaged",
+        "alarm",
+        "the journal of positions is damaged: a weld left by a power failure would not be known; look at the part, then home",
+    ),
+    ("weld_lost", "record", "weld {0} has files but is not in the library, which is damaged: its entry was lost"),
     ("recorded", "record", "weld {0} recorded: {1}"),
     ("record_not_whole", "record", "weld {0}: the record is not complete: {1}"),
     ("record_interrupted", "record", "weld {0} was interrupted; its record is whole again"),

@@ -1,7 +1,7 @@
 use super::stillness::Stillness;
-use crate::wire::{Ages, AlarmView, AxisStatus, LackView, LeftView, ProcessStatus, Status};
+use crate::wire::{Ages, AlarmView, AxisStatus, LackView, LeftView, ProcessStatus, RealtimeView, Status};
 use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
-use seamwright_cell::realtime::Shown;
+use seamwright_cell::realtime::{Footing, Shown};
 use seamwright_cell::tracking;
 use seamwright_machine::{AxisKind, Joints, Level, Machine};
 
@@ -107,7 +107,7 @@ impl Names {
         LackView { key: key.to_owned(), of, text }
     }
 
-    pub(super) fn status(&self, c: &Shown, extra: Extra) -> Status {
+    pub(super) fn status(&self, c: &Shown, extra: Extra<'_>) -> Status {
         let machine = &self.machine;
         let drives = &c.reports.drives;
         let bit = |bits: u16, i: usize| bits >> i & 1 == 1;
@@ -168,8 +168,14 @@ impl Names {
                 inputs: number(c.reports.inputs_age_s),
             },
             missed: extra.missed,
+            longest_gap_ms: 1e3 * f64::from(extra.longest) * machine.servo_period_s,
+            realtime: RealtimeView {
+                missing: extra.footing.into_iter().flat_map(Footing::missing).map(str::to_owned).collect(),
+                text: extra.footing.map_or_else(String::new, ToString::to_string),
+            },
             lost: c.lost,
             left: extra.left,
+            start: extra.start,
             part: extra.part,
             recording: extra.recording,
             stands: extra.stands,
@@ -194,9 +200,13 @@ pub(crate) const WHY: [(&str, Event); 7] = [
 ];
 
 /// What the desk knows beside the cycle.
-pub(super) struct Extra {
+pub(super) struct Extra<'a> {
     pub(super) missed: u32,
+    /// The most cycles missed at once.
+    pub(super) longest: u32,
+    pub(super) footing: Option<&'a Footing>,
     pub(super) left: Option<LeftView>,
+    pub(super) start: Option<(u32, f64)>,
     pub(super) part: String,
     pub(super) recording: Option<i64>,
     pub(super) stands: bool,

@@ -2,10 +2,11 @@
 
 use super::desk::Desk;
 use super::happening::happening;
-use super::left::Left;
 use super::names::WHY;
-use crate::wire::FromCell;
+use super::progress::{Left, Progress};
+use crate::wire::{FromCell, LackView};
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Raised};
+use seamwright_cell::realtime::Footing;
 
 impl Desk {
     pub(super) fn noted(&mut self, t: f64, note: Note) {
@@ -27,12 +28,8 @@ impl Desk {
                 if to == Mode::Weld && from != Mode::Hold {
                     self.begin_record();
                 }
-                if !matches!(to, Mode::Weld | Mode::Hold)
-                    && self.recorder.whole()
-                    && let Some(of) = &mut self.to_weld
-                {
-                    // The next weld of this program is another part's.
-                    of.plan.part.clear();
+                if !matches!(to, Mode::Weld | Mode::Hold) {
+                    self.weld_is_over();
                 }
             }
             Note::Taken(command) if command.ask == Ask::Load => self.loaded(None),
@@ -51,22 +48,45 @@ impl Desk {
                     None => happening("cleared", [name]),
                 });
             }
+            Note::Missed(cycles, longest_ms) => {
+                self.tell(happening("cycles_missed", [cycles.to_string(), format!("{longest_ms:.0}")]));
+            }
             Note::PassEnds(place) => {
                 self.tell(happening("pass_ends", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
             }
             Note::Left(place) => {
                 let at = (place.pass as u32, place.s_mm);
-                self.left = self.to_weld.as_ref().map(|of| Left::now(at, self.recorder.weld(), of));
+                if let Some(of) = &self.to_weld {
+                    let left = Left::now(at, self.recorder.weld(), of);
+                    self.parts.note(of, Progress::Left(left.clone()));
+                    (self.left, self.left_before) = (Some(left), None);
+                }
                 self.tell(happening("left", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
             }
         }
     }
 
+    /// A weld came to its end, or to none: what was left before it stands where it came to nothing.
+    fn weld_is_over(&mut self) {
+        if self.recorder.whole()
+            && let Some(of) = &mut self.to_weld
+        {
+            self.parts.note(of, Progress::Whole(self.recorder.weld()));
+            self.left_before = None;
+            // The next weld of this program is another part's, from its beginning.
+            of.plan.part.clear();
+        }
+        if let Some(before) = self.left_before.take() {
+            self.left.get_or_insert(before);
+        }
+    }
+
     fn begin_record(&mut self) {
-        self.left = None;
+        self.left_before = self.left.take();
         let Some(of) = &self.to_weld else { return };
         let welder = self.hub.holder().unwrap_or_default();
-        match self.recorder.begin(&of.plan, of.passes, &welder) {
+        let missing: Vec<&str> = self.footing.get().into_iter().flat_map(Footing::missing).collect();
+        match self.recorder.begin(&of.plan, of.passes, &welder, &missing) {
             Ok(()) => {
                 // What the last one lost is told; this one is whole so far.
                 self.outside.mend();
@@ -112,9 +132,13 @@ impl Desk {
         if self.quits || matches!(command.ask, Ask::Jog(_)) {
             return;
         }
+        self.refuse(command, self.names.lack(missing));
+    }
+
+    /// Tells everybody whom it concerns that a command was refused.
+    pub(super) fn refuse(&self, command: Command, why: LackView) {
         let station = command.origin.station;
         let user = self.hub.user(station);
-        let why = self.names.lack(missing);
         let refused = happening("refused", [command.ask.name().to_owned(), why.text.clone()]);
         self.tell(refused.because(why.clone()).by(user.clone()));
         let from = format!("panel {station}");

@@ -11,9 +11,13 @@ use seamwright_record::library::{Alarm, AuditEntry, Event, Place as Recorded, We
 use seamwright_record::{DataFolder, Error, Moment, Outcome, Plan, Recording};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 
 /// After the program has ended, its gas too, the record goes on for this long, s.
 const AFTER_S: f64 = 1.0;
+/// At the end of the program records that are being closed have this long.
+const CLOSING: Duration = Duration::from_secs(30);
 
 /// Records welds as they come.
 pub(super) struct Recorder {
@@ -21,6 +25,8 @@ pub(super) struct Recorder {
     hub: Arc<Hub>,
     archive: Archive,
     open: Option<Open>,
+    /// Records that are being closed.
+    closing: Vec<JoinHandle<()>>,
 }
 
 /// A weld that is being recorded.
@@ -49,7 +55,12 @@ impl Open {
 
 impl Recorder {
     pub(super) fn new(folder: &Path, hub: Arc<Hub>, archive: Archive) -> Self {
-        Self { folder: folder.to_owned(), hub, archive, open: None }
+        Self { folder: folder.to_owned(), hub, archive, open: None, closing: Vec::new() }
+    }
+
+    /// Where welds are recorded.
+    pub(super) fn folder(&self) -> &Path {
+        &self.folder
     }
 
     /// Number of the weld that is recorded.
@@ -62,17 +73,22 @@ impl Recorder {
         self.open.as_ref().is_some_and(Open::is_whole)
     }
 
-    /// A weld begins: `passes` of it are to come, by `welder`.
+    /// A weld begins: `passes` of it are to come, by `welder`; `missing` is what the cycle lacks of real-time rights.
     ///
     /// # Errors
     /// If it cannot be recorded.
-    pub(super) fn begin(&mut self, plan: &Plan, passes: usize, welder: &str) -> Result<(), Error> {
+    pub(super) fn begin(&mut self, plan: &Plan, passes: usize, welder: &str, missing: &[&str]) -> Result<(), Error> {
         self.end();
         let mut data = DataFolder::open(&self.folder)?;
         let plan = Plan { welder: Some(welder.to_owned()), ..plan.clone() };
         let recording = data.begin(&plan)?;
         let places = Some(power_loss::writer(data.journal()?));
         let welder = welder.to_owned();
+        let mut events = Vec::new();
+        if !missing.is_empty() {
+            let text = format!("without real-time rights: {}", missing.join(", "));
+            events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
+        }
         self.open = Some(Open {
             recording,
             places,
@@ -83,7 +99,7 @@ impl Recorder {
             wanted: passes,
             left: None,
             here: Place::default(),
-            events: Vec::new(),
+            events,
             stopped: None,
             ended: None,
         });
@@ -142,7 +158,25 @@ impl Recorder {
                 Err(e) => hub.event(t, happening("record_not_whole", [id.to_string(), e.to_string()])),
             }
         };
-        std::thread::spawn(finish);
+        self.closing.retain(|record| !record.is_finished());
+        self.closing.push(std::thread::spawn(finish));
+    }
+
+    /// What is recorded was ended from outside.
+    pub(super) fn stopped_by(&mut self, cause: &str) {
+        let Some(open) = &mut self.open else { return };
+        let text = format!("stopped by: {cause}");
+        open.events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
+        open.stopped.get_or_insert_with(|| cause.to_owned());
+    }
+
+    /// Ends what is being recorded, and waits until all records are on the disk, for a while.
+    pub(super) fn close(&mut self) {
+        self.end();
+        let begun = Instant::now();
+        while self.closing.iter().any(|record| !record.is_finished()) && begun.elapsed() < CLOSING {
+            std::thread::sleep(Duration::from_millis(5));
+        }
     }
 }
 

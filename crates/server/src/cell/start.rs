@@ -6,16 +6,16 @@ use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, ToDesk};
 use super::happening::happening;
 use super::hub::Hub;
-use super::left::Left;
 use super::names::Names;
 use super::prepared::{Prepared, Task};
+use super::progress;
 use super::recorder::Recorder;
-use seamwright_cell::realtime::{Urgent, live};
+use seamwright_cell::realtime::{Shutdown, Urgent, live};
 use seamwright_machine::{Clamped, Machine, MachineDevices};
 use seamwright_record::DataFolder;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Sender, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread::JoinHandle;
 
 /// Programs that wait for the cycle, and those that it has done with.
@@ -37,18 +37,28 @@ pub(crate) struct Cell {
 impl Cell {
     /// Starts a cell on the devices of `machine`, off and without a program; records go to `data`. Files that the machine file
     /// names are seen from `beside`; `values` are the process values of the programs that come, for devices that are not simulated.
+    /// `shutdown` ends it past everything else: process off within a cycle, rest, power off.
     ///
     /// # Errors
     /// In words: a folder that cannot be written, values in the machine file that make no drive, devices that do not answer.
-    pub(crate) fn start(machine: &Machine, beside: &Path, values: &[String], data: &Path) -> Result<Self, String> {
+    pub(crate) fn start(
+        machine: &Machine,
+        beside: &Path,
+        values: &[String],
+        data: &Path,
+        shutdown: &Shutdown,
+    ) -> Result<Self, String> {
         seamwright_cell::check_drives(machine).map_err(|e| e.to_string())?;
         let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
         let interrupted = folder.recover().map_err(|e| e.to_string())?;
-        let last = folder.journal().map_err(|e| e.to_string())?.last();
-        // Of a weld whose record is gone nothing can be said.
-        let failed = last.and_then(|at| Left::before(&at, folder.library()).ok());
-        let left = failed.map_or_else(|| Left::stopped(folder.library()), |left| Ok(Some(left)));
-        let left = left.map_err(|e| e.to_string())?;
+        let journal = folder.journal().map_err(|e| e.to_string())?;
+        let (last, damaged) = (journal.last(), journal.is_damaged());
+        drop(journal);
+        let lost = folder.lost_welds().map_err(|e| e.to_string())?;
+        if let Some(at) = &last {
+            progress::remember(at, folder.library()).map_err(|e| e.to_string())?;
+        }
+        let left = progress::newest_left(folder.library()).map_err(|e| e.to_string())?;
         let unknown = folder.library().listed_alarms().map_err(|e| e.to_string())?;
         drop(folder);
         let hub = Arc::new(Hub::new());
@@ -60,11 +70,17 @@ impl Cell {
         if let Some(at) = &last {
             hub.event(0.0, happening("left_before", [at.weld.to_string()]));
         }
+        if damaged {
+            hub.event(0.0, happening("journal_damaged", []));
+        }
+        for weld in &lost {
+            hub.event(0.0, happening("weld_lost", [weld.to_string()]));
+        }
         for alarm in &unknown {
             hub.event(0.0, happening("alarm_before", [alarm.name.clone(), alarm.raised.to_string()]));
         }
         let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;
-        let (port, outside) = live();
+        let (port, outside) = live(shutdown);
         let urgent = outside.urgent();
         let (next, to_cycle) = rtrb::RingBuffer::new(PROGRAMS);
         let (from_cycle, done) = rtrb::RingBuffer::new(PROGRAMS);
@@ -73,16 +89,22 @@ impl Cell {
         // Files that are not devices' come first: nothing is switched before everything else is good.
         let devices = CellDevices::new(&task, beside, values)?;
         hub.set_connection(devices.to());
-        let cycle =
-            std::thread::spawn(move || cycle::run(task, devices, port, Swap { next: to_cycle, done: from_cycle }));
+        let footing = Arc::new(OnceLock::new());
+        let (its_footing, its_shutdown) = (Arc::clone(&footing), shutdown.clone());
+        let cycle = std::thread::spawn(move || {
+            let swap = Swap { next: to_cycle, done: from_cycle };
+            cycle::run(task, devices, port, (swap, &its_footing, &its_shutdown));
+        });
         let (desk, from) = channel();
         let names = Names { machine: machine.clone(), fingerprint, values: 0, heads: 0 };
         let recorder = Recorder::new(data, Arc::clone(&hub), archive.clone());
         let mirror = Mirror::new(&unknown);
         hub.alarms(mirror.views(&names));
         let queues = Queues { outside, next, done };
-        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror), left);
-        let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished()));
+        let listens =
+            Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror, left), footing);
+        let its_shutdown = shutdown.clone();
+        let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished(), &its_shutdown));
         let watched = Arc::downgrade(&hub);
         std::thread::spawn(move || around::watch(&watched));
         let devices = (machine.devices.clone(), beside.to_owned());
@@ -95,6 +117,18 @@ impl Cell {
         drop(self.desk.send(ToDesk::Quit));
         let thread = self.thread.lock().unwrap_or_else(PoisonError::into_inner).take();
         drop(thread.map(JoinHandle::join));
+        self.tell_unsafe();
         self.archive.flush();
+    }
+
+    /// Tells of devices that have not said that their outputs are safe.
+    fn tell_unsafe(&self) {
+        let lines = self.hub.connection().map(|to| to.lines);
+        for (name, line) in lines.iter().flat_map(|lines| lines.iter()) {
+            if let Some(Err(why)) = line.get().safe {
+                eprintln!("error: device `{name}`: its outputs are not confirmed to be safe: {why}");
+                self.hub.event(0.0, happening("safe_unconfirmed", [name.clone(), why]));
+            }
+        }
     }
 }

@@ -120,6 +120,7 @@ impl Client {
     }
 
     fn command(&mut self, seq: u32, ask: &AskView) -> Result<(), LackView> {
+        let again = matches!(ask, AskView::StartWeld { reweld: true });
         let (name, ask) = executive(ask)?;
         // Who stops is always heard: without role, token or number.
         if ask == Ask::Stop {
@@ -142,6 +143,11 @@ impl Client {
         }
         if !self.panel.cell.hub.controls(self.station, false) {
             return Err(lack("control", "this page does not have control: take it first"));
+        }
+        if again {
+            self.audit("start weld", "what is finished may be welded again");
+            drop(self.panel.cell.desk.send(ToDesk::Reweld(self.of_page(seq, ask))));
+            return Ok(());
         }
         self.send(seq, ask);
         Ok(())
@@ -197,9 +203,12 @@ impl Client {
     }
 
     pub(super) fn send(&self, number: u32, ask: Ask) {
-        let command = Command { origin: Origin { user: 0, station: self.station }, number, ask };
         // A cell that has ended closes all connections.
-        drop(self.panel.cell.desk.send(ToDesk::Command(command)));
+        drop(self.panel.cell.desk.send(ToDesk::Command(self.of_page(number, ask))));
+    }
+
+    fn of_page(&self, number: u32, ask: Ask) -> Command {
+        Command { origin: Origin { user: 0, station: self.station }, number, ask }
     }
 
     fn answer(&self, seq: u32, result: Result<(), LackView>) {
@@ -223,7 +232,7 @@ fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
         AskView::StartTeach {} => ("start_teach", Ask::StartTeach),
         AskView::StartDryRun {} => ("start_dry_run", Ask::StartDryRun),
         AskView::Arm {} => ("arm", Ask::Arm),
-        AskView::StartWeld {} => ("start_weld", Ask::StartWeld),
+        AskView::StartWeld { .. } => ("start_weld", Ask::StartWeld),
         AskView::Hold {} => ("hold", Ask::Hold),
         AskView::Resume {} => ("resume", Ask::Resume),
         AskView::Reverse {} => ("reverse", Ask::Reverse),

@@ -9,6 +9,11 @@ use seamwright_motion::jog::{self, TipFrame};
 
 /// Longest step of a key, mm or degrees.
 const MOST_STEP: f64 = 10.0;
+/// Shortest step that is one, mm or degrees.
+const LEAST_STEP: f64 = 1e-4;
+/// A speed of the hand below this part of the highest is none: it would move nothing that anybody sees, and keep others from taking
+/// control for ever.
+const DEAD_BAND: f64 = 1e-3;
 
 impl Client {
     /// True: the hand may move axes, and teaching by eye stands still for it.
@@ -25,10 +30,10 @@ impl Client {
     }
 
     pub(super) fn jog(&mut self, seq: u32, of: JogOf, speeds: &[f64]) -> Result<(), LackView> {
-        let moves = speeds.iter().any(|v| *v != 0.0);
+        let moves = speeds.iter().any(|v| v.abs() >= DEAD_BAND);
         self.may_jog(seq, moves)?;
         self.held = None;
-        let part = |v: f64| if v.is_finite() { v.clamp(-1.0, 1.0) } else { 0.0 };
+        let part = |v: f64| if v.is_finite() && v.abs() >= DEAD_BAND { v.clamp(-1.0, 1.0) } else { 0.0 };
         let command = match of {
             _ if !moves => jog::Command::Rest,
             JogOf::Joints => {
@@ -51,7 +56,8 @@ impl Client {
 
     /// On to where the first step since the hand let go leads.
     pub(super) fn step(&mut self, seq: u32, of: JogOf, index: u32, by: f64) -> Result<(), LackView> {
-        self.may_jog(seq, true)?;
+        // A step that is none holds nothing.
+        self.may_jog(seq, by.abs() >= LEAST_STEP)?;
         let target = match self.held {
             Some(target) => target,
             None => self.stepped(of, index as usize, by)?,

@@ -49,6 +49,7 @@ impl Asked {
             part: some(self.part),
             since: moment("from", self.from)?,
             until: moment("to", self.to)?.map(Moment::next_day),
+            program: None,
             procedure: some(self.procedure),
             machine: None,
             result: some(self.result)

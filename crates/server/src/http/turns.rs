@@ -1,5 +1,6 @@
 use super::answer::Refused;
 use axum::http::StatusCode;
+use seamwright_cell::realtime::contained;
 use std::sync::Arc;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot};
 
@@ -47,7 +48,9 @@ impl Turns {
         let (answer, answered) = oneshot::channel();
         let run = move || {
             lower_priority();
-            let result = work();
+            // A fault in a plan costs its answer, not the cell.
+            let fault = |_| Err(Refused::server("it failed by a fault of the program: please report it"));
+            let result = contained(work).unwrap_or_else(fault);
             // Whoever hears the answer may take the next turn.
             drop(turn);
             // Whoever asked may have gone.

@@ -10,13 +10,16 @@ use super::{Bench, Visitor};
 use axum::http::StatusCode;
 use modbus_server::TestServer;
 use modbus_welder::{MAP, welder};
+use seamwright_cell::realtime::ShutdownCause;
 use seamwright_machine::shipped;
+use seamwright_record::DataFolder;
+use seamwright_record::library::{Query, WeldResult};
 use serde_json::{Value, json};
 use std::time::Duration;
 
 fn machine(address: &str) -> String {
     let machine = shipped("ellipse-xy").unwrap().text;
-    format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 2\n{MAP}")
+    format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 1\n{MAP}")
 }
 
 /// Jobs on the devices of the cell: the second without a voltage, and one whose machine file leads to others.
@@ -109,4 +112,37 @@ async fn programs_find_the_devices_they_need() {
     let reads = server.bank().reads;
     tokio::time::sleep(Duration::from_millis(300)).await;
     assert_eq!(server.bank().reads, reads);
+}
+
+/// A signal, or a fault anywhere in the program, while the arc burns on a real device: the device is safe and the record closed
+/// when the cell has ended, without an order from the desk.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_shutdown_in_a_weld_leaves_the_device_safe_and_the_record_closed() {
+    for cause in [ShutdownCause::Signal(1), ShutdownCause::Panic] {
+        let server = TestServer::new(welder);
+        let machine = machine(&server.address.to_string());
+        let served = Served::bare(tempfile::tempdir().unwrap(), &machine).await;
+        let bench = &served.bench;
+        let owner = bench.owner().await;
+        jobs(bench, &owner, &machine).await;
+        assert!(load(bench, &owner, "real.toml").await.0.is_success());
+        let mut page = served.page(&owner).await;
+        page.up().await;
+        page.order("arm").await;
+        page.order("start_weld").await;
+        page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 1.0).await;
+        assert!(server.bank().coils[1]);
+        bench.shutdown.request(cause);
+        page.until("its cause", |v| v["kind"] == "event" && v["key"] == "stopped_by").await;
+        let Served { bench, .. } = served;
+        let folder = bench.end();
+        {
+            let bank = server.bank();
+            assert!(!bank.coils[0] && !bank.coils[1] && bank.holding[..2] == [0, 0], "{cause}");
+        }
+        let data = DataFolder::open_to_read(folder.path()).unwrap();
+        let welds = data.library().find(&Query::default()).unwrap();
+        assert_eq!((welds.len(), welds[0].result), (1, WeldResult::Stopped), "{welds:?}");
+        assert!(welds[0].note.contains(&cause.to_string()), "{}", welds[0].note);
+    }
 }

@@ -339,3 +339,23 @@ async fn another_machine_is_told_to_every_page() {
         page.until("its axes", |v| v["kind"] == "status" && v["axes"].as_array().is_some_and(|a| a.len() == 7)).await;
     }
 }
+
+/// A hand that asks for next to no speed moves nothing, and keeps nobody from taking control.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_jog_that_moves_nothing_does_not_hold_control() {
+    let served = Served::new().await;
+    let owner = served.bench.owner().await;
+    let (mut first, mut second) = (served.page(&owner).await, served.page(&owner).await);
+    first.up().await;
+    first.order("start_jog").await;
+    for speeds in [[1e-12, 0.0], [0.0, -1e-300], [5e-4, f64::MIN_POSITIVE]] {
+        first.jog(speeds).await;
+    }
+    // Heard, as what comes after it is.
+    let answer = first.ask(json!({ "do": "override", "part": 1.0 })).await;
+    assert_eq!(answer["ok"], true, "{answer}");
+    second.say(&json!({ "kind": "take_control", "over": true })).await;
+    let fits = |v: &Value| v["kind"] == "answer" || (v["kind"] == "control" && v["mine"] == true);
+    let got = second.until("control", fits).await;
+    assert_eq!(got["kind"], "control", "{got}");
+}

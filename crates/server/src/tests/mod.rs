@@ -27,6 +27,7 @@ use axum::Router;
 use axum::body::Body;
 use axum::http::{Request, Response, StatusCode};
 use http_body_util::BodyExt as _;
+use seamwright_cell::realtime::Shutdown;
 use seamwright_machine::{Machine, shipped};
 use serde_json::Value;
 use std::path::Path;
@@ -42,6 +43,7 @@ pub(crate) struct Bench {
     pub(crate) panel: Arc<Panel>,
     app: Router,
     folder: Option<TempDir>,
+    shutdown: Shutdown,
 }
 
 /// Somebody who is logged in.
@@ -63,11 +65,12 @@ impl Bench {
     pub(crate) fn bare(folder: TempDir, hosts: &[&str], machine: &str) -> Self {
         std::fs::create_dir_all(folder.path().join("jobs")).unwrap();
         let machine = Machine::read("m.toml", machine).unwrap();
-        let cell = Cell::start(&machine, folder.path(), &[], folder.path()).unwrap();
+        let shutdown = Shutdown::default();
+        let cell = Cell::start(&machine, folder.path(), &[], folder.path(), &shutdown).unwrap();
         let accounts = Accounts::open(folder.path()).unwrap();
         let hosts = hosts.iter().map(|h| (*h).to_owned()).collect();
         let panel = Arc::new(Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts));
-        Self { app: app(&panel), panel, folder: Some(folder) }
+        Self { app: app(&panel), panel, folder: Some(folder), shutdown }
     }
 
     fn path(&self) -> &Path {

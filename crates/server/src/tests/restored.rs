@@ -6,6 +6,7 @@ use crate::wire::Role;
 use axum::body::Body;
 use axum::http::{Request, StatusCode};
 use http_body_util::BodyExt as _;
+use seamwright_cell::realtime::{Shutdown, ShutdownCause};
 use seamwright_machine::{Machine, shipped};
 use seamwright_record::library::AuditEntry;
 use serde_json::{Value, json};
@@ -142,18 +143,10 @@ async fn the_cell_begins_anew_with_restored_data() {
     std::fs::create_dir(folder.path().join("jobs")).unwrap();
     std::fs::write(folder.path().join("jobs/mine.toml"), example["text"].as_str().unwrap()).unwrap();
     let (told, address) = channel::<String>();
-    let (end, ends) = tokio::sync::watch::channel(false);
+    let end = Shutdown::default();
+    let ends = end.clone();
     let of = settings(folder.path());
-    let served = std::thread::spawn(move || {
-        until(
-            &of,
-            |url| told.send(url.to_owned()).unwrap(),
-            || {
-                let mut ends = ends.clone();
-                async move { drop(ends.wait_for(|ends| *ends).await) }
-            },
-        )
-    });
+    let served = std::thread::spawn(move || until(&of, |url| told.send(url.to_owned()).unwrap(), &ends));
     let url = address.recv_timeout(Duration::from_secs(60)).unwrap();
     let (host, key) = url.strip_prefix("http://").unwrap().split_once("/#key=").unwrap();
     let log_in = async |user: &str, password: &str| {
@@ -185,7 +178,7 @@ async fn the_cell_begins_anew_with_restored_data() {
     assert!(jobs.contains("yesterday.toml") && !jobs.contains("mine.toml"), "{jobs}");
     let (_, audit) = ask(&ada, "/api/audit").await.unwrap();
     assert!(audit.contains("restored; what was there before is in before-restore-"), "{audit}");
-    end.send(true).unwrap();
+    end.request(ShutdownCause::Asked);
     tokio::task::spawn_blocking(move || served.join().unwrap().unwrap()).await.unwrap();
     let data = seamwright_record::DataFolder::open_to_read(folder.path()).unwrap();
     assert!(data.verify().unwrap().problems.is_empty());

@@ -1,8 +1,9 @@
 //! A weld from switching on to its record; a stop and going on.
 
-use super::lived::Served;
+use super::lived::{Page, Served};
+use super::{Bench, Visitor};
 use http_body_util::BodyExt as _;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::time::Duration;
 
 const SHORT: &str = "end_phi_deg = 60";
@@ -122,6 +123,84 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     let has = |what: &str| audit.as_array().unwrap().iter().any(|e| e["command"] == what && e["user"] == "owner");
     assert!(has("start weld") && has("arm") && has("stop") && has("load short.toml"), "{audit}");
     tokio::time::sleep(Duration::from_millis(10)).await;
+}
+
+/// Welds until `mm` and stops; where it was left.
+async fn weld_to(page: &mut Page, mm: f64) -> f64 {
+    page.order("arm").await;
+    page.order("start_weld").await;
+    page.until("travel", |v| v["kind"] == "status" && v["mode"] == "weld" && v["welded_mm"].as_f64().unwrap() > mm)
+        .await;
+    page.order("stop").await;
+    let left = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_object()).await;
+    page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
+    left["left"]["s_mm"].as_f64().unwrap()
+}
+
+/// Loads the short job for a part, and waits until the cell has it; what is left of that part.
+async fn load_part(bench: &Bench, owner: &Visitor, page: &mut Page, part: &str, from: &Value) -> Value {
+    let load = json!({ "job": "short.toml", "from": from, "part": part });
+    let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    assert!(status.is_success(), "{work}");
+    let there = |v: &Value| {
+        v["kind"] == "status"
+            && v["part"] == part
+            && v["start"] == if from.is_null() { json!([1, 0.0]) } else { from.clone() }
+    };
+    page.until("the part", there).await["left"].clone()
+}
+
+/// Parts are gone on with where each was left last, whatever was welded in between and over restarts; what is finished is welded
+/// again only after a question.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
+    let served = Served::new().await;
+    let owner = served.bench.owner().await;
+    let (_, example) = served.bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
+    let text = example["text"].as_str().unwrap();
+    let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
+    let text = text.replace(line, SHORT);
+    served.bench.ask(owner.request("PUT", "/api/jobs/short.toml", Some(&json!({ "text": text })))).await;
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    let none = Value::Null;
+    load_part(&served.bench, &owner, &mut page, "A", &none).await;
+    let at_a = weld_to(&mut page, 6.0).await;
+    let other = load_part(&served.bench, &owner, &mut page, "B", &none).await;
+    assert!(other["here"] == false && other["part"] == "A", "{other}");
+    let at_b = weld_to(&mut page, 3.0).await;
+    // The first part, after the second: where it was left, not where the second was.
+    let left = load_part(&served.bench, &owner, &mut page, "A", &none).await;
+    assert_eq!((&left["here"], left["s_mm"].as_f64()), (&json!(true), Some(at_a)), "{left}");
+    assert_eq!((&left["finished"], &left["pass"]), (&json!(0), &json!(1)), "{left}");
+    page.order("arm").await;
+    let refused = page.ask(json!({ "do": "start_weld" })).await;
+    assert_eq!(refused["why"]["key"], "finished_pass", "{refused}");
+    assert_eq!(refused["why"]["of"], json!(["A", "1", format!("{at_a:.2}")]));
+    // Tomorrow the same.
+    page.order("switch_off").await;
+    page.mode("off").await;
+    let served = Served::on(served.bench.end()).await;
+    let owner = served.bench.owner().await;
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    let left = load_part(&served.bench, &owner, &mut page, "B", &none).await;
+    assert!((left["s_mm"].as_f64().unwrap() - at_b).abs() < 0.01 && left["here"] == true, "{left}");
+    let left = load_part(&served.bench, &owner, &mut page, "A", &none).await;
+    assert!((left["s_mm"].as_f64().unwrap() - at_a).abs() < 0.01 && left["here"] == true, "{left}");
+    // Gone on with from there it is left farther on; that is what is offered then, and never the old place.
+    load_part(&served.bench, &owner, &mut page, "A", &json!([1, left["s_mm"]])).await;
+    let farther = weld_to(&mut page, at_a + 3.0).await;
+    assert!(farther > at_a + 2.0, "{farther} {at_a}");
+    let left = load_part(&served.bench, &owner, &mut page, "A", &json!([1, at_a])).await;
+    assert_eq!(left["s_mm"].as_f64(), Some(farther), "{left}");
+    page.order("arm").await;
+    assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "finished_pass");
+    // Asked, and confirmed.
+    let again = page.ask(json!({ "do": "start_weld", "reweld": true })).await;
+    assert_eq!(again["ok"], true, "{again}");
+    page.order("stop").await;
+    page.mode("ready").await;
 }
 
 /// What was stopped today is gone on with tomorrow: of the same program, whose number of the part comes with it.

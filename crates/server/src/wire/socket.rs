@@ -99,8 +99,13 @@ pub enum AskView {
     StartDryRun {},
     /// Allow the next start of the process: for one start, within a minute.
     Arm {},
-    /// The program with the process on.
-    StartWeld {},
+    /// The program with the process on. Refused (`finished_pass`, `finished_part`) where it would weld again what is finished.
+    StartWeld {
+        /// What is finished may be welded again: somebody was asked. No if missing.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        #[ts(optional, as = "Option<bool>")]
+        reweld: bool,
+    },
     /// Stand still on the path.
     Hold {},
     /// Go on after a hold.

@@ -43,6 +43,10 @@ pub struct Status {
     pub near: Option<super::NearView>,
     /// How old what the devices said is, s.
     pub ages: Ages,
+    /// What the system grants to the cycle.
+    pub realtime: RealtimeView,
+    /// Longest time without a cycle since the start, ms.
+    pub longest_gap_ms: f64,
     /// Cycles that were missed, and cycles that were not recorded, in all.
     pub missed: u32,
     /// See `missed`.
@@ -50,6 +54,8 @@ pub struct Status {
     pub lost: u64,
     /// Where a weld was left by a stop, a fault or a power failure and can be gone on with.
     pub left: Option<LeftView>,
+    /// Where the weld of the program in the cell begins: pass from 1, and path length, mm; none without a program.
+    pub start: Option<(u32, f64)>,
     /// Number of the part that the next weld is recorded of; empty if it has none. A part that is welded whole takes it along.
     pub part: String,
     /// Number of the weld in the library while one is recorded.
@@ -66,6 +72,15 @@ pub struct StandingView {
     pub tip: [f64; 6],
 }
 
+/// What the system grants to the cycle.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct RealtimeView {
+    /// What is missing: `priority` (real-time scheduling), `memory` (locked), `cpu` (of its own, if asked for); empty if nothing is.
+    pub missing: Vec<String>,
+    /// The same in English, with the system's reasons and what allows it.
+    pub text: String,
+}
+
 /// A weld that was left.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct LeftView {
@@ -73,6 +88,8 @@ pub struct LeftView {
     pub pass: u32,
     /// Path length up to which the pass is welded, mm.
     pub s_mm: f64,
+    /// So many passes, from the first, are finished.
+    pub finished: u32,
     /// Number of its record in the library, if it was recorded.
     #[ts(type = "number | null")]
     pub record: Option<i64>,

@@ -48,6 +48,7 @@ pub fn typescript() -> String {
         decl::<Status>(&config),
         decl::<StandingView>(&config),
         decl::<LeftView>(&config),
+        decl::<RealtimeView>(&config),
         decl::<ProcessStatus>(&config),
         decl::<AxisStatus>(&config),
         decl::<TrackingStatus>(&config),

@@ -15,7 +15,7 @@ mod store;
 pub use error::LinuxCncError;
 
 use super::Drives;
-use crate::executive::{DriveReport, Orders};
+use crate::executive::{DriveReport, Orders, Slack};
 use attendant::Attendant;
 use engine::{Link, Plan};
 use line::LONGEST;
@@ -178,8 +178,8 @@ impl Drives for LinuxCncDrives {
     }
 
     /// What is in store, but for the one that counts and the one on its way.
-    fn rides_out(&self) -> u32 {
-        self.level - 1
+    fn rides_out(&self) -> Slack {
+        Slack::stored(self.level - 1)
     }
 
     fn late_s(&self) -> f64 {

@@ -134,6 +134,11 @@ impl Image {
     /// Nothing is known of what the device has: everything is written again, arc or beam as off.
     pub(super) fn forget(&mut self, offs: u64) {
         self.make_safe(offs);
+        self.rewrite();
+    }
+
+    /// The device may have lost what was written: everything is written again, as it is ordered.
+    pub(super) fn rewrite(&mut self) {
         self.units.iter_mut().for_each(|unit| unit.written = None);
     }
 

@@ -1,15 +1,16 @@
 use super::ModbusError;
 use super::batches::{Batch, batches};
 use super::coding;
-use super::wire::{Trouble, Wire};
+use super::wire::{Trouble, Wire, runtime};
 use seamwright_machine::{ModbusDevice, Register};
 use std::time::Instant;
+use tokio::runtime::Runtime;
 
 /// Reads every register of a device, outputs too, and writes nothing: to look at a device without a cell.
 #[derive(Debug)]
 pub struct Looker {
     device: ModbusDevice,
-    wire: Option<Wire>,
+    wire: Option<(Runtime, Wire)>,
     batches: Vec<Batch>,
     seen: Vec<Seen>,
 }
@@ -60,34 +61,15 @@ impl Looker {
     }
 
     fn read(&mut self) -> Result<(), Trouble> {
-        let wire = match &mut self.wire {
+        let (runtime, wire) = match &mut self.wire {
             Some(wire) => wire,
-            none => none.insert(Wire::connect(&self.device)?),
-        };
-        let mut cells = Vec::new();
-        for batch in &self.batches {
-            match wire.read(batch.table, batch.at, batch.count, &mut cells) {
-                Ok(()) => {
-                    for (i, from) in &batch.registers {
-                        self.seen[*i].take(&self.device.registers[*i], &cells[*from..]);
-                    }
-                }
-                // One of them, or a gap between them: which?
-                Err(Trouble::Refused { .. }) => {
-                    for (i, _) in &batch.registers {
-                        let register = &self.device.registers[*i];
-                        let place = register.place;
-                        match wire.read(place.table, place.at, place.cells(), &mut cells) {
-                            Ok(()) => self.seen[*i].take(register, &cells),
-                            Err(refused @ Trouble::Refused { .. }) => self.seen[*i].trouble = Some(refused.to_string()),
-                            Err(gone) => return Err(gone),
-                        }
-                    }
-                }
-                Err(gone) => return Err(gone),
+            none => {
+                let runtime = runtime()?;
+                let wire = runtime.block_on(Wire::connect(&self.device))?;
+                none.insert((runtime, wire))
             }
-        }
-        Ok(())
+        };
+        runtime.block_on(read(wire, (&self.device, &self.batches), &mut self.seen))
     }
 
     /// All registers, as they were last seen.
@@ -100,6 +82,34 @@ impl Looker {
             trouble: seen.trouble.as_deref(),
         })
     }
+}
+
+/// Reads all batches; where one is refused, each of its registers alone.
+async fn read(wire: &mut Wire, (device, batches): (&ModbusDevice, &[Batch]), seen: &mut [Seen]) -> Result<(), Trouble> {
+    let mut cells = Vec::new();
+    for batch in batches {
+        match wire.read(batch.table, batch.at, batch.count, &mut cells).await {
+            Ok(()) => {
+                for (i, from) in &batch.registers {
+                    seen[*i].take(&device.registers[*i], &cells[*from..]);
+                }
+            }
+            // One of them, or a gap between them: which?
+            Err(Trouble::Refused { .. }) => {
+                for (i, _) in &batch.registers {
+                    let register = &device.registers[*i];
+                    let place = register.place;
+                    match wire.read(place.table, place.at, place.cells(), &mut cells).await {
+                        Ok(()) => seen[*i].take(register, &cells),
+                        Err(refused @ Trouble::Refused { .. }) => seen[*i].trouble = Some(refused.to_string()),
+                        Err(gone) => return Err(gone),
+                    }
+                }
+            }
+            Err(gone) => return Err(gone),
+        }
+    }
+    Ok(())
 }
 
 impl Seen {

@@ -1,7 +1,7 @@
 //! Process source, inputs and outputs over Modbus TCP.
 //!
-//! A client in a thread of its own polls the device and writes what changed; the cycle exchanges orders and reports with it
-//! through buffers that neither lock nor allocate. Reports age while the device is silent, and say with `starts` how often it
+//! A client in a thread of its own polls the device and writes what changed, on a connection each; the cycle exchanges orders and
+//! reports with it through buffers that neither lock nor allocate. Reports age while the device is silent, and say with `starts` how often it
 //! was connected. When the cycle stops for longer than the watchdog's time, or the devices are dropped, the outputs go to their
 //! safe states; arc or beam comes on again only after it was ordered off.
 
@@ -9,9 +9,12 @@ mod batches;
 mod client;
 mod coding;
 mod image;
+mod link;
 mod look;
+mod orders;
 #[cfg(test)]
 mod random_map;
+mod reports;
 mod traffic;
 mod wire;
 
@@ -20,7 +23,7 @@ pub use traffic::{Traffic, TrafficView};
 
 use super::{InputBits, Inputs, Source};
 use crate::executive::{ProcessOrders, SourceReport};
-use client::{Client, Ends, Life};
+use client::{Client, Ends, Life, Stamped};
 use image::Ordered;
 use seamwright_machine::{ModbusDevice, Role};
 use std::sync::Arc;
@@ -67,17 +70,16 @@ pub struct ModbusParts {
 pub struct ModbusSource {
     orders: Input<Ordered>,
     offs: u64,
-    known: Output<SourceReport>,
+    known: Output<Stamped<SourceReport>>,
     /// The cycle shows by this that it goes on, where no inputs show it.
     beats: bool,
-    period_s: f64,
     thread: Arc<ClientThread>,
 }
 
 /// Inputs on Modbus.
 #[derive(Debug)]
 pub struct ModbusInputs {
-    known: Output<InputBits>,
+    known: Output<Stamped<InputBits>>,
     watchdog: bool,
     thread: Arc<ClientThread>,
 }
@@ -101,11 +103,11 @@ impl Drop for ClientThread {
 }
 
 /// Connects `device`, brings its outputs to their safe states and reads it once. `values` are the names of the job's process
-/// values in the order of [`crate::executive::Work::values`]; `period_s` is that of the cycle.
+/// values in the order of [`crate::executive::Work::values`].
 ///
 /// # Errors
 /// If it cannot be reached, refuses a register, or has no register for a value.
-pub fn connect(device: &ModbusDevice, values: &[String], period_s: f64) -> Result<ModbusParts, ModbusError> {
+pub fn connect(device: &ModbusDevice, values: &[String]) -> Result<ModbusParts, ModbusError> {
     let has = |wanted: &dyn Fn(&Role) -> bool| device.registers.iter().any(|r| wanted(&r.role));
     let (is_source, has_inputs) = (has(&Role::is_source), has(&|role| matches!(role, Role::Input(_))));
     let unset = values.iter().find(|value| !has(&|role| matches!(role, Role::Set(name) if name == *value)));
@@ -113,13 +115,13 @@ pub fn connect(device: &ModbusDevice, values: &[String], period_s: f64) -> Resul
         return Err(ModbusError::NoRegister { device: device.name.clone(), value: value.clone() });
     }
     let (orders_in, orders) = triple_buffer(&Ordered::default());
-    let (source, source_out) = triple_buffer(&SourceReport::default());
-    let (inputs, inputs_out) = triple_buffer(&InputBits::default());
+    let (source, source_out) = triple_buffer(&None);
+    let (inputs, inputs_out) = triple_buffer(&None);
     let (life, traffic) = (Arc::new(Life::default()), TrafficView::default());
     let ends = Ends { orders, source, inputs, life: Arc::clone(&life), traffic: traffic.clone() };
-    let mut client = Client::new(device, values, ends);
     let unreachable =
         |why: String| ModbusError::Unreachable { device: device.name.clone(), address: device.address.clone(), why };
+    let mut client = Client::new(device, values, ends).map_err(|trouble| unreachable(trouble.to_string()))?;
     client.connect().map_err(|trouble| unreachable(trouble.to_string()))?;
     let named = std::thread::Builder::new().name(format!("modbus {}", device.name));
     let handle = named.spawn(move || client.run()).map_err(|e| unreachable(e.to_string()))?;
@@ -130,7 +132,6 @@ pub fn connect(device: &ModbusDevice, values: &[String], period_s: f64) -> Resul
             offs: 0,
             known: source_out,
             beats: !has_inputs,
-            period_s,
             thread: Arc::clone(&thread),
         }),
         inputs: has_inputs.then_some(ModbusInputs { known: inputs_out, watchdog: false, thread }),
@@ -145,24 +146,21 @@ impl Source for ModbusSource {
         if self.beats {
             self.thread.life.cycles.fetch_add(1, Ordering::Release);
         }
-        if self.known.update() {
-            *report = SourceReport { age_s: 0.0, ..*self.known.output_buffer() };
-        } else {
-            report.age_s += self.period_s;
+        // Ages are by the clock: a cycle that stands still grows no younger.
+        if let Some((known, read)) = self.known.read() {
+            *report = SourceReport { age_s: read.elapsed().as_secs_f64(), ..*known };
         }
     }
 }
 
 impl Inputs for ModbusInputs {
-    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool {
+    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) {
         if watchdog != self.watchdog {
             self.watchdog = watchdog;
             self.thread.life.cycles.fetch_add(1, Ordering::Release);
         }
-        let fresh = self.known.update();
-        if fresh {
-            *inputs = *self.known.output_buffer();
+        if let Some((known, read)) = self.known.read() {
+            *inputs = InputBits { age_s: read.elapsed().as_secs_f64(), ..*known };
         }
-        fresh
     }
 }

@@ -18,6 +18,8 @@ pub struct Traffic {
     pub round: Latency,
     /// What went wrong last.
     pub trouble: Option<String>,
+    /// At the end: whether the device has taken the safe states of its outputs, or why not.
+    pub safe: Option<Result<(), String>>,
 }
 
 /// A view of the traffic, for whoever is not the cycle: it takes a lock.

@@ -39,7 +39,6 @@ impl Trouble {
 
 /// A connection to a device. Calls wait for the answer, as long as the device's time-out allows.
 pub(super) struct Wire {
-    runtime: Runtime,
     context: Context,
     timeout: Duration,
 }
@@ -50,22 +49,31 @@ impl std::fmt::Debug for Wire {
     }
 }
 
+/// What connections of one thread run on.
+pub(super) fn runtime() -> Result<Runtime, Trouble> {
+    Builder::new_current_thread().enable_io().enable_time().build().map_err(|e| Trouble::Gone(e.to_string()))
+}
+
 impl Wire {
     /// Connects.
-    pub(super) fn connect(device: &ModbusDevice) -> Result<Self, Trouble> {
+    pub(super) async fn connect(device: &ModbusDevice) -> Result<Self, Trouble> {
         let gone = |e: std::io::Error| Trouble::Gone(e.to_string());
-        let runtime = Builder::new_current_thread().enable_io().enable_time().build().map_err(gone)?;
-        let address = device.address.as_str();
-        let stream = runtime.block_on(async { tokio::time::timeout(CONNECT, TcpStream::connect(address)).await });
+        let stream = tokio::time::timeout(CONNECT, TcpStream::connect(device.address.as_str())).await;
         let stream = stream.map_err(|_| Trouble::Gone("no connection within 1 s".to_owned()))?.map_err(gone)?;
         // Requests are small and wait for each other.
         stream.set_nodelay(true).map_err(gone)?;
-        let context = runtime.block_on(async { tcp::attach_slave(stream, Slave(device.unit)) });
-        Ok(Self { runtime, context, timeout: Duration::from_secs_f64(device.timeout_s) })
+        let context = tcp::attach_slave(stream, Slave(device.unit));
+        Ok(Self { context, timeout: Duration::from_secs_f64(device.timeout_s) })
     }
 
     /// Reads `count` cells from `at` on into `cells`; a bit is 0 or 1.
-    pub(super) fn read(&mut self, table: Table, at: u16, count: u16, cells: &mut Vec<u16>) -> Result<(), Trouble> {
+    pub(super) async fn read(
+        &mut self,
+        table: Table,
+        at: u16,
+        count: u16,
+        cells: &mut Vec<u16>,
+    ) -> Result<(), Trouble> {
         let request = match table {
             Table::Coil => Request::ReadCoils(at, count),
             Table::Discrete => Request::ReadDiscreteInputs(at, count),
@@ -73,7 +81,7 @@ impl Wire {
             Table::Input => Request::ReadInputRegisters(at, count),
         };
         cells.clear();
-        match self.call(request, (table, at, usize::from(count)))? {
+        match self.call(request, (table, at, usize::from(count))).await? {
             // Bits come in whole bytes.
             Response::ReadCoils(bits) | Response::ReadDiscreteInputs(bits) => {
                 cells.extend(bits.into_iter().take(usize::from(count)).map(u16::from));
@@ -88,19 +96,23 @@ impl Wire {
     }
 
     /// Writes `cells` from `at` on.
-    pub(super) fn write(&mut self, table: Table, at: u16, cells: &[u16]) -> Result<(), Trouble> {
+    pub(super) async fn write(&mut self, table: Table, at: u16, cells: &[u16]) -> Result<(), Trouble> {
         let request = match (table.has_bits(), cells) {
             (true, [bit]) => Request::WriteSingleCoil(at, *bit != 0),
             (true, bits) => Request::WriteMultipleCoils(at, bits.iter().map(|bit| *bit != 0).collect()),
             (false, [word]) => Request::WriteSingleRegister(at, *word),
             (false, words) => Request::WriteMultipleRegisters(at, Cow::Borrowed(words)),
         };
-        self.call(request, (table, at, cells.len())).map(drop)
+        self.call(request, (table, at, cells.len())).await.map(drop)
     }
 
-    fn call(&mut self, request: Request<'_>, (table, at, count): (Table, u16, usize)) -> Result<Response, Trouble> {
-        let (context, timeout) = (&mut self.context, self.timeout);
-        let answer = self.runtime.block_on(async { tokio::time::timeout(timeout, context.call(request)).await });
+    async fn call(
+        &mut self,
+        request: Request<'_>,
+        (table, at, count): (Table, u16, usize),
+    ) -> Result<Response, Trouble> {
+        let timeout = self.timeout;
+        let answer = tokio::time::timeout(timeout, self.context.call(request)).await;
         match answer {
             Err(_) => Err(Trouble::Gone(format!("no answer within {} ms", timeout.as_millis()))),
             // The library has no word for a connection that was closed.

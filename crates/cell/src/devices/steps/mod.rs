@@ -9,7 +9,7 @@ mod rotor;
 use super::simulated::{Standing, UNKNOWN};
 use super::{Drives, LATE_PERIODS};
 use crate::Error;
-use crate::executive::{DriveReport, Orders};
+use crate::executive::{DriveReport, Orders, Slack};
 use rotor::Rotor;
 use rtrb::{Consumer, Producer, RingBuffer};
 use seamwright_machine::{Axis, Joints, Machine, Stepper, Steps};
@@ -181,8 +181,8 @@ impl Drives for StepDrives {
     }
 
     /// The time of the pulses stands still while nobody asks.
-    fn rides_out(&self) -> u32 {
-        u32::MAX
+    fn rides_out(&self) -> Slack {
+        Slack::standing(self.period_s)
     }
 
     fn late_s(&self) -> f64 {

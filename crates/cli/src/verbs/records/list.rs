@@ -25,6 +25,7 @@ pub(super) fn run(args: &ListArgs) -> Result<(), Failure> {
         part: args.part.clone(),
         since: args.since,
         until: args.until,
+        program: None,
         procedure: args.procedure.clone(),
         machine: args.machine.clone(),
         result: args.result,

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::verbs::recorded::Happened;
 use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
-use seamwright_cell::realtime::Shown;
+use seamwright_cell::realtime::{Footing, Shown, ShutdownCause};
 use seamwright_cell::tracking;
 use seamwright_machine::Machine;
 use seamwright_project::devices;
@@ -53,6 +53,8 @@ pub(in crate::verbs) struct Desk {
     refused: Option<String>,
     /// The first alarm that held the program or took the cell down.
     stopped: Option<String>,
+    /// What ended the program from outside.
+    ended_by: Option<ShutdownCause>,
     passes: Vec<Place>,
     alarms: Vec<library::Alarm>,
     kept: Vec<library::Event>,
@@ -79,6 +81,7 @@ impl Desk {
             events: Vec::new(),
             refused: None,
             stopped: None,
+            ended_by: None,
             passes: Vec::new(),
             alarms: Vec::new(),
             kept: Vec::new(),
@@ -94,6 +97,29 @@ impl Desk {
     /// Something that cannot be gone on with: everything comes to an end.
     pub(in crate::verbs) fn give_up(&mut self, why: &str) {
         self.refused.get_or_insert(why.to_owned());
+    }
+
+    /// What the system grants to the cycle: what is missing stands in the record and is told at once.
+    pub(in crate::verbs) fn granted(&mut self, footing: &Footing) {
+        if footing.is_whole() {
+            return;
+        }
+        // Nothing can be done if standard error is closed.
+        let _ = writeln!(std::io::stderr(), "note: the cycle runs without real-time rights: {footing}");
+        let missing: Vec<&str> = footing.missing().collect();
+        let text = format!("without real-time rights: {}", missing.join(", "));
+        self.tell("realtime", &text, json!({ "missing": missing }));
+        let place = library::Place { pass: None, s_mm: None, t_s: None };
+        self.kept.push(library::Event { at: Moment::now(), text, place });
+    }
+
+    /// A signal or a fault of the program has ended the cell.
+    pub(in crate::verbs) fn ended_by(&mut self, cause: ShutdownCause) {
+        self.ended_by.get_or_insert(cause);
+        let text = format!("stopped by: {cause}");
+        self.tell("ended", &text, json!({ "ended_by": cause.to_string() }));
+        let place = library::Place { pass: None, s_mm: None, t_s: self.now.map(|now| now.t) };
+        self.kept.push(library::Event { at: Moment::now(), text, place });
     }
 
     /// A line that the operator typed.
@@ -227,6 +253,10 @@ impl Desk {
                 let text = format!("{}{} has gone", alarm.entry().name, self.detail(alarm, detail));
                 self.event(t, "cleared", &text, json!({ "alarm": alarm.entry().name }));
             }
+            Note::Missed(cycles, longest_ms) => {
+                let text = format!("{cycles} cycles were missed, up to {longest_ms:.0} ms at once");
+                self.event(t, "missed", &text, json!({ "cycles": cycles, "longest_ms": longest_ms }));
+            }
             Note::PassEnds(place) => {
                 self.passes.push(place);
                 let text = format!("pass {} ends at {:.2} mm", place.pass, place.s_mm);
@@ -359,6 +389,7 @@ impl Desk {
             "passes": self.passes.iter().map(|p| place(*p)).collect::<Vec<_>>(),
             "left": ended.left.map(place),
             "stopped_by": self.stopped,
+            "ended_by": self.ended_by.map(|cause| cause.to_string()),
             "refused": self.refused,
             "timing": timing,
             "devices": devices::told(&ended.lines),
@@ -383,13 +414,16 @@ impl Desk {
             output.text(name, text)?;
         }
         let Some(table) = self.table.take() else { return Ok(()) };
-        let done = self.stopped.is_none() && ended.left.is_none() && !self.passes.is_empty();
+        let undisturbed = self.stopped.is_none() && self.ended_by.is_none();
+        let done = undisturbed && ended.left.is_none() && !self.passes.is_empty();
         let result = if done { WeldResult::Good } else { WeldResult::Stopped };
-        let note = match ended.left {
-            Some(left) => format!("left in pass {}, welded up to {:.2} mm", left.pass, left.s_mm),
-            None if self.passes.is_empty() => "nothing was welded".to_owned(),
-            None => String::new(),
-        };
+        let mut notes: Vec<String> = self.ended_by.iter().map(|cause| format!("stopped by: {cause}")).collect();
+        match ended.left {
+            Some(left) => notes.push(format!("left in pass {}, welded up to {:.2} mm", left.pass, left.s_mm)),
+            None if self.passes.is_empty() => notes.push("nothing was welded".to_owned()),
+            None => {}
+        }
+        let note = notes.join("; ");
         let files = files.map(|(name, text)| (name.to_owned(), text)).into();
         table.finish(&Outcome { result, note, files }, self.happened(), output)
     }
@@ -398,6 +432,9 @@ impl Desk {
     pub(in crate::verbs) fn judge(self) -> Result<(), Failure> {
         if let Some(failure) = self.record {
             return Err(failure);
+        }
+        if let Some(cause) = self.ended_by {
+            return Err(Failure::Environment(format!("the program was stopped by {cause}; everything is off")));
         }
         match (self.stopped, self.refused) {
             (Some(alarm), _) => Err(Failure::Environment(format!("the program was stopped by an alarm: {alarm}"))),

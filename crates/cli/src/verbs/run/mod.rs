@@ -14,7 +14,7 @@ use desk::Desk;
 use seamwright_cell::SimulatedCell;
 use seamwright_cell::devices::Fault;
 use seamwright_cell::executive::{Devices, Executive, Place, Start, Work};
-use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Urgent, live};
+use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shutdown, Urgent, guarded, live};
 use seamwright_cell::tracking::Tracking;
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
@@ -22,12 +22,17 @@ use seamwright_program::is_before;
 use seamwright_project::devices::{self, Lines};
 use seamwright_project::power_loss;
 use std::io::{BufRead as _, IsTerminal as _, Write as _};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::OnceLock;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::time::Duration;
+use std::thread::ScopedJoinHandle;
+use std::time::{Duration, Instant};
 use table::Table;
 
 /// How often the desk looks at what the cycle has sent.
 const LOOK: Duration = Duration::from_millis(5);
+/// After a signal the cycle has this long to bring everything to rest and its devices to their safe states.
+const SHUTDOWN: Duration = Duration::from_secs(15);
 
 /// What a cell ran on, and how it ended.
 pub(super) struct Ended {
@@ -116,17 +121,35 @@ fn with_cell(
     let machine = &loaded.machine;
     let work = cell.work(start(loaded, around, motion, asked.from)?).map_err(|e| bad(&e))?;
     let tracking = cell.tracking(asked.from.unwrap_or_default()).map_err(|e| bad(&e))?;
+    // From here on there are devices that nobody may leave as they are.
+    let shutdown = Shutdown::default();
+    shutdown.on_signals()?;
+    shutdown.on_panic();
     // Nothing is written before they answer.
     let (devices, lines) = devices(loaded, cell, &work, asked)?;
     let mut output = Output::new(asked.output)?;
     let kept = (work.values(), tracking.is_some(), asked.from);
     let table = Table::new((loaded, motion), &output, asked.record, kept)?;
     let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
-    let ended = real(work, machine, (devices, lines, tracking), asked.cpu, &mut desk)?;
-    desk.close(&mut output, &loaded.welding.program.value.title, &ended)?;
+    let ended = real(work, machine, (devices, lines, tracking), (asked.cpu, &shutdown), &mut desk)?;
+    let closed = desk.close(&mut output, &loaded.welding.program.value.title, &ended);
     output.finish()?;
     tell_missed(&ended, machine.servo_period_s);
+    closed?;
+    check_safe(&ended.lines)?;
     desk.judge()
+}
+
+/// Refuses to end as if all were well where a device has not said that its outputs are safe.
+fn check_safe(lines: &Lines) -> Result<(), Failure> {
+    for (name, line) in lines {
+        if let Some(Err(why)) = line.get().safe {
+            return Err(Failure::Environment(format!(
+                "device `{name}`: its outputs are not confirmed to be safe: {why}\n   look at once whether arc and gas are off"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Those that the machine file names; simulated ones if it names none.
@@ -155,40 +178,87 @@ fn real(
     work: Work<'_>,
     machine: &Machine,
     (devices, lines, mut tracking): (Box<dyn Devices + Send + '_>, Lines, Option<Tracking<'_>>),
-    cpu: Option<usize>,
+    (cpu, shutdown): (Option<usize>, &Shutdown),
     desk: &mut Desk,
 ) -> Result<Ended, Failure> {
-    let (port, mut outside) = live();
+    let (port, mut outside) = live(shutdown);
     let typed = typed(outside.urgent());
+    let footing = OnceLock::new();
     let places = desk.journal()?.map(power_loss::writer);
     std::thread::scope(|scope| {
+        let granted = &footing;
         let cycle = scope.spawn(move || {
-            let footing = Footing::ask(cpu);
+            let footing = granted.get_or_init(|| Footing::ask(cpu)).clone();
             let mut paced = Paced { devices, pacer: Pacer::new(machine.servo_period_s) };
-            let guide = tracking.as_mut().map(|tracking| tracking as _);
-            let mut executive = Executive::new(machine, &mut paced as &mut dyn Devices, port).with_guide(guide);
-            executive.serve(Some(&work));
-            let left = executive.left();
-            drop(executive);
-            (left, footing, paced.pacer.latency().clone())
+            let left = guarded(&mut paced, shutdown, |paced| {
+                let guide = tracking.as_mut().map(|tracking| tracking as _);
+                let mut executive = Executive::new(machine, paced as &mut dyn Devices, port).with_guide(guide);
+                executive.serve(Some(&work));
+                executive.left()
+            });
+            let latency = paced.pacer.latency().clone();
+            // Until here real devices may be out of their safe states.
+            drop(paced);
+            (left, footing, latency)
         });
-        while !cycle.is_finished() {
-            look(&mut outside, &typed, desk);
-            if let (Some(places), Some(position)) = (&places, desk.position()) {
-                // A disk that is slow misses some.
-                places.tell(position);
+        let listened = catch_unwind(AssertUnwindSafe(|| {
+            let mut waits = None;
+            let mut known = false;
+            while !cycle.is_finished() {
+                if let Some(footing) = footing.get().filter(|_| !known) {
+                    known = true;
+                    desk.granted(footing);
+                }
+                look(&mut outside, &typed, desk);
+                if let (Some(places), Some(position)) = (&places, desk.position()) {
+                    // A disk that is slow misses some.
+                    places.tell(position);
+                }
+                give_up_late(shutdown, &mut waits);
+                std::thread::sleep(LOOK);
             }
-            std::thread::sleep(LOOK);
+            look(&mut outside, &typed, desk);
+        }));
+        if listened.is_err() {
+            wait_for_end(&cycle, shutdown);
         }
-        look(&mut outside, &typed, desk);
         let (left, footing, latency) =
             cycle.join().map_err(|_| Failure::Environment("the thread of the cycle ended early".to_owned()))?;
+        if let Some(cause) = shutdown.cause() {
+            desk.ended_by(cause);
+        }
         // It ended in order: nothing is left to power failures.
-        if let Some(places) = places {
+        if let Some(places) = places.filter(|_| left.is_ok()) {
             places.end()?;
         }
-        Ok(Ended { left, timing: Some((footing, latency)), lines })
+        Ok(Ended { left: left.unwrap_or(None), timing: Some((footing, latency)), lines })
     })
+}
+
+/// Waits for the cycle without a desk.
+fn wait_for_end<T>(cycle: &ScopedJoinHandle<'_, T>, shutdown: &Shutdown) {
+    let mut waits = None;
+    while !cycle.is_finished() {
+        give_up_late(shutdown, &mut waits);
+        std::thread::sleep(LOOK);
+    }
+}
+
+/// Ends the process where the cycle does not come to its end: it hangs in a device. Those that have a thread or a watchdog of
+/// their own have left the process off by then.
+fn give_up_late(shutdown: &Shutdown, waits: &mut Option<Instant>) {
+    let Some(cause) = shutdown.cause() else { return };
+    if waits.get_or_insert_with(Instant::now).elapsed() < SHUTDOWN {
+        return;
+    }
+    // Nothing can be done if standard error is closed.
+    let _ = writeln!(
+        std::io::stderr(),
+        "error: ended by {cause}, but the cycle does not come to its end within {} s: check that arc, gas and drives are off\n   \
+         the record is made whole by the next `seamwright records recover`",
+        SHUTDOWN.as_secs()
+    );
+    std::process::exit(3);
 }
 
 /// Takes what the cycle has sent and the operator typed, and gives the next order.

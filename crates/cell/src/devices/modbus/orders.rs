@@ -1,0 +1,163 @@
+//! Orders to a device: what the cycle wants, and safe states where it wants nothing any more.
+
+use super::image::{Image, Ordered};
+use super::link::{LOOK, Line, Link};
+use super::wire::Trouble;
+use seamwright_machine::ModbusDevice;
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+use triple_buffer::Output;
+
+/// Time between tries to connect: the first, doubled each time up to the last.
+pub(super) const BACK_OFF: (Duration, Duration) = (Duration::from_millis(50), Duration::from_secs(1));
+/// At the end outputs are brought to their safe states within this time, or it is said that they were not.
+const END: Duration = Duration::from_secs(3);
+
+/// Writes what is ordered.
+#[derive(Debug)]
+pub(super) struct OrderWriter {
+    line: Line,
+    ordered: Output<Ordered>,
+    image: Image,
+    /// The cycle's count when it was last seen to change, and when that was.
+    cycle: (u64, Option<Instant>),
+    /// When refused outputs are tried again and the watchdog changes.
+    next: Instant,
+}
+
+impl OrderWriter {
+    pub(super) fn new(device: &ModbusDevice, values: &[String], (line, ordered): (Line, Output<Ordered>)) -> Self {
+        let image = Image::new(&device.registers, values);
+        Self { line, ordered, image, cycle: (0, None), next: Instant::now() }
+    }
+
+    /// Connects and brings all outputs to their safe states.
+    pub(super) async fn connect(&mut self, link: &Link) -> Result<(), Trouble> {
+        self.line.connect(&link.device).await?;
+        let starts = link.starts.get() + 1;
+        link.starts.set(starts);
+        link.traffic.change(|t| t.connections = starts);
+        self.image.forget(self.ordered.read().offs);
+        self.write(link).await
+    }
+
+    /// Until nobody needs it any more.
+    pub(super) async fn run(&mut self, link: &Link) {
+        let period = Duration::from_secs_f64(link.device.poll_s);
+        let mut pause = BACK_OFF.0;
+        while !link.ended() {
+            if self.line.is_connected() {
+                if let Err(trouble) = self.look(link, period).await {
+                    link.failed(&trouble);
+                    *link.unordered.borrow_mut() = Some(trouble);
+                }
+                tokio::time::sleep(LOOK).await;
+                continue;
+            }
+            let begun = Instant::now();
+            match self.connect(link).await {
+                Ok(()) => pause = BACK_OFF.0,
+                Err(trouble) => {
+                    link.failed(&trouble);
+                    *link.unordered.borrow_mut() = Some(trouble);
+                    link.rest(pause).await;
+                    pause = (2 * pause).min(BACK_OFF.1);
+                }
+            }
+            link.traffic.change(|t| t.away_s += begun.elapsed().as_secs_f64());
+        }
+    }
+
+    /// Passes changed orders on.
+    async fn look(&mut self, link: &Link, period: Duration) -> Result<(), Trouble> {
+        let due = Instant::now() >= self.next;
+        if due {
+            self.next = Instant::now() + period;
+            if self.cycle_lives(link) {
+                self.image.beat();
+            }
+        }
+        let lost = link.lost.get();
+        if lost != link.rewritten.get() {
+            // The device may have started anew; where it has, this connection is dead, which shows now.
+            self.image.rewrite();
+        }
+        // What the device refused is tried again with the next poll, not a thousand times a second.
+        if due || link.unordered.borrow().is_none() {
+            self.write(link).await?;
+            link.rewritten.set(lost);
+        }
+        Ok(())
+    }
+
+    /// Takes the newest orders; without a cycle those of safe states.
+    fn order(&mut self, link: &Link) {
+        let alive = self.cycle_lives(link);
+        let ordered = self.ordered.read();
+        if alive {
+            self.image.order(ordered);
+        } else {
+            self.image.make_safe(ordered.offs);
+        }
+    }
+
+    /// True while the cycle was seen to go on within the watchdog's time.
+    fn cycle_lives(&mut self, link: &Link) -> bool {
+        let count = link.life.cycles.load(Ordering::Acquire);
+        if count != self.cycle.0 {
+            self.cycle = (count, Some(Instant::now()));
+        }
+        self.cycle.1.is_some_and(|seen| seen.elapsed().as_secs_f64() <= link.device.watchdog_s)
+    }
+
+    /// Writes what changed, each output once, the newest orders before each request: what switches arc or beam off waits for no more
+    /// than the answer to one request. What the device refuses does not keep the rest from being written.
+    async fn write(&mut self, link: &Link) -> Result<(), Trouble> {
+        let (mut tried, mut refused) = (Vec::new(), None);
+        loop {
+            self.order(link);
+            let next = self.image.changes().into_iter().find(|run| !tried.contains(&run.units));
+            let Some(run) = next else { break };
+            match self.line.write(run.table, run.at, &run.cells).await {
+                Ok(()) => self.image.written(&run),
+                Err(trouble @ Trouble::Refused { .. }) => refused = Some(trouble),
+                Err(gone) => return Err(gone),
+            }
+            tried.push(run.units);
+        }
+        *link.unordered.borrow_mut() = refused;
+        Ok(())
+    }
+
+    /// Leaves all outputs safe, if the device can be reached, and says whether they are.
+    pub(super) async fn end(&mut self, link: &Link) {
+        let safe = tokio::time::timeout(END, self.make_safe(link)).await;
+        let safe = safe.unwrap_or_else(|_| Err(Trouble::Gone(format!("no answer within {} s", END.as_secs()))));
+        let refused = link.unordered.borrow().clone();
+        let safe = safe.and(refused.map_or(Ok(()), Err)).map_err(|trouble| trouble.to_string());
+        link.traffic.change(|t| {
+            if let Err(why) = &safe {
+                t.trouble = Some(why.clone());
+            }
+            t.safe = Some(safe);
+        });
+    }
+
+    async fn make_safe(&mut self, link: &Link) -> Result<(), Trouble> {
+        // From here on no cycle is alive: orders are those of safe states.
+        self.cycle = (link.life.cycles.load(Ordering::Acquire), None);
+        if !self.line.is_connected() {
+            self.line.connect(&link.device).await?;
+            self.image.forget(self.ordered.read().offs);
+        }
+        match self.write(link).await {
+            // It was lost unseen: once more on a new one.
+            Err(Trouble::Gone(_)) => {
+                self.line.connect(&link.device).await?;
+                self.image.forget(self.ordered.read().offs);
+                self.write(link).await
+            }
+            done => done,
+        }
+    }
+}

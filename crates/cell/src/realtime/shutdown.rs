@@ -1,0 +1,181 @@
+use std::cell::Cell;
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Codes of causes that are no signals: beyond all numbers of signals.
+const PANIC: usize = 1000;
+const ASKED: usize = 1001;
+
+/// Why a cell shuts down.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShutdownCause {
+    /// The process got the signal of this number.
+    Signal(i32),
+    /// A thread of the program panicked.
+    Panic,
+    /// The program asked for it.
+    Asked,
+}
+
+impl fmt::Display for ShutdownCause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Signal(number) => match system::name(*number) {
+                Some(name) => write!(f, "signal {name}"),
+                None => write!(f, "signal {number}"),
+            },
+            Self::Panic => f.write_str("a fault of the program (panic)"),
+            Self::Asked => f.write_str("the end of the program"),
+        }
+    }
+}
+
+/// A flag that ends a cell from anywhere: signals, panics, other threads.
+///
+/// The executive reads it before each exchange with its devices: the process is ordered off with that exchange, the axes come to
+/// rest on their path, power goes, and [`crate::executive::Executive::serve`] returns. It needs no other thread for that.
+#[derive(Debug, Clone, Default)]
+pub struct Shutdown(Arc<AtomicUsize>);
+
+impl Shutdown {
+    /// Asks for the shutdown; the first cause stays.
+    pub fn request(&self, cause: ShutdownCause) {
+        let code = match cause {
+            ShutdownCause::Signal(number) => usize::try_from(number).unwrap_or(ASKED),
+            ShutdownCause::Panic => PANIC,
+            ShutdownCause::Asked => ASKED,
+        };
+        // It fails where somebody was first.
+        let _ = self.0.compare_exchange(0, code, Ordering::SeqCst, Ordering::SeqCst);
+    }
+
+    /// True once it was asked for.
+    pub fn is_requested(&self) -> bool {
+        self.0.load(Ordering::Relaxed) != 0
+    }
+
+    /// Why, once it was asked for.
+    pub fn cause(&self) -> Option<ShutdownCause> {
+        match self.0.load(Ordering::Relaxed) {
+            0 => None,
+            PANIC => Some(ShutdownCause::Panic),
+            ASKED => Some(ShutdownCause::Asked),
+            number => Some(i32::try_from(number).map_or(ShutdownCause::Asked, ShutdownCause::Signal)),
+        }
+    }
+
+    /// Has the signals with which people and service managers end, or freeze, a program ask for the shutdown instead, for the
+    /// rest of the process. Ctrl-Z (SIGTSTP) too: a frozen controller controls nothing.
+    ///
+    /// # Errors
+    /// If the system refuses.
+    pub fn on_signals(&self) -> std::io::Result<()> {
+        system::register(&self.0)
+    }
+
+    /// Has a panic of any thread ask for the shutdown, but for those in [`contained`], for the rest of the process.
+    pub fn on_panic(&self) {
+        let before = std::panic::take_hook();
+        let shutdown = self.clone();
+        std::panic::set_hook(Box::new(move |info| {
+            if !CONTAINED.get() {
+                shutdown.request(ShutdownCause::Panic);
+            }
+            before(info);
+        }));
+    }
+}
+
+thread_local! {
+    /// A panic of this thread concerns nobody else.
+    static CONTAINED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Runs `work`, a panic of which costs no more than its result: planning, drafting, drawing. Not for anything that shares
+/// changing data with the cell.
+///
+/// # Errors
+/// What it panicked with.
+pub fn contained<T>(work: impl FnOnce() -> T) -> std::thread::Result<T> {
+    let before = CONTAINED.replace(true);
+    let result = catch_unwind(AssertUnwindSafe(work));
+    CONTAINED.set(before);
+    result
+}
+
+#[cfg(unix)]
+mod system {
+    use signal_hook::consts::{
+        SIGALRM, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+    };
+    use signal_hook::flag::register_usize;
+    use std::sync::Arc;
+    use std::sync::atomic::AtomicUsize;
+
+    /// All that end or freeze a process unless it says otherwise, and that a person, a terminal, a service manager or a limit of the
+    /// system sends.
+    const SIGNALS: [(i32, &str); 10] = [
+        (SIGTERM, "SIGTERM"),
+        (SIGINT, "SIGINT"),
+        (SIGHUP, "SIGHUP"),
+        (SIGQUIT, "SIGQUIT"),
+        (SIGTSTP, "SIGTSTP"),
+        (SIGUSR1, "SIGUSR1"),
+        (SIGUSR2, "SIGUSR2"),
+        (SIGALRM, "SIGALRM"),
+        (SIGVTALRM, "SIGVTALRM"),
+        (SIGXCPU, "SIGXCPU"),
+    ];
+
+    pub(super) fn name(number: i32) -> Option<&'static str> {
+        SIGNALS.iter().find(|(known, _)| *known == number).map(|(_, name)| *name)
+    }
+
+    pub(super) fn register(flag: &Arc<AtomicUsize>) -> std::io::Result<()> {
+        SIGNALS.iter().try_for_each(|(signal, _)| {
+            let code = usize::try_from(*signal).unwrap_or_default();
+            register_usize(*signal, Arc::clone(flag), code).map(drop)
+        })
+    }
+}
+
+#[cfg(not(unix))]
+mod system {
+    use std::sync::Arc;
+    use std::sync::atomic::AtomicUsize;
+
+    pub(super) fn name(_number: i32) -> Option<&'static str> {
+        None
+    }
+
+    /// There are no signals.
+    pub(super) fn register(_flag: &Arc<AtomicUsize>) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first cause stays; a contained panic asks for nothing, one in another thread does.
+    #[test]
+    fn causes_are_kept_and_contained_panics_ask_for_nothing() {
+        let shutdown = Shutdown::default();
+        assert_eq!(shutdown.cause(), None);
+        shutdown.on_panic();
+        assert!(contained(|| panic!("contained, as it should")).is_err());
+        assert!(!shutdown.is_requested());
+        assert!(std::thread::spawn(|| panic!("as it should")).join().is_err());
+        assert_eq!(shutdown.cause(), Some(ShutdownCause::Panic));
+        shutdown.request(ShutdownCause::Signal(15));
+        assert_eq!(shutdown.cause(), Some(ShutdownCause::Panic));
+        let by_signal = Shutdown::default();
+        by_signal.request(ShutdownCause::Signal(15));
+        assert_eq!(by_signal.cause(), Some(ShutdownCause::Signal(15)));
+        #[cfg(unix)]
+        assert_eq!(ShutdownCause::Signal(15).to_string(), "signal SIGTERM");
+    }
+}
