@@ -6,7 +6,7 @@ mod modbus_cell;
 mod modbus_server;
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
-use modbus_cell::{parts, welder};
+use modbus_cell::{PERIOD_S, parts, welder};
 use modbus_server::TestServer;
 use seamwright_cell::devices::{InputBits, Inputs as _, Source as _};
 use seamwright_cell::executive::{ProcessOrders, SourceReport};
@@ -35,7 +35,7 @@ fn an_exchange_costs_no_allocation() {
             inputs.exchange(k % 2 == 0, &mut bits);
             if bits.age_s < 0.05 { fresh += 1 } else { old += 1 }
         });
-        std::thread::sleep(Duration::from_millis(1));
+        std::thread::sleep(Duration::from_secs_f64(PERIOD_S));
     }
     assert_eq!(violation_count(), 0);
     assert!(fresh > 20 && old > 20 && report.starts > 1, "{fresh} {old} {report:?}");
