@@ -5,9 +5,10 @@
 
 use crate::JointPath;
 use crate::effort::SearchStage;
+use crate::follower::Follower;
 use crate::pass_clearance::pass_clearance;
 use crate::pass_motion::{Before, along_axes};
-use crate::survey::{Lack, Survey};
+use crate::survey::{Lack, Survey, range_between, range_on_path};
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Machine, Surroundings, Target};
@@ -19,8 +20,6 @@ const LEANS_DEG: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0];
 const CLEARING_LEANS_DEG: [f64; 3] = [5.0, 10.0, 15.0];
 /// Room beyond what is lacking, mm and degrees.
 const ROOM: f64 = 0.1;
-/// Most changes that are tried where axes are redundant: each takes a search.
-const MAX_SEARCHES: usize = 3;
 /// Units of effort of a survey.
 const SURVEY_WORK: u64 = 1440;
 
@@ -70,19 +69,18 @@ impl Trial<'_> {
     fn cure(&self) -> String {
         let effort = self.before.effort;
         effort.begin(SearchStage::Cure);
-        let redundant = self.is_redundant();
-        if redundant && self.machine.heads[0].is_numeric() {
-            return "no change was tried on this arrangement of axes: place the work nearer to the middle of their ranges"
+        if self.is_redundant() {
+            // Each trial would take a search.
+            return "no change was tried with redundant axes: place the work nearer to the middle of the axes' ranges"
                 .to_owned();
         }
         let lacks = self.survey(self.path).map_or_else(|_| Vec::new(), |survey| survey.lacks);
         let changes = self.changes(&lacks);
-        let most = if redundant { MAX_SEARCHES } else { changes.len() };
+        let count = changes.len() as f64;
         let found = changes
             .iter()
-            .take(most)
             .enumerate()
-            .find(|(i, change)| effort.spend(SURVEY_WORK, *i as f64 / most as f64) && self.is_cured_by(**change));
+            .find(|(i, change)| effort.spend(SURVEY_WORK, *i as f64 / count) && self.is_cured_by(**change));
         if let Some((_, change)) = found {
             return format!("{}: tried, every axis then stays in its range", change.words());
         }
@@ -99,7 +97,9 @@ impl Trial<'_> {
     }
 
     fn is_cured_by(&self, change: Change) -> bool {
-        self.survey(&Changed { path: self.path, change }).is_ok_and(|s| s.findings.iter().all(|f| f.allowed))
+        let Some(joints) = self.joints(&Changed { path: self.path, change }) else { return false };
+        range_on_path(self.machine, &joints, self.number).is_empty()
+            && range_between(self.machine, &joints, self.number).is_empty()
     }
 
     fn survey(&self, path: &dyn TorchPath) -> Result<Survey, Vec<Finding>> {
@@ -153,6 +153,7 @@ impl Trial<'_> {
         let clears = |change: &Change| {
             let moved = Changed { path: self.path, change: *change };
             self.before.effort.spend(SURVEY_WORK, 0.5)
+                && self.is_cured_by(*change)
                 && self.joints(&moved).is_some_and(|joints| pass_clearance(around, &joints, self.number).1.is_empty())
         };
         let cure = match leans.clone().filter(|_| can_lean).find(clears) {
@@ -167,11 +168,15 @@ impl Trial<'_> {
         findings.iter_mut().filter(|f| f.kind == "clearance").for_each(|f| f.cure.clone_from(&cure));
     }
 
-    /// The axes along a path within their ranges, if they can follow it.
+    /// The axes along a path, turned as the pass before asks for, if they can follow it.
     fn joints(&self, path: &dyn TorchPath) -> Option<JointPath> {
         let (free, survey) = along_axes(self.machine, path, self.pass, self.number, self.before).ok()?;
-        let follower = crate::follower::Follower { machine: self.machine, path, free: &free };
-        JointPath::new(follower, &survey.start).ok().filter(|_| survey.findings.iter().all(|f| f.allowed))
+        let mut joints = JointPath::new(Follower { machine: self.machine, path, free: &free }, &survey.start).ok()?;
+        if let Some(last) = self.before.last {
+            joints.turn_towards(self.machine, last);
+        }
+        // Ranges are looked at along the path.
+        survey.findings.iter().all(|f| f.allowed || f.kind == "range").then_some(joints)
     }
 }
 

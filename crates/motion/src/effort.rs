@@ -159,7 +159,7 @@ impl<'a> Effort<'a> {
         let far = format!("{stage} was {:.0} % done after {work} tried positions", 100.0 * part);
         let (message, cure) = match stop {
             Stop::OutOfTime(limit) => (
-                format!("no plan within {limit:.0} s of searching: {far}"),
+                format!("no plan within {limit} s of searching: {far}"),
                 "allow more time (--time-limit), hold redundant axes (spare_axes.hold), narrow their ranges in the machine file, or weld the seam in parts"
                     .to_owned(),
             ),

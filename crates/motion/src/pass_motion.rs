@@ -51,6 +51,8 @@ pub(crate) struct Before<'a> {
     pub(crate) procedure: Option<&'a Procedure>,
     /// Positions at the end of the pass before: rotary axes begin on the turn nearest to it.
     pub(crate) last: Option<&'a Joints>,
+    /// False if only a plan counts, not why there is none.
+    pub(crate) explains: bool,
     /// Obstacles that axes to spare keep clear of.
     pub(crate) clearance: Option<Clearance<'a>>,
 }
@@ -63,7 +65,7 @@ impl PassMotion {
     /// refuses to slow down), not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(None);
-        let before = Before { effort: &effort, procedure: None, last: None, clearance: None };
+        let before = Before { effort: &effort, procedure: None, last: None, explains: true, clearance: None };
         Self::plan_after(machine, path, pass, number, before)
     }
 
@@ -260,7 +262,7 @@ fn with_best_freedom<'m>(
     let others = head.chain.axes().iter().filter(|&axis| !machine.free().has(axis));
     for other in others.filter_map(|axis| machine.freeing(held.with(axis))) {
         before.effort.check(number, path.length())?;
-        match along_axes(&other, path, pass, number, before) {
+        match along_axes(&other, path, pass, number, Before { explains: false, ..before }) {
             Ok(found) if is_good(&found) => return Ok((Cow::Owned(other), found)),
             _ => {}
         }
@@ -285,6 +287,7 @@ pub(crate) fn along_axes(
         wishes: &pass.spare_axes,
         clearance: before.clearance,
         positions: before.procedure.and_then(|p| AllowedPositions::of(p, line, pass, number)),
+        explains: before.explains,
     };
     let free = resolve_within(before.effort, machine, line, aim, number)?;
     before.effort.begin(SearchStage::Reach);
@@ -324,7 +327,7 @@ fn not_smooth(machine: &Machine, s: f64, pass: usize) -> Finding {
         pass,
         from_mm: s,
         to_mm: s,
-        cure: "change the torch angles a little or place the work otherwise".to_owned(),
+        cure: "not tried: other torch angles or another placement of the work may help".to_owned(),
         allowed: false,
     }
 }

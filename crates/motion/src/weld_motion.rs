@@ -79,7 +79,13 @@ impl WeldMotion {
         for (i, &(path, pass)) in passes.iter().enumerate() {
             effort.begin_pass(i + 1, passes.len());
             let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
-            let before = Before { effort: &effort, procedure: terms.procedure, last: last.as_ref(), clearance: None };
+            let before = Before {
+                effort: &effort,
+                procedure: terms.procedure,
+                last: last.as_ref(),
+                explains: true,
+                clearance: None,
+            };
             let (motion, clearance) = one(machine, around, (path, pass, i + 1), before).map_err(|mut f| {
                 f.extend(planned.findings.clone());
                 f
@@ -181,7 +187,7 @@ impl WeldMotion {
                 self.air.push(planned);
             }
             Err(blocked) => {
-                let cure = "move the part, the fixture or home, or give the weld another start";
+                let cure = "not tried: moving the part, the fixture or home, or another start of the weld may help";
                 self.findings.push(finding("air", format!("the air move {what}: {blocked}"), cure, false));
             }
         }
@@ -296,8 +302,9 @@ fn one(
     before: Before,
 ) -> Result<(PassMotion, Option<PassClearance>), Vec<Finding>> {
     let plan = |clearance| {
-        let Before { effort, procedure, last, .. } = before;
-        PassMotion::plan_after(machine, path, pass, number, Before { effort, procedure, last, clearance })
+        let Before { effort, procedure, last, explains, .. } = before;
+        let before = Before { effort, procedure, last, explains, clearance };
+        PassMotion::plan_after(machine, path, pass, number, before)
     };
     let motion = plan(None)?;
     let (clearance, findings) = pass_clearance(around, &motion.path, number);

@@ -64,3 +64,37 @@ impl Watch for Clocked<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::failure::Failure;
+    use crate::load::load;
+    use std::path::Path;
+
+    /// An arm: its search takes a while.
+    const ARM: &str = "../../tests/data/field-trial/u3.toml";
+
+    #[test]
+    fn a_plan_that_is_no_longer_wanted_is_cancelled() {
+        let loaded = load(Path::new(ARM)).unwrap();
+        let cancel = AtomicBool::new(false);
+        let looks = Cell::new(0u32);
+        let show = |_: &SearchProgress| {
+            looks.set(looks.get() + 1);
+            cancel.store(looks.get() >= 3, Ordering::Relaxed);
+        };
+        let planning = Planning { limit: None, cancel: Some(&cancel), progress: Some(&show) };
+        let planned = loaded.try_plan_under(&loaded.machine, &planning);
+        assert!(matches!(planned, Err(Failure::Cancelled)));
+        assert_eq!(looks.get(), 3);
+    }
+
+    #[test]
+    fn a_plan_that_takes_too_long_ends_with_a_finding() {
+        let loaded = load(Path::new(ARM)).unwrap();
+        let planning = Planning { limit: Some(Duration::from_millis(1)), ..Planning::default() };
+        let Err(findings) = loaded.try_plan_under(&loaded.machine, &planning).unwrap() else { panic!("planned") };
+        assert!(findings.iter().any(|f| f.kind == "search" && f.message.contains("no plan within")), "{findings:?}");
+    }
+}

@@ -215,3 +215,22 @@ fn posted_programs_say_what_they_are() {
     };
     assert!(blocks("0.1") < blocks("0.01") && blocks("0.01") < blocks("0.001"));
 }
+
+/// An arm without closed form: the search says how far it came when its time is over.
+#[test]
+fn a_search_ends_when_its_time_is_over() {
+    let job = root().join("tests/data/field-trial/u3.toml").display().to_string();
+    let output = run(&["check", &job, "--time-limit", "0.001"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains("finding (search): no plan within 0.001 s") && text.contains("--time-limit"), "{text}");
+    assert_eq!(run(&["check", &job, "--time-limit", "0"]).status.code(), Some(2));
+    assert_eq!(run(&["plan", &job, "-o", "never", "--time-limit", "nan"]).status.code(), Some(2));
+}
+
+#[test]
+fn a_far_point_is_out_of_reach_and_no_axis_of_the_wrist_is_blamed() {
+    let far = "x_mm,y_mm,z_mm,ax,ay,az\n1e9,0,0,0,1,-0.3\n";
+    let text = String::from_utf8(run_with(&["kinematics", "torch-5axis", "--inverse"], far).stdout).unwrap();
+    assert!(text.contains("out of reach by 99") && text.contains("axis x"), "{text}");
+}

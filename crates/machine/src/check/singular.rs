@@ -19,6 +19,12 @@ const MOVED: (f64, f64) = (0.05, 0.05);
 /// A place depends on an axis if moving it makes the conditioning better than this.
 const DEPENDS: f64 = 1e-4;
 
+/// Positions at which a place that one axis makes alone must be singular too, and the conditioning that is singular there.
+const ELSEWHERE: u32 = 3;
+const NEARLY: f64 = 1e-3;
+/// Positions of an axis nearer to each other than this are one singular place, mm or degrees.
+const APART: f64 = 0.5;
+
 /// Where some axis is left free, and how near to it welding is possible.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Singularities {
@@ -128,7 +134,11 @@ fn grouped(places: Vec<SingularPlace>) -> Vec<SingularPlace> {
     for place in places {
         match groups.iter_mut().find(|group| group.at.len() == 1 && is_one_kind(group, &place)) {
             Some(group) => {
-                group.also.extend(place.at.first().map(|at| at.1));
+                let known = |v: f64| std::iter::once(&group.at[0].1).chain(&group.also).any(|k| (k - v).abs() < APART);
+                let value = place.at[0].1;
+                if !known(value) {
+                    group.also.push(value);
+                }
                 let by = |margin: &Option<(f64, String)>| margin.as_ref().map_or(0.0, |m| m.0);
                 if by(&place.margin) > by(&group.margin) {
                     group.margin = place.margin;
@@ -141,6 +151,9 @@ fn grouped(places: Vec<SingularPlace>) -> Vec<SingularPlace> {
 }
 
 fn describe(task: &Task, q: &Joints) -> SingularPlace {
+    if task.is_arm() {
+        return of_arm(task, q);
+    }
     let machine = task.machine;
     let lost = task.lost(q);
     let greatest = |rotary: bool| {
@@ -157,9 +170,7 @@ fn describe(task: &Task, q: &Joints) -> SingularPlace {
     let involved: Vec<usize> = (0..lost.len()).filter(part).collect();
     let (rotary, linear): (Vec<usize>, Vec<usize>) = involved.into_iter().partition(|&i| task.is_rotary(i));
     let defining: Vec<usize> = machine.heads[0].chain.axes().iter().filter(|&axis| depends(task, q, axis)).collect();
-    let what = if task.is_arm() {
-        of_arm(task, &defining, &rotary)
-    } else if task.axes.len() < 5 && task.point_conditioning(q) <= SINGULAR {
+    let what = if task.axes.len() < 5 && task.point_conditioning(q) <= SINGULAR {
         point_lost(task, q)
     } else {
         freedom_lost(task, q, &rotary, &linear)
@@ -222,22 +233,35 @@ fn freedom_lost(task: &Task, q: &Joints, rotary: &[usize], linear: &[usize]) -> 
     }
 }
 
-/// The singular place of a six-axis arm by its usual name: `defining` axes make it, the decided axes `rotary` undo one
-/// another there.
-fn of_arm(task: &Task, defining: &[usize], rotary: &[usize]) -> String {
-    let names: Vec<&str> = rotary.iter().map(|&i| task.name(i)).collect();
-    let [j1, _, j3, j4, j5, j6] = [0, 1, 2, 3, 4, 5].map(|i| task.axes[i]);
-    let name = |axis: usize| &task.machine.axes[axis].name;
-    let undo = format!("axes {} undo one another", names.join(", "));
-    match defining {
-        [axis] if *axis == j5 => format!("wrist singularity, axes {} and {} are parallel", name(j4), name(j6)),
-        [axis] if *axis == j3 => format!("elbow singularity, the arm is stretched or folded: {undo}"),
-        // The arm's own axes over its first one: where the wrist is, is made by several of them.
-        [_, _, ..] if !defining.contains(&j1) && !defining.contains(&j6) => {
-            format!("shoulder singularity, the wrist is over axis {}", name(j1))
-        }
-        _ => undo,
+/// The singular place of a six-axis arm by its usual name. Wrist and elbow are singular by one axis alone, wherever the
+/// others are; what is left is the shoulder's.
+fn of_arm(task: &Task, q: &Joints) -> SingularPlace {
+    let machine = task.machine;
+    let [j1, j2, j3, j4, j5, j6] = [0, 1, 2, 3, 4, 5].map(|i| task.axes[i]);
+    let name = |axis: usize| machine.axes[axis].name.clone();
+    let alone = |axis: usize| {
+        (1..=ELSEWHERE).all(|k| {
+            let mut elsewhere = machine.spread(k);
+            elsewhere[axis] = q[axis];
+            task.conditioning(&elsewhere) < NEARLY
+        })
+    };
+    let place = |what: String, by: &[usize], margin| SingularPlace {
+        what,
+        at: by.iter().map(|&axis| (name(axis), machine.axes[axis].to_file(q[axis]))).collect(),
+        also: Vec::new(),
+        family: by.len() > 1,
+        margin,
+    };
+    if alone(j5) {
+        let what = format!("wrist singularity: axes {} and {} are parallel", name(j4), name(j6));
+        return place(what, &[j5], margin(task, q, j5));
     }
+    if alone(j3) {
+        let what = "elbow singularity: the arm is stretched or folded".to_owned();
+        return place(what, &[j3], margin(task, q, j3));
+    }
+    place(format!("shoulder singularity: the wrist is over axis {}", name(j1)), &[j2, j3], None)
 }
 
 /// A way that the tip of a machine with few axes cannot go, in words.

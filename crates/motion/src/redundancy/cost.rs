@@ -83,7 +83,7 @@ pub(crate) struct Cost<'a> {
 impl<'a> Cost<'a> {
     pub(crate) fn new(
         machine: &'a Machine,
-        Aim { speed, wishes, clearance, positions }: Aim<'a>,
+        Aim { speed, wishes, clearance, positions, .. }: Aim<'a>,
         (looked_for, still): (AxisSet, AxisSet),
         base: &Joints,
     ) -> Self {

@@ -58,7 +58,7 @@ fn not_smooth(task: &Task, pass: usize) -> Finding {
         pass,
         from_mm: 0.0,
         to_mm: task.path.length(),
-        cure: "change the torch angles a little or place the work otherwise".to_owned(),
+        cure: "not tried: other torch angles or another placement of the work may help".to_owned(),
         allowed: false,
     }
 }
@@ -140,7 +140,7 @@ fn jump(task: &Task, graph: &Graph, pass: usize) -> Option<Finding> {
         pass,
         from_mm,
         to_mm,
-        cure: "weld the seam in parts (start.end_phi_deg), start elsewhere, or place the work otherwise".to_owned(),
+        cure: "not tried: welding the seam in parts (start.end_phi_deg), another start or another placement of the work may help".to_owned(),
         allowed: false,
     })
 }

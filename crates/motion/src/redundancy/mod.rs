@@ -164,6 +164,8 @@ pub(crate) struct Aim<'a> {
     pub(crate) clearance: Option<Clearance<'a>>,
     /// Welding positions that come before those preferred.
     pub(crate) positions: Option<AllowedPositions<'a>>,
+    /// False if nobody asks why there is no way: without a closed form it takes long to find out.
+    pub(crate) explains: bool,
 }
 
 /// The free axes of `machine` along `path`, welded at up to `speed` mm/s: continuous, twice continuously
@@ -181,7 +183,7 @@ pub fn resolve(
     pass: usize,
 ) -> Result<FreeAxes, Vec<Finding>> {
     let machine = holding(machine, wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
-    let aim = Aim { speed, wishes, clearance, positions: None };
+    let aim = Aim { speed, wishes, clearance, positions: None, explains: true };
     resolve_within(&Effort::new(None), &machine, path, aim, pass)
 }
 
@@ -211,7 +213,7 @@ pub(crate) fn resolve_within(
         return Ok(FreeAxes { length: path.length(), still, moving: Vec::new(), start: None });
     }
     let alike = task.search(&still, pass)?;
-    if alike.inside || task.telling_turns() > MAX_TURNS {
+    if alike.inside || task.winding == task.endless() || task.telling_turns() > MAX_TURNS {
         return Ok(alike.free);
     }
     let apart = Task { winding: task.endless(), ..task };
@@ -237,6 +239,8 @@ struct Task<'a> {
     base: Joints,
     /// Axes whose positions a whole turn apart are one.
     winding: AxisSet,
+    /// See [`Aim::explains`].
+    explains: bool,
     cost: Cost<'a>,
 }
 
@@ -270,7 +274,7 @@ impl<'a> Task<'a> {
             a.kind == AxisKind::Rotary && wide && (a.range.is_none() || a.pitch_error.is_none())
         });
         let winding = winding.collect();
-        Self { effort, machine, path, free: looked_for.iter().collect(), base, winding, cost }
+        Self { effort, machine, path, free: looked_for.iter().collect(), base, winding, explains: aim.explains, cost }
     }
 
     /// A quick search, then a thorough one if that found nothing inside the ranges.
@@ -299,6 +303,7 @@ impl<'a> Task<'a> {
         }
         match (best, last) {
             (Some(found), _) => Ok(found),
+            (None, Some(_)) if !self.explains => Err(Vec::new()),
             (None, Some(graph)) => {
                 let findings = explain::no_way(self, &graph, pass);
                 self.effort.check(pass, self.path.length())?;

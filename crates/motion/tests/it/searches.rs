@@ -10,6 +10,8 @@ const ARM_JOB: &str = include_str!("../../../../tests/data/field-trial/u3.toml")
 const ARM: &str = include_str!("../../../../tests/data/field-trial/ur10e_near.toml");
 const TABLE_JOB: &str = include_str!("../../../../tests/data/field-trial/u1.toml");
 const ARM_AND_TABLE: &str = include_str!("../../../../tests/data/field-trial/ur10e-pos.toml");
+/// With the table level by wish.
+const LEVEL_JOB: &str = include_str!("../../../../tests/data/field-trial/u1h.toml");
 const OTHER_JOB: &str = include_str!("../../../../tests/data/field-trial/i1.toml");
 const OTHER_ARM: &str = include_str!("../../../../tests/data/field-trial/irb.toml");
 
@@ -48,9 +50,12 @@ const BOUND: u64 = 2_000_000;
 /// Arms have no closed form here: before, a pass took hundreds of millions of starts of Newton's method.
 #[test]
 fn the_search_for_an_arm_ends_after_a_bounded_number_of_trials() {
-    for (name, job, machine) in
-        [("arm", ARM_JOB, ARM), ("arm and table", TABLE_JOB, ARM_AND_TABLE), ("other arm", OTHER_JOB, OTHER_ARM)]
-    {
+    for (name, job, machine) in [
+        ("arm", ARM_JOB, ARM),
+        ("arm and table", TABLE_JOB, ARM_AND_TABLE),
+        ("arm and level table", LEVEL_JOB, ARM_AND_TABLE),
+        ("other arm", OTHER_JOB, OTHER_ARM),
+    ] {
         let (planned, machine, work) = plan(job, machine, BOUND);
         let motion = planned.unwrap_or_else(|f| panic!("{name}: {f:#?}"));
         println!("{name}: {work} units, {:.1} s from home to home", motion.total_s());
