@@ -21,6 +21,8 @@ const STEADY_S: f64 = 0.02;
 const FEWEST: f64 = 6.0;
 /// Places checked within a block.
 const CHECKS: u32 = 4;
+/// Parts of a block in which the tip's speed is looked at: at the ends of a leg it changes quickly.
+const SPEED_PARTS: u32 = 16;
 /// What may be used of the tolerance at these places.
 const USED: f64 = 0.95;
 /// How far a block may run ahead of the plan or behind it, as a multiple of the tolerance.
@@ -139,9 +141,9 @@ impl Plan<'_> {
             let (q, tip) = split(&row);
             if self.cutting.level == Level::Tip { tip } else { self.machine.forward(&q).point }
         };
-        let part = 1.0 / f64::from(CHECKS);
+        let part = 1.0 / f64::from(SPEED_PARTS);
         (0..=last + 1).all(|k| {
-            (0..CHECKS).all(|c| {
+            (0..SPEED_PARTS).all(|c| {
                 let parts = [c, c + 1].map(|c| f64::from(c) * part);
                 let way = tip(k, parts[0]).distance(tip(k, parts[1]));
                 let times = parts.map(|f| begin + (k as f64 + f) * step);
