@@ -1,6 +1,6 @@
 //! Findings that say the same at several places, gathered so that they are read once.
 
-use crate::Finding;
+use crate::{Finding, Severity};
 
 /// Path lengths within this distance are shown alike, mm.
 const SAME_MM: f64 = 5e-4;
@@ -10,6 +10,10 @@ const SAME_MM: f64 = 5e-4;
 pub struct FindingGroup<'a> {
     /// The first of them.
     pub finding: &'a Finding,
+    /// What all of them say; a number that differs from one to another is a range, as `1.69–5.60`.
+    pub message: String,
+    /// What would cure them, in the same way.
+    pub cure: String,
     /// Where they were found, in their order.
     pub places: Vec<FindingPlace>,
 }
@@ -27,10 +31,12 @@ pub struct FindingPlace {
     pub to_mm: f64,
 }
 
-/// Gathers findings of the same kind, message and cure: errors first, then warnings, then notes, each in the order in
+/// Gathers findings of the same kind that say the same: errors first, then warnings, then notes, each in the order in
 /// which they were first found.
+///
+/// Warnings and notes say the same also if their numbers differ; each error keeps its own, as each has to be cured.
 pub fn group_findings(findings: &[Finding]) -> Vec<FindingGroup<'_>> {
-    let mut groups: Vec<FindingGroup<'_>> = Vec::new();
+    let mut groups: Vec<(FindingGroup<'_>, Vec<&Finding>)> = Vec::new();
     for finding in findings {
         let place = FindingPlace {
             first_pass: finding.pass,
@@ -38,17 +44,110 @@ pub fn group_findings(findings: &[Finding]) -> Vec<FindingGroup<'_>> {
             from_mm: finding.from_mm,
             to_mm: finding.to_mm,
         };
-        match groups.iter_mut().find(|group| says_the_same(group.finding, finding)) {
-            Some(group) => group.add(place),
-            None => groups.push(FindingGroup { finding, places: vec![place] }),
+        match groups.iter_mut().find(|(group, _)| says_the_same(group.finding, finding)) {
+            Some((group, members)) => {
+                group.add(place);
+                members.push(finding);
+            }
+            None => {
+                let (message, cure) = (String::new(), String::new());
+                groups.push((FindingGroup { finding, message, cure, places: vec![place] }, vec![finding]));
+            }
         }
     }
+    for (group, members) in &mut groups {
+        group.message = ranged(members.iter().map(|f| f.message.as_str()));
+        group.cure = ranged(members.iter().map(|f| f.cure.as_str()));
+    }
+    let mut groups: Vec<FindingGroup<'_>> = groups.into_iter().map(|(group, _)| group).collect();
     groups.sort_by_key(|group| std::cmp::Reverse(group.finding.severity()));
     groups
 }
 
 fn says_the_same(a: &Finding, b: &Finding) -> bool {
-    (a.kind, a.allowed, &a.message, &a.cure) == (b.kind, b.allowed, &b.message, &b.cure)
+    let same = |a: &str, b: &str| match b.is_empty() || a == b {
+        true => a == b,
+        false => pieces(a).map(Piece::shape).eq(pieces(b).map(Piece::shape)),
+    };
+    let exactly = a.severity() == Severity::Error;
+    (a.kind, a.allowed) == (b.kind, b.allowed)
+        && if exactly {
+            (&a.message, &a.cure) == (&b.message, &b.cure)
+        } else {
+            same(&a.message, &b.message) && same(&a.cure, &b.cure)
+        }
+}
+
+/// A piece of a sentence.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Piece<'a> {
+    /// A number that stands alone; digits in names like `saddle-4axis` or `j1` are text.
+    Number(&'a str),
+    Text(&'a str),
+}
+
+impl<'a> Piece<'a> {
+    /// The piece without the value of a number.
+    fn shape(self) -> Option<&'a str> {
+        match self {
+            Self::Number(_) => None,
+            Self::Text(text) => Some(text),
+        }
+    }
+
+    fn text(self) -> &'a str {
+        match self {
+            Self::Number(text) | Self::Text(text) => text,
+        }
+    }
+}
+
+/// Cuts a sentence into numbers and what stands between them.
+fn pieces(sentence: &str) -> impl Iterator<Item = Piece<'_>> {
+    let mut rest = sentence;
+    let mut before = ' ';
+    std::iter::from_fn(move || {
+        let first = rest.chars().next()?;
+        let number = number_at(rest).filter(|_| !before.is_alphanumeric() && !['_', '-', '.'].contains(&before));
+        let length = number.unwrap_or_else(|| {
+            // Up to where the next number could begin.
+            let start = if first.is_ascii_digit() { digits(rest) } else { first.len_utf8() };
+            rest[start..].find(|c: char| c.is_ascii_digit()).map_or(rest.len(), |at| start + at)
+        });
+        let (piece, after) = rest.split_at(length);
+        before = piece.chars().next_back().unwrap_or(before);
+        rest = after;
+        Some(if number.is_some() { Piece::Number(piece) } else { Piece::Text(piece) })
+    })
+}
+
+fn digits(text: &str) -> usize {
+    text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len())
+}
+
+/// Length of the number at the start of `text` that no letter follows.
+fn number_at(text: &str) -> Option<usize> {
+    let whole = digits(text);
+    let fraction = text[whole..].strip_prefix('.').map_or(0, digits);
+    let length = whole + if fraction > 0 { fraction + 1 } else { 0 };
+    let follows = text[length..].chars().next();
+    (whole > 0 && !follows.is_some_and(|c| c.is_alphanumeric() || c == '_')).then_some(length)
+}
+
+/// The sentence of several that differ in their numbers, with ranges where they differ.
+fn ranged<'a>(sentences: impl Iterator<Item = &'a str> + Clone) -> String {
+    let Some(first) = sentences.clone().next() else { return String::new() };
+    let range = |(i, piece): (usize, Piece<'_>)| {
+        let all = sentences.clone().filter_map(|sentence| pieces(sentence).nth(i)).map(Piece::text);
+        let value = |text: &&str| text.parse::<f64>().unwrap_or(0.0);
+        let by_value = |a: &&str, b: &&str| value(a).total_cmp(&value(b));
+        let ends = all.clone().min_by(by_value).zip(all.max_by(by_value));
+        match (piece, ends) {
+            (Piece::Number(_), Some((least, greatest))) if least != greatest => format!("{least}–{greatest}"),
+            _ => piece.text().to_owned(),
+        }
+    };
+    pieces(first).enumerate().map(range).collect()
 }
 
 impl FindingGroup<'_> {
@@ -88,10 +187,43 @@ mod tests {
         findings.push(note("same", 20, (0.0, 0.0)));
         findings.push(note("other", 14, (0.0, 0.0)));
         let groups = group_findings(&findings);
-        assert_eq!(groups.iter().map(|g| g.finding.message.as_str()).collect::<Vec<_>>(), ["same", "other"]);
+        assert_eq!(groups.iter().map(|g| g.message.as_str()).collect::<Vec<_>>(), ["same", "other"]);
         let place = |first_pass, last_pass, from_mm, to_mm| FindingPlace { first_pass, last_pass, from_mm, to_mm };
         assert_eq!(groups[0].places, [place(2, 14, 0.0, 0.0), place(2, 2, 5.0, 7.0), place(20, 20, 0.0, 0.0)]);
         assert!(groups[0].places[0].is_point() && !groups[0].places[1].is_point());
+    }
+
+    #[test]
+    fn numbers_that_differ_are_ranges() {
+        let unwinds = |by: &str, pass: usize| {
+            let message =
+                format!("axis j1 of saddle-4axis unwinds by {by} deg from pass {pass} to pass {}, v2.", pass + 1);
+            note(&message, pass, (0.0, 0.0))
+        };
+        let findings = [unwinds("318.2", 4), unwinds("711.0", 5), unwinds("35.1", 9)];
+        let groups = group_findings(&findings);
+        let message = "axis j1 of saddle-4axis unwinds by 35.1–711.0 deg from pass 4–9 to pass 5–10, v2.";
+        assert_eq!((groups.len(), groups[0].message.as_str()), (1, message));
+        // Another axis is another matter, and so is another machine.
+        let other = [note("axis j1 turns", 1, (0.0, 0.0)), note("axis j2 turns", 1, (0.0, 0.0))];
+        assert_eq!(group_findings(&other).len(), 2);
+        let other = [note("of saddle-4axis", 1, (0.0, 0.0)), note("of saddle-5axis", 1, (0.0, 0.0))];
+        assert_eq!(group_findings(&other).len(), 2);
+        // One that stands alone keeps every character.
+        let alone = note("at 3.5, 7. Then -2 of 1e-3: 12 %, größer (4)", 1, (0.0, 0.0));
+        assert_eq!(group_findings(std::slice::from_ref(&alone))[0].message, alone.message);
+    }
+
+    #[test]
+    fn errors_keep_their_numbers() {
+        let error = |speed: &str| Finding {
+            allowed: false,
+            cure: format!("ask for {speed}"),
+            ..note(&format!("allows {speed} mm/s"), 1, (0.0, 1.0))
+        };
+        let findings = [error("4.1"), error("3.9"), error("4.1")];
+        let groups = group_findings(&findings);
+        assert_eq!(groups.iter().map(|g| g.cure.as_str()).collect::<Vec<_>>(), ["ask for 4.1", "ask for 3.9"]);
     }
 
     #[test]
@@ -100,8 +232,8 @@ mod tests {
         let warning = Finding { cure: "do".to_owned(), message: "warning".to_owned(), ..note.clone() };
         let error = Finding { allowed: false, message: "error".to_owned(), ..note.clone() };
         let findings = [note.clone(), warning, error, note];
-        let messages: Vec<&str> = group_findings(&findings).iter().map(|g| g.finding.message.as_str()).collect();
-        assert_eq!(messages, ["error", "warning", "note"]);
+        let groups = group_findings(&findings);
+        assert_eq!(groups.iter().map(|g| g.message.as_str()).collect::<Vec<_>>(), ["error", "warning", "note"]);
     }
 
     #[test]

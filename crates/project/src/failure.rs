@@ -37,10 +37,10 @@ pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<
     }
     for group in &groups {
         let f = group.finding;
-        writeln!(out, "{} ({}): {}", severity_word(f), f.kind, f.message)?;
+        writeln!(out, "{} ({}): {}", severity_word(f), f.kind, group.message)?;
         writeln!(out, "   where: {}", places_text(group))?;
-        if !f.cure.is_empty() {
-            writeln!(out, "   cure: {}", f.cure)?;
+        if !group.cure.is_empty() {
+            writeln!(out, "   cure: {}", group.cure)?;
         }
     }
     Ok(())

@@ -123,7 +123,7 @@ describe('sentences of plans', () => {
   test('are found again with what stands in them, also one in another', () => {
     const slow = 'axis theta cannot keep 10.000 mm/s: its acceleration limit of 20.000 deg/s^2 allows 9.412 mm/s';
     expect(sentence(slow, 'de')).toBe('Achse theta kann 10.000 mm/s nicht halten: ihre Grenze für Beschleunigung von 20.000 deg/s^2 erlaubt 9.412 mm/s');
-    expect(sentence('the air move from pass 1 to pass 2: wire guide runs into shell (least 5 mm)', 'de')).toBe('der Luftweg von Lage 1 zu Lage 2: wire guide stößt gegen shell (mindestens 5 mm)');
+    expect(sentence('the air move from pass 1 to pass 2: wire guide collides with shell (part) (at least 5 mm)', 'de')).toBe('der Luftweg von Lage 1 zu Lage 2: wire guide stößt gegen shell (Werkstück) (mindestens 5 mm)');
     expect(sentence('the heat input is 1.9 kJ/mm at s = 3.000 mm; WPS-1 allows (fill) 0.8 to 1.1', 'de')).toBe('Wärmeeinbringung ist 1.9 kJ/mm bei s = 3.000 mm; WPS-1 erlaubt (fill) 0.8 bis 1.1');
     expect(sentence('ask for less speed there; or use a procedure that is qualified for it', 'uk')).toBe('задайте там меншу швидкість; або візьміть технологію, яка це дозволяє');
     expect(sentence('saddle: the axes cannot reach the point; it is 3.0000 mm off', 'zh')).toBe('saddle: 各轴到不了该点：差 3.0000 mm');

@@ -204,7 +204,7 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     let _ = writeln!(text, "  air moves    {:.2} s, home to home {:.2} s", r.air_s, r.total_s);
     for group in group_findings(&r.findings) {
         let word = severity_word(group.finding);
-        let _ = writeln!(text, "  {word:<12} {} ({})", group.finding.message, places_text(&group));
+        let _ = writeln!(text, "  {word:<12} {} ({})", group.message, places_text(&group));
     }
     for line in written_text(paths) {
         let _ = writeln!(text, "  wrote        {line}");

@@ -30,7 +30,8 @@ fn table(page: &str, caption: &str) -> Vec<Vec<String>> {
         page.split("<table>").find(|table| table.split("</caption>").next().unwrap().contains(caption)).unwrap();
     let rows = table.split("</table>").next().unwrap().split("<tr>").skip(1);
     let cells = |row: &str| {
-        let cells = row.split("</t").filter_map(|cell| cell.rsplit_once('>').map(|(_, text)| text.to_owned()));
+        let cells =
+            row.split("</t").filter_map(|cell| cell.rsplit_once('>').map(|(_, text)| text.replace('\u{2060}', "")));
         cells.collect::<Vec<_>>()
     };
     rows.map(cells).collect()
@@ -83,7 +84,7 @@ fn each_pass_has_its_row_and_none_stands_for_the_weld() {
     let passes = report["passes"].as_array().unwrap();
     let rows = table(&page, "What each pass is welded with");
     let column = |name: &str| rows[0].iter().position(|head| head == name).unwrap_or_else(|| panic!("{:?}", rows[0]));
-    let (feed, current) = (column("wire_feed_m_min"), column("current_a"));
+    let (feed, current) = (column("Wire feed, m/min"), column("Current, A"));
     // Passes that are alike share a row.
     let numbers = |text: &str| {
         let ends: Vec<usize> = text.split(" to ").map(|n| n.parse().unwrap()).collect();
@@ -108,29 +109,23 @@ fn each_pass_has_its_row_and_none_stands_for_the_weld() {
 fn what_is_found_in_many_passes_is_said_once() {
     let folder = tempfile::tempdir().unwrap();
     let (summary, report, page) = planned(folder.path());
-    let mut messages: Vec<&str> =
+    let messages: Vec<&str> =
         report["findings"].as_array().unwrap().iter().map(|f| f["message"].as_str().unwrap()).collect();
     let all = messages.len();
-    messages.sort_unstable();
-    messages.dedup();
-    assert!(messages.len() < all, "the example has no finding twice: {messages:?}");
-    for message in messages {
-        assert_eq!(summary.matches(message).count(), 1, "{message}: {summary}");
+    // The same sentence is one that differs in numbers alone: the first words tell it from the others here.
+    let start = |message: &&str| message.split_whitespace().take(3).collect::<Vec<_>>().join(" ");
+    let mut starts: Vec<String> = messages.iter().map(start).collect();
+    starts.sort_unstable();
+    starts.dedup();
+    assert!(2 * starts.len() < all, "the example finds nothing twice: {messages:?}");
+    for start in &starts {
+        assert_eq!(summary.matches(start.as_str()).count(), 1, "{start}: {summary}");
     }
-    assert_eq!(page.matches("<li>").count(), report_groups(&report), "{}", report["findings"]);
+    assert_eq!(page.matches("<li>").count(), starts.len(), "{starts:?}");
     for text in [&summary, &page] {
         assert!(!text.to_lowercase().contains("none needed"));
     }
     // One line says what was written, and the page is one that somebody reads.
     assert_eq!(summary.matches("wrote").count(), 1, "{summary}");
     assert!(page.matches("<figure").count() < 40, "{}", page.matches("<figure").count());
-}
-
-/// Findings that differ in kind, message or cure.
-fn report_groups(report: &Value) -> usize {
-    let key = |f: &Value| ["kind", "message", "cure", "allowed"].map(|key| f[key].to_string());
-    let mut keys: Vec<_> = report["findings"].as_array().unwrap().iter().map(key).collect();
-    keys.sort();
-    keys.dedup();
-    keys.len()
 }

@@ -274,9 +274,9 @@ fn finding(group: &FindingGroup<'_>, several: bool, language: Language) -> Findi
             seamwright_program::Severity::Warning => Severity::Warning,
             seamwright_program::Severity::Note => Severity::Note,
         },
-        text: said::sentence(language, &f.message),
+        text: said::sentence(language, &group.message),
         place: places.join("; "),
-        cure: said::sentence(language, &f.cure),
+        cure: said::sentence(language, &group.cure),
     }
 }
 

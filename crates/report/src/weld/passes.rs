@@ -80,7 +80,8 @@ impl WeldReport {
         typical
     }
 
-    /// What each pass is welded with, and what it comes to; passes that are alike in one row.
+    /// What each pass is welded with, and what it comes to; passes that are alike in one row. Times of arc and gas are in
+    /// the table of the order: all of it would be wider than a page.
     fn passes_table(&self, language: Language) -> Block {
         let say = |text: &'static str| language.say(text).to_owned();
         let mut names: Vec<&String> = self.passes.iter().flat_map(|pass| pass.process_range.keys()).collect();
@@ -89,9 +90,10 @@ impl WeldReport {
         let mut columns: Vec<Column<'_>> = Vec::new();
         for name in names {
             let value = move |pass: &PassFigures| optional(pass.process_range.get(name).map(|r| range(*r, language)));
-            columns.push((said::named_value(language, name), Box::new(value)));
+            columns.push((said::value(language, name), Box::new(value)));
         }
-        let speed = |pass: &PassFigures| range((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s), language);
+        let speed =
+            |pass: &PassFigures| short_range((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s), language);
         columns.push((say("Speed, mm/s"), Box::new(speed)));
         if self.passes.iter().any(|pass| pass.plan.arc_energy_kj_mm.is_some()) {
             let energy = |pass: &PassFigures| optional(pass.plan.arc_energy_kj_mm.map(|e| short_range(e, language)));
@@ -103,7 +105,6 @@ impl WeldReport {
         }
         columns.push((say("Length, mm"), Box::new(|pass| number(pass.plan.length_mm))));
         columns.push((say("Travel, s"), Box::new(|pass| number(pass.plan.weld_s))));
-        columns.push((say("Arc on, s"), Box::new(|pass| number(pass.plan.arc_on_s))));
         if self.totals.wire_m.is_some_and(|wire| wire > 0.0) {
             columns.push((say("Wire, m"), Box::new(|pass| optional(pass.wire_m.map(|m| format_number(m, 3))))));
         }
@@ -116,12 +117,8 @@ impl WeldReport {
     /// The last row of the table of passes: sums under the columns that have some.
     fn sums(&self, table: &Table, columns: usize, language: Language) -> Vec<String> {
         let totals = &self.totals;
-        let sums = [
-            ("Length, mm", Some(totals.length_mm)),
-            ("Travel, s", Some(totals.weld_s)),
-            ("Arc on, s", Some(totals.arc_on_s)),
-            ("Wire, m", totals.wire_m),
-        ];
+        let sums =
+            [("Length, mm", Some(totals.length_mm)), ("Travel, s", Some(totals.weld_s)), ("Wire, m", totals.wire_m)];
         let sum = |head: &String| {
             let found = sums.iter().find(|(name, _)| language.say(name) == head);
             found.and_then(|(_, value)| *value).map_or_else(String::new, number)
