@@ -147,10 +147,12 @@ fn the_process_that_plans_is_bounded() {
         line.split_whitespace().next().unwrap().parse::<u64>().ok()
     };
     // It waits for its question, once it is bounded.
-    while limit("Max core file size") != Some(0) {
+    let begin = std::time::Instant::now();
+    let bounds = || (limit("Max address space"), limit("Max cpu time"));
+    while bounds() != (Some(2 << 30), Some(600)) {
+        assert!(begin.elapsed() < std::time::Duration::from_secs(60), "{:?}", bounds());
         std::thread::sleep(std::time::Duration::from_millis(10));
     }
-    assert_eq!((limit("Max address space"), limit("Max cpu time")), (Some(2 << 30), Some(600)));
     child.stdin.take().unwrap().write_all(br#"{"kind":"draft","text":"title = 5"}"#).unwrap();
     let answer = child.wait_with_output().unwrap();
     let said = String::from_utf8_lossy(&answer.stdout).into_owned();

@@ -144,6 +144,8 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     page.up().await;
     assert_eq!(page.refused(open.clone()).await, "work");
     short_ring(&served, &owner, "ebw-7axis").await;
+    // Loading takes longer than the page may be silent where the computer is busy.
+    page.control().await;
     let (_, work) = bench.ask(owner.request("GET", "/api/work", None)).await;
     let path = work["passes"][0]["path"].as_array().unwrap().clone();
     let tip = |i: usize| path[i]["tip"].clone();
