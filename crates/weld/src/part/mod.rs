@@ -135,7 +135,11 @@ impl Making<'_> {
             Impossible::Document(e) => e,
             Impossible::Solid(_) => {
                 let message = format!("the part made from the seam: {e}");
-                file.error_at("seam", message, "sizes up to 1e7 mm, those of [part] too; or [[part.solids]] with part.replace = true")
+                file.error_at(
+                    "seam",
+                    message,
+                    "sizes up to 1e7 mm, those of [part] too; or [[part.solids]] with part.replace = true",
+                )
             }
         })
     }
