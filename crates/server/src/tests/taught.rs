@@ -208,11 +208,6 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     page.phase("ended").await;
     assert_eq!(page.taught["key"], "joint-end", "{}", page.taught);
     kept(&served, &owner).await;
-    // Somebody without control, or without the role, orders nothing.
-    let everybody = bench.everybody().await;
-    let operator = &everybody.iter().find(|(r, _)| format!("{r:?}") == "Operator").unwrap().1;
-    let mut other = served.page(operator).await;
-    assert_eq!(other.refused(json!({ "do": "stop" })).await, "role");
     // Loaded once more it is kept; another job's seam is not where it was taught.
     page.order("hold").await;
     page.mode("ready").await;
@@ -225,6 +220,11 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     crate::http::begin_with(&bench.panel, "oblique-girth.toml").await.unwrap();
     assert_eq!(points().await, 0);
     page.phase("closed").await;
+    // Somebody without control, or without the role, orders nothing.
+    let everybody = bench.everybody().await;
+    let operator = &everybody.iter().find(|(r, _)| format!("{r:?}") == "Operator").unwrap().1;
+    let mut other = served.page(operator).await;
+    assert_eq!(other.refused(json!({ "do": "stop" })).await, "role");
 }
 
 /// A camera that sends by itself what the simulated eye sees from where the cell's axes are, until nobody listens or so many
