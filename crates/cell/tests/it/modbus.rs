@@ -329,6 +329,8 @@ fn a_device_that_takes_one_connection() {
     let two = device(&server.address.to_string(), MAP);
     let error = connect(&two, &values).unwrap_err().to_string();
     assert!(error.contains("connections = 1"), "{error}");
+    // Another one: this one may not have noticed yet that it is free.
+    let server = TestServer::single(welder);
     let map = MAP.replace("unit = 1", "unit = 1\nconnections = 1");
     let parts = connect(&device(&server.address.to_string(), &map), &values).unwrap();
     let traffic = parts.traffic.clone();
