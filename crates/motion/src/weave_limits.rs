@@ -220,7 +220,7 @@ fn greater(most: Used, (at, speed): (f64, f64), rows: &[[f64; 3]], limits: &[Lim
 /// double until one fits and one does not, then bisected.
 fn greatest(guess: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
     let mut step = 2.0 * CLOSE;
-    let (mut low, mut high) = (guess.clamp(LEAST, 1.0) / (1.0 + step), 1.0);
+    let (mut low, mut high) = ((guess.min(1.0) / (1.0 + step)).max(LEAST), 1.0);
     if fits(low) {
         while low * (1.0 + step) < 1.0 {
             let next = low * (1.0 + step);
@@ -232,10 +232,10 @@ fn greatest(guess: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
         }
     } else {
         loop {
-            (low, high, step) = (low / (1.0 + step), low, 2.0 * step);
-            if low < LEAST {
+            if low <= LEAST {
                 return None;
             }
+            (low, high, step) = ((low / (1.0 + step)).max(LEAST), low, 2.0 * step);
             if fits(low) {
                 break;
             }

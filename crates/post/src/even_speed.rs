@@ -1,8 +1,11 @@
 use seamwright_machine::Machine;
-use seamwright_motion::{Leg, PassMotion};
+use seamwright_motion::PassMotion;
 
 /// The tip's speed tells nothing where the plan is slower than this part of the pass' fastest: it (nearly) stands still.
 const SLOWEST: f64 = 0.2;
+/// Most parts of a block whose speed is compared, and the shortest, s: in shorter ones the six decimals would show.
+const MAX_PARTS: f64 = 16.0;
+const PART_S: f64 = 1e-3;
 
 /// Compares ways of the tip with the planned ones of the same times, between run-up and run-down: in these the speed
 /// changes by much within any block.
@@ -10,31 +13,35 @@ const SLOWEST: f64 = 0.2;
 pub(crate) struct EvenSpeed<'a> {
     machine: &'a Machine,
     motion: &'a PassMotion,
-    legs: Vec<Leg>,
+    /// Times of the travel between run-up and run-down, s.
+    steady: Vec<[f64; 2]>,
     /// Slowest speed that is compared, mm/s.
     slowest: f64,
 }
 
 impl<'a> EvenSpeed<'a> {
-    pub(crate) fn new(machine: &'a Machine, motion: &'a PassMotion) -> Self {
+    /// Leaves out `margin` s behind run-up and before run-down: times read from a text are off by its digits.
+    pub(crate) fn new(machine: &'a Machine, motion: &'a PassMotion, margin: f64) -> Self {
         let (_, fastest) = motion.tip_band(machine);
-        Self { machine, motion, legs: motion.law.legs(), slowest: SLOWEST * fastest }
+        let law = &motion.law;
+        let legs = law.legs();
+        let steady = legs.iter().map(|leg| [law.time(leg.run_up_end) + margin, law.time(leg.run_down_start) - margin]);
+        Self { machine, motion, steady: steady.collect(), slowest: SLOWEST * fastest }
+    }
+
+    /// Parts of a block of `seconds` whose speed is compared: the same in the plan of a post and in its proof.
+    pub(crate) fn parts(seconds: f64) -> usize {
+        (seconds / PART_S).floor().clamp(1.0, MAX_PARTS) as usize
     }
 
     /// The deviation of the tip's mean speed from the planned one, as a part of it, if it goes `way` mm straight on
     /// between two `times` of the travel, s. None in run-up and run-down, or where it (nearly) stands still.
     pub(crate) fn deviation(&self, times: [f64; 2], way: f64) -> Option<f64> {
-        let seconds = times[1] - times[0];
-        let law = &self.motion.law;
-        let [from, to] = times.map(|t| law.at(t, &mut 0).s);
-        let leg = self.legs.partition_point(|leg| leg.to <= from);
-        let leg = self.legs.get(leg).filter(|leg| from >= leg.run_up_end && to <= leg.run_down_start)?;
-        // A leg without anything between has its run-down where its run-up ends.
-        if leg.run_up_end >= leg.run_down_start || seconds <= 0.0 {
-            return None;
-        }
-        let [a, b] = [from, to].map(|s| self.machine.forward(&self.motion.path.at(s)).point);
-        let planned = a.distance(b);
-        (planned > self.slowest * seconds).then(|| (way / planned - 1.0).abs())
+        let [begin, end] = times;
+        let leg = self.steady.partition_point(|steady| steady[1] < end);
+        self.steady.get(leg).filter(|steady| steady[0] <= begin && begin < end)?;
+        let tip = |t: f64| self.machine.forward(&self.motion.path.at(self.motion.law.at(t, &mut 0).s)).point;
+        let planned = tip(begin).distance(tip(end));
+        (planned > self.slowest * (end - begin)).then(|| (way / planned - 1.0).abs())
     }
 }

@@ -61,7 +61,8 @@ fn the_tube_plate_welds_as_printed_and_with_every_choice() {
     let report: serde_json::Value = serde_json::from_str(&report).unwrap();
     assert_eq!(report["seam"]["kind"], "rounded rectangle");
     let blends = report["findings"].as_array().unwrap().iter().filter(|f| f["kind"] == "blend").count();
-    assert_eq!(blends, 8, "{report:#}");
+    // Its corners, from lines into arcs, are blended within less than a micrometre: nothing to tell.
+    assert_eq!(blends, 0, "{report:#}");
     // Everywhere within 0.05 mm of the rounded rectangle.
     let t = table(&good(&["motion", &example("tube-plate"), "--period-ms", "5"]));
     let (x, y) = (column(&t, "x"), column(&t, "y"));

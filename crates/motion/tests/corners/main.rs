@@ -108,7 +108,10 @@ fn a_right_angle_is_blended_as_wide_as_the_closed_form_says() {
         );
         assert!(motion.findings.iter().all(|f| f.kind != "stop"));
         let notes = of_kind(&motion.findings, "blend");
-        assert!(notes.len() == 1 && notes[0].message.contains(&format!("{:.3} mm", 0.999 * mm)), "{notes:#?}");
+        // What no drive keeps to is not worth a note.
+        assert_eq!(notes.len(), usize::from(0.999 * mm >= 0.005), "{notes:#?}");
+        let told = |note: &&Finding| note.message.contains(&format!("{:.3} mm", 0.999 * mm)) && note.cure.is_empty();
+        assert!(notes.iter().all(told), "{notes:#?}");
     }
     // No wider than half the way to the ends of the path.
     let short = Route::new(DVec3::ZERO, vec![Part::line(0.0, 1.0), Part::line(90.0, 40.0)]);

@@ -98,7 +98,7 @@ pub(crate) fn cut(
     cutting: &Cutting,
 ) -> Result<Linearisation, Error> {
     let path = motion.tip_path(machine);
-    let even = EvenSpeed::new(machine, motion);
+    let even = EvenSpeed::new(machine, motion, 0.0);
     let mut cutter =
         Cutter { machine, path, motion, cutting, tolerance: USED * cutting.tolerance_mm, ends: (0.0, 0.0), even };
     let mut here = cutter.end_at(0.0, 0.0);

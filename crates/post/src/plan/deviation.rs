@@ -4,6 +4,7 @@ use super::BRIEFEST_S;
 use super::block::{Block, Shape};
 use super::cutter::{CHECKS, Cutter};
 use crate::Level;
+use crate::even_speed::EvenSpeed;
 use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
 use seamwright_program::TorchPath;
@@ -30,7 +31,7 @@ impl Cutter<'_> {
             let [chord, lag, attitude] = self.deviation(a, b, f);
             chord <= self.tolerance && lag <= LAG * self.tolerance && attitude <= ATTITUDE
         });
-        near && self.is_even(a, b) && self.keeps_speed(a, b, n)
+        near && self.is_even(a, b) && self.keeps_speed(a, b, if n > CHECKS { n } else { EvenSpeed::parts(b.duration) })
     }
 
     /// Greatest distance from the planned path within a block, mm.

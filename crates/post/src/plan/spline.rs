@@ -21,8 +21,6 @@ const STEADY_S: f64 = 0.02;
 const FEWEST: f64 = 6.0;
 /// Places checked within a block.
 const CHECKS: u32 = 4;
-/// Parts of a block in which the tip's speed is looked at: at the ends of a leg it changes quickly.
-const SPEED_PARTS: u32 = 16;
 /// What may be used of the tolerance at these places.
 const USED: f64 = 0.95;
 /// How far a block may run ahead of the plan or behind it, as a multiple of the tolerance.
@@ -132,7 +130,8 @@ impl Plan<'_> {
         if step <= BRIEFEST_S || allowed.is_infinite() {
             return true;
         }
-        let even = EvenSpeed::new(self.machine, self.motion);
+        let even = EvenSpeed::new(self.machine, self.motion, 0.0);
+        let parts = EvenSpeed::parts(step);
         let last = points.len() - 1;
         let point = |i: usize| &points[i.saturating_sub(2).min(last)];
         let tip = |k: usize, f: f64| {
@@ -141,12 +140,12 @@ impl Plan<'_> {
             let (q, tip) = split(&row);
             if self.cutting.level == Level::Tip { tip } else { self.machine.forward(&q).point }
         };
-        let part = 1.0 / f64::from(SPEED_PARTS);
+        let part = 1.0 / parts as f64;
         (0..=last + 1).all(|k| {
-            (0..SPEED_PARTS).all(|c| {
-                let parts = [c, c + 1].map(|c| f64::from(c) * part);
-                let way = tip(k, parts[0]).distance(tip(k, parts[1]));
-                let times = parts.map(|f| begin + (k as f64 + f) * step);
+            (0..parts).all(|c| {
+                let ends = [c, c + 1].map(|c| c as f64 * part);
+                let way = tip(k, ends[0]).distance(tip(k, ends[1]));
+                let times = ends.map(|f| begin + (k as f64 + f) * step);
                 even.deviation(times, way).is_none_or(|off| off <= allowed)
             })
         })

@@ -11,8 +11,6 @@ use seamwright_program::{Pass, TorchPath};
 
 /// Places in a block that are looked at, its end among them.
 const PLACES: u32 = 16;
-/// Parts of a block whose speed is compared with the plan are no shorter than this, s: six decimals would show.
-const PART_S: f64 = 1e-3;
 /// Blocks shorter than this, or slower than this part of the fastest, tell nothing of the speed: run-up and run-down
 /// change within them.
 const SHORTEST_S: f64 = 1e-3;
@@ -61,7 +59,7 @@ pub(super) fn check(planned: Planned, (number, pass): (usize, &Pass), blocks: &[
         pass,
         motion,
         path: motion.tip_path(planned.machine),
-        even: EvenSpeed::new(planned.machine, motion),
+        even: EvenSpeed::new(planned.machine, motion, BRIEFEST_S),
         travel: first.told.begin + delay,
         cursor: 0,
         greatest: greatest_values(planned, pass),
@@ -174,14 +172,14 @@ impl Checker<'_> {
 
     /// The speed of the tip in parts of a block against the planned one in the same times.
     fn speed_inside(&mut self, segment: &Segment) {
-        let parts = (segment.seconds / PART_S).floor().clamp(1.0, f64::from(PLACES));
+        let parts = EvenSpeed::parts(segment.seconds);
         let (mut row, mut before) = (Vec::new(), None);
-        for k in 0..=parts as u32 {
-            segment.at(f64::from(k) / parts, &mut row);
+        for k in 0..=parts {
+            segment.at(k as f64 / parts as f64, &mut row);
             let here = self.place(&row, is_tip(segment.level)).1.point;
             let Some(last) = before.replace(here) else { continue };
-            let step = segment.seconds / parts;
-            let begin = segment.begin - self.travel + f64::from(k - 1) * step;
+            let step = segment.seconds / parts as f64;
+            let begin = segment.begin - self.travel + (k - 1) as f64 * step;
             let Some(off) = self.even.deviation([begin, begin + step], here.distance(last)) else { continue };
             self.proof.speed_inside_percent = self.proof.speed_inside_percent.max(100.0 * off);
             if segment.seconds > BRIEFEST_S && !self.motion.path.is_woven() {
