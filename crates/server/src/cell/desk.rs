@@ -264,6 +264,15 @@ impl Desk {
             self.tell(happening("record_fails", [trouble.clone()]));
             self.trouble = Some(trouble);
         }
+        // A weld that came to nothing leaves what was left before it. Where it was left itself is told before it is over.
+        let over = !shown.mode.moves() && shown.mode != Mode::Hold && shown.phase.is_none();
+        if over
+            && self.stillness.stands()
+            && self.recorder.runs() != Some(false)
+            && let Some(before) = self.left_before.take()
+        {
+            self.left.get_or_insert(before);
+        }
         self.names.watch(&mut self.stillness, shown);
         self.now = Some(*shown);
         if self.shown.elapsed() >= SHOW {

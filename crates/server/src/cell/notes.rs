@@ -66,7 +66,7 @@ impl Desk {
         }
     }
 
-    /// A weld came to its end, or to none: what was left before it stands where it came to nothing.
+    /// A weld came to its end, or to none.
     fn weld_is_over(&mut self) {
         if self.recorder.whole()
             && let Some(of) = &mut self.to_weld
@@ -75,9 +75,6 @@ impl Desk {
             self.left_before = None;
             // The next weld of this program is another part's, from its beginning.
             of.plan.part.clear();
-        }
-        if let Some(before) = self.left_before.take() {
-            self.left.get_or_insert(before);
         }
     }
 

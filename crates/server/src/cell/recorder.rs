@@ -43,6 +43,8 @@ struct Open {
     here: Place,
     events: Vec<Event>,
     stopped: Option<String>,
+    /// A cycle of the weld itself has come: those before it may wait in the queue when it is begun.
+    runs: bool,
     /// When the program ended, s.
     ended: Option<f64>,
 }
@@ -66,6 +68,11 @@ impl Recorder {
     /// Number of the weld that is recorded.
     pub(super) fn weld(&self) -> Option<i64> {
         self.open.as_ref().map(|o| o.recording.id())
+    }
+
+    /// Whether a cycle of the weld that is recorded has come; none if none is recorded.
+    pub(super) fn runs(&self) -> Option<bool> {
+        self.open.as_ref().map(|open| open.runs)
     }
 
     /// The weld that is recorded has come to the end of its last pass.
@@ -101,6 +108,7 @@ impl Recorder {
             here: Place::default(),
             events,
             stopped: None,
+            runs: false,
             ended: None,
         });
         Ok(())
@@ -109,6 +117,11 @@ impl Recorder {
     /// A cycle; the trouble that keeps rows from being written, if there is some.
     pub(super) fn row(&mut self, names: &Names, shown: &Shown) -> Option<String> {
         let open = self.open.as_mut()?;
+        let welds = matches!(shown.mode, Mode::Weld | Mode::Hold);
+        open.runs |= welds;
+        if !open.runs {
+            return None;
+        }
         open.here = shown.place;
         open.recording.row(run_rows::row(&mut open.tips, &names.machine, shown, names.values, names.heads));
         let weld = u64::try_from(open.recording.id()).unwrap_or(0);
@@ -117,9 +130,7 @@ impl Recorder {
         }
         let trouble = open.recording.trouble().map(str::to_owned);
         match open.ended {
-            None if !matches!(shown.mode, Mode::Weld | Mode::Hold) && shown.phase.is_none() => {
-                open.ended = Some(shown.t);
-            }
+            None if !welds && shown.phase.is_none() => open.ended = Some(shown.t),
             Some(t) if shown.t - t > AFTER_S => self.end(),
             _ => {}
         }

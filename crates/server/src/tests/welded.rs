@@ -125,14 +125,15 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     tokio::time::sleep(Duration::from_millis(10)).await;
 }
 
-/// Welds until `mm` and stops; where it was left.
-async fn weld_to(page: &mut Page, mm: f64) -> f64 {
+/// Welds the part until `mm` and stops; where it was left.
+async fn weld_to(page: &mut Page, part: &str, mm: f64) -> f64 {
     page.order("arm").await;
     page.order("start_weld").await;
     page.until("travel", |v| v["kind"] == "status" && v["mode"] == "weld" && v["welded_mm"].as_f64().unwrap() > mm)
         .await;
     page.order("stop").await;
-    let left = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_object()).await;
+    let farther = |v: &Value| v["left"]["part"] == part && v["left"]["s_mm"].as_f64().unwrap() > mm;
+    let left = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_object() && farther(v)).await;
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
     left["left"]["s_mm"].as_f64().unwrap()
 }
@@ -165,10 +166,10 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     page.up().await;
     let none = Value::Null;
     load_part(&served.bench, &owner, &mut page, "A", &none).await;
-    let at_a = weld_to(&mut page, 6.0).await;
+    let at_a = weld_to(&mut page, "A", 6.0).await;
     let other = load_part(&served.bench, &owner, &mut page, "B", &none).await;
     assert!(other["here"] == false && other["part"] == "A", "{other}");
-    let at_b = weld_to(&mut page, 3.0).await;
+    let at_b = weld_to(&mut page, "B", 3.0).await;
     // The first part, after the second: where it was left, not where the second was.
     let left = load_part(&served.bench, &owner, &mut page, "A", &none).await;
     assert_eq!((&left["here"], left["s_mm"].as_f64()), (&json!(true), Some(at_a)), "{left}");
@@ -190,7 +191,7 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     assert!((left["s_mm"].as_f64().unwrap() - at_a).abs() < 0.01 && left["here"] == true, "{left}");
     // Gone on with from there it is left farther on; that is what is offered then, and never the old place.
     load_part(&served.bench, &owner, &mut page, "A", &json!([1, left["s_mm"]])).await;
-    let farther = weld_to(&mut page, at_a + 3.0).await;
+    let farther = weld_to(&mut page, "A", at_a + 3.0).await;
     assert!(farther > at_a + 2.0, "{farther} {at_a}");
     let left = load_part(&served.bench, &owner, &mut page, "A", &json!([1, at_a])).await;
     assert_eq!(left["s_mm"].as_f64(), Some(farther), "{left}");
