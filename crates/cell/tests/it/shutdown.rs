@@ -60,6 +60,9 @@ fn shut_down<'a>(
     (port.script, port.set.expect("it ended before"))
 }
 
+/// When the flag is set.
+type Moment = Box<dyn Fn(&Script<'_>) -> bool>;
+
 /// From every mode: no process with the very next orders, rest within the limits, power off, the end, and no order obeyed any more.
 #[test]
 fn a_shutdown_ends_every_mode_without_an_order() {
@@ -68,7 +71,7 @@ fn a_shutdown_ends_every_mode_without_an_order() {
     let welding = |script: &Script<'_>| script.cycles.last().is_some_and(|c| c.burning && c.place.s_mm > 3.0);
     let mode = |mode: Mode| move |script: &Script<'_>| script.cycles.last().is_some_and(|c| c.mode == mode);
     let jog = || vec![(in_mode(Mode::Ready), Ask::StartJog)];
-    let cases: Vec<(Vec<_>, Box<dyn Fn(&Script<'_>) -> bool>)> = vec![
+    let cases: Vec<(Vec<_>, Moment)> = vec![
         (vec![], Box::new(|script| script.cycles.len() > 5)),
         (up(), Box::new(mode(Mode::Idle))),
         (up(), Box::new(mode(Mode::Homing))),
