@@ -246,8 +246,8 @@ fn axes_that_cannot_be_held() {
     }
     // On a machine without axes to spare wishes do nothing, but there is nothing to hold.
     let spare = |table: &str| ("[torch]", format!("[spare_axes]\n{table}\n[torch]"));
-    let (from, to) = spare("hold = { z = 1 }");
-    refused(from, &to, &["spare_axes.hold.z = 1", "axis z cannot be held: a torch pose decides all axes here"]);
+    let (from, to) = spare("hold = { s = 1 }");
+    refused(from, &to, &["spare_axes.hold.s = 1", "axis s cannot be held: a torch pose decides all axes here"]);
     let (from, to) = spare("position = \"up\"");
     refused(from, &to, &["spare_axes.position", "allowed: flat, any"]);
     let (from, to) = spare("weights = { motion = -1 }");

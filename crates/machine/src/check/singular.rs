@@ -21,7 +21,7 @@ const DEPENDS: f64 = 1e-4;
 
 /// Positions at which a place that one axis makes alone must be singular too, and the conditioning that is singular there.
 const ELSEWHERE: u32 = 3;
-const NEARLY: f64 = 1e-3;
+const NEARLY: f64 = 1e-5;
 /// Positions of an axis nearer to each other than this are one singular place, mm or degrees.
 const APART: f64 = 0.5;
 

@@ -161,7 +161,7 @@ fn a_singular_set_is_listed_once() {
     ] {
         let found = places(arm);
         let named = |name: &str| found.iter().filter(|p| p.what.starts_with(name)).count();
-        assert!(found.len() <= 4 && named("wrist") == 1 && named("elbow") == 1, "{found:#?}");
+        assert!(found.len() <= 3 && named("wrist") == 1 && named("elbow") <= 1, "{found:#?}");
         assert!(found.iter().all(|p| p.what.contains("singularity")), "{found:#?}");
         let wrist = found.iter().find(|p| p.what.starts_with("wrist")).unwrap();
         assert!(wrist.at.len() == 1 && wrist.at[0].0 == "j5", "{wrist:#?}");
@@ -170,7 +170,10 @@ fn a_singular_set_is_listed_once() {
         assert!(all.into_iter().all(|v| (v / 180.0 - (v / 180.0).round()).abs() < 1e-4), "{wrist:#?}");
     }
     let ur = places(include_str!("../../../../tests/data/field-trial/ur10e.toml"));
-    assert!(ur.iter().any(|p| p.what.starts_with("shoulder")), "{ur:#?}");
+    // The other arm's ranges end before it is stretched.
+    for name in ["shoulder", "elbow"] {
+        assert!(ur.iter().any(|p| p.what.starts_with(name)), "{ur:#?}");
+    }
 }
 
 const LIMITS: &str = "max_speed_mm_s = 50\nmax_acceleration_mm_s2 = 500\n";
