@@ -22,6 +22,7 @@ const ROWS: readonly Row[] = [
   ['acknowledge {0}', 'підтвердити: {0}', '确认：{0}', 'quittieren: {0}', 'подтвердить: {0}'],
   ['shelve alarm {0} {1} for {2} min', 'відкласти тривогу {0} {1} на {2} хв', '搁置报警 {0} {1}，{2} 分钟', 'Alarm {0} {1} für {2} min zurückstellen', 'отложить тревогу {0} {1} на {2} мин'],
   ['check archive', 'перевірити копію', '检查备份', 'Sicherung prüfen', 'проверить копию'],
+  ['what is finished may be welded again', 'завершене можна варити знову', '已完成的部分可再次焊接', 'Fertiges darf wieder geschweißt werden', 'завершённое можно варить снова'],
   ['quit', 'завершити', '退出', 'beenden', 'завершить'],
   ['watch', 'дивитися', '查看', 'zuschauen', 'смотреть'],
   ['plan', 'планувати', '规划', 'planen', 'планировать'],

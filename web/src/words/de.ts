@@ -523,6 +523,7 @@ export const de: Table = {
   'finding.stopped': 'Schweißung wurde gestoppt',
   'finding.time': 'Dauert zu lange',
   'finding.turn': 'Brenner würde an einer Ecke springen',
+  'finding.search': 'Suche ohne Plan beendet',
   'finding.unchecked': 'Kollisionen sind nicht geprüft',
   'finding.unwind': 'Achse wird zurückgedreht',
   'plan.good': 'Schweißbar',

@@ -521,6 +521,7 @@ export const en = {
   'finding.stopped': 'Weld was stopped',
   'finding.time': 'Takes too long',
   'finding.turn': 'Torch would jump at a corner',
+  'finding.search': 'Search ended without a plan',
   'finding.unchecked': 'Collisions are not checked',
   'finding.unwind': 'Axis is turned back',
   'plan.good': 'Can be welded',

@@ -523,6 +523,7 @@ export const ru: Table = {
   'finding.stopped': 'Сварка остановлена',
   'finding.time': 'Длится слишком долго',
   'finding.turn': 'Горелка прыгнула бы в углу',
+  'finding.search': 'Поиск закончен без плана',
   'finding.unchecked': 'Столкновения не проверены',
   'finding.unwind': 'Ось отматывается назад',
   'plan.good': 'Можно сварить',

@@ -523,6 +523,7 @@ export const uk: Table = {
   'finding.stopped': 'Зварювання зупинено',
   'finding.time': 'Триває надто довго',
   'finding.turn': 'Пальник стрибнув би в куті',
+  'finding.search': 'Пошук закінчено без плану',
   'finding.unchecked': 'Зіткнення не перевірено',
   'finding.unwind': 'Вісь відмотується назад',
   'plan.good': 'Можна зварити',

@@ -522,6 +522,7 @@ export const zh: Table = {
   'finding.stopped': '焊接被停止',
   'finding.time': '耗时过长',
   'finding.turn': '焊枪在拐角处跳变',
+  'finding.search': '搜索结束，未得到计划',
   'finding.unchecked': '未检查碰撞',
   'finding.unwind': '轴回转复位',
   'plan.good': '可以焊接',
