@@ -56,8 +56,9 @@ pub fn group_findings(findings: &[Finding]) -> Vec<FindingGroup<'_>> {
         }
     }
     for (group, members) in &mut groups {
-        group.message = ranged(members.iter().map(|f| f.message.as_str()));
-        group.cure = ranged(members.iter().map(|f| f.cure.as_str()));
+        let sentences = |of: fn(&Finding) -> &str| members.iter().map(|f| of(f)).collect::<Vec<_>>();
+        group.message = ranged(&sentences(|f| &f.message));
+        group.cure = ranged(&sentences(|f| &f.cure));
     }
     let mut groups: Vec<FindingGroup<'_>> = groups.into_iter().map(|(group, _)| group).collect();
     groups.sort_by_key(|group| std::cmp::Reverse(group.finding.severity()));
@@ -135,10 +136,10 @@ fn number_at(text: &str) -> Option<usize> {
 }
 
 /// The sentence of several that differ in their numbers, with ranges where they differ.
-fn ranged<'a>(sentences: impl Iterator<Item = &'a str> + Clone) -> String {
-    let Some(first) = sentences.clone().next() else { return String::new() };
+fn ranged(sentences: &[&str]) -> String {
+    let Some(first) = sentences.first() else { return String::new() };
     let range = |(i, piece): (usize, Piece<'_>)| {
-        let all = sentences.clone().filter_map(|sentence| pieces(sentence).nth(i)).map(Piece::text);
+        let all = sentences.iter().filter_map(|sentence| pieces(sentence).nth(i)).map(Piece::text);
         let value = |text: &&str| text.parse::<f64>().unwrap_or(0.0);
         let by_value = |a: &&str, b: &&str| value(a).total_cmp(&value(b));
         let ends = all.clone().min_by(by_value).zip(all.max_by(by_value));

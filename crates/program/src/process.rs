@@ -94,7 +94,7 @@ pub fn check_process_value<'a, T>(
 pub(crate) fn check_process_units<'a, T>(
     file: &Document<T>,
     path: &str,
-    names: impl Iterator<Item = &'a String> + Clone,
+    names: &(impl Iterator<Item = &'a String> + Clone),
 ) -> Result<(), DocumentError> {
     for (i, name) in names.clone().enumerate() {
         let Some((stem, dimension, _)) = quantity(name) else { continue };
@@ -122,7 +122,7 @@ pub fn check_process<T>(file: &Document<T>, path: &str, values: &ProcessValues) 
             check_process_value(file, &key, (name, found), values.keys())?;
         }
     }
-    check_process_units(file, path, values.keys())
+    check_process_units(file, path, &values.keys())
 }
 
 #[cfg(test)]

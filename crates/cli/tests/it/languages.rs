@@ -15,8 +15,9 @@ const GERMAN: [&str; 10] =
 /// Keys of files, which cures name.
 const KEYS: [&str; 5] = ["tolerance", "attitude", "deg", "weld", "process"];
 
-/// The words that are read, and those read aloud, without the job's own text.
+/// The words that are read, and those read aloud, without the job's own text and tables of files that cures name.
 fn words(page: &str) -> BTreeSet<String> {
+    let page = page.replace("[[part.solids]]", "").replace("[seam]", "");
     let page = page.split("<style>").flat_map(|part| part.split("</style>").skip(1)).collect::<String>();
     let page =
         page.split("<figure class=\"code\">").flat_map(|part| part.split("</figure>").skip(1)).collect::<String>()

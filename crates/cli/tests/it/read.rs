@@ -166,7 +166,9 @@ fn a_plan_comes_with_its_part_programs() {
 
     let file = dir.path().join("poly.mpf");
     let path = file.to_str().unwrap();
-    let out = seamwright(&["post", example, "--dialect", "sinumerik", "--interpolation", "poly", "-o", path]);
+    // The speed inside long polynomials is uneven: half the blocks of lines take more room for it.
+    let loose = ["--interpolation", "poly", "--speed-percent", "5"];
+    let out = seamwright(&[&["post", example, "--dialect", "sinumerik", "-o", path], &loose[..]].concat());
     assert!(out.status.success(), "{}", text(&out.stderr));
     let count = |name: &str, word: &str| fs::read_to_string(name).unwrap().matches(word).count();
     let (poly, plain) = (count(path, " POLY "), folder.join("sinumerik.mpf"));

@@ -139,7 +139,7 @@ impl Run {
             // The least may be 0 or below: then it is no limit.
             check_process_value(file, &key, (name, greatest), self.ranges.keys())?;
         }
-        check_process_units(file, &format!("{path}.ranges"), self.ranges.keys())
+        check_process_units(file, &format!("{path}.ranges"), &self.ranges.keys())
     }
 }
 

@@ -11,6 +11,7 @@ use super::plan::AxisFigures;
 use super::simulated::simulation_text;
 use super::tracking;
 use crate::{Block, Chart, ChartGrid, Language, Table, format_number, said};
+use seamwright_cell::tracking::HeadSummary;
 
 /// A column of a table by pass: its heading and what a pass has in it.
 type Column<'a> = (String, Box<dyn Fn(&PassFigures) -> String + 'a>);
@@ -62,15 +63,17 @@ impl WeldReport {
         blocks
     }
 
-    /// One pass of each role, in the order of welding: one with a finding against it, or else the longest.
+    /// One pass of each kind, in the order of welding: one with a finding against it, or else the longest. A pass without a
+    /// role, as in a program of points, is alike only to those of its name.
     fn typical_passes(&self) -> Vec<usize> {
         let weight = |i: usize| {
             let against = self.findings.iter().any(|f| f.pass == i + 1 && !f.allowed);
             (against, self.passes[i].plan.length_mm)
         };
+        let is_alike = |a: &PassFigures, b: &PassFigures| a.role == b.role && (a.role.is_some() || a.name == b.name);
         let mut typical: Vec<usize> = Vec::new();
         for i in 0..self.passes.len() {
-            match typical.iter_mut().find(|known| self.passes[**known].role == self.passes[i].role) {
+            match typical.iter_mut().find(|known| is_alike(&self.passes[**known], &self.passes[i])) {
                 Some(known) if weight(i) > weight(*known) => *known = i,
                 Some(_) => {}
                 None => typical.push(i),
@@ -207,24 +210,42 @@ impl WeldReport {
         blocks
     }
 
-    /// How far each pass lies from the joint.
-    fn tracked_of_all(&self, language: Language) -> Option<Block> {
-        let mut all: Option<Table> = None;
-        for (i, pass) in self.passes.iter().enumerate() {
-            let Some(simulation) = pass.simulation.as_ref().filter(|s| !s.heads.is_empty()) else { continue };
-            let mut of_pass = tracking::table(&simulation.heads, language);
-            of_pass.rows.iter_mut().for_each(|row| row.insert(0, (i + 1).to_string()));
-            match &mut all {
-                Some(all) => all.rows.append(&mut of_pass.rows),
-                None => {
-                    of_pass.head.insert(0, language.say("Pass").to_owned());
-                    of_pass.numeric.insert(0, false);
-                    all = Some(of_pass);
-                }
-            }
+    /// How far each pass lies from the joint, and how beams corrected.
+    fn tracked_of_all(&self, language: Language) -> Vec<Block> {
+        let heads = |pass: &PassFigures| pass.simulation.as_ref().map_or_else(Vec::new, |s| s.heads.clone());
+        let all: Vec<HeadSummary> = self.passes.iter().flat_map(heads).collect();
+        let tables: [HeadTable; 2] = [
+            |heads, language| Some(tracking::table(heads, language)),
+            |heads, language| tracking::beam_table(heads, language),
+        ];
+        let mut blocks = vec![Block::Paragraph(tracking::text(&all, language))];
+        for table in tables {
+            let of_passes = self.passes.iter().enumerate().filter_map(|(i, pass)| {
+                let heads = heads(pass);
+                Some((i + 1, table(&heads, language).filter(|_| !heads.is_empty())?))
+            });
+            blocks.extend(joined(of_passes, language).map(Block::Table));
         }
-        all.map(Block::Table)
+        blocks
     }
+}
+
+/// A table about the heads of one pass, if it has something to show.
+type HeadTable = fn(&[HeadSummary], Language) -> Option<Table>;
+
+/// Joins the tables of several passes, which have the same columns, with the number of the pass in front.
+fn joined(tables: impl Iterator<Item = (usize, Table)>, language: Language) -> Option<Table> {
+    let numbered = tables.map(|(pass, mut table)| {
+        table.rows.iter_mut().for_each(|row| row.insert(0, pass.to_string()));
+        table
+    });
+    let mut all = numbered.reduce(|mut all, table| {
+        all.rows.extend(table.rows);
+        all
+    })?;
+    all.head.insert(0, language.say("Pass").to_owned());
+    all.numeric.insert(0, false);
+    Some(all)
 }
 
 /// A table with a row a pass; passes that follow one another and have the same in all columns share one.
