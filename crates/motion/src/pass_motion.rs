@@ -108,7 +108,7 @@ impl PassMotion {
         if !jumps.is_empty() && !held.free().is_empty() {
             return Err(jumps);
         }
-        let (machine, (free, survey)) =
+        let Chosen { machine, free, survey } =
             with_best_freedom(held, path, pass, number, before).map_err(|found| with(&jumps, found))?;
         let machine = &*machine;
         let (_, fastest) = pass.speeds();
@@ -240,6 +240,13 @@ fn with(first: &[Finding], others: Vec<Finding>) -> Vec<Finding> {
     first.iter().cloned().chain(others).collect()
 }
 
+/// The free axes along a path and a survey of it, with the machine that has these axes free.
+struct Chosen<'m> {
+    machine: Cow<'m, Machine>,
+    free: FreeAxes,
+    survey: Survey,
+}
+
 /// The free axes along `path` and a survey of it, with the machine that has these axes free.
 ///
 /// Where a six-axis arm passes a place at which the axes that the pose decides are singular, another choice of the free
@@ -250,24 +257,26 @@ fn with_best_freedom<'m>(
     pass: &Pass,
     number: usize,
     before: Before,
-) -> Result<(Cow<'m, Machine>, (FreeAxes, Survey)), Vec<Finding>> {
+) -> Result<Chosen<'m>, Vec<Finding>> {
     let is_good = |found: &(FreeAxes, Survey)| found.1.findings.iter().all(|f| f.allowed);
     let first = along_axes(&machine, path, pass, number, before);
     let head = &machine.heads[0];
     let redundant = !machine.free().is_empty() && path.axes(0.0).is_none() && path.second(0.0).is_none();
     if first.as_ref().is_ok_and(is_good) || !head.is_numeric() || !redundant {
-        return first.map(|found| (machine, found));
+        return first.map(|(free, survey)| Chosen { machine, free, survey });
     }
     let held: AxisSet = pass.spare_axes.hold.keys().filter_map(|name| machine.axis(name)).collect();
     let others = head.chain.axes().iter().filter(|&axis| !machine.free().has(axis));
     for other in others.filter_map(|axis| machine.freeing(held.with(axis))) {
         before.effort.check(number, path.length())?;
         match along_axes(&other, path, pass, number, Before { explains: false, ..before }) {
-            Ok(found) if is_good(&found) => return Ok((Cow::Owned(other), found)),
+            Ok(found) if is_good(&found) => {
+                return Ok(Chosen { machine: Cow::Owned(other), free: found.0, survey: found.1 });
+            }
             _ => {}
         }
     }
-    first.map(|found| (machine, found))
+    first.map(|(free, survey)| Chosen { machine, free, survey })
 }
 
 /// The free axes along `path`, and what a survey of it finds; `machine` has the axes that `pass` holds free.

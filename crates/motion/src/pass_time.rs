@@ -46,7 +46,6 @@ pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
 fn travel_s(pass: &Pass) -> f64 {
     let time = |span: &seamwright_program::Span| {
         let (from, to) = span.speed_mm_s.ends();
-        let (from, to) = (f64::from(from), f64::from(to));
         let way = span.to_mm.get() - span.from_mm.get();
         // A speed that is linear in path length: the mean of its reciprocal is a logarithm.
         let change = to / from - 1.0;
