@@ -144,18 +144,8 @@ impl Problem {
                 self.points.push((cell, cells.weights_at(cell, 2).value, own / 1.5));
             }
         }
-        // Where the asked speed changes it counts too: else all of the time would be taken for lost, and the law be left
-        // as far from the asked speed as the gap is a part of that.
-        let time = |i: usize| {
-            if cells.is_steady(i) || cells.is_near_rest(i) {
-                let asked = self.upper[i].min(self.upper[i + 1]).min(self.upper[i + 2]);
-                return cells.width(i) / asked.sqrt();
-            }
-            let asked = cells.asked(i);
-            let [begin, middle, end] = [0, 2, 4].map(|part| 1.0 / asked[part].sqrt());
-            cells.width(i) * (begin + 4.0 * middle + end) / 6.0
-        };
-        self.cruising = (0..count).map(time).sum();
+        let asked = |i: usize| self.upper[i].min(self.upper[i + 1]).min(self.upper[i + 2]);
+        self.cruising = (0..count).map(|i| cells.width(i) / asked(i).sqrt()).sum();
     }
 
     /// A problem with these bounds of the unknowns and no rows yet.
