@@ -107,7 +107,7 @@ fn mistakes_in_toml_have_an_address_and_a_cure() {
     for (solid, key, says) in [
         ("shape.box = { size_mm = [1, 0, 2] }", "solid[0].shape.box.size_mm", "greater than 0"),
         ("shape.box = { size_mm = [1, 2] }", "solid[0].shape.box.size_mm", "3"),
-        ("shape.box = { size_mm = [1, 2, 1e9] }", "solid[0].shape.box", "1e7 mm"),
+        ("shape.box = { size_mm = [1, 2, 1e9] }", "solid[0].shape.box", "10000000 mm"),
         ("shape.capsule = { radius_mm = 3, length_mm = 5 }", "solid[0].shape.capsule.length_mm", "twice the radius"),
         ("shape.cone = { radius_mm = 0, length_mm = 5 }", "solid[0].shape.cone", "one radius above 0"),
         ("shape.cone = { radius = 1, length_mm = 5 }", "solid[0].shape.cone.radius", "did you mean `radius_mm`"),
