@@ -184,7 +184,7 @@ mod tests {
         // Without a current of an arc a voltage may be that of a gun, also in V; a coil's current is its own quantity.
         let beam = TEXT.replace("lens_ma = 700", "lens_ma = 700, voltage_v = 60000");
         assert!(Program::read("p.toml", &beam).is_ok());
-        let e = Program::read("p.toml", &TEXT.replace("lens_ma = 700", "accelerating_kv = 6000")).unwrap_err();
+        let e = Program::read("p.toml", &TEXT.replace("lens_ma = 700", "accelerating_kv = 600")).unwrap_err();
         assert_eq!(e.allowed.as_deref(), Some("0 to 300"));
     }
 

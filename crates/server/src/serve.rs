@@ -172,7 +172,9 @@ impl Lives<'_> {
             () = requested(self.shutdown) => None,
             wanted = restores.wait_for(Option::is_some) => wanted.ok().and_then(|w| w.as_ref().map(|w| w.0.clone())),
         };
-        renews.inspect(|task| task.abort());
+        if let Some(task) = renews {
+            task.abort();
+        }
         log::info(if user.is_some() { "all data are restored: the cell begins anew" } else { "the panel ends" });
         if user.is_some() {
             // Who asked for it is told that it begins.

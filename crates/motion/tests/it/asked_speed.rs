@@ -35,7 +35,7 @@ impl Case {
             .map(|w| Span {
                 from_mm: seamwright_document::NonNegative::new(w[0].0).unwrap(),
                 to_mm: positive(w[1].0),
-                speed_mm_s: match w[0].1 == w[1].1 {
+                speed_mm_s: match w[0].1.total_cmp(&w[1].1).is_eq() {
                     true => SpanValue::Steady(positive(w[0].1)),
                     false => SpanValue::Ramp(Ramp { from: positive(w[0].1), to: positive(w[1].1) }),
                 },

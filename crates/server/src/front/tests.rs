@@ -95,6 +95,7 @@ async fn only_the_plain_version_is_spoken_and_in_time() {
 
 /// A disk that hangs in every handler, as nobody may write one: a stop is answered all the same, over HTTP and over a socket.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[allow(clippy::await_holding_lock, reason = "that handlers wait for it is what is tried")]
 async fn stop_is_heard_while_handlers_block_their_threads() {
     let hangs = Arc::new(Mutex::new(()));
     let disk = Arc::clone(&hangs);

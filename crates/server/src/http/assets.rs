@@ -121,5 +121,5 @@ fn kind(name: &str) -> (&'static str, bool) {
 /// Names of all files.
 #[cfg(test)]
 pub(crate) fn names() -> Vec<String> {
-    Web::iter().map(|name| name.into_owned()).collect()
+    Web::iter().map(std::borrow::Cow::into_owned).collect()
 }

@@ -266,7 +266,12 @@ pub(super) async fn backup(
             move || {
                 let out = std::io::BufWriter::with_capacity(PIECE, ToClient { to, runtime });
                 let data = DataFolder::open_to_read(&path)?;
-                Ok(if with_users { data.back_up(out)? } else { data.back_up_without_users(out)? })
+                if with_users {
+                    data.back_up(out)?;
+                } else {
+                    data.back_up_without_users(out)?;
+                }
+                Ok(())
             }
         });
         if let Err(e) = written.await {
