@@ -85,19 +85,30 @@ impl<'a> Surroundings<'a> {
         }
     }
 
-    /// Names of the solids that an evaluation of a watch found nearest, those of the job with whose they are: a job's
-    /// nozzle is another thing than a torch's.
+    /// Names of the solids that an evaluation of a watch found nearest, as the files have them.
     pub fn solids(&self, watch: usize, found: &Evaluation) -> Option<(String, String)> {
+        self.solids_as(watch, found, |_, name| name.to_owned())
+    }
+
+    /// The same for sentences: those of the job with whose they are, as a job's nozzle is another thing than a torch's.
+    pub fn solids_described(&self, watch: usize, found: &Evaluation) -> Option<(String, String)> {
+        self.solids_as(watch, found, |group, name| match group {
+            "part" | "fixtures" if name != group => format!("{name} ({group})"),
+            _ => name.to_owned(),
+        })
+    }
+
+    fn solids_as(
+        &self,
+        watch: usize,
+        found: &Evaluation,
+        word: impl Fn(&str, &str) -> String,
+    ) -> Option<(String, String)> {
         let (a, b) = self.scene.watches()[watch].groups();
         let place = found.place.as_ref()?;
         let name = |group: usize, solid: usize| {
             let group = &self.scene.groups()[group];
-            let name = group.solids[solid].name();
-            match group.name.as_str() {
-                "part" if name != "part" => format!("{name} (part)"),
-                "fixtures" if name != "fixtures" => format!("{name} (fixtures)"),
-                _ => name.to_owned(),
-            }
+            word(&group.name, group.solids[solid].name())
         };
         let first = name(a, place.solids[0]);
         let second = match &self.scene.watches()[watch] {

@@ -34,7 +34,8 @@ impl Sighting {
         };
         let first = stretches.into_iter().min_by(|a, b| a.from.total_cmp(&b.from));
         first.map_or((whole, None), |stretch| {
-            let (a, b) = around.solids(stretch.watch, &stretch.nearest).unwrap_or_else(|| around.names(stretch.watch));
+            let (a, b) =
+                around.solids_described(stretch.watch, &stretch.nearest).unwrap_or_else(|| around.names(stretch.watch));
             (stretch.from.max(0.0), Some(format!("{a} and {b} come too near")))
         })
     }

@@ -76,7 +76,7 @@ pub(crate) fn route_within(
 
 /// Who is too near to whom.
 pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) -> String {
-    let (a, b) = around.solids(watch, found).unwrap_or_else(|| around.names(watch));
+    let (a, b) = around.solids_described(watch, found).unwrap_or_else(|| around.names(watch));
     let least = around.scene().watches()[watch].least_mm();
     if found.distance > 0.005 {
         format!("{a} comes within {:.2} mm of {b} (at least {least} mm)", found.distance)

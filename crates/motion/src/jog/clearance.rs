@@ -52,7 +52,7 @@ impl PointToPoint {
         let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance));
         let nearest = nearest.map(|(watch, trace)| {
             let (t, found) = trace.nearest;
-            let (a, b) = around.solids(watch, &found).unwrap_or_else(|| around.names(watch));
+            let (a, b) = around.solids_described(watch, &found).unwrap_or_else(|| around.names(watch));
             (found.distance, t, format!("{a} and {b}"))
         });
         let stretches = profile.stretches.iter();
