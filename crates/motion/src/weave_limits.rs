@@ -259,7 +259,7 @@ mod tests {
             for guess in [1e-9, 0.5 * bound, 0.999 * bound, bound, 1.001 * bound, 3.0 * bound, 1.0] {
                 match greatest(guess, |f| f <= bound) {
                     Some(found) => {
-                        assert!(found <= bound && found * (1.0 + CLOSE) >= bound, "{guess} {bound}: {found}")
+                        assert!(found <= bound && found * (1.0 + CLOSE) >= bound, "{guess} {bound}: {found}");
                     }
                     None => assert!(bound < 1.5 * LEAST, "{guess} {bound}"),
                 }

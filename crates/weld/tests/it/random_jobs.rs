@@ -30,7 +30,7 @@ impl Random {
     }
 
     fn one_in(&mut self, n: u64) -> bool {
-        self.0.next_u64() % n == 0
+        self.0.next_u64().is_multiple_of(n)
     }
 
     fn of<T: Copy>(&mut self, all: &[T]) -> T {
