@@ -7,7 +7,7 @@
 //! coefficients to the least of the true cost at 1,000 stations. Nothing is random: the same path gives the same
 //! motion.
 //!
-//! Where the inverse has no closed form, nodes are found by continuation ([`continuation`]): a full search costs thousands
+//! Where the inverse has no closed form, nodes are found by continuation (`continuation.rs`): a full search costs thousands
 //! of times as much. Wide ranges are looked through by the turn: nodes a whole turn apart are one node, and only if the
 //! way found does not fit into the ranges are they told apart.
 
