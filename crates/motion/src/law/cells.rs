@@ -8,6 +8,9 @@ pub(crate) const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Where the asked speed by the parameter changes within a cell, the law counts as a cruise within this part of it.
 pub(crate) const NEARLY: f64 = 3e-3;
 
+/// A law slower than this part of the asked speed is not near it.
+const NEAR: f64 = 0.9;
+
 /// Weights of a cell's three coefficients in the squared speed, its first and its second derivative by `tau`.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Weights {
@@ -116,9 +119,16 @@ impl Cells {
         self.tau[cell] < up || self.tau[cell + 1] > down
     }
 
-    /// True if the law with coefficients `c` is slower than an asked speed that changes in `cell`.
-    pub(crate) fn is_behind(&self, c: &[f64], cell: usize) -> bool {
-        !self.is_near_rest(cell) && !self.is_steady(cell) && !self.cruises(c, cell)
+    /// Time (s) by which the law with coefficients `c` is later over `cell` than asked, where the asked speed changes and
+    /// the law is near it; 0 elsewhere.
+    pub(crate) fn late(&self, c: &[f64], cell: usize) -> f64 {
+        if self.is_near_rest(cell) || self.is_steady(cell) || self.cruises(c, cell) {
+            return 0.0;
+        }
+        let ratio = |(part, asked): (&f64, &f64)| (self.law(c, cell, *part)[0] / asked).sqrt();
+        let ratios = PARTS.iter().zip(self.asked(cell)).map(ratio);
+        let least = ratios.fold(1.0, f64::min);
+        if least < NEAR { 0.0 } else { (1.0 - least) * self.width(cell) / c[cell + 1].sqrt() }
     }
 
     /// Highest value of coefficient `k` so that the tip is nowhere faster than asked in cells where that is steady: a

@@ -23,12 +23,11 @@ const SNAP: f64 = 1e-5;
 const SHARE: f64 = 5e-5;
 /// All of them together are worth halving from this part on.
 const ENOUGH: f64 = 3e-4;
-/// Cells in which the law is too stiff to follow an asked speed that changes are halved if no limit is used by more than
-/// this part in them and beside,
+/// Cells in which the law is too stiff to follow an asked speed that changes are halved if that costs more than this
+/// part of the time,
+const STIFF: f64 = 4e-6;
+/// and no limit is used by more than this part.
 const SPARED: f64 = 0.9;
-/// and the tip takes longer than this to pass them, s: cells much narrower than their neighbours cost the solver steps, and
-/// a change of the asked speed by a half in a second is followed within a thousandth in cells as brief.
-const BRIEF: f64 = 4e-3;
 /// Use of a limit between the places of rows from which on cells are halved rather than given less room.
 const ROUGH: f64 = 1.001;
 /// Narrower cells than this part of the path get less room rather than being halved: they would cost digits.
@@ -88,25 +87,16 @@ fn refined(cells: &Cells, most: usize, (c, lost): (&[f64], f64)) -> Option<Vec<f
     let bends: Vec<f64> = (0..cells.count()).map(|i| bend(cells, c, i)).collect();
     let narrow = NARROWEST * cells.map.length();
     let rough: Vec<bool> = (0..cells.count()).map(|i| cells.width(i) > narrow && peak(cells, c, i) > ROUGH).collect();
-    let stiff = stiff(cells, c, narrow);
+    let time: f64 = (0..cells.count()).map(|i| cells.width(i) / c[i + 1].sqrt()).sum();
+    let stiff: Vec<bool> = (0..cells.count())
+        .map(|i| cells.width(i) > narrow && cells.late(c, i) > STIFF * time && used(cells, c, i) < SPARED)
+        .collect();
     let gain: f64 = bends.iter().filter(|bend| **bend > SHARE * lost).sum();
     if cells.count() > most || (gain < ENOUGH * lost && !rough.contains(&true) && !stiff.contains(&true)) {
         return None;
     }
     let tau = cells.halved(|i| bends[i] > SHARE * lost || rough[i] || stiff[i]);
     (tau.len() > cells.tau.len()).then_some(tau)
-}
-
-/// The cells wider than `narrow` in which the law with coefficients `c` falls behind an asked speed that changes although
-/// every limit has room. How long the whole path takes is no measure: the tip is as much too slow on a long one.
-fn stiff(cells: &Cells, c: &[f64], narrow: f64) -> Vec<bool> {
-    let count = cells.count();
-    let behind: Vec<bool> = (0..count)
-        .map(|i| cells.width(i) > narrow && cells.width(i) > BRIEF * c[i + 1].sqrt() && cells.is_behind(c, i))
-        .collect();
-    let near = |i: usize| behind[i.saturating_sub(1)..(i + 2).min(count)].contains(&true);
-    let spared: Vec<bool> = (0..count).map(|i| near(i) && used(cells, c, i) < SPARED).collect();
-    (0..count).map(|i| behind[i] && spared[i.saturating_sub(1)..(i + 2).min(count)].iter().all(|s| *s)).collect()
 }
 
 /// A law near to the one wanted in `cells`, from coarser ones: none if they are few.
