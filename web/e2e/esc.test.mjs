@@ -1,25 +1,12 @@
 // Esc and STOP on a mock, which can be taken away: what is open is closed first, and a STOP that reaches nobody fills the screen.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { startMock } from './cell.mjs';
-import { axe, burns, commands, control, mode, open, ready, sleep, tab, weld } from './operator.mjs';
+import { after, test } from 'node:test';
+import { axe, bench, burns, commands, control, mode, open, ready, sleep, tab, weld } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (!hasBrowser) return;
-  cell = await startMock();
-  browser = await launch();
-  one = await page(browser);
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+const { one, options, ...begun } = await bench({ mock: true });
+let { cell } = begun;
+// Another one than at the beginning.
+after(() => cell?.end());
 
 const modeNow = () => one.locator('[data-mode]').getAttribute('data-mode');
 const user = () => one.getByRole('button', { name: /▾$/ });

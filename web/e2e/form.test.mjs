@@ -1,25 +1,9 @@
 // The form of a job: everything that the file has is there, and what the format allows can be added.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { startMock } from './cell.mjs';
-import { axe, open, tab } from './operator.mjs';
+import { test } from 'node:test';
+import { axe, bench, open, tab } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (!hasBrowser) return;
-  cell = await startMock();
-  browser = await launch();
-  one = await page(browser);
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+const { one, cell, options } = await bench({ mock: true });
 
 const table = (name) => one.locator('fieldset', { has: one.locator(`legend[title="${name}"]`) });
 const text = async () => {

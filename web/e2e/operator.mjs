@@ -3,18 +3,18 @@ import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after } from 'node:test';
 import { hasBrowser, launch, page as blank } from './browser.mjs';
-import { isReal, NO_CELL, startCell } from './cell.mjs';
+import { isReal, NO_CELL, startCell, startMock } from './cell.mjs';
 
 /**
  * A cell, a browser and a page for the tests of a file, ended after them. `real` says why the mock does not do: for the tests with
- * `onReal`, or, with `only`, for all of the file. `options` are for the others.
+ * `onReal`, or, with `only`, for all of the file. With `mock` the cell is a mock in any case. `options` are for the others.
  */
-export async function bench({ real = '', only = false, job, ...view } = {}) {
+export async function bench({ real = '', only = false, mock = false, job, ...view } = {}) {
   const skip = hasBrowser ? false : 'no Chromium';
   const onReal = { skip: skip || (isReal ? false : `${real}: ${NO_CELL}`) };
   const options = only ? onReal : { skip };
   if (options.skip) return { options, onReal };
-  const cell = await startCell(job);
+  const cell = await (mock ? startMock() : startCell(job));
   const browser = await launch();
   after(async () => {
     await browser.close();

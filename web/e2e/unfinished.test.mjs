@@ -1,25 +1,9 @@
 // Parts that were left in the middle, on a mock that remembers them by job and part as the cell does.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { startMock } from './cell.mjs';
-import { commands, control, mode, open, press, ready, weld } from './operator.mjs';
+import { test } from 'node:test';
+import { bench, commands, control, mode, open, press, ready, weld } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (!hasBrowser) return;
-  cell = await startMock();
-  browser = await launch();
-  one = await page(browser);
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+const { one, cell, options } = await bench({ mock: true });
 
 const load = (job, part, from = null) =>
   one.evaluate((body) => fetch('/api/load', { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body) }), { job, part, from });

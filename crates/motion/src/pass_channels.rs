@@ -1,12 +1,16 @@
 use crate::JointPath;
-use crate::law::{Channels, Limits};
+use crate::law::{Bend, Channels, Limits};
 use crate::tip_channels::TipChannels;
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine};
-use seamwright_program::Pass;
+use seamwright_program::{Pass, Span};
 
 /// Part of an axis' acceleration by which it may jump between two panels of a path: more is a corner.
 const JUMP: f64 = 1e-3;
+/// Part of the asked speed that rounding off one of its bends may cost,
+const ROUNDED: f64 = 1e-3;
+/// and the shortest time, s, in which a bend is passed.
+const BRIEF: f64 = 4e-3;
 /// Places nearer to each other than this part of the path are one.
 const SAME: f64 = 1e-9;
 
@@ -122,6 +126,21 @@ impl Channels for PassChannels<'_> {
 
     fn breaks(&self) -> Vec<f64> {
         self.breaks.clone()
+    }
+
+    /// A quadratic spline with stations `w` apart that stays below a bend of `slope` is up to `slope w / 8` below it.
+    fn bends(&self) -> Vec<Bend> {
+        let bend = |(at, pair): (&f64, &[Span])| {
+            let slope = |span: &Span| {
+                let speed = span.speed_mm_s;
+                (speed.at(1.0) - speed.at(0.0)) / (span.to_mm.get() - span.from_mm.get())
+            };
+            let bend = self.times * (slope(&pair[1]) - slope(&pair[0])).abs();
+            let speed = self.asked(*at);
+            let rounded_over = (8.0 * ROUNDED * speed / bend).max(BRIEF * speed);
+            (rounded_over < self.path.length()).then_some(Bend { at: *at, rounded_over })
+        };
+        self.borders.iter().zip(self.pass.spans.windows(2)).filter_map(bend).collect()
     }
 
     fn stops(&self) -> Vec<f64> {

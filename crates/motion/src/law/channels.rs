@@ -26,10 +26,25 @@ pub trait Channels {
     /// Parameters inside the range where a third derivative or the asked speed may jump or bend, increasing.
     fn breaks(&self) -> Vec<f64>;
 
+    /// Breaks at which the asked speed bends, increasing. Only where one is listed does the law follow a bend however little
+    /// time it costs.
+    fn bends(&self) -> Vec<Bend> {
+        Vec::new()
+    }
+
     /// Parameters inside the range where the motion comes to rest: corners and cusps, increasing. They are breaks too.
     fn stops(&self) -> Vec<f64> {
         Vec::new()
     }
+}
+
+/// A break at which the asked speed by the parameter changes its slope.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bend {
+    /// The parameter.
+    pub at: f64,
+    /// The law rounds the bend off over about this much of the parameter on either side.
+    pub rounded_over: f64,
 }
 
 /// Symmetric limits of one channel, in its unit per s, s^2 and s^3. The jerk may be infinite.

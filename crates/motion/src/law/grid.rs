@@ -44,9 +44,12 @@ pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64,
     }
     let widest = length / CELLS;
     let finest = [up, map.length() - down].map(|zone| zone / CELLS_AT_REST as f64);
+    let own = path.bends().into_iter().filter(|bend| bend.at > from && bend.at < to);
+    let bends: Vec<(f64, f64)> = own.map(|bend| (map.tau(bend.at), bend.rounded_over)).collect();
     let width = |tau: f64| {
         let near = |away: f64, finest: f64| finest + (GROWTH - 1.0) * away.max(0.0);
-        near(tau - up, finest[0]).min(near(down - tau, finest[1])).min(widest)
+        let ends = near(tau - up, finest[0]).min(near(down - tau, finest[1])).min(widest);
+        bends.iter().fold(ends, |least, (bend, finest)| least.min(near((tau - bend).abs(), *finest)))
     };
     let mut tau = vec![0.0];
     for w in fixed.windows(2) {

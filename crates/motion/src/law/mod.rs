@@ -51,7 +51,7 @@ mod spread;
 mod stream;
 
 pub use certificate::{Bound, Certificate, Interval, Use};
-pub use channels::{Channels, Limits};
+pub use channels::{Bend, Channels, Limits};
 pub use error::LawError;
 pub use speed_law::{LawPoint, Leg, SpeedLaw, SpeedReport};
 pub use stream::{Feed, LawStream};

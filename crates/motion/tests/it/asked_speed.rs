@@ -65,7 +65,6 @@ fn speed_findings(findings: &[Finding]) -> Vec<&Finding> {
 /// A valley of the asked speed a few millimetres wide costs the law next to no time on a seam of one and a half metres, and
 /// the tip must not be slower in it all the same.
 #[test]
-#[ignore = "open: the speed law rounds a changing asked speed off by more the longer the weld is"]
 fn a_bend_of_the_asked_speed_is_followed_on_a_long_weld() {
     for (low, way) in [(4.4, 2.5), (2.0, 5.0), (5.8, 1.0), (3.0, 12.0)] {
         let speeds: [(f64, f64); 6] =
@@ -84,7 +83,6 @@ fn a_bend_of_the_asked_speed_is_followed_on_a_long_weld() {
 /// Beads of a groove that opens and closes, in layers of which some end on the way: steep ramps of the speed, and every
 /// axis far from its limits.
 #[test]
-#[ignore = "open: the speed law rounds a changing asked speed off by more the longer the weld is"]
 fn ends_of_layers_are_no_findings() {
     let text = include_str!("../../../../tests/data/field-trial/ts_0.toml");
     let welding = Welding::read("ts_0.toml", text).unwrap();
