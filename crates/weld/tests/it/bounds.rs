@@ -122,6 +122,23 @@ fn too_many_stations_at_the_default_distance_are_refused_at_the_beads() {
     }
 }
 
+/// Thousands of layers, each of which may be left out at each station: work that grows with their product, no faster.
+#[test]
+fn layers_left_out_of_a_thick_groove_are_chosen_in_seconds() {
+    let beads = "adapt = \"passes\"\nmost_percent = 80\nfill = { layer_mm = 0.1, area_mm2 = 1 }";
+    let job = line(1000.0, "square = { thickness_mm = 300, root_gap_mm = 12 }", beads);
+    let fit_up =
+        "[[joint.fit_up]]\ns_mm = 0\nroot_gap_mm = 12\n[[joint.fit_up]]\ns_mm = 1000\nroot_gap_mm = 6\n[beads]";
+    let begin = std::time::Instant::now();
+    for text in [job.clone(), job.replace("[beads]", fit_up)] {
+        let plan = Welding::read("job.toml", &text).unwrap_or_else(|e| panic!("{e}")).plan.unwrap();
+        assert!(plan.count() > 3000, "{}", plan.count());
+        println!("{} beads, {:?}", plan.count(), begin.elapsed());
+    }
+    // A minute in an optimised build would be a fault of the order of growth; tests run unoptimised.
+    assert!(begin.elapsed().as_secs() < 120, "{:?}", begin.elapsed());
+}
+
 #[test]
 fn a_pass_of_more_than_a_day_is_refused_at_its_speed() {
     let job =
