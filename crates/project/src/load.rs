@@ -243,8 +243,6 @@ pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), 
     })
 }
 
-/// Findings nearer to each other than this are in one place, mm.
-const SAME_MM: f64 = 1e-3;
 /// Most set-points of one motion: more are a mistake in a period or a speed. A day of every millisecond is a tenth of them.
 const MOST_SET_POINTS: f64 = 1e9;
 
@@ -388,13 +386,8 @@ impl Loaded {
                 Err(findings)
             }
             Err(more) => {
-                // A corner at which the torch jumps is found by weld and motion; the weld knows the better cure.
-                let known = |f: &Finding| {
-                    let same =
-                        |g: &&Finding| (g.kind, g.pass) == (f.kind, f.pass) && (g.from_mm - f.from_mm).abs() < SAME_MM;
-                    f.kind == "turn" && findings.iter().any(|g| same(&g))
-                };
-                let new: Vec<Finding> = more.into_iter().filter(|f| !known(f)).collect();
+                // A corner at which the torch jumps is found by weld and motion, with one function.
+                let new: Vec<Finding> = more.into_iter().filter(|f| !findings.contains(f)).collect();
                 findings.extend(new);
                 Err(findings)
             }
