@@ -29,10 +29,15 @@ pub struct Loaded {
     pub stl_files: Vec<(String, PathBuf)>,
 }
 
-/// Reads a job or program file and its machine; the name of an example stands for it where there is no such file.
+/// Reads a job or program file and its machine; the name of an example stands for it where there is no such file. A
+/// folder is none: it may be the output of an example's plan.
 pub fn load(path: &Path) -> Result<Loaded, Failure> {
-    if std::fs::metadata(path).is_err_and(|e| e.kind() == std::io::ErrorKind::NotFound) {
-        let example = path.to_str().and_then(example).ok_or_else(|| no_such_job(path))?;
+    let (found, example) = (std::fs::metadata(path), path.to_str().and_then(example));
+    let missing = found.as_ref().is_err_and(|e| e.kind() == std::io::ErrorKind::NotFound);
+    if missing && example.is_none() {
+        return Err(no_such_job(path));
+    }
+    if let Some(example) = example.filter(|_| missing || found.is_ok_and(|found| found.is_dir())) {
         // What ships stands alone: a machine file that lies here by chance is another machine.
         let (name, here) = (format!("{}.toml", example.name), Within::open(Path::new(".")));
         return load_within(&name, example.text, &here, Own::Never);
