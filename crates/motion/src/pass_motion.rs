@@ -13,11 +13,10 @@ use crate::redundancy::{Aim, AllowedPositions, Clearance, FreeAxes, hold_finding
 use crate::set_points::SetPoints;
 use crate::singular;
 use crate::survey::{Survey, range_between, range_on_path, survey};
-use crate::torch_jumps::torch_jumps;
 use crate::weave_limits::Woven;
 use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
-use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath};
+use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
 use std::borrow::Cow;
 
 /// Places at which the tip's way by path length is looked at before there are axes.
