@@ -245,7 +245,26 @@ async fn whoever_is_not_logged_in_stops() {
     assert_eq!(refused.0.as_u16(), 403);
     let (status, stopped) = bench.ask(stranger.request("POST", "/api/stop", Some(&json!({})))).await;
     assert_eq!((status.as_u16(), &stopped["mode"]), (200, &json!("dry_run")));
+    assert!(stopped["cycle_age_s"].as_f64().unwrap() < 2.0, "{stopped}");
     page.mode("ready").await;
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit", None)).await;
     assert!(audit.as_array().unwrap().iter().any(|e| e["command"] == "stop" && e["user"] == ""), "{audit}");
+}
+
+/// The server answers a STOP for a cycle that has ended, and does not report it as taken.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_stop_that_no_cycle_takes_is_not_answered_as_taken() {
+    let served = Served::new().await;
+    let bench = &served.bench;
+    let owner = bench.owner().await;
+    let mut page = served.page(&owner).await;
+    page.until("a status", |v| v["kind"] == "status").await;
+    page.order("stop").await;
+    let panel = std::sync::Arc::clone(&bench.panel);
+    tokio::task::spawn_blocking(move || panel.cell.end()).await.unwrap();
+    tokio::time::sleep(Duration::from_millis(600)).await;
+    let answer = page.ask(json!({ "do": "stop" })).await;
+    assert_eq!((&answer["ok"], &answer["why"]["key"]), (&json!(false), &json!("silent_cycle")), "{answer}");
+    let (_, stopped) = bench.ask(owner.request("POST", "/api/stop", Some(&json!({})))).await;
+    assert!(stopped["cycle_age_s"].as_f64().unwrap() > 0.5, "{stopped}");
 }
