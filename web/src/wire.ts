@@ -2004,6 +2004,10 @@ job: string,
  */
 from: [number, number] | null, 
 /**
+ * How much of what is welded already before `from` is welded over on purpose, mm: so much is not asked about at the start.
+ */
+overlap_mm?: number | null, 
+/**
  * Name of the part that is welded, for the record.
  */
 part: string | null, 

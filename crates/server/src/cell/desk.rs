@@ -56,6 +56,8 @@ pub(crate) struct Loading {
     pub(crate) plan: Option<Plan>,
     /// Passes that are to be welded.
     pub(crate) passes: usize,
+    /// How much of a finished weld is welded over on purpose where it goes on, mm.
+    pub(crate) overlap_mm: f64,
     pub(crate) user: String,
 }
 
@@ -326,9 +328,9 @@ impl Desk {
             drop(answer.send(Err(lack)));
             return;
         }
-        let Loading { prepared, view, around, plan, passes, user } = loading;
+        let Loading { prepared, view, around, plan, passes, overlap_mm, user } = loading;
         let start = view.as_ref().and_then(|view| view.from);
-        let to_weld = plan.map(|plan| ToWeld::new(plan, passes, start));
+        let to_weld = plan.map(|plan| ToWeld::new(plan, passes, start).with_overlap(overlap_mm));
         let to = prepared.devices.as_ref().map(|devices| devices.to().clone());
         let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
         let values = prepared.with(|work| work.values().len());

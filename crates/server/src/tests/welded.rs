@@ -197,6 +197,18 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     assert_eq!(left["s_mm"].as_f64(), Some(farther), "{left}");
     page.order("arm").await;
     assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "finished_pass");
+    // An overlap that was asked for is no question.
+    let overlapping =
+        |mm: f64| json!({ "job": "short.toml", "from": [1, farther - 5.0], "overlap_mm": mm, "part": "A" });
+    for (mm, status) in [(-1.0, 422), (101.0, 422), (5.0, 200)] {
+        let load = owner.request("POST", "/api/load", Some(&overlapping(mm)));
+        assert_eq!(served.bench.ask(load).await.0.as_u16(), status, "{mm}");
+    }
+    page.control().await;
+    weld_to(&mut page, "A", farther).await;
+    load_part(&served.bench, &owner, &mut page, "A", &json!([1, at_a])).await;
+    page.order("arm").await;
+    assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "finished_pass");
     // Asked, and confirmed.
     let again = page.ask(json!({ "do": "start_weld", "reweld": true })).await;
     assert_eq!(again["ok"], true, "{again}");
