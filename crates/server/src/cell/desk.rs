@@ -8,9 +8,10 @@ use super::names::{Extra, Names};
 use super::prepared::Prepared;
 use super::progress::{Left, Parts, Progress, ToWeld};
 use super::recorder::Recorder;
+use super::safe_outputs::SafeOutputs;
 use super::stillness::Stillness;
 use crate::wire::{FromCell, LackView, Shelving, WorkView};
-use rtrb::{Consumer, Producer};
+use rtrb::{Consumer, Producer, PushError};
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Origin};
 use seamwright_cell::realtime::{Footing, Outside, Shown, Shutdown};
 use seamwright_record::{DataFolder, Plan};
@@ -76,6 +77,7 @@ pub(super) struct Desk {
     pub(super) recorder: Recorder,
     pub(super) mirror: Mirror,
     pub(super) to_weld: Option<ToWeld>,
+    pub(super) safe_outputs: SafeOutputs,
     waiting: VecDeque<Command>,
     /// What stands against something, as it is told, for each who asked.
     pub(super) lacks: HashMap<(u32, u32), Vec<LackView>>,
@@ -117,6 +119,7 @@ impl Desk {
         footing: Arc<OnceLock<Footing>>,
     ) -> Self {
         let Queues { outside, next, done } = queues;
+        let safe_outputs = SafeOutputs::new(Arc::clone(&hub));
         Self {
             hub,
             archive,
@@ -128,6 +131,7 @@ impl Desk {
             recorder,
             mirror,
             to_weld: None,
+            safe_outputs,
             waiting: VecDeque::new(),
             lacks: HashMap::new(),
             loading: None,
@@ -187,8 +191,9 @@ impl Desk {
 
     fn look(&mut self) {
         self.tell_footing();
-        // Drops what the cycle is done with.
-        while self.done.pop().is_ok() {}
+        while let Ok(done) = self.done.pop() {
+            self.drop_task(done);
+        }
         while let Ok((t, note)) = self.outside.notes.pop() {
             self.noted(t, note);
         }
@@ -225,6 +230,13 @@ impl Desk {
                 break;
             }
             self.waiting.pop_front();
+        }
+    }
+
+    /// Drops a task that the cycle is done with, or does not get. Its devices take their time.
+    fn drop_task(&self, mut task: Box<Prepared>) {
+        if let Some(devices) = task.devices.take() {
+            self.safe_outputs.let_go(devices);
         }
     }
 
@@ -326,6 +338,7 @@ impl Desk {
         // Nobody has to wait for the answer.
         if let Some(lack) = self.unfit(&loading) {
             drop(answer.send(Err(lack)));
+            self.drop_task(loading.prepared);
             return;
         }
         let Loading { prepared, view, around, plan, passes, overlap_mm, user } = loading;
@@ -335,7 +348,8 @@ impl Desk {
         let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
         let values = prepared.with(|work| work.values().len());
         let heads = view.as_ref().map_or(0, |view| view.tracked);
-        if self.next.push(prepared).is_err() {
+        if let Err(PushError::Full(prepared)) = self.next.push(prepared) {
+            self.drop_task(prepared);
             let text = "the cell does not answer: try again".to_owned();
             drop(answer.send(Err(LackView { key: "moving".to_owned(), of: vec![], text })));
             return;
