@@ -77,6 +77,8 @@ pub(super) struct Desk {
     pub(super) recorder: Recorder,
     pub(super) mirror: Mirror,
     pub(super) to_weld: Option<ToWeld>,
+    /// The weld that runs.
+    pub(super) welding: Option<Welding>,
     pub(super) safe_outputs: SafeOutputs,
     waiting: VecDeque<Command>,
     /// What stands against something, as it is told, for each who asked.
@@ -99,6 +101,17 @@ pub(super) struct Desk {
     pub(super) quits: bool,
     /// What keeps the record from being written, as it was told.
     pub(super) trouble: Option<String>,
+}
+
+/// How far the weld that runs has come, whether it is recorded or not.
+#[derive(Debug, Default)]
+pub(super) struct Welding {
+    /// Passes that have come to their end.
+    pub(super) passes: usize,
+    /// It was left in the middle.
+    pub(super) is_left: bool,
+    /// A cycle of it has come: those before it may wait in the queue when it begins.
+    runs: bool,
 }
 
 /// The desk's ends of the queues to the cycle.
@@ -131,6 +144,7 @@ impl Desk {
             recorder,
             mirror,
             to_weld: None,
+            welding: None,
             safe_outputs,
             waiting: VecDeque::new(),
             lacks: HashMap::new(),
@@ -279,10 +293,13 @@ impl Desk {
             self.trouble = Some(trouble);
         }
         // A weld that came to nothing leaves what was left before it. Where it was left itself is told before it is over.
+        if let Some(welding) = &mut self.welding {
+            welding.runs |= matches!(shown.mode, Mode::Weld | Mode::Hold);
+        }
         let over = !shown.mode.moves() && shown.mode != Mode::Hold && shown.phase.is_none();
         if over
             && self.stillness.stands()
-            && self.recorder.runs() != Some(false)
+            && self.welding.as_ref().is_none_or(|welding| welding.runs)
             && let Some(before) = self.left_before.take()
         {
             self.left.get_or_insert(before);

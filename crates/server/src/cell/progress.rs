@@ -167,7 +167,7 @@ impl Parts {
             }
             // Parts without a number are others each time.
             Progress::Whole(record) if !part.is_empty() => {
-                let record = record.map_or_else(String::new, |id| id.to_string());
+                let record = record.map_or_else(|| "–".to_owned(), |id| id.to_string());
                 let text = format!(
                     "part \"{part}\" is welded whole (weld {record}): it would be welded again; confirm, or name another part"
                 );

@@ -216,6 +216,44 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     page.mode("ready").await;
 }
 
+/// A weld whose record cannot be written goes on to its end all the same: its part is finished, and no start at the old place welds
+/// it again unasked.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_part_that_was_welded_without_a_record_is_finished() {
+    let served = Served::new().await;
+    let bench = &served.bench;
+    let owner = bench.owner().await;
+    let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
+    let text = example["text"].as_str().unwrap();
+    let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
+    let text = text.replace(line, SHORT);
+    bench.ask(owner.request("PUT", "/api/jobs/short.toml", Some(&json!({ "text": text })))).await;
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    load_part(bench, &owner, &mut page, "A", &Value::Null).await;
+    let at = weld_to(&mut page, "A", 3.0).await;
+    load_part(bench, &owner, &mut page, "A", &json!([1, at])).await;
+    page.control().await;
+    let (welds, away) = (bench.path().join("welds"), bench.path().join("away"));
+    std::fs::rename(&welds, &away).unwrap();
+    std::fs::write(&welds, "no folder").unwrap();
+    page.order("arm").await;
+    page.order("start_weld").await;
+    page.until("no record", |v| v["kind"] == "event" && v["key"] == "not_recorded").await;
+    page.until("the end", |v| v["kind"] == "status" && v["mode"] == "ready" && v["part"] == "" && v["left"].is_null())
+        .await;
+    std::fs::remove_file(&welds).unwrap();
+    std::fs::rename(&away, &welds).unwrap();
+    page.control().await;
+    page.order("acknowledge").await;
+    page.until("rest", |v| v["kind"] == "status" && v["process"]["phase"].is_null() && v["stands"] == true).await;
+    load_part(bench, &owner, &mut page, "A", &json!([1, at])).await;
+    page.control().await;
+    page.order("arm").await;
+    let refused = page.ask(json!({ "do": "start_weld" })).await;
+    assert_eq!(refused["why"]["key"], "finished_part", "{refused}");
+}
+
 /// What was stopped today is gone on with tomorrow: of the same program, whose number of the part comes with it.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_was_stopped_is_known_after_a_restart() {
