@@ -1,6 +1,6 @@
 //! What the cycle notes, told to everybody whom it concerns: pages, record, library, audit log.
 
-use super::desk::Desk;
+use super::desk::{Desk, Welding};
 use super::happening::happening;
 use super::names::WHY;
 use super::progress::{Left, Progress};
@@ -26,6 +26,7 @@ impl Desk {
             Note::Mode(from, to) => {
                 self.tell(happening("mode", [from, to].map(|mode| mode.name().to_owned())));
                 if to == Mode::Weld && from != Mode::Hold {
+                    self.welding = Some(Welding::default());
                     self.begin_record();
                 }
                 if !matches!(to, Mode::Weld | Mode::Hold) {
@@ -52,9 +53,11 @@ impl Desk {
                 self.tell(happening("cycles_missed", [cycles.to_string(), format!("{longest_ms:.0}")]));
             }
             Note::PassEnds(place) => {
+                self.welding.iter_mut().for_each(|welding| welding.passes += 1);
                 self.tell(happening("pass_ends", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
             }
             Note::Left(place) => {
+                self.welding.iter_mut().for_each(|welding| welding.is_left = true);
                 let at = (place.pass as u32, place.s_mm);
                 if let Some(of) = &self.to_weld {
                     let left = Left::now(at, self.recorder.weld(), of);
@@ -66,10 +69,12 @@ impl Desk {
         }
     }
 
-    /// A weld came to its end, or to none.
+    /// A weld came to its end, or to none: recorded or not, what is finished is known.
     fn weld_is_over(&mut self) {
-        if self.recorder.whole()
-            && let Some(of) = &mut self.to_weld
+        let Some(welding) = self.welding.take() else { return };
+        if let Some(of) = &mut self.to_weld
+            && !welding.is_left
+            && welding.passes >= of.passes
         {
             self.parts.note(of, Progress::Whole(self.recorder.weld()));
             self.left_before = None;

@@ -70,16 +70,6 @@ impl Recorder {
         self.open.as_ref().map(|o| o.recording.id())
     }
 
-    /// Whether a cycle of the weld that is recorded has come; none if none is recorded.
-    pub(super) fn runs(&self) -> Option<bool> {
-        self.open.as_ref().map(|open| open.runs)
-    }
-
-    /// The weld that is recorded has come to the end of its last pass.
-    pub(super) fn whole(&self) -> bool {
-        self.open.as_ref().is_some_and(Open::is_whole)
-    }
-
     /// A weld begins: `passes` of it are to come, by `welder`; `missing` is what the cycle lacks of real-time rights.
     ///
     /// # Errors

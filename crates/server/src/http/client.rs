@@ -13,6 +13,9 @@ use std::time::{Duration, Instant};
 const RATE: f64 = 100.0;
 const BURST: f64 = 200.0;
 
+/// A cycle that was heard of in this time takes a stop.
+const FRESH: Duration = Duration::from_millis(500);
+
 /// A connection's side of what it is allowed to say.
 pub(super) struct Client {
     pub(super) panel: Arc<Panel>,
@@ -130,7 +133,10 @@ impl Client {
                 self.stopped = Some(Instant::now());
                 self.audit(name, "taken");
             }
-            self.answer(seq, Ok(()));
+            // It was passed on in any case; a cycle that hangs or has ended does not take it.
+            let heard = self.panel.cell.hub.age().is_some_and(|age| age < FRESH);
+            let why = || lack("silent_cycle", "the cell does not answer: try again");
+            self.answer(seq, heard.then_some(()).ok_or_else(why));
             return Ok(());
         }
         self.allowed(name)?;

@@ -176,7 +176,8 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
         let prepared = Box::new(Prepared::bare(loading.prepared.machine()).map_err(Refused::input)?);
         let around = Arc::clone(&loading.around);
         let user = loading.user.clone();
-        give(panel, Loading { prepared, view: None, around, plan: None, passes: 0, user }).await?;
+        let bare = Loading { prepared, view: None, around, plan: None, passes: 0, overlap_mm: 0.0, user };
+        give(panel, bare).await?;
         let begin = Instant::now();
         while now.is_there() {
             if begin.elapsed() > Duration::from_secs(GO_S) {
@@ -195,11 +196,12 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
 
 /// Begins with a job in the cell.
 pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), String> {
-    let load = Load { job: job.to_owned(), from: None, part: None, distortion: None };
+    let load = Load { job: job.to_owned(), from: None, overlap_mm: None, part: None, distortion: None };
     put_in(panel, load, String::new()).await.map(drop).map_err(|refused| refused.text)
 }
 
 fn loading(panel: &Panel, load: Load, user: String) -> Result<Loading, Refused> {
+    let overlap_mm = overlap(&load)?;
     let loaded = loaded(panel, &load.job)?;
     let part = simulated_part(load.distortion.as_deref())?;
     part.check_devices(&loaded.machine)?;
@@ -225,7 +227,18 @@ fn loading(panel: &Panel, load: Load, user: String) -> Result<Loading, Refused> 
     let around = Arc::new(Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?);
     let task = Task::Job(Box::new(Planned { loaded, motion, part }));
     let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
-    Ok(Loading { prepared, view: Some(view), around, plan: Some(plan), passes, user })
+    Ok(Loading { prepared, view: Some(view), around, plan: Some(plan), passes, overlap_mm, user })
+}
+
+/// Maximum overlap over what is welded that no start asks about, mm.
+const MAX_OVERLAP_MM: f64 = 100.0;
+
+fn overlap(load: &Load) -> Result<f64, Refused> {
+    let overlap_mm = load.overlap_mm.unwrap_or(0.0);
+    if (0.0..=MAX_OVERLAP_MM).contains(&overlap_mm) {
+        return Ok(overlap_mm);
+    }
+    Err(Refused::input(format!("an overlap of {overlap_mm} mm is not possible; allowed: up to {MAX_OVERLAP_MM} mm")))
 }
 
 /// The part that is welded, where devices are simulated.
