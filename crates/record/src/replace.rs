@@ -291,7 +291,7 @@ mod tests {
         assert!(refused("foreign").contains("whole archive"));
         // An entry of the audit log that was changed, and a schema of a later version.
         for (sql, said) in
-            [("UPDATE audit SET user = 'eve'", "audit entry"), ("PRAGMA user_version = 999", "later version")]
+            [("UPDATE audit SET user = 'eve'; PRAGMA user_version = 2", "audit entry"), ("PRAGMA user_version = 999", "later version")]
         {
             let from = scratch.path().join(format!("from {said}"));
             let changed = folder(&from, "new");
