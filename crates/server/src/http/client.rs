@@ -187,7 +187,8 @@ impl Client {
             Ok(()) => {
                 let t = hub.latest().map_or(0.0, |s| s.t);
                 let text = if over { "control taken over" } else { "control taken" };
-                self.audit("take control", text);
+                let station = format!("panel {}", self.station);
+                self.panel.cell.archive.repeatable(&self.session.user, &station, "take control", text);
                 let key = if over { "control_taken_over" } else { "control_taken" };
                 hub.event(t, happening(key, []).by(Some(self.session.user.clone())));
             }
