@@ -85,7 +85,7 @@ impl Panel {
             accounts,
             sessions: Sessions::default(),
             tries: Tries::default(),
-            devices: Devices::default(),
+            devices: Devices::open(&data),
             checks: Checks::default(),
             key,
             data,
