@@ -126,7 +126,11 @@ impl Desk {
             Ask::AcknowledgeOne(..) => format!("acknowledge {}", one.unwrap_or_default()),
             ask => ask.name().to_owned(),
         };
-        self.archive.audit(user.as_deref().unwrap_or(""), &station, &text, ("", ""), "taken");
+        let user = user.as_deref().unwrap_or("");
+        match command.ask {
+            Ask::Acknowledge | Ask::AcknowledgeOne(..) => self.archive.repeatable(user, &station, &text, "taken"),
+            _ => self.archive.audit(user, &station, &text, ("", ""), "taken"),
+        }
     }
 
     fn refused(&mut self, command: Command, missing: Missing) {
@@ -144,7 +148,7 @@ impl Desk {
         let refused = happening("refused", [command.ask.name().to_owned(), why.text.clone()]);
         self.tell(refused.because(why.clone()).by(user.clone()));
         let from = format!("panel {station}");
-        self.archive.audit(user.as_deref().unwrap_or(""), &from, command.ask.name(), ("", ""), &why.text);
+        self.archive.refused(user.as_deref().unwrap_or(""), &from, command.ask.name(), &why.text);
         self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
     }
 

@@ -150,6 +150,9 @@ impl Client {
         if !self.panel.cell.hub.controls(self.station, false) {
             return Err(lack("control", "this page does not have control: take it first"));
         }
+        if leaves_rest(&ask) && self.panel.loads.any() {
+            return Err(lack("busy", "a job is being planned to be loaded: wait until it is in the cell"));
+        }
         if again {
             self.audit("start weld", "what is finished may be welded again");
             drop(self.panel.cell.desk.send(ToDesk::Reweld(self.of_page(seq, ask))));
@@ -193,7 +196,8 @@ impl Client {
             Ok(()) => {
                 let t = hub.latest().map_or(0.0, |s| s.t);
                 let text = if over { "control taken over" } else { "control taken" };
-                self.audit("take control", text);
+                let station = format!("panel {}", self.station);
+                self.panel.cell.archive.repeatable(&self.session.user, &station, "take control", text);
                 let key = if over { "control_taken_over" } else { "control_taken" };
                 hub.event(t, happening(key, []).by(Some(self.session.user.clone())));
             }
@@ -221,6 +225,11 @@ impl Client {
         let answer = FromCell::Answer { seq, ok: result.is_ok(), why: result.err() };
         self.panel.cell.hub.tell(self.station, &answer);
     }
+}
+
+/// True if the machine moves by this command.
+fn leaves_rest(ask: &Ask) -> bool {
+    matches!(ask, Ask::Home | Ask::HomeAxis(_) | Ask::StartJog | Ask::StartTeach | Ask::StartDryRun | Ask::StartWeld)
 }
 
 pub(super) fn lack(key: &str, text: impl Into<String>) -> LackView {
