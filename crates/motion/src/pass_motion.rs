@@ -7,7 +7,7 @@ use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
 use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
-use crate::pass_time::too_long;
+use crate::pass_time::{too_long, travels_too_long};
 use crate::planned::Planned;
 use crate::redundancy::{Aim, AllowedPositions, Clearance, FreeAxes, hold_finding, holding, resolve_within};
 use crate::set_points::SetPoints;
@@ -150,6 +150,7 @@ impl PassMotion {
                 return Err(findings);
             }
         };
+        findings.extend(travels_too_long(&law, path.length(), number));
         let certificate = Certificate::new(&channels, &law);
         let legs = law.legs();
         let planned = Planned { machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };
