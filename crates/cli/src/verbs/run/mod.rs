@@ -9,6 +9,7 @@ use crate::args::run::RunArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
+use crate::planning;
 use crate::verbs::part;
 use desk::Desk;
 use seamwright_cell::SimulatedCell;
@@ -48,7 +49,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let conditions = part.conditions(args.seed, &args.fault, &around);
     part.check_devices(&loaded.machine)?;
     devices::check_period(&loaded.machine)?;
-    let motion = part.plan(&loaded)?;
+    let motion = planning::plan_part(&part, &loaded, &args.planning)?;
     power_loss::check(args.record.data.as_deref(), args.from)?;
     let paths = loaded.paths();
     let cell = SimulatedCell::new(&loaded.machine, loaded.passes(&paths), &motion, conditions);
