@@ -1900,7 +1900,7 @@ text: string, };
  */
 export type PlanningView = { 
 /**
- * `draft`, `plan`, `recorded`, `report`, `post` or `place`.
+ * `draft`, `plan`, `recorded`, `report`, `post`, `load` or `place`.
  */
 kind: string, 
 /**
