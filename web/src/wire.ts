@@ -1905,7 +1905,7 @@ text: string, };
  */
 export type PlanningView = { 
 /**
- * `draft`, `plan`, `recorded`, `report`, `post` or `place`.
+ * `draft`, `plan`, `recorded`, `report`, `post`, `load` or `place`.
  */
 kind: string, 
 /**

@@ -355,7 +355,7 @@ pub struct JobText {
 /// Something that is being planned for a page: see `GET /api/planning`.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct PlanningView {
-    /// `draft`, `plan`, `recorded`, `report`, `post` or `place`.
+    /// `draft`, `plan`, `recorded`, `report`, `post`, `load` or `place`.
     pub kind: String,
     /// Time since it was asked for, s.
     pub elapsed_s: f64,
