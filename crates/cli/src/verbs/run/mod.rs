@@ -134,17 +134,20 @@ fn with_cell(
     let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
     let ended = real(work, machine, (devices, lines, tracking), (asked.cpu, &shutdown), &mut desk)?;
     let closed = desk.close(&mut output, &loaded.welding.program.value.title, &ended);
+    // Outputs that may be on come before files that cannot be written.
+    check_safe(&ended.lines)?;
     output.finish()?;
     tell_missed(&ended, machine.servo_period_s);
     closed?;
-    check_safe(&ended.lines)?;
     desk.judge()
 }
 
 /// Refuses to end as if all were well where a device has not said that its outputs are safe.
 fn check_safe(lines: &Lines) -> Result<(), Failure> {
     for (name, line) in lines {
-        if let Some(Err(why)) = line.get().safe {
+        // A device without an answer counts as one whose outputs are on.
+        let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".to_owned()));
+        if let Err(why) = safe {
             return Err(Failure::Environment(format!(
                 "device `{name}`: its outputs are not confirmed to be safe: {why}\n   look at once whether arc and gas are off"
             )));
