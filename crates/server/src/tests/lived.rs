@@ -91,7 +91,7 @@ pub(crate) struct Page {
     jogs: u32,
     pub(super) status: Value,
     /// What has happened, in words.
-    events: Vec<String>,
+    pub(super) events: Vec<String>,
     /// What teaching by eye is doing.
     pub(super) taught: Value,
     pub(super) alarms: Value,

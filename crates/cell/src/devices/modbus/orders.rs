@@ -167,8 +167,9 @@ impl OrderWriter {
         self.cycle = (link.life.cycles.load(Ordering::Acquire), None);
         if !self.line.is_connected() {
             self.line.connect(&link.device).await?;
-            self.image.forget(self.ordered.read().offs);
         }
+        // Everything once more: only an answer from now on is a confirmation.
+        self.image.forget(self.ordered.read().offs);
         match self.write(link).await {
             // It was lost unseen: once more on a new one.
             Err(Trouble::Gone(_)) => {
