@@ -38,7 +38,7 @@ pub struct Follower {
     rims: Rims,
     /// Upper limit of the widths tried at a start of unknown width, pixels; the result is below [`NARROWER`] times it.
     pub(super) narrower: f32,
-    /// Where an object may hide the joint.
+    /// Place at which an object may hide the joint.
     pub(super) hidden: Option<Hidden>,
     pub(super) joint: Joint,
     /// The joint as found before the second attempt.

@@ -53,7 +53,7 @@ impl Strip {
     /// the first columns of both rows and the number of columns to compare.
     fn measure_noise<W: IntoIterator<Item = ([usize; 2], usize)>>(&mut self, within: impl Fn(usize) -> W) -> f32 {
         let step = (self.depth.len() / NOISE_ROWS).max(2);
-        // The buffer has room for the longest strip and is not emptied; only the first `told` entries are valid.
+        // The buffer has room for the longest strip and is not emptied; only its first part is valid.
         let mut told = 0;
         let most = self.depth.len().saturating_sub(APART).div_ceil(step) * COLS / 2;
         if self.magnitudes.len() < most {
@@ -76,7 +76,7 @@ impl Strip {
         self.deviation(told).unwrap_or(self.noise).max(MIN_NOISE)
     }
 
-    /// Returns the standard deviation from the first `told` differences, by a low quantile: the joint may slant, or a
+    /// Returns the standard deviation from the collected differences, by a low quantile: the joint may slant, or a
     /// shadow's edge.
     fn deviation(&mut self, told: usize) -> Option<f32> {
         let place = told * 3 / 10;

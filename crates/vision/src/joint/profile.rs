@@ -128,7 +128,7 @@ impl Profile {
         Reading { depth: told(&self.depth), moment: told(&self.moment), step: told(&self.step) }
     }
 
-    /// Returns the left and right rims of a mean row, columns from its middle, at half the depth of the floor below the
+    /// Returns both rims of a mean row, columns from its middle, at half the depth of the floor below the
     /// darker side's metal. `None` if a side is no lighter.
     pub(super) fn rims(&self, around: &Around) -> Option<[f32; 2]> {
         let valley = self.valley(around);

@@ -90,7 +90,7 @@ impl Trail {
             && self.strip.shows_at_most(&self.deepest, look.contrast, ROWS) < FOUND
     }
 
-    /// Returns false if no path of the strip shows the joint in so many of the first rows, in any light.
+    /// Returns false if no path of the strip shows the joint in `rows` of the `first` rows, in any light.
     pub(super) fn may_show(&mut self, look: &Look, (rows, first): (usize, usize)) -> bool {
         self.find_deepest();
         // Rows that show a deep joint also show a less deep one.
