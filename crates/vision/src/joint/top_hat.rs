@@ -216,8 +216,7 @@ mod tests {
     use super::*;
     use crate::testing::random;
 
-    /// Reference by definition: the minimum of the maximum over squares, of means of three by three with weights 1, 2,
-    /// 1.
+    /// Reference by definition: the minimum of the maximum over squares, of 3 x 3 means with weights 1, 2, 1.
     fn slowly(pixels: &[f32], (width, height): (usize, usize), around: isize) -> Vec<f32> {
         let (w, h) = (width as isize, height as isize);
         let at = |x: isize, y: isize| pixels[(y.clamp(0, h - 1) * w + x.clamp(0, w - 1)) as usize];
