@@ -54,7 +54,7 @@ pub struct Trace {
 pub struct Cell {
     /// Lower bound of the distance (or margin) in the whole cell, mm; at most the cut-off.
     pub at_least_mm: f64,
-    /// The nearer of the two samples of this bound.
+    /// Parameter of the nearer of the two samples of this bound.
     pub s: f64,
     /// Nearest points of the solids there; none beyond the cut-off.
     pub place: Option<Place>,
@@ -89,11 +89,11 @@ impl Profile {
 impl Scene {
     /// Follows a motion in `stations` cells of equal length (at least one).
     ///
-    /// Guarantee: all distances in a cell are at least the cell's bound, if the motion's speed bound is right. Between
-    /// two samples ds apart with distances d0 and d1, and a closing speed of at most v, all distances are at least `(d0
-    /// + d1 - v ds) / 2`. Cells are halved until that bound is close to the samples and on one side of the required
-    /// distance. One bound covers many cells where it already is. The work is bounded by the motion's length over
-    /// `limits.smallest`, for each watch.
+    /// Guarantee: all distances in a cell are at least the cell's bound, if the motion's speed bound is right. Let two
+    /// samples ds apart have the distances d0 and d1, and v bound the closing speed. All distances between them are at
+    /// least `(d0 + d1 - v ds) / 2`. Cells are halved until that bound is close to the samples and on one side of the
+    /// required distance. One bound covers many cells where it already is. The work is bounded by the motion's length
+    /// over `limits.smallest`, for each watch.
     ///
     /// # Errors
     /// Limits that are not greater than 0.
@@ -196,8 +196,8 @@ impl<'a, M: Motion> Walk<'a, M> {
         let bound = self.bound(u, v);
         let required = self.scene.watches()[self.watch].least_mm();
         let (d0, d1) = (u.found.distance, v.found.distance);
-        // Over many cells the bound must be close to all of their distances, which reach as far above the mean as the
-        // bound lies below it.
+        // Over many cells the bound must be close to all distances, which reach as far above the mean as the bound lies
+        // below.
         let known = if cells.len() == 1 { d0.min(d1) } else { d0 + d1 - bound }.min(self.limits.cutoff_mm);
         let near_enough = bound >= known - self.limits.precision_mm - SHARE * known.abs();
         let decided = bound >= required || (cells.len() == 1 && d0.max(d1) < required);

@@ -63,8 +63,8 @@ pub struct Evaluation {
     /// Lower bound of the distance of two groups or the margin in a zone, mm. The margin is negative outside a zone:
     /// for a box the minimum over its faces.
     pub distance: f64,
-    /// The nearest points; none if the distance is only a bound at the limit, or the frames are not finite (then the
-    /// distance is 0, and the margin minus infinity).
+    /// The nearest points; none if the distance is only a bound at the limit, or the frames are not finite. With such
+    /// frames the distance is 0, and the margin minus infinity.
     pub place: Option<Place>,
 }
 

@@ -2,8 +2,8 @@ use crate::{Error, Foot, Quadric, QuadricDistance, SignedDistance, Torus, error:
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 
-/// The head of a vessel: a convex body of revolution whose meridian is a chain of arcs and lines joined without
-/// corners, from the crown through a knuckle into a cylindrical flange.
+/// The head of a vessel: a convex body of revolution. Its meridian is a chain of arcs and lines joined without corners,
+/// from the crown through a knuckle into a cylindrical flange.
 ///
 /// Heights count along the axis, out of the vessel, from the end of the knuckle, where the flange begins. The flange
 /// ends `flange` mm below; for distances it is infinite.

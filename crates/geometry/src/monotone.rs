@@ -64,8 +64,7 @@ impl MonotoneCurve {
         let h = self.x[i] - self.x[i - 1];
         let (a, b) = ((self.x[i] - x) / h, (x - self.x[i - 1]) / h);
         // Quintic Hermite form with second derivatives zero. Its slope is a weighted sum of the mean slope and those at
-        // the ends, whose negative weights are outweighed by the mean's positive one if they are at most twice the
-        // mean.
+        // the ends. The mean's positive weight dominates while the end slopes are at most twice the mean.
         let step = |x: f64| x * x * x * (10.0 + x * (6.0 * x - 15.0));
         let lean = |x: f64| x * (1.0 + x * x * (x * (8.0 - 3.0 * x) - 6.0));
         self.y[i - 1] * step(a) + self.y[i] * step(b) + h * (self.slope[i - 1] * lean(b) - self.slope[i] * lean(a))

@@ -54,10 +54,10 @@ pub enum MapError {
 
 /// Pixels to mm on one plane square to the optical axis, and back.
 ///
-/// A position m (mm) maps to the undistorted pixel offset n = M m, then to n (1 + b |n|^2 / R^2) from the centre, with
-/// R half the frame's width. The inverse solves that cubic by Newton's method, which approaches the root from one side;
-/// both ways together are good to 1e-9 px. Beyond the fold of the distortion (a barrel far outside of the frame) both
-/// maps return `None`.
+/// A position m (mm) maps to the undistorted pixel offset n = M m. The pixel is n (1 + b |n|^2 / R^2) from the centre,
+/// with R half the frame's width. The inverse solves that cubic by Newton's method, which approaches the root from one
+/// side; both ways together are good to 1e-9 px. Beyond the fold of the distortion (a barrel far outside of the frame)
+/// both maps return `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaneMap {
     parameters: MapParameters,

@@ -13,10 +13,10 @@ const MIN_CLOSED_INTERVALS: usize = 4;
 /// A cubic spline with every one of `points` within `tolerance` (mm) of it, by chord length, with the fewest knots
 /// found; it starts at the first and ends at the last point. Tolerance 0: the spline through the points.
 ///
-/// Knots are parameters of points. They are added in the middle of intervals with a point outside the tolerance, each
-/// time with the spline of least squares, until all points are within it. Then knots are removed again while the
-/// tolerance holds, the one with the smallest jump of the third derivative first. So no single knot is superfluous;
-/// another set may still have fewer. For an end with a jet only the first derivative counts.
+/// Knots are parameters of points. They are added in the middle of intervals with a point outside the tolerance of the
+/// least-squares spline, until all points are within it. Then knots are removed again while the tolerance holds, the
+/// one with the smallest jump of the third derivative first. So no single knot is superfluous; another set may still
+/// have fewer. For an end with a jet only the first derivative counts.
 ///
 /// # Errors
 /// As [`Spline::through`].

@@ -64,10 +64,10 @@ impl Torus {
     /// Height over `foot`, along the unit vector `d`, of the last point of a line on the torus; NaN if the line misses
     /// it.
     ///
-    /// Along the line the torus is a quartic without a cubic term, `t^4 + c2 t^2 + c1 t + c0`, `t` counted from the
-    /// point nearest to the centre. It is convex beyond both its points of inflection and concave between them, so that
-    /// Newton's method or halving finds the last zero and no other. The torus' own distance then gives back the digits
-    /// that the fourth powers cost.
+    /// Along the line the torus is a quartic `t^4 + c2 t^2 + c1 t + c0`, with `t` from the point nearest to the centre.
+    /// It is convex beyond both its points of inflection and concave between them, so that Newton's method or halving
+    /// finds the last zero and no other. The torus' own distance then gives back the digits that the fourth powers
+    /// cost.
     pub(crate) fn leaves(&self, foot: DVec3, d: DVec3) -> f64 {
         let size = self.ring + self.tube;
         let q = foot - self.centre;

@@ -27,9 +27,9 @@ pub struct PivotFit {
     pub apart: f64,
 }
 
-/// Finds a point of a body (the tip of a tool) in the body's frame, from poses of the body with that point at one fixed
-/// point: `frame * tip = point` for all of them, by least squares. It is linear in both; subtracting the means over all
-/// frames eliminates the fixed point.
+/// Finds a point of a body (the tip of a tool) in its frame, from poses with that point at one fixed point: `frame *
+/// tip = point` for all of them, by least squares. It is linear in both; subtracting the means over all frames
+/// eliminates the fixed point.
 ///
 /// # Errors
 /// [`Error::TooFewPoints`] with fewer than three frames; [`Error::Alike`] if their attitudes are too similar.
@@ -106,8 +106,8 @@ mod tests {
         DVec3::new(random(), random(), random())
     }
 
-    /// `n` frames of a body whose point `tip` is at `point`, off by `sigma` in each coordinate, turned by up to `most`
-    /// rad about axes from `axis`.
+    /// `n` frames of a body with its point `tip` at `point`, off by `sigma` in each coordinate. They turn by up to
+    /// `most` rad about axes from `axis`.
     fn frames(
         (tip, point): (DVec3, DVec3),
         (n, most, sigma): (usize, f64, f64),

@@ -29,8 +29,9 @@ fn plane(points: &[DVec3], radius: f64, nominal: &DAffine3, along: DVec3) -> Res
     Ok((fit.transform.matrix3, fit.transform.translation.dot(z), fit.plane))
 }
 
-/// The part's frame from touches (centres of a ball of `radius` mm, or points with 0) of the plane z = 0, of its origin
-/// and of a point on its x axis. The normal points as in `nominal`; marks are touched with the ball on the plane.
+/// The part's frame from touches of the plane z = 0, of its origin and of a point on its x axis. Touches are centres of
+/// a ball of `radius` mm, or points with 0. The normal points as in `nominal`; marks are touched with the ball on the
+/// plane.
 ///
 /// # Errors
 /// [`Error::TooFewPoints`] with fewer than 3, 1 and 1; [`Error::Gathered`] if those of the plane lie on a line, or both

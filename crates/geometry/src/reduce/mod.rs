@@ -6,8 +6,8 @@
 //! - every point of the run is within the tolerance T of the span itself: the segment, or the arc with its extent;
 //! - between two points next to each other the span is within T of the straight line between them;
 //! - it passes the points in order; turning back by up to T counts as noise;
-//! - every further column is within its own tolerance of the linear course from the run's first point to its last, by
-//!   path length along the span and along the points.
+//! - every further column is within its own tolerance of the linear course from first to last point, by path length
+//!   along span and points.
 //!
 //! Two neighbouring points always have their line. An arc sweeps less than a full turn, since equal ends do not define
 //! a centre: a circle takes two. Its ends are further apart than T; its radius is at most 10 km

@@ -2,8 +2,8 @@
 //!
 //! An arc from a point O to a point E is determined by its direction at O: the unit vector d, at the angle psi from the
 //! direction e to E; it sweeps 2 psi, and psi = 0 is the line. Inversion about O with the radius L = |E - O| maps the
-//! arc to the ray from E along d, and a ball about a point q to a ball. So the arc is within `near` of q exactly if d
-//! is in a disc on the sphere of directions. In units of L, with x = q - O:
+//! arc to the ray from E along d. It maps a ball about a point q to a ball. So the arc is within `near` of q exactly if
+//! d is in a disc on the sphere of directions. In units of L, with x = q - O:
 //!
 //! `v = x - e (x^2 - near^2)`, d within the angle `asin(near / |v|)` of v, that is `|d x v| <= near` and `d . v > 0`.
 //!
@@ -72,7 +72,7 @@ pub(super) struct Run<'a> {
     /// Distance of the ends, mm.
     pub(super) length: f64,
     near: Near,
-    /// Squared length, mm², above which the middle of a chord is checked too.
+    /// Squared length, mm^2, above which the middle of a chord is checked too.
     long: f64,
 }
 

@@ -16,9 +16,9 @@ pub struct SplineReduction {
     pub max_error: f64,
 }
 
-/// Reduces a polyline to the natural cubic spline, by length along the polyline, through few of its points, with every
-/// other point within `tolerance` (mm) of it; further columns (each as long as `points`, in any unit) are natural
-/// splines through the same points by the same parameter, within `axis_tolerance`. In any one frame.
+/// Reduces a polyline to the natural cubic spline, by length along it, through few of its points. All other points are
+/// within `tolerance` (mm) of it; further columns (each as long as `points`, in any unit) are natural splines through
+/// the same points by the same parameter, within `axis_tolerance`. In any one frame.
 ///
 /// Points are added in the middle of intervals with a point outside the tolerance, until all are within it. Then points
 /// are removed again while the tolerance holds, the one with the smallest jump of the third derivative first. So no
