@@ -1,7 +1,7 @@
 //! Reports: plots as SVG and one self-contained HTML page.
 //!
-//! Pure data in, `String` out: numbers and curves that an engineer can judge at a glance, on a screen (light or dark),
-//! on a telephone and on A4 paper. The output loads no script, font or image from elsewhere. Only the folders `weld`,
+//! Pure data in, `String` out: numbers and curves that an engineer can judge at a glance. They suit screens (light or
+//! dark), telephones and A4 paper. The output loads no script, font or image from elsewhere. Only the folders `weld`,
 //! `record` and `machine` depend on welding and machines: they fill the page with a planned weld, a recorded one, a
 //! machine.
 //!

@@ -23,8 +23,8 @@ pub(crate) fn spread(wanted: &[f64], sizes: &[f64], lo: f64, hi: f64) -> Vec<f64
     placed
 }
 
-/// Returns the position of a label of size `w` × `h` beside `point`: inside `bounds`, off the labels in `taken`, and on
-/// as few `ink` points as possible.
+/// Returns the position of a label of size `w` × `h` beside `point`. It lies inside `bounds`, off the labels in
+/// `taken`, and on as few `ink` points as possible.
 pub(crate) fn beside(point: (f64, f64), (w, h): (f64, f64), bounds: Rect, taken: &[Rect], ink: &[(f64, f64)]) -> Rect {
     let mut best = (f64::INFINITY, Rect { x: point.0, y: point.1, w, h });
     for distance in [10.0, 18.0, 28.0, 42.0, 60.0, 84.0] {

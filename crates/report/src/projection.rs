@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 /// Elevation of the viewer of the pictorial view, rad.
 const ELEVATION: f64 = 20.0 / 180.0 * std::f64::consts::PI;
 
-/// A viewing direction. Front, side and top are arranged in first-angle projection (ISO 5456-2, method E): each shows
+/// A viewing direction. Front, side and top are arranged in first-angle projection (ISO 5456-2, method E). Each shows
 /// the object of the front view rolled over, away from the viewer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Projection {

@@ -3,8 +3,8 @@
 //! The rules name colours as custom properties. The page defines these; in a standalone SVG plain colours replace them,
 //! because most drawing programs do not support custom properties.
 //!
-//! Series colours follow Okabe and Ito, "Color Universal Design" (2008), darkened on white and
-//! lightened on black until every one has a contrast of 3 or more to the plot area.
+//! Series colours follow Okabe and Ito, "Color Universal Design" (2008). They are darkened on white and lightened on
+//! black to a contrast of 3 or more to the plot area.
 
 use std::fmt::Write;
 

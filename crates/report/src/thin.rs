@@ -10,7 +10,7 @@ const MAX_POINTS: usize = 5000;
 
 /// Splits px points at gaps (a coordinate that is NaN) and thins long polylines.
 ///
-/// With non-decreasing x, each pixel column keeps its first, lowest, highest and last point: all peaks remain, and the
+/// With non-decreasing x, each pixel column keeps its first, lowest, highest and last point. All peaks remain, and the
 /// number of points is at most four times the width. A curve that turns back drops points closer than a quarter of a
 /// pixel, or more if it is still too long. Invisible gaps, less than a pixel wide, are closed.
 pub(crate) fn thin(points: impl Iterator<Item = Point> + Clone) -> Vec<Vec<Point>> {

@@ -15,8 +15,8 @@ pub(crate) struct Ticks {
 impl Ticks {
     /// Returns between 3 and 10 ticks inside `domain`, as near to `target` as a round step allows.
     ///
-    /// `domain` must be settled. A step always exists: if `n` steps fit into the span, there are `n` or `n + 1` ticks,
-    /// and neighbouring steps differ by a factor of at most 2.5.
+    /// `domain` must be settled. A step always exists: if `n` steps fit into the span, there are `n` or `n + 1` ticks.
+    /// Neighbouring steps differ by a factor of at most 2.5.
     pub(crate) fn new(domain: Domain, target: usize) -> Self {
         let power = domain.span().log10().floor() as i32;
         let mut best: Option<(usize, Self)> = None;
@@ -58,8 +58,8 @@ impl Ticks {
         Self::stepped(domain, mantissa, exponent)
     }
 
-    /// Returns ticks for a domain of decimal logarithms: 1, 2 and 5 times powers of ten, or only the powers if those
-    /// are `most` or more. The values are logarithms.
+    /// Returns ticks for a domain of decimal logarithms: 1, 2 and 5 times powers of ten. If those are `most` or more,
+    /// returns only the powers. The values are logarithms.
     pub(crate) fn decades(domain: Domain, most: usize) -> Self {
         let powers = domain.lo.floor() as i32..=domain.hi.ceil() as i32;
         let ticks = |mantissas: &[f64]| -> Vec<f64> {

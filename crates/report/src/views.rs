@@ -19,8 +19,8 @@ pub struct Mark {
     pub at: [f64; 3],
 }
 
-/// A path in space with vectors along it, in mm: front (x-z), side (y-z, from the left) and top
-/// (x-y) at one scale, in first-angle projection, and a small pictorial view.
+/// A path in space with vectors along it, in mm. First-angle projection at one scale shows front (x-z), side (y-z, from
+/// the left) and top (x-y), beside a small pictorial view.
 ///
 /// Points with a non-finite coordinate are gaps. Of more than 400 vectors an even selection is drawn.
 #[derive(Debug, Clone, PartialEq, Default)]

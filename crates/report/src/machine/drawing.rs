@@ -10,7 +10,7 @@ use crate::views::first_angle;
 use seamwright_machine::check::Side;
 use seamwright_machine::{AxisKind, Machine};
 
-/// A machine at home in its base frame: every axis at its position with its positive sense, in three views in
+/// A machine at home in its base frame, with position and positive sense of every axis. It has three views in
 /// first-angle projection and a small pictorial one.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MachineDrawing {

@@ -34,8 +34,7 @@ pub struct CertificateFigures {
 /// Name in place of an axis where a limit of the torch tip binds.
 pub(super) const TIP: &str = "torch tip";
 
-/// Maximum use of the torch tip's limits in a pass, in the directions in which they apply; a field without a limit is
-/// missing.
+/// Maximum use of the torch tip's limits in a pass, in the directions in which they apply; `None` without that limit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TipFigures {
     /// Use of its speed limit, %.

@@ -121,7 +121,7 @@ pub struct PassFigures {
 /// Minimum distance between two checked objects.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ClearanceFigures {
-    /// Distance, mm; a lower bound if `between` is missing.
+    /// Distance, mm; a lower bound if `between` is `None`.
     pub nearest_mm: f64,
     /// Path length of the minimum, mm.
     pub at_mm: Option<f64>,

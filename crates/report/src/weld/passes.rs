@@ -1,5 +1,5 @@
-//! Page of a weld of several passes: tables by pass, and the curves of one pass of each kind, because those of all
-//! passes would fill a book with repetitions.
+//! Page of a weld of several passes: tables by pass, and the curves of one pass of each kind. The curves of all passes
+//! would fill a book with repetitions.
 
 use super::Plots;
 use super::certificate::UseFigures;

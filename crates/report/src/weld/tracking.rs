@@ -76,7 +76,7 @@ pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary], language:
 
 /// Returns the deviations of each head with and without tracking.
 pub(super) fn table(heads: &[HeadSummary], language: Language) -> Table {
-    // A weld that was not begun has no deviations.
+    // A head that has not welded has no deviations.
     let mm =
         |value: f64| if value.is_finite() { format_number(value, 3) } else { language.say("none welded").to_owned() };
     let row = |h: &HeadSummary| {

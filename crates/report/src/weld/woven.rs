@@ -11,8 +11,8 @@ const PLACES: f64 = 96.0;
 /// Number of drawn oscillation periods.
 const TURNS: u32 = 5;
 
-/// Draws the woven path of the first centimetres of a pass, seen along the torch with the seam laid straight, at equal
-/// scales; `None` without a weave.
+/// Draws the woven path of the first centimetres of a pass, seen along the torch with the seam laid straight. Both
+/// scales are equal; `None` without a weave.
 pub(super) fn weave(pass: &Pass, path: &PassPath, language: Language) -> Option<Chart> {
     let (weave, weaving) = (pass.weave.as_ref()?, path.weaving.as_ref()?);
     let length = pass.length();

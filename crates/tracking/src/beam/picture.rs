@@ -70,8 +70,8 @@ const STEEPEST: f64 = 0.3;
 /// Maximum bend of a seam within a picture, mm.
 const BEND_MM: f64 = 0.05;
 
-/// Returns for each point whether it lies on the line that most of them share: within three standard deviations of
-/// `noise_mm` plus the bend of a seam. Returns `None` unless more than half, and at least [`FEWEST`], share one.
+/// Returns for each point whether it lies on the line that most of them share. The limit is three standard deviations
+/// of `noise_mm` plus the bend of a seam. Returns `None` unless more than half, and at least [`FEWEST`], share one.
 pub(super) fn on_one_line(places: &[Place], noise_mm: f64) -> Option<ArrayVec<bool, PLACES>> {
     let off = |a: &Place, slope: f64, p: &Place| (p.1.x - a.1.x - slope * (p.0 - a.0)).abs();
     let is_near = |a: &Place, slope: f64, p: &Place| off(a, slope, p) <= BEND_MM + 3.0 * noise_mm / p.2.max(0.1);

@@ -53,7 +53,7 @@ impl DeviationRecord {
     /// Returns the path lengths of the first and last row, mm.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
-        // There are two rows at least.
+        // Cannot fail: a record has at least two rows.
         [self.rows[0].s_mm, self.rows[self.rows.len() - 1].s_mm]
     }
 

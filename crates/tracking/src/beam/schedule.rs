@@ -116,8 +116,8 @@ mod tests {
         ));
     }
 
-    /// For any cycle times and requests for frames: starts are a period apart, a scan ends with the first cycle after
-    /// its time, and the time of exposure is its middle.
+    /// Holds for any cycle times and requests for frames. Starts are a period apart, a scan ends with the first cycle
+    /// after its time, and the exposure time is its middle.
     #[test]
     fn never_more_often_nor_longer() {
         let mut random = Pcg64Mcg::seed_from_u64(3);

@@ -1,8 +1,8 @@
 //! Seam tracking with a sensor that looks ahead of the torch.
 //!
-//! A measurement is combined with the torch and slide positions at its exposure, which gives the *absolute* deviation
-//! of the seam by path length: `d(s + L) = measured + slide - own curve`. No error accumulates, so there is no drift,
-//! and speed changes, holds and reversing have no effect. A gate and a Kalman filter at the sensor reject outliers.
+//! A measurement is combined with the torch and slide positions at its exposure. This gives the *absolute* deviation of
+//! the seam by path length: `d(s + L) = measured + slide - own curve`. No error accumulates, so there is no drift, and
+//! speed changes, holds and reversing have no effect. A gate and a Kalman filter at the sensor reject outliers.
 //! Accepted measurements are stored by path length until the torch arrives, and smoothed from both sides, so without
 //! lag.
 //!

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 /// Tracking algorithm of DUALBEAM-2013, for comparison. Sample i + n, taken with the slide at xi_i, gives xi_{i+n} =
 /// measured + xi_i; the slide moves there n samples later.
 ///
-/// It counts samples, so look-ahead distance and speed must match (L = n v dt), and late, missing or wrong samples act
+/// It counts samples, so look-ahead distance and speed must match (L = n v dt). Late, missing or wrong samples act
 /// directly on the slide. At high speed the paper divides each step into parts; with one part the slide steps once per
 /// sample.
 #[derive(Debug, Clone)]

@@ -22,8 +22,8 @@ const FEWEST: usize = 7;
 const COVERED: f64 = 0.7;
 
 /// Smooths `line` to points every `every` mm and at both ends. Each lies on the least-squares parabola through the
-/// points within `window` mm to both sides, weighted by confidence and nearness. Over a gap (such as an extrapolated
-/// tack), beside one and at the ends the window is wider, so that it covers enough of the line.
+/// points within `window` mm to both sides, weighted by confidence and nearness. The window is wider over a gap (such
+/// as an extrapolated tack), beside one and at the ends, to cover enough of the line.
 ///
 /// With `closed` the line is smoothed over its start.
 pub fn smoothed(line: &TaughtLine, every: f64, window: f64, closed: bool) -> Vec<LinePoint> {

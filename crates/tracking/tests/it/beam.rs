@@ -346,7 +346,7 @@ fn axes_that_are_stuck_stop_it() {
     let mut head = BeamTracking::new(Settings::usual(10.0), &ring, BEAM, AXES).unwrap();
     let mut weld = Weld::new(1);
     assert!(weld.run(&mut head, (40.0, 10.0), &mut right));
-    // The gun stays where it is from here on.
+    // From here on the gun does not move.
     let (held, mut s, mut stopped) = (weld.carried, weld.s, None);
     for i in 0..30_000u32 {
         let t = (weld.cycle + 1 + u64::from(i)) as f64 * CYCLE;
