@@ -27,8 +27,13 @@ class TooSlow(Exception):
 
 
 # LinuxCNC's own clock is the servo cycle: on a busy computer it stands still, and so does all that is waited for.
-# Cycles without any change after which nothing more is expected.
+# Cycles without any change after which nothing more is expected, and how long they take on a computer that keeps up, s.
 STILL_CYCLES = 30_000
+STILL_S = 30.0
+# So many times as long, and the computer is too busy; sooner LinuxCNC itself stands where it should not.
+SLOWED = 2.0
+# Looks of this program at a servo cycle that does not come: a computer that lets it look so often is not too busy for a cycle.
+MAX_LOOKS = 60_000
 # Cycles that must pass between two equal readings of joints at rest.
 REST_CYCLES = 3
 # Cycles that are sampled at rest before and after a program.
@@ -111,8 +116,10 @@ class Session:
         (self.folder / "signs").write_text(str(self.signs))
 
     def wait(self, ready, what):
-        """Until `ready`; gives up when nothing has changed for many servo cycles."""
-        seen, since = None, self.hal.cycles()
+        """Until `ready`; gives up when nothing has changed for many servo cycles, or no cycle comes. Only cycles that come too
+        slowly are the computer's fault."""
+        seen, since, begun = None, self.hal.cycles(), time.monotonic()
+        cycle, looks = since, 0
         while True:
             self.status.poll()
             if ready():
@@ -123,11 +130,22 @@ class Session:
             status = self.status
             state = (status.echo_serial_number, status.task_state, status.interp_state, status.current_line, self.hal.joints())
             if state != seen:
-                seen, since = state, self.hal.cycles()
+                seen, since, begun = state, self.hal.cycles(), time.monotonic()
                 self.alive()
-            if self.hal.cycles() - since > STILL_CYCLES:
-                raise TooSlow(f"LinuxCNC does not {what} within {STILL_CYCLES} servo cycles in which nothing changes")
+            now = self.hal.cycles()
+            cycle, looks = now, looks + 1 if now == cycle else 0
+            if looks > MAX_LOOKS:
+                raise RuntimeError(f"LinuxCNC does not {what}: its servo thread stands")
+            if now - since > STILL_CYCLES:
+                took = time.monotonic() - begun
+                text = f"LinuxCNC does not {what} within {STILL_CYCLES} servo cycles ({took:.0f} s) in which nothing changes"
+                raise TooSlow(text) if took > SLOWED * STILL_S else RuntimeError(f"{text}: {self.where()}")
             time.sleep(0.0005)
+
+    def where(self):
+        """Where it stands, for who looks for the difference."""
+        position = [self.status.position[place] for place in self.places]
+        return f"position {position}, joints {self.hal.joints()}"
 
     def pass_cycles(self, count):
         end = self.hal.cycles() + count
@@ -209,8 +227,8 @@ class Session:
 
 def drive(task, result):
     """Inside LinuxCNC: does the task and writes the joints, or why it could not."""
-    # What is left standing if it is stopped from outside.
-    Path(result).write_text(json.dumps({"slow": f"LinuxCNC started, and gave no sign for {SILENT_S} s"}))
+    # What is left standing if it is stopped from outside, or LinuxCNC takes this program with it.
+    Path(result).write_text(json.dumps({"started": True}))
     try:
         answer = {"joints": Session(json.loads(Path(task).read_text()), Path(result).parent).run()}
     except TooSlow as error:
@@ -268,12 +286,17 @@ def session(module, poses, program, end, python):
                 env=environment, start_new_session=True, cwd=name, **user,
             )
             try:
-                wait_while_alive(process, folder)
+                has_ended = wait_while_alive(process, folder)
             finally:
                 clear_up(process, environment, user)
         if not (folder / "result").exists():
             raise NotStarted((folder / "log").read_text()[-2000:])
         answer = json.loads((folder / "result").read_text())
+        last_words = (folder / "log").read_text()[-2000:]
+    if answer.get("started") and has_ended:
+        raise RuntimeError(f"LinuxCNC ended in the session, without an answer: {last_words}")
+    if answer.get("started"):
+        raise TooSlow(f"LinuxCNC started, and gave no sign for {SILENT_S} s")
     if "slow" in answer:
         raise TooSlow(answer["slow"])
     if "error" in answer:
@@ -282,7 +305,7 @@ def session(module, poses, program, end, python):
 
 
 def wait_while_alive(process, folder):
-    """Until it ends, or gives no sign for a long time."""
+    """Until it ends, or gives no sign for a long time; True if it ended."""
     signs = lambda: [path.read_text() if path.exists() else "" for path in (folder / "signs", folder / "result")]
     seen, since = signs(), time.monotonic()
     while process.poll() is None and time.monotonic() - since < SILENT_S:
@@ -290,6 +313,7 @@ def wait_while_alive(process, folder):
         now = signs()
         if now != seen:
             seen, since = now, time.monotonic()
+    return process.poll() is not None
 
 
 def clear_up(process, environment, user):

@@ -9,6 +9,9 @@ let { cell } = begun;
 after(() => cell?.end());
 
 const modeNow = () => one.locator('[data-mode]').getAttribute('data-mode');
+/** A part of which nothing is welded: its start is no question. */
+const load = (part) =>
+  one.evaluate((of) => fetch('/api/load', { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify({ job: 'saddle.toml', from: null, part: of }) }), part);
 const user = () => one.getByRole('button', { name: /▾$/ });
 const menus = {
   user: { key: user, inside: () => one.getByRole('button', { name: 'Log out' }) },
@@ -19,7 +22,7 @@ const menus = {
 test('Esc closes the menu that is open and the weld goes on; Esc with nothing open stops it', options, async () => {
   await open(one, cell.address);
   await control(one);
-  await one.evaluate(() => fetch('/api/load', { method: 'POST', headers: { 'content-type': 'application/json' }, body: '{"job":"saddle.toml","from":null}' }));
+  await load('N-1');
   await ready(one);
   await weld(one);
   await burns(one, true);
@@ -70,6 +73,7 @@ test('a menu closes by a press outside and when the page is left', options, asyn
 
 test('in a field Esc stops nothing, and F1 does', options, async () => {
   await commands(one);
+  await load('N-2');
   await weld(one);
   await tab(one, 'Records');
   await one.getByRole('textbox').first().focus();
@@ -83,6 +87,7 @@ test('in a field Esc stops nothing, and F1 does', options, async () => {
 test('STOP goes by a request of its own where the connection is silent', options, async () => {
   await tab(one, 'Weld');
   await commands(one);
+  await load('N-3');
   await weld(one);
   // The socket stays open and nothing goes through it any more.
   await one.evaluate(() => {

@@ -1,7 +1,7 @@
 // Parts that were left in the middle, on a mock that remembers them by job and part as the cell does.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bench, commands, control, mode, open, press, ready, weld } from './operator.mjs';
+import { bench, commands, control, mode, open, press, ready, sleep, weld } from './operator.mjs';
 
 const { one, cell, options } = await bench({ mock: true });
 
@@ -36,6 +36,33 @@ test('a part that was left keeps its finished passes and its newest place, whate
   await load('saddle.toml', 'N1-001');
   await continues(2).waitFor();
   assert.deepEqual(await ticks(), [true, false]);
+});
+
+test('going on with the overlap that is offered is not asked about', options, async () => {
+  const dialog = one.locator('dialog[open]');
+  await commands(one);
+  await continues(2).click();
+  await dialog.getByRole('checkbox').check();
+  await dialog.getByRole('button', { name: 'Load from there' }).click();
+  await dialog.waitFor({ state: 'hidden' });
+  await press(one, /^Arm/);
+  await one.locator('.strip', { hasText: 'Armed' }).waitFor();
+  await press(one, /Start weld/);
+  await mode(one, 'weld');
+  await sleep(1000);
+  await one.keyboard.press('F1');
+  await mode(one, 'ready');
+  // The same place once more, with less than was welded over: it is asked about.
+  await load('saddle.toml', 'N1-001', [2, 0]);
+  await press(one, /^Arm/);
+  await press(one, /Start weld/);
+  await dialog.getByText(/N1-001/).waitFor();
+  // Enter, still held from Start, answers nothing.
+  await one.keyboard.press('Enter');
+  assert.ok(await dialog.isVisible());
+  assert.equal(await one.locator('[data-mode]').getAttribute('data-mode'), 'ready');
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  await dialog.waitFor({ state: 'hidden' });
 });
 
 test('what is finished is welded again only after a question that names it', options, async () => {

@@ -3,6 +3,8 @@ import { machine, pose, work } from './weld.mjs';
 
 const STEP_S = 1 / 30;
 const SPEED_UP = 4;
+/** A start this much before what is welded welds nothing again. */
+const SAME_MM = 0.5;
 
 /** What tracking finds at a place: a part that lies elsewhere, and a tack that hides the joint for a while. */
 function tracked(s) {
@@ -32,6 +34,8 @@ export class Cell {
     /** Welds that were left, by job and part. */
     this.unfinished = new Map();
     this.part = '';
+    /** How much of what is welded is welded over on purpose, mm. */
+    this.overlap = 0;
   }
 
   /** What is in the cell, as unfinished welds are remembered. */
@@ -58,8 +62,9 @@ export class Cell {
     this.event('mode', `${mode}`);
   }
 
-  load(job, from, part) {
+  load(job, from, part, overlap) {
     this.part = part ?? '';
+    this.overlap = overlap ?? 0;
     this.work = work((this.work?.id ?? 0) + 1, job, from);
     this.send({ kind: 'work', work: this.work });
     this.event('work', `loaded ${job}`);
@@ -81,7 +86,8 @@ export class Cell {
     const [lack] = this.lacks(what);
     if (lack) return lack;
     const left = this.unfinished.get(this.key());
-    const again = left && (this.work.from?.[0] ?? 1) < left.pass;
+    const [pass, s] = this.work?.from ?? [1, 0];
+    const again = left && (pass < left.pass || (pass === left.pass && s < left.s_mm - this.overlap - SAME_MM));
     if (what === 'start_weld' && again && !reweld) {
       const of = [this.part, String(left.pass), left.s_mm.toFixed(1)];
       return { key: 'finished_pass', of, text: `part ${of[0]} is welded up to pass ${of[1]}, ${of[2]} mm` };

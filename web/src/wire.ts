@@ -725,13 +725,18 @@ token: string,
 first_run: boolean, };
 
 /**
- * The answer to a stop of whoever is not logged in.
+ * The answer to a stop of whoever is not logged in: the server has passed it on. That the cell has stopped is seen from its mode, if
+ * the cycle is heard of.
  */
 export type Stopped = { 
 /**
  * What the cell was doing then: [`super::Status::mode`]; empty if that is not known yet.
  */
-mode: string, };
+mode: string, 
+/**
+ * Time since the cycle was heard of, s; none before its first status. A cycle that hangs or has ended grows older.
+ */
+cycle_age_s: number | null, };
 
 /**
  * What a user may do; each includes those before.
@@ -1900,7 +1905,7 @@ text: string, };
  */
 export type PlanningView = { 
 /**
- * `draft`, `plan`, `recorded`, `report`, `post` or `place`.
+ * `draft`, `plan`, `recorded`, `report`, `post`, `load` or `place`.
  */
 kind: string, 
 /**
@@ -1998,6 +2003,10 @@ job: string,
  * Where to begin, if not at the begin: pass from 1 and the path length up to which it is welded.
  */
 from: [number, number] | null, 
+/**
+ * How much of what is welded already before `from` is welded over on purpose, mm: so much is not asked about at the start.
+ */
+overlap_mm?: number | null, 
 /**
  * Name of the part that is welded, for the record.
  */
@@ -2606,7 +2615,8 @@ seq: number,
 ok: boolean, 
 /**
  * Why not: a stable key (`mode`, `moving`, `references`, `power`, `silent`, `condition`, `alarm`, `arming`, `source`,
- * `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`), and words.
+ * `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`, `silent_cycle`: a stop was passed on to a cycle
+ * that is not heard of), and words.
  */
 why: LackView | null, } | { "kind": "why", 
 /**

@@ -201,7 +201,7 @@ pub(crate) struct CheckArgs {
 /// What planning may take.
 #[derive(Debug, Args)]
 pub(crate) struct PlanningArgs {
-    /// Longest time of planning's searches, s; if it is over, the findings say how far they came
+    /// Longest time of planning's searches, of all passes together, s; if it is over, the findings say how far they came
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     pub(crate) time_limit: f64,
 }

@@ -7,6 +7,7 @@ use crate::progress::Progress;
 use crate::verbs::positive;
 use seamwright_motion::{SearchProgress, WeldMotion};
 use seamwright_program::Finding;
+use seamwright_project::part::Part;
 use seamwright_project::planning::Planning;
 use std::time::Duration;
 
@@ -15,12 +16,31 @@ const MAX_LIMIT_S: f64 = 1e6;
 
 /// Plans the weld, or says why the machine cannot make it.
 pub(crate) fn try_plan(loaded: &Loaded, args: &PlanningArgs) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
-    within(args, |planning| loaded.try_plan_under(&loaded.machine, planning))
+    let planned = within(args, |planning| loaded.try_plan_under(&loaded.machine, planning))?;
+    Ok(planned.map_err(with_option))
 }
 
 /// Plans a weld that can be made as asked.
 pub(crate) fn plan(loaded: &Loaded, args: &PlanningArgs) -> Result<WeldMotion, Failure> {
-    within(args, |planning| loaded.plan_under(&loaded.machine, planning))
+    within(args, |planning| loaded.plan_under(&loaded.machine, planning)).map_err(findings_with_option)
+}
+
+/// Plans a simulated part as [`Part::plan`] does.
+pub(crate) fn plan_part(part: &Part, loaded: &Loaded, args: &PlanningArgs) -> Result<WeldMotion, Failure> {
+    within(args, |planning| part.plan_under(loaded, planning)).map_err(findings_with_option)
+}
+
+fn findings_with_option(failure: Failure) -> Failure {
+    match failure {
+        Failure::Findings(findings) => Failure::Findings(with_option(findings)),
+        failure => failure,
+    }
+}
+
+/// Adds to the cure of a search that was cut off which option gives it more time.
+fn with_option(mut findings: Vec<Finding>) -> Vec<Finding> {
+    findings.iter_mut().filter(|f| f.kind == "search").for_each(|f| f.cure += "; more time: --time-limit S");
+    findings
 }
 
 fn within<T>(args: &PlanningArgs, plan: impl FnOnce(&Planning) -> Result<T, Failure>) -> Result<T, Failure> {

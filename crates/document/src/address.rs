@@ -53,18 +53,28 @@ fn descend_value(value: &Spanned<DeValue>, span: &Range<usize>, path: &mut Strin
 
 /// The byte range of the value at `path`, or of the nearest table above it that exists.
 pub(crate) fn span_of(text: &str, path: &str) -> Range<usize> {
-    let Ok(table) = DeTable::parse(text) else { return 0..0 };
+    nearest(text, path).0
+}
+
+/// True if there is a value at `path`.
+pub(crate) fn contains(text: &str, path: &str) -> bool {
+    nearest(text, path).1
+}
+
+/// The byte range of the value at `path` or of the nearest one above it, and whether it is the one at `path`.
+fn nearest(text: &str, path: &str) -> (Range<usize>, bool) {
+    let Ok(table) = DeTable::parse(text) else { return (0..0, false) };
     let mut here = Node::Table(table.get_ref());
     let mut span = 0..0;
     for part in path.split('.') {
         let (name, indices) = part.split_once('[').map_or((part, ""), |(n, i)| (n, i));
-        let Node::Table(map) = here else { break };
-        let Some((_, value)) = map.iter().find(|(k, _)| k.get_ref() == name) else { break };
+        let Node::Table(map) = here else { return (span, false) };
+        let Some((_, value)) = map.iter().find(|(k, _)| k.get_ref() == name) else { return (span, false) };
         span = value.span();
         let mut value = value;
         for index in indices.split('[').filter_map(|i| i.trim_end_matches(']').parse::<usize>().ok()) {
-            let DeValue::Array(items) = value.get_ref() else { break };
-            let Some(item) = items.get(index) else { break };
+            let DeValue::Array(items) = value.get_ref() else { return (span, false) };
+            let Some(item) = items.get(index) else { return (span, false) };
             value = item;
             span = value.span();
         }
@@ -73,7 +83,7 @@ pub(crate) fn span_of(text: &str, path: &str) -> Range<usize> {
             _ => Node::Leaf,
         };
     }
-    span
+    (span, true)
 }
 
 enum Node<'a> {

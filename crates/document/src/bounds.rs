@@ -52,6 +52,10 @@ pub static BOUNDS: [Bound; 21] = [
     bound("_v", "V", [0.0, 1e6], "the largest beam generator"),
 ];
 
+/// Tables whose keys are names that the user chooses, of axes and of variables: such a name may end like a unit, and its
+/// number is no quantity in it. Positions are held against the axis' range, variables where they are used.
+const NAMED: [&str; 2] = ["hold", "variables"];
+
 /// Largest coordinate of a point, mm: parts may stand far from an origin, as in a plant's coordinates.
 pub(crate) const FARTHEST_MM: f64 = 1e7;
 
@@ -108,6 +112,9 @@ impl<T> Check<'_, T> {
     fn table(&mut self, table: &DeTable, above: Option<&'static Bound>) -> Result<(), DocumentError> {
         for (key, value) in table {
             let (key, length): (&str, usize) = (key.get_ref(), self.path.len());
+            if NAMED.contains(&key) && matches!(value.get_ref(), DeValue::Table(_)) {
+                continue;
+            }
             if !self.path.is_empty() {
                 self.path.push('.');
             }

@@ -1,4 +1,4 @@
-use crate::address::{path_at, span_of};
+use crate::address::{contains, path_at, span_of};
 use crate::bounds;
 use crate::error::{DocumentError, place};
 use serde::de::DeserializeOwned;
@@ -48,6 +48,17 @@ impl<T> Document<T> {
     /// The text that was read.
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// True if the key `path` (like `tool[2].range_mm`) is in the text.
+    pub fn has(&self, path: &str) -> bool {
+        contains(&self.text, path)
+    }
+
+    /// The key `path` if it is in the text, or the table `above` that leaves it at its default: what an error about its
+    /// value names.
+    pub fn given_or<'a>(&self, path: &'a str, above: &'a str) -> &'a str {
+        if self.has(path) { path } else { above }
     }
 
     /// An error at the key `path` whose value `name` is not among the names `known`, with the one probably meant.

@@ -2,6 +2,7 @@
 
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, SchemaVersion};
 use serde::Deserialize;
+use std::collections::BTreeMap;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -82,6 +83,34 @@ fn numbers_beyond_the_bound_of_their_unit_are_refused_where_they_stand() {
     let e = wrong("schema = 1\n[nozzle]\nradius_mm = 1\nspeed_mm_s = 1e-300\n");
     assert_eq!((e.line, e.message.as_str()), (4, "this is too small"));
     assert!(Document::<File>::read("f", "schema = 1\n[nozzle]\nradius_mm = 1e6\nspeed_mm_s = 0\n").is_ok());
+}
+
+#[test]
+fn names_that_users_choose_have_no_unit() {
+    #[derive(Debug, Deserialize)]
+    struct Program {
+        variables: BTreeMap<String, f64>,
+        spare_axes: SpareAxes,
+    }
+    #[derive(Debug, Deserialize)]
+    struct SpareAxes {
+        hold: BTreeMap<String, f64>,
+    }
+    let text = "variables = { lift_s = 4e6 }\n[spare_axes]\nhold = { boom_s = 4000, boom_mm_s = 1e-6 }\n";
+    let program = Document::<Program>::read("f", text).unwrap_or_else(|e| panic!("{e}")).value;
+    assert!((program.variables["lift_s"], program.spare_axes.hold["boom_s"]) == (4e6, 4000.0));
+}
+
+#[test]
+fn keys_are_found_where_they_stand() {
+    let text = "schema = 1\n[nozzle]\nradius_mm = 250\n[[axis]]\nname = \"x\"\nrange_mm = [0, 9]\n";
+    let d = Document::<File>::read("job.toml", text).unwrap();
+    for key in ["schema", "nozzle", "nozzle.radius_mm", "axis", "axis[0].name", "axis[0].range_mm[1]"] {
+        assert!(d.has(key), "{key}");
+    }
+    for key in ["title", "nozzle.overlap_mm", "radius_mm", "axis[1]", "axis[0].range_mm[2]", "schema.a", "schema[0]"] {
+        assert!(!d.has(key), "{key}");
+    }
 }
 
 #[test]

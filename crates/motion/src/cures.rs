@@ -1,17 +1,19 @@
 //! Cures of findings about ranges, reach and clearance: changes of the job that were tried out.
 //!
-//! A change is made to the torch's path alone, which is what moving the work or another work angle do to it, and the path
-//! is surveyed again. A change that leaves a finding is not offered.
+//! A change is made to the torch's paths alone, which is what moving the work or another work angle do to them. It is looked
+//! for on the pass that has the findings, which is then planned with it; as such a change is one of the whole job, every
+//! other pass is looked at too. A change that leaves as many findings is not offered.
 
-use crate::JointPath;
 use crate::effort::SearchStage;
 use crate::follower::Follower;
 use crate::pass_clearance::pass_clearance;
 use crate::pass_motion::{Before, along_axes};
+use crate::redundancy::holding;
 use crate::survey::{Lack, Survey, range_between, range_on_path};
+use crate::{JointPath, PassMotion};
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
-use seamwright_machine::{AxisKind, Machine, Surroundings, Target};
+use seamwright_machine::{AxisKind, Joints, Machine, Surroundings, Target};
 use seamwright_program::{AxisPositions, Finding, Groove, Pass, TorchPath};
 
 /// Changes of the work angle that are tried, degrees, the least first.
@@ -20,13 +22,20 @@ const LEANS_DEG: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0];
 const CLEARING_LEANS_DEG: [f64; 3] = [5.0, 10.0, 15.0];
 /// Room beyond what is lacking, mm and degrees.
 const ROOM: f64 = 0.1;
-/// Units of effort of a survey.
+/// Units of effort of a survey, and of planning a pass.
 const SURVEY_WORK: u64 = 1440;
+const PLAN_WORK: u64 = 6000;
+/// The cure where no change is known that could be tried.
+const NOT_TRIED: &str = "not tried: other torch angles or another placement of the work may help";
+/// What may be done about every clearance finding.
+const ALLOW_LESS: &str = "allow less with clearance.least_mm if the shapes are right";
 
 /// What plans a pass.
 #[derive(Clone, Copy)]
 pub(crate) struct Trial<'a> {
     pub(crate) machine: &'a Machine,
+    /// The machine with the axes free that the pass holds.
+    pub(crate) held: &'a Machine,
     pub(crate) path: &'a dyn TorchPath,
     pub(crate) pass: &'a Pass,
     pub(crate) number: usize,
@@ -43,32 +52,50 @@ enum Change {
 }
 
 impl Change {
-    /// What to do, in words.
-    fn words(self) -> String {
+    /// Says what to do to a job with `pass`.
+    fn words(self, pass: &Pass) -> String {
         match self {
             Self::Move(by) => {
                 format!("move the work by {:.1}, {:.1}, {:.1} mm along x, y, z (placement.move_mm)", by.x, by.y, by.z)
             }
-            Self::Lean(by) => format!("change torch.work_angle_deg by {by:+.1} degrees"),
+            Self::Lean(by) if pass.torch.at.is_empty() => format!("change torch.work_angle_deg by {by:+.1} degrees"),
+            Self::Lean(by) => format!("change work_angle_deg of every [[torch.at]] by {by:+.1} degrees"),
         }
     }
+}
+
+/// What a change was tried on.
+#[derive(Clone, Copy, PartialEq)]
+enum Scope {
+    /// Every pass of the weld: with it none has such a finding.
+    Weld,
+    /// The pass with the finding; others are not known, could not be tried, or have findings with it as without it.
+    Pass,
+}
+
+/// What came of trying changes one after the other.
+enum Outcome {
+    Cured(Change, Scope),
+    /// None of them cures.
+    Exhausted,
+    /// Planning was stopped after so many of them.
+    Stopped(usize),
 }
 
 impl Trial<'_> {
     /// Replaces the cures of findings of kind `range` and `reach` by a change that leaves none of them, or by the reason
     /// why none was found.
     pub(crate) fn cure_ranges(&self, findings: &mut [Finding]) {
-        let is_meant = |f: &Finding| !f.allowed && ["range", "reach"].contains(&f.kind);
-        if !findings.iter().any(is_meant) || self.path.axes(0.0).is_some() {
+        if !findings.iter().any(is_of_range) || self.path.axes(0.0).is_some() {
             return;
         }
-        let cure = self.cure();
-        findings.iter_mut().filter(|f| is_meant(f)).for_each(|f| f.cure.clone_from(&cure));
+        let cure = self.range_cure(count_against(findings));
+        findings.iter_mut().filter(|f| is_of_range(f)).for_each(|f| f.cure.clone_from(&cure));
     }
 
-    fn cure(&self) -> String {
-        let effort = self.before.effort;
-        effort.begin(SearchStage::Cure);
+    /// A change with which the pass has fewer findings than `count`, in words, or why there is none.
+    fn range_cure(&self, count: usize) -> String {
+        self.before.effort.begin(SearchStage::Cure);
         if self.is_redundant() {
             // Each trial would take a search.
             return "no change was tried with redundant axes: place the work nearer to the middle of the axes' ranges"
@@ -76,34 +103,126 @@ impl Trial<'_> {
         }
         let lacks = self.survey(self.path).map_or_else(|_| Vec::new(), |survey| survey.lacks);
         let changes = self.changes(&lacks);
-        let count = changes.len() as f64;
-        let found = changes
-            .iter()
-            .enumerate()
-            .find(|(i, change)| effort.spend(SURVEY_WORK, *i as f64 / count) && self.is_cured_by(**change));
-        if let Some((_, change)) = found {
-            return format!("{}: tried, every axis then stays in its range", change.words());
+        match self.first_cure(&changes, |change| self.cures_range(change, count)) {
+            Outcome::Cured(change, Scope::Weld) => {
+                format!("{}: tried, every axis then stays in its range", change.words(self.pass))
+            }
+            Outcome::Cured(change, Scope::Pass) => {
+                format!("{}: tried for this pass, every axis then stays in its range", change.words(self.pass))
+            }
+            Outcome::Stopped(0) => "no change was tried in the time that is allowed".to_owned(),
+            Outcome::Stopped(tried) => {
+                format!("none was found in the time that is allowed: {tried} of {} changes were tried", changes.len())
+            }
+            Outcome::Exhausted => self.no_cure(&changes, &lacks),
         }
-        if effort.is_stopped() {
-            return "no change was tried in the time that is allowed".to_owned();
+    }
+
+    /// Says which kinds of changes were tried in vain.
+    fn no_cure(&self, changes: &[Change], lacks: &[Lack]) -> String {
+        let reason = both_ends(self.held, lacks).map_or_else(String::new, |why| format!("; {why}"));
+        let moved = changes.iter().any(|change| matches!(change, Change::Move(_)));
+        let leant = changes.iter().any(|change| matches!(change, Change::Lean(_)));
+        match (moved, leant) {
+            (true, true) => {
+                format!("none was found: moving the work and changing the work angle were tried{reason}")
+            }
+            (true, false) => format!("none was found: moving the work was tried{reason}"),
+            (false, true) => format!("none was found: changing the work angle was tried{reason}"),
+            (false, false) => NOT_TRIED.to_owned(),
         }
-        let reason = both_ends(self.machine, &lacks).map_or_else(String::new, |why| format!("; {why}"));
-        format!("none was found: moving the work and changing the work angle were tried{reason}")
     }
 
     /// True if axes are chosen along the whole path.
     fn is_redundant(&self) -> bool {
-        !self.machine.free().is_empty() && self.path.second(0.0).is_none()
+        !self.held.free().is_empty() && self.path.second(0.0).is_none()
     }
 
-    fn is_cured_by(&self, change: Change) -> bool {
-        let Some(joints) = self.joints(&Changed { path: self.path, change }) else { return false };
-        range_on_path(self.machine, &joints, self.number).is_empty()
-            && range_between(self.machine, &joints, self.number).is_empty()
+    /// The first of `changes` that `cures`.
+    fn first_cure(&self, changes: &[Change], cures: impl Fn(Change) -> Option<Scope>) -> Outcome {
+        let effort = self.before.effort;
+        for (tried, &change) in changes.iter().enumerate() {
+            effort.resume(SearchStage::Cure);
+            let cured = effort.spend(SURVEY_WORK, tried as f64 / changes.len() as f64).then(|| cures(change)).flatten();
+            // What is stopped finds nothing, which says nothing of the change.
+            if effort.is_stopped() {
+                return Outcome::Stopped(tried);
+            }
+            if let Some(scope) = cured {
+                return Outcome::Cured(change, scope);
+            }
+        }
+        if effort.is_stopped() { Outcome::Stopped(0) } else { Outcome::Exhausted }
+    }
+
+    /// Tries whether with `change` this pass has fewer findings than `count`, none of them about a range, and no other pass
+    /// more about ranges.
+    fn cures_range(&self, change: Change, count: usize) -> Option<Scope> {
+        let (beyond, _) = self.beyond(&Changed::new(self.path, change))?;
+        if beyond > 0 {
+            return None;
+        }
+        let scope = self.spares_others(change)?;
+        let left = self.planned_with(change).err().unwrap_or_default();
+        (count_against(&left) < count && !left.iter().any(is_of_range)).then_some(scope)
+    }
+
+    /// Plans this pass with `change`.
+    fn planned_with(&self, change: Change) -> Result<PassMotion, Vec<Finding>> {
+        let effort = self.before.effort;
+        let changed = Changed::new(self.path, change);
+        let planned = PassMotion::plan_once(self.machine, &changed, self.pass, self.number, self.before);
+        effort.resume(SearchStage::Cure);
+        effort.spend(PLAN_WORK, effort.progress().part);
+        planned
+    }
+
+    /// Tries `change` on all passes in their order, as each begins on the turn on which the one before ends. None if one has
+    /// more range findings with it than without it, or this one has any.
+    fn spares_others(&self, change: Change) -> Option<Scope> {
+        if self.before.weld.is_empty() {
+            return Some(Scope::Pass);
+        }
+        let mut scope = Scope::Weld;
+        let mut last: Option<Joints> = None;
+        for (number, &(path, pass)) in (1..).zip(self.before.weld) {
+            let Ok(held) = holding(self.machine, &pass.spare_axes) else { return Some(Scope::Pass) };
+            let before = Before { last: last.as_ref(), ..self.before };
+            let other = Trial { held: &held, path, pass, number, before, ..*self };
+            if !self.before.effort.spend(SURVEY_WORK, self.before.effort.progress().part) {
+                return None;
+            }
+            if other.is_redundant() && path.axes(0.0).is_none() {
+                (scope, last) = (Scope::Pass, None);
+                continue;
+            }
+            let count = |found: Option<(usize, Joints)>| found.map_or(usize::MAX, |(beyond, _)| beyond);
+            let found = other.beyond(&Changed::new(path, change));
+            if count(found) > 0 {
+                if number == self.number || count(found) > count(other.beyond(path)) {
+                    return None;
+                }
+                scope = Scope::Pass;
+            }
+            last = found.map(|(_, end)| end);
+        }
+        Some(scope)
+    }
+
+    /// Number of range findings along `path`, and the positions at its end; none if the axes cannot follow it.
+    fn beyond(&self, path: &dyn TorchPath) -> Option<(usize, Joints)> {
+        let joints = self.joints(path)?;
+        let on_path = range_on_path(self.held, &joints, self.number).len();
+        Some((on_path + range_between(self.held, &joints, self.number).len(), joints.at(joints.length())))
     }
 
     fn survey(&self, path: &dyn TorchPath) -> Result<Survey, Vec<Finding>> {
-        along_axes(self.machine, path, self.pass, self.number, self.before).map(|(_, survey)| survey)
+        along_axes(self.held, path, self.pass, self.number, self.before).map(|(_, survey)| survey)
+    }
+
+    /// True if another work angle can be tried.
+    fn can_lean(&self) -> bool {
+        self.path.groove(0.0).is_some() && self.path.second(0.0).is_none()
     }
 
     /// Changes that are worth trying, the least first.
@@ -113,8 +232,8 @@ impl Trial<'_> {
         if shifts.len() > 1 {
             changes.insert(0, Change::Move(shifts.iter().sum()));
         }
-        if self.path.groove(0.0).is_some() && self.path.second(0.0).is_none() {
-            let rotary = lacks.iter().filter(|lack| self.machine.axes[lack.axis].kind == AxisKind::Rotary);
+        if self.can_lean() {
+            let rotary = lacks.iter().filter(|lack| self.held.axes[lack.axis].kind == AxisKind::Rotary);
             let just = rotary.map(|lack| (lack.by.abs().to_degrees() * 10.0).ceil() / 10.0 + ROOM).reduce(f64::max);
             let leans = just.into_iter().filter(|by| *by < LEANS_DEG[LEANS_DEG.len() - 1]).chain(LEANS_DEG);
             changes.extend(leans.flat_map(|by| [Change::Lean(by), Change::Lean(-by)]));
@@ -125,14 +244,14 @@ impl Trial<'_> {
     /// The least shift of the work after which a linear axis lacks nothing at the place where it lacks most, if the tip's
     /// place decides the axis there: by differences of the inverse.
     fn shift_against(&self, lack: &Lack) -> Option<DVec3> {
-        if self.machine.axes[lack.axis].kind == AxisKind::Rotary {
+        if self.held.axes[lack.axis].kind == AxisKind::Rotary {
             return None;
         }
         const STEP_MM: f64 = 0.01;
         let at = |step: DVec3| {
-            let moved = Changed { path: self.path, change: Change::Move(step) };
+            let moved = Changed::new(self.path, Change::Move(step));
             let target = Target { first: moved.pose(lack.s), second: moved.second(lack.s) };
-            self.machine.inverse_next(target, &lack.q).ok().map(|s| s.joints[lack.axis])
+            self.held.inverse_next(target, &lack.q).ok().map(|s| s.joints[lack.axis])
         };
         let here = at(DVec3::ZERO)?;
         let slope = |way: DVec3| Some((at(STEP_MM * way)? - here) / STEP_MM);
@@ -146,38 +265,68 @@ impl Trial<'_> {
 
     /// Replaces the cures of clearance findings by a work angle with which nothing comes too near, if there is one.
     pub(crate) fn cure_clearance(&self, around: &Surroundings, findings: &mut [Finding]) {
-        const LESS: &str = "allow less with clearance.least_mm if the shapes are right";
         self.before.effort.begin(SearchStage::Cure);
-        let can_lean = self.path.groove(0.0).is_some() && self.path.second(0.0).is_none() && !self.is_redundant();
-        let leans = CLEARING_LEANS_DEG.into_iter().flat_map(|by| [Change::Lean(by), Change::Lean(-by)]);
-        let clears = |change: &Change| {
-            let moved = Changed { path: self.path, change: *change };
-            self.before.effort.spend(SURVEY_WORK, 0.5)
-                && self.is_cured_by(*change)
-                && self.joints(&moved).is_some_and(|joints| pass_clearance(around, &joints, self.number).1.is_empty())
+        let leans: Vec<Change> = match self.can_lean() && !self.is_redundant() {
+            true => CLEARING_LEANS_DEG.into_iter().flat_map(|by| [Change::Lean(by), Change::Lean(-by)]).collect(),
+            false => Vec::new(),
         };
-        let cure = match leans.clone().filter(|_| can_lean).find(clears) {
-            Some(change) => format!("{}: tried, nothing then comes too near; or {LESS}", change.words()),
-            None if can_lean => {
+        let cure = match self.first_cure(&leans, |change| self.clears(change, around)) {
+            _ if leans.is_empty() => format!("move what is in the way, or {ALLOW_LESS}"),
+            Outcome::Cured(change, Scope::Weld) => {
+                format!("{}: tried, nothing then comes too near; or {ALLOW_LESS}", change.words(self.pass))
+            }
+            Outcome::Cured(change, Scope::Pass) => {
                 format!(
-                    "none was found: work angles up to 15 degrees from this one do not clear it; move what is in the way, or {LESS}"
+                    "{}: tried for this pass, nothing then comes too near; or {ALLOW_LESS}",
+                    change.words(self.pass)
                 )
             }
-            None => format!("move what is in the way, or {LESS}"),
+            Outcome::Exhausted => format!(
+                "none was found: work angles up to 15 degrees from this one do not clear it; move what is in the way, or {ALLOW_LESS}"
+            ),
+            Outcome::Stopped(tried) => format!(
+                "none was found in the time that is allowed: {tried} of {} work angles were tried; move what is in the way, or {ALLOW_LESS}",
+                leans.len()
+            ),
         };
         findings.iter_mut().filter(|f| f.kind == "clearance").for_each(|f| f.cure.clone_from(&cure));
     }
 
+    /// Tries whether with `change` this pass has no findings and nothing comes too near, and no other pass leaves more ranges.
+    fn clears(&self, change: Change, around: &Surroundings) -> Option<Scope> {
+        let is_clear = |path: &JointPath| pass_clearance(around, path, self.number).1.is_empty();
+        let joints = self.joints(&Changed::new(self.path, change))?;
+        let leaves = !range_on_path(self.held, &joints, self.number).is_empty();
+        if leaves || !is_clear(&joints) {
+            return None;
+        }
+        let scope = self.spares_others(change)?;
+        self.planned_with(change).ok().filter(|motion| is_clear(&motion.path))?;
+        // What comes near to other passes is not looked at.
+        Some(if self.before.weld.len() == 1 { scope } else { Scope::Pass })
+    }
+
     /// The axes along a path, turned as the pass before asks for, if they can follow it.
     fn joints(&self, path: &dyn TorchPath) -> Option<JointPath> {
-        let (free, survey) = along_axes(self.machine, path, self.pass, self.number, self.before).ok()?;
-        let mut joints = JointPath::new(Follower { machine: self.machine, path, free: &free }, &survey.start).ok()?;
-        if let Some(last) = self.before.last {
-            joints.turn_towards(self.machine, last);
+        let (free, survey) = along_axes(self.held, path, self.pass, self.number, self.before).ok()?;
+        let follower = Follower { machine: self.held, path, free: &free };
+        let mut joints = JointPath::new(follower, &survey.start).ok()?;
+        if let Some(last) = self.before.last.filter(|_| !follower.is_given()) {
+            joints.turn_towards(self.held, last);
         }
         // Ranges are looked at along the path.
         survey.findings.iter().all(|f| f.allowed || f.kind == "range").then_some(joints)
     }
+}
+
+/// True for a finding against the weld that a shift of the work or another work angle may cure.
+fn is_of_range(finding: &Finding) -> bool {
+    !finding.allowed && ["range", "reach"].contains(&finding.kind)
+}
+
+/// Number of findings that stand against the weld.
+fn count_against(findings: &[Finding]) -> usize {
+    findings.iter().filter(|finding| !finding.allowed).count()
 }
 
 /// A linear axis that lacks stroke at both ends of its range: no shift along it helps.
@@ -194,16 +343,33 @@ fn both_ends(machine: &Machine, lacks: &[Lack]) -> Option<String> {
 
 /// A path with a change.
 struct Changed<'a> {
-    path: &'a dyn TorchPath,
+    path: Source<'a>,
     change: Change,
 }
 
-impl Changed<'_> {
+/// The path that is changed.
+enum Source<'a> {
+    Lent(&'a dyn TorchPath),
+    Own(Box<dyn TorchPath + 'a>),
+}
+
+impl<'a> Changed<'a> {
+    fn new(path: &'a dyn TorchPath, change: Change) -> Self {
+        Self { path: Source::Lent(path), change }
+    }
+
+    fn path(&self) -> &dyn TorchPath {
+        match &self.path {
+            Source::Lent(path) => *path,
+            Source::Own(path) => &**path,
+        }
+    }
+
     fn of(&self, pose: Pose, s: f64) -> Pose {
         match self.change {
             Change::Move(by) => Pose { point: pose.point + by, ..pose },
             Change::Lean(by) => {
-                let Some(groove) = self.path.groove(s) else { return pose };
+                let Some(groove) = self.path().groove(s) else { return pose };
                 // The torch, seen from the work, leans towards the first part.
                 let Some(about) = (-pose.direction).cross(groove.towards_first).try_normalize() else { return pose };
                 Pose { direction: DQuat::from_axis_angle(about, by.to_radians()) * pose.direction, ..pose }
@@ -214,54 +380,59 @@ impl Changed<'_> {
 
 impl TorchPath for Changed<'_> {
     fn length(&self) -> f64 {
-        self.path.length()
+        self.path().length()
     }
 
     fn pose(&self, s: f64) -> Pose {
-        self.of(self.path.pose(s), s)
+        self.of(self.path().pose(s), s)
     }
 
     fn rate(&self, s: f64) -> f64 {
-        self.path.rate(s)
+        self.path().rate(s)
     }
 
     fn is_timed(&self) -> bool {
-        self.path.is_timed()
+        self.path().is_timed()
     }
 
     fn reached(&self, points: usize) -> Option<f64> {
-        self.path.reached(points)
+        self.path().reached(points)
     }
 
     fn stops(&self) -> Vec<f64> {
-        self.path.stops()
+        self.path().stops()
     }
 
     fn axes(&self, s: f64) -> Option<AxisPositions> {
-        self.path.axes(s)
+        self.path().axes(s)
     }
 
     fn face(&self, s: f64) -> DVec3 {
-        self.path.face(s)
+        self.path().face(s)
     }
 
     fn groove(&self, s: f64) -> Option<Groove> {
-        self.path.groove(s)
+        self.path().groove(s)
     }
 
     fn second(&self, s: f64) -> Option<Pose> {
-        self.path.second(s).map(|pose| self.of(pose, s))
+        self.path().second(s).map(|pose| self.of(pose, s))
     }
 
     fn swing(&self, s: f64) -> Option<DVec3> {
-        self.path.swing(s)
+        self.path().swing(s)
+    }
+
+    fn slower(&self, factor: f64) -> Option<Box<dyn TorchPath + '_>> {
+        let path = Source::Own(self.path().slower(factor)?);
+        Some(Box::new(Changed { path, change: self.change }))
     }
 
     fn knots(&self) -> Vec<f64> {
-        self.path.knots()
+        self.path().knots()
     }
 
     fn bends(&self) -> Vec<f64> {
-        self.path.bends()
+        self.path().bends()
     }
 }

@@ -111,6 +111,11 @@ impl<'a> Effort<'a> {
         self.look()
     }
 
+    /// Goes back to a stage in which searches with stages of their own are made.
+    pub(crate) fn resume(&self, stage: SearchStage) {
+        self.progress.set(SearchProgress { stage, ..self.progress.get() });
+    }
+
     /// Counts `work` more units, with `part` (0 to 1) of the stage done. Returns false if planning is stopped.
     pub fn spend(&self, work: u64, part: f64) -> bool {
         if self.is_stopped() {
@@ -160,7 +165,7 @@ impl<'a> Effort<'a> {
         let (message, cure) = match stop {
             Stop::OutOfTime(limit) => (
                 format!("no plan within {limit} s of searching: {far}"),
-                "allow more time (--time-limit), hold redundant axes (spare_axes.hold), narrow their ranges in the machine file, or weld the seam in parts"
+                "allow more time, hold redundant axes (spare_axes.hold), narrow their ranges in the machine file, or weld the seam in parts"
                     .to_owned(),
             ),
             Stop::Cancelled => (format!("planning was cancelled: {far}"), "plan again".to_owned()),

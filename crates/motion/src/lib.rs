@@ -37,7 +37,6 @@ pub mod taught;
 pub mod textbook;
 mod tip_channels;
 mod tip_path;
-mod torch_jumps;
 mod weave_limits;
 mod weld_motion;
 

@@ -232,20 +232,18 @@ pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pas
     let finding = |leg: &Leg| {
         let reached = planned.tip_speed_at(leg.run_up_end);
         let what = if planned.legs.len() > 1 { "way between two stops" } else { "weld" };
-        (reached < asked * (1.0 - WORTH_SAYING) && leg.run_up_end >= leg.run_down_start).then(|| Finding {
-            kind: "speed",
-            message: format!(
-                "the {what} is too short: between run-up and run-down it reaches {reached:.3} of {asked:.3} mm/s"
-            ),
-            pass,
-            from_mm: leg.from,
-            to_mm: if planned.legs.len() > 1 { leg.to } else { leg.run_up_end },
-            cure: format!(
-                "ask for {:.3} mm/s or less, or set weld.on_limit = \"slow\"",
-                (reached * 1e3).floor() * 1e-3
-            ),
-            allowed: on_limit == OnLimit::Slow,
-        })
+        if reached >= asked * (1.0 - WORTH_SAYING) || leg.run_up_end < leg.run_down_start {
+            return None;
+        }
+        let message =
+            format!("the {what} is too short: between run-up and run-down it reaches {reached:.3} of {asked:.3} mm/s");
+        let (from_mm, to_mm) = (leg.from, if planned.legs.len() > 1 { leg.to } else { leg.run_up_end });
+        if on_limit == OnLimit::Slow {
+            return Some(Finding::note("speed", message, pass, (from_mm, to_mm)));
+        }
+        let cure =
+            format!("ask for {:.3} mm/s or less, or set weld.on_limit = \"slow\"", (reached * 1e3).floor() * 1e-3);
+        Some(Finding { kind: "speed", message, pass, from_mm, to_mm, cure, allowed: false })
     };
     planned.legs.iter().filter_map(finding).collect()
 }

@@ -12,7 +12,7 @@ pub struct PassClearance {
     /// For each stretch of the pass: where it ends (mm), and a distance (mm) that nothing watched falls below
     /// anywhere in it, up to the cut-off: proven, and so up to a tenth less than what is found.
     pub at_least: Vec<(f64, f64)>,
-    /// The least distance found: mm, path length, and who is near to whom.
+    /// The least distance found: mm, path length, and who is near to whom, in words as in findings.
     pub nearest: Option<(f64, f64, String)>,
     /// Everything that is watched.
     pub watched: Vec<String>,
@@ -58,7 +58,7 @@ pub(crate) fn pass_clearance(
     let near = profile.traces.iter().enumerate().filter(|(_, t)| t.nearest.1.place.is_some());
     let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance)).map(|(watch, t)| {
         let (s, found) = t.nearest;
-        let (a, b) = around.solids(watch, &found).unwrap_or_else(|| around.names(watch));
+        let (a, b) = around.solids_described(watch, &found).unwrap_or_else(|| around.names(watch));
         (found.distance, s, format!("{a} and {b}"))
     });
     let found = profile.edges.iter().map(|&s| (s, around.least(&path.at(s), CUTOFF_MM))).collect();

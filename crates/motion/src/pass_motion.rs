@@ -7,17 +7,16 @@ use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
 use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
-use crate::pass_time::too_long;
+use crate::pass_time::{too_long, travels_too_long};
 use crate::planned::Planned;
 use crate::redundancy::{Aim, AllowedPositions, Clearance, FreeAxes, hold_finding, holding, resolve_within};
 use crate::set_points::SetPoints;
 use crate::singular;
 use crate::survey::{Survey, range_between, range_on_path, survey};
-use crate::torch_jumps::torch_jumps;
 use crate::weave_limits::Woven;
 use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
-use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath};
+use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
 use std::borrow::Cow;
 
 /// Places at which the tip's way by path length is looked at before there are axes.
@@ -53,6 +52,8 @@ pub(crate) struct Before<'a> {
     pub(crate) last: Option<&'a Joints>,
     /// False if only a plan counts, not why there is none.
     pub(crate) explains: bool,
+    /// All passes of the weld in their order, this one among them; empty if no others are known.
+    pub(crate) weld: &'a [(&'a dyn TorchPath, &'a Pass)],
     /// Obstacles that axes to spare keep clear of.
     pub(crate) clearance: Option<Clearance<'a>>,
 }
@@ -65,7 +66,8 @@ impl PassMotion {
     /// refuses to slow down), not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(None);
-        let before = Before { effort: &effort, procedure: None, last: None, explains: true, clearance: None };
+        let before =
+            Before { effort: &effort, procedure: None, last: None, explains: true, weld: &[], clearance: None };
         Self::plan_after(machine, path, pass, number, before)
     }
 
@@ -89,14 +91,17 @@ impl PassMotion {
             planned => return planned,
         };
         before.effort.check(number, path.length())?;
-        if let Ok(machine) = holding(machine, &pass.spare_axes) {
-            Trial { machine: &machine, path, pass, number, before }.cure_ranges(&mut all);
+        if let Ok(held) = holding(machine, &pass.spare_axes) {
+            Trial { machine, held: &held, path, pass, number, before }.cure_ranges(&mut all);
         }
         Err(all)
     }
 
     /// Plans it without trying cures.
-    fn plan_once(
+    ///
+    /// # Errors
+    /// As [`PassMotion::plan`].
+    pub(crate) fn plan_once(
         machine: &Machine,
         path: &dyn TorchPath,
         pass: &Pass,
@@ -118,8 +123,8 @@ impl PassMotion {
             // No axes follow a jump: whatever else they did there would follow from it.
             return Err(findings);
         }
-        let woven = Woven::new(follower, &survey.start, pass);
         before.effort.begin(SearchStage::Weave);
+        let woven = Woven::new(follower, &survey.start, pass, before.effort);
         if let Some(too_fast) = woven.as_ref().and_then(|woven| woven.too_fast(number)) {
             findings.push(too_fast);
             return Err(findings);
@@ -150,6 +155,7 @@ impl PassMotion {
                 return Err(findings);
             }
         };
+        findings.extend(travels_too_long(&law, path.length(), number));
         let certificate = Certificate::new(&channels, &law);
         let legs = law.legs();
         let planned = Planned { machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };

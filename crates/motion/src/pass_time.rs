@@ -1,5 +1,6 @@
 //! Times that no weld takes: what follows from them (set-points, blocks, rows) would not fit any memory or patience.
 
+use crate::SpeedLaw;
 use seamwright_program::{Finding, Pass};
 
 /// Longest time of a pass or of a part of its sequence, s: more than two days. A slip of the unit or an exponent.
@@ -23,17 +24,16 @@ pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
         cure,
         allowed: false,
     };
-    let long = |s: f64| s.is_nan() || s > MAX_PASS_S;
     let mut all: Vec<Finding> = times
         .into_iter()
-        .filter(|(_, time, _)| long(*time))
+        .filter(|(_, time, _)| is_too_long(*time))
         .map(|(key, time, s)| {
             let message = format!("{key} = {time} s: no pass may take longer than {MAX_PASS_S} s");
             finding((s, s), message, format!("set {key} to at most {MAX_PASS_S}"))
         })
         .collect();
-    let travel = travel_s(pass);
-    if long(travel) {
+    let travel = pass.travel_s();
+    if is_too_long(travel) {
         let message =
             format!("at the asked speed the travel takes {travel:.3e} s: no pass may take longer than {MAX_PASS_S} s");
         let cure = "ask for a higher speed_mm_s, or divide the weld into several passes".to_owned();
@@ -42,14 +42,23 @@ pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
     all
 }
 
-/// Time of the travel at the asked speeds, s.
-fn travel_s(pass: &Pass) -> f64 {
-    let time = |span: &seamwright_program::Span| {
-        let (from, to) = span.speed_mm_s.ends();
-        let way = span.to_mm.get() - span.from_mm.get();
-        // A speed that is linear in path length: the mean of its reciprocal is a logarithm.
-        let change = to / from - 1.0;
-        if change.abs() < 1e-6 { way / from } else { way * change.ln_1p() / (to - from) }
-    };
-    pass.spans.iter().map(time).sum()
+/// A finding if the travel takes longer with the limits of the axes than any weld: a law of a pass `length` mm long.
+pub(crate) fn travels_too_long(law: &SpeedLaw, length: f64, pass: usize) -> Option<Finding> {
+    let travel = law.duration();
+    is_too_long(travel).then(|| Finding {
+        kind: "time",
+        message: format!(
+            "with the limits of the axes the travel takes {travel:.3e} s: no pass may take longer than {MAX_PASS_S} s"
+        ),
+        pass,
+        from_mm: 0.0,
+        to_mm: length,
+        cure: "give the machine's axes higher speeds and accelerations, or divide the weld into several passes"
+            .to_owned(),
+        allowed: false,
+    })
+}
+
+fn is_too_long(s: f64) -> bool {
+    s.is_nan() || s > MAX_PASS_S
 }

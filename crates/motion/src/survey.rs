@@ -11,8 +11,10 @@ use std::f64::consts::TAU;
 /// Places along the path that are looked at.
 pub(crate) const PLACES: usize = 1440;
 
-/// Of these the ones at which a search without closed form is made where the path cannot be followed.
+/// Of these the ones at which a search without closed form is made wherever the path cannot be followed.
 const NUMERIC_STRIDE: usize = 24;
+/// Most such searches at other places: one where a stretch begins that cannot be followed.
+const MAX_FIRST_SEARCHES: usize = PLACES / NUMERIC_STRIDE;
 /// Units of effort of such a search.
 const SEARCH_WORK: u64 = 600;
 
@@ -91,19 +93,23 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
     let numeric = follower.machine.heads[0].is_numeric();
     let mut runs = Runs::default();
     let mut last = follower.free.start().unwrap_or(home);
+    let mut first_searches = 0;
     for (i, &s) in places.iter().enumerate() {
         if !effort.spend(1, i as f64 / places.len() as f64) {
             break;
         }
         // Going on from the place before is quick. Where that fails, a search without closed form takes thousands of
-        // times as long: it is made at some of the places only.
+        // times as long: it is made where that begins, and then at some of the places only.
+        let is_strided = i % NUMERIC_STRIDE == 0;
+        let is_first = !runs.is_open() && first_searches < MAX_FIRST_SEARCHES;
         let reason = match follower.next(s, &last) {
             Ok(solution) => {
                 last = solution.joints;
                 None
             }
-            Err(reason) if numeric && i % NUMERIC_STRIDE != 0 => runs.is_open().then(|| reason.to_string()),
+            Err(reason) if numeric && !is_strided && !is_first => runs.is_open().then(|| reason.to_string()),
             Err(_) => {
+                first_searches += usize::from(numeric && !is_strided);
                 effort.spend(SEARCH_WORK, i as f64 / places.len() as f64);
                 let found = follower.branches(s, &home);
                 if let Ok(branches) = &found {

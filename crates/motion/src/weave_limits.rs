@@ -6,6 +6,7 @@
 
 use crate::JointPath;
 use crate::SpeedLaw;
+use crate::effort::Effort;
 use crate::follower::Follower;
 use crate::law::{Bound, Certificate, Channels, Limits};
 use crate::limits::{Binding, keeps_speed};
@@ -13,6 +14,7 @@ use crate::pass_channels::PassChannels;
 use crate::planned::Planned;
 use seamwright_machine::Joints;
 use seamwright_program::{Finding, OnLimit, Pass};
+use std::cell::Cell;
 
 /// The highest frequency is found to this part.
 const CLOSE: f64 = 2e-3;
@@ -29,6 +31,11 @@ const STEPS: usize = 20;
 const USED: f64 = 0.997;
 /// From this part on it is certain that the whole pass cannot be planned.
 const TOO_MUCH: f64 = 1.02;
+/// Units of effort of a window at one frequency, and of a whole plan.
+const WINDOW_WORK: u64 = 150;
+const PLAN_WORK: u64 = 6000;
+/// Effort of a usual search, against which its progress counts.
+const USUAL_WORK: f64 = 12.0 * WINDOW_WORK as f64 * WINDOWS as f64 + PLAN_WORK as f64;
 /// Parts of the frequency found in the windows that are planned as a whole until one can be kept.
 const PLANNED: [f64; 3] = [1.0, 0.97, 0.9];
 
@@ -40,6 +47,9 @@ pub(crate) struct Woven<'a> {
     pass: &'a Pass,
     /// Middles of the windows, mm, with positions near to those there.
     windows: Vec<(f64, Joints)>,
+    effort: &'a Effort<'a>,
+    /// Units of effort that were spent.
+    spent: Cell<u64>,
 }
 
 /// The greatest use of a limit.
@@ -56,7 +66,12 @@ struct Used {
 
 impl<'a> Woven<'a> {
     /// None if the pass does not weave, or is hardly longer than what its weave takes to widen and narrow.
-    pub(crate) fn new(follower: Follower<'a>, start: &'a Joints, pass: &'a Pass) -> Option<Self> {
+    pub(crate) fn new(
+        follower: Follower<'a>,
+        start: &'a Joints,
+        pass: &'a Pass,
+        effort: &'a Effort<'a>,
+    ) -> Option<Self> {
         let weave = pass.weave.as_ref()?;
         let length = follower.path.length();
         let fade = weave.fade_mm.get();
@@ -69,6 +84,9 @@ impl<'a> Woven<'a> {
         let mut windows = Vec::with_capacity(WINDOWS);
         let (mut q, mut here) = (*start, 0.0);
         for k in 0..WINDOWS {
+            if !effort.spend(STEPS as u64, 0.0) {
+                return None;
+            }
             let middle = from + (to - from) * (k as f64 + 0.5) / WINDOWS as f64;
             for step in 1..=STEPS {
                 let s = here + (middle - here) * step as f64 / STEPS as f64;
@@ -77,7 +95,13 @@ impl<'a> Woven<'a> {
             here = middle;
             windows.push((middle, q));
         }
-        Some(Self { follower, start, pass, windows })
+        Some(Self { follower, start, pass, windows, effort, spent: Cell::new(0) })
+    }
+
+    /// Counts `work` more units. Returns false if planning is stopped.
+    fn spend(&self, work: u64) -> bool {
+        self.spent.set(self.spent.get() + work);
+        self.effort.spend(work, (self.spent.get() as f64 / USUAL_WORK).min(1.0))
     }
 
     /// A finding if the asked weave is certainly too fast for the asked speed: then nothing else has to be planned.
@@ -156,7 +180,11 @@ impl<'a> Woven<'a> {
     fn used(&self, factor: f64) -> Option<Vec<Used>> {
         let slower = self.follower.path.slower(factor)?;
         let follower = Follower { path: &*slower, ..self.follower };
-        self.windows.iter().map(|(middle, near)| self.window(follower, (*middle, near), factor)).collect()
+        let used = |(middle, near): &(f64, Joints)| {
+            let goes_on = self.spend(WINDOW_WORK);
+            goes_on.then(|| self.window(follower, (*middle, near), factor)).flatten()
+        };
+        self.windows.iter().map(used).collect()
     }
 
     fn window(&self, follower: Follower, (middle, near): (f64, &Joints), factor: f64) -> Option<Used> {
@@ -183,8 +211,13 @@ impl<'a> Woven<'a> {
         Some(most)
     }
 
-    /// True if the pass can be planned at the asked speed with a weave `factor` times as fast.
+    /// True if the pass can be planned at the asked speed with a weave `factor` times as fast; false if planning is stopped.
     fn keeps(&self, factor: f64) -> bool {
+        // Looked at before it and after it.
+        self.spend(PLAN_WORK / 2) && self.plans(factor) && self.spend(PLAN_WORK / 2)
+    }
+
+    fn plans(&self, factor: f64) -> bool {
         let Some(slower) = self.follower.path.slower(factor) else { return false };
         let follower = Follower { path: &*slower, ..self.follower };
         let Ok(joints) = JointPath::new(follower, self.start) else { return false };

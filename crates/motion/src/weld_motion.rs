@@ -84,6 +84,7 @@ impl WeldMotion {
                 procedure: terms.procedure,
                 last: last.as_ref(),
                 explains: true,
+                weld: passes,
                 clearance: None,
             };
             let (motion, clearance) = one(machine, around, (path, pass, i + 1), before).map_err(|mut f| {
@@ -302,8 +303,8 @@ fn one(
     before: Before,
 ) -> Result<(PassMotion, Option<PassClearance>), Vec<Finding>> {
     let plan = |clearance| {
-        let Before { effort, procedure, last, explains, .. } = before;
-        let before = Before { effort, procedure, last, explains, clearance };
+        let Before { effort, procedure, last, explains, weld, .. } = before;
+        let before = Before { effort, procedure, last, explains, weld, clearance };
         PassMotion::plan_after(machine, path, pass, number, before)
     };
     let motion = plan(None)?;
@@ -324,8 +325,11 @@ fn one(
         }
     }
     let mut findings = findings;
-    if let Ok(machine) = holding(machine, &pass.spare_axes) {
-        Trial { machine: &machine, path, pass, number, before }.cure_clearance(around, &mut findings);
+    // A search for another way that was cut off does not say that there is none.
+    if let Err(stopped) = before.effort.check(number, path.length()) {
+        findings.extend(stopped);
+    } else if let Ok(held) = holding(machine, &pass.spare_axes) {
+        Trial { machine, held: &held, path, pass, number, before }.cure_clearance(around, &mut findings);
     }
     let mut all = motion.findings;
     all.extend(findings);

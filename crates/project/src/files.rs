@@ -1,7 +1,7 @@
 //! Files that the user names: read, or written whole, as [`WholeFile`] does it.
 
 use crate::failure::Failure;
-use seamwright_record::WholeFile;
+use seamwright_record::{ClosedFile, WholeFile};
 use std::fs;
 use std::io::{BufWriter, Read as _, Write};
 use std::path::{Path, PathBuf};
@@ -122,7 +122,8 @@ fn folder_text(folder: &Path, mut names: Vec<String>) -> String {
 /// A folder that results go to, all at once when everything has been made.
 pub struct Output {
     folder: PathBuf,
-    files: Vec<(WholeFile, PathBuf)>,
+    /// Closed: a weld of many passes has more files than a program may have open.
+    files: Vec<(ClosedFile, PathBuf)>,
 }
 
 impl Output {
@@ -157,7 +158,8 @@ impl Output {
         let path = self.folder.join(name);
         let mut file = WholeFile::create(&path).map_err(|e| not_writable(&path, &e))?;
         fill(&mut file).map_err(|e| not_writable(&path, &e))?;
-        self.files.push((file, path));
+        let closed = file.close().map_err(|e| not_writable(&path, &e))?;
+        self.files.push((closed, path));
         Ok(())
     }
 
@@ -196,6 +198,23 @@ impl Output {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn files_that_wait_for_their_names_are_not_open() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path().canonicalize().unwrap();
+        let mut output = Output::new(&folder).unwrap();
+        for i in 0..50 {
+            output.text(&format!("pass-{i}.svg"), "x").unwrap();
+        }
+        let open = fs::read_dir("/proc/self/fd").unwrap().filter_map(|fd| fs::read_link(fd.ok()?.path()).ok());
+        assert_eq!(open.filter(|path| path.starts_with(&folder)).count(), 0);
+        assert!(!folder.join("pass-7.svg").exists());
+        assert_eq!(output.finish().unwrap().len(), 50);
+        assert_eq!(fs::read_to_string(folder.join("pass-7.svg")).unwrap(), "x");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 50);
+    }
 
     #[test]
     fn many_written_files_are_one_line_a_folder() {

@@ -29,10 +29,15 @@ pub struct Loaded {
     pub stl_files: Vec<(String, PathBuf)>,
 }
 
-/// Reads a job or program file and its machine; the name of an example stands for it where there is no such file.
+/// Reads a job or program file and its machine; the name of an example stands for it where there is no such file. A
+/// folder is none: it may be the output of an example's plan.
 pub fn load(path: &Path) -> Result<Loaded, Failure> {
-    if std::fs::metadata(path).is_err_and(|e| e.kind() == std::io::ErrorKind::NotFound) {
-        let example = path.to_str().and_then(example).ok_or_else(|| no_such_job(path))?;
+    let (found, example) = (std::fs::metadata(path), path.to_str().and_then(example));
+    let missing = found.as_ref().is_err_and(|e| e.kind() == std::io::ErrorKind::NotFound);
+    if missing && example.is_none() {
+        return Err(no_such_job(path));
+    }
+    if let Some(example) = example.filter(|_| missing || found.is_ok_and(|found| found.is_dir())) {
         // What ships stands alone: a machine file that lies here by chance is another machine.
         let (name, here) = (format!("{}.toml", example.name), Within::open(Path::new(".")));
         return load_within(&name, example.text, &here, Own::Never);
@@ -243,8 +248,6 @@ pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), 
     })
 }
 
-/// Findings nearer to each other than this are in one place, mm.
-const SAME_MM: f64 = 1e-3;
 /// Most set-points of one motion: more are a mistake in a period or a speed. A day of every millisecond is a tenth of them.
 const MOST_SET_POINTS: f64 = 1e9;
 
@@ -388,13 +391,8 @@ impl Loaded {
                 Err(findings)
             }
             Err(more) => {
-                // A corner at which the torch jumps is found by weld and motion; the weld knows the better cure.
-                let known = |f: &Finding| {
-                    let same =
-                        |g: &&Finding| (g.kind, g.pass) == (f.kind, f.pass) && (g.from_mm - f.from_mm).abs() < SAME_MM;
-                    f.kind == "turn" && findings.iter().any(|g| same(&g))
-                };
-                let new: Vec<Finding> = more.into_iter().filter(|f| !known(f)).collect();
+                // A corner at which the torch jumps is found by weld and motion, with one function.
+                let new: Vec<Finding> = more.into_iter().filter(|f| !findings.contains(f)).collect();
                 findings.extend(new);
                 Err(findings)
             }

@@ -2,6 +2,7 @@
 
 use crate::Failure;
 use crate::load::Loaded;
+use crate::planning::Planning;
 use seamwright_cell::Conditions;
 use seamwright_cell::devices::Fault;
 use seamwright_cell::tracking::{Distortion, RESERVE, check};
@@ -51,8 +52,17 @@ impl Part {
     /// # Errors
     /// What cannot be planned, or tracked.
     pub fn plan(&self, loaded: &Loaded) -> Result<WeldMotion, Failure> {
+        self.plan_under(loaded, &Planning::default())
+    }
+
+    /// Plans as [`Part::plan`] does, within the limits of `planning`.
+    ///
+    /// # Errors
+    /// What cannot be planned in that time, or tracked.
+    pub fn plan_under(&self, loaded: &Loaded, planning: &Planning) -> Result<WeldMotion, Failure> {
         let machine = &loaded.machine;
-        let motion = loaded.plan_on(&machine.with_reserve(if self.tracking { RESERVE } else { 0.0 }))?;
+        let reserve = if self.tracking { RESERVE } else { 0.0 };
+        let motion = loaded.plan_under(&machine.with_reserve(reserve), planning)?;
         loaded.check_count(&motion, machine.servo_period_s)?;
         if self.distortion.is_some() || self.tracking {
             let (paths, around) = (loaded.paths(), loaded.surroundings()?);

@@ -3,12 +3,12 @@
 use crate::Failure;
 use seamwright_cell::executive::{Mode, Place};
 use seamwright_cell::realtime::Shown;
-use seamwright_record::DataFolder;
 use seamwright_record::journal::{Journal, Position};
+use seamwright_record::{DataFolder, Error};
 use std::path::Path;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
-use std::time::SystemTime;
+use std::time::{Duration, Instant, SystemTime};
 
 /// How often the place of the weld goes to the disk, s.
 const JOURNAL_S: f64 = 0.05;
@@ -77,6 +77,10 @@ pub fn check(data: Option<&Path>, from: Option<Place>) -> Result<(), Failure> {
 #[derive(Debug, Default)]
 struct Slot {
     newest: Option<Position>,
+    /// Welds that have ended in order.
+    over: Vec<u64>,
+    /// What kept a place from being written, the first time.
+    failed: Option<Error>,
     ended: bool,
 }
 
@@ -91,51 +95,139 @@ impl Waiting {
 
     fn tell(&self, change: impl FnOnce(&mut Slot)) {
         change(&mut self.lock());
-        self.1.notify_one();
+        self.1.notify_all();
     }
 
-    /// The newest place, once there is one; none after the end.
-    fn next(&self) -> Option<Position> {
-        let idle = |slot: &mut Slot| slot.newest.is_none() && !slot.ended;
-        self.1.wait_while(self.lock(), idle).unwrap_or_else(PoisonError::into_inner).newest.take()
+    /// Waits for a place or for welds that are over; `None` once it has ended and nothing waits.
+    fn next(&self) -> Option<(Option<Position>, Vec<u64>)> {
+        let idle = |slot: &mut Slot| slot.newest.is_none() && slot.over.is_empty() && !slot.ended;
+        let mut slot = self.1.wait_while(self.lock(), idle).unwrap_or_else(PoisonError::into_inner);
+        let work = (slot.newest.take(), slot.over.clone());
+        (work.0.is_some() || !work.1.is_empty()).then_some(work)
+    }
+
+    /// Reports that these welds were looked after, and what failed.
+    fn done(&self, welds: &[u64], failed: Option<Error>) {
+        self.tell(|slot| {
+            slot.over.retain(|weld| !welds.contains(weld));
+            slot.failed = slot.failed.take().or(failed);
+        });
     }
 }
 
-/// A thread that keeps the newest place on the disk.
+/// A thread that keeps the newest place on the disk. Dropped, it frees the journal and leaves in it what is there.
 #[derive(Debug)]
 pub struct Places {
     waiting: Arc<Waiting>,
-    thread: JoinHandle<Result<Journal, seamwright_record::Error>>,
+    /// `None` once [`Places::end`] has joined it.
+    thread: Option<JoinHandle<Journal>>,
 }
 
 /// Begins to keep places in `journal`. What is on the disk is older than the weld by 50 ms and the time of one write at
-/// most, however slow the disk is.
-pub fn writer(mut journal: Journal) -> Places {
+/// most, however slow the disk is. After a write that fails the next place is tried.
+pub fn writer(journal: Journal) -> Places {
     let waiting = Arc::new(Waiting::default());
     let from = Arc::clone(&waiting);
-    let thread = std::thread::spawn(move || {
-        while let Some(position) = from.next() {
-            journal.write(&position)?;
+    let thread = std::thread::spawn(move || keep(journal, &from));
+    Places { waiting, thread: Some(thread) }
+}
+
+fn keep(mut journal: Journal, from: &Waiting) -> Journal {
+    while let Some((newest, over)) = from.next() {
+        let mut result = newest.map_or(Ok(()), |position| journal.write(&position));
+        // Of a weld that began since nothing is cleared.
+        if journal.last().is_some_and(|last| over.contains(&last.weld)) {
+            result = result.and(journal.clear());
         }
-        Ok(journal)
-    });
-    Places { waiting, thread }
+        from.done(&over, result.err());
+    }
+    journal
 }
 
 impl Places {
+    /// How often is looked whether the thread lives.
+    const LOOK: Duration = Duration::from_millis(50);
+    /// How long dropping waits for the journal to be free.
+    const PATIENCE: Duration = Duration::from_secs(1);
+
     /// The newest place; in the stead of the one before, if that is not being written yet.
     pub fn tell(&self, position: Position) {
-        // If whoever writes has ended with an error, the end of the run tells it.
         self.waiting.tell(|slot| slot.newest = Some(position));
+    }
+
+    /// A weld ended in order: waits until the journal has no place of it. Places of another weld stay.
+    ///
+    /// # Errors
+    /// What kept the journal from being written, now or since the last call.
+    pub fn over(&self, weld: u64) -> Result<(), Error> {
+        self.waiting.tell(|slot| slot.over.push(weld));
+        let mut slot = self.waiting.lock();
+        while slot.over.contains(&weld) && self.thread.as_ref().is_some_and(|thread| !thread.is_finished()) {
+            slot = self.waiting.1.wait_timeout(slot, Self::LOOK).unwrap_or_else(PoisonError::into_inner).0;
+        }
+        slot.failed.take().map_or(Ok(()), Err)
     }
 
     /// The weld ended in order.
     ///
     /// # Errors
     /// What kept the journal from being written.
-    pub fn end(self) -> Result<(), Failure> {
+    pub fn end(mut self) -> Result<(), Failure> {
         self.waiting.tell(|slot| slot.ended = true);
-        let journal = self.thread.join().map_err(|_| Failure::Environment("the journal's thread failed".to_owned()))?;
-        Ok(journal?.clear()?)
+        let gone = || Failure::Environment("the journal's thread failed".to_owned());
+        let mut journal = self.thread.take().ok_or_else(gone)?.join().map_err(|_| gone())?;
+        let cleared = journal.clear();
+        let failed = self.waiting.lock().failed.take();
+        Ok(failed.map_or(Ok(()), Err).and(cleared)?)
+    }
+}
+
+impl Drop for Places {
+    fn drop(&mut self) {
+        self.waiting.tell(|slot| slot.ended = true);
+        // Its lock is gone with the thread; a disk that hangs is not waited for.
+        let begin = Instant::now();
+        while self.thread.as_ref().is_some_and(|thread| !thread.is_finished()) && begin.elapsed() < Self::PATIENCE {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn position(weld: u64) -> Position {
+        Position { time: 1.0, weld, pass: 1, phase: 0, s: 2.0, welded_to: 1.0, corrections: [[0.0; 2]; 2] }
+    }
+
+    /// A weld that is not ended in order leaves its place, and the journal to the next one.
+    #[test]
+    fn dropped_places_free_the_journal_and_stay_in_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let data = DataFolder::open(folder.path()).unwrap();
+        let places = writer(data.journal().unwrap());
+        places.tell(position(7));
+        drop(places);
+        assert_eq!(data.journal().unwrap().last(), Some(position(7)));
+    }
+
+    /// The end of a weld takes nothing away from the one that has begun meanwhile.
+    #[test]
+    fn the_end_of_a_weld_clears_its_own_place_only() {
+        let folder = tempfile::tempdir().unwrap();
+        let data = DataFolder::open(folder.path()).unwrap();
+        let places = writer(data.journal().unwrap());
+        places.tell(position(7));
+        places.over(7).unwrap();
+        places.tell(position(8));
+        places.over(7).unwrap();
+        drop(places);
+        assert_eq!(data.journal().unwrap().last(), Some(position(8)));
+        let places = writer(data.journal().unwrap());
+        places.tell(position(9));
+        places.over(9).unwrap();
+        drop(places);
+        assert_eq!(data.journal().unwrap().last(), None);
     }
 }

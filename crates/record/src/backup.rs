@@ -17,6 +17,8 @@ pub(crate) const LIBRARY: &str = "library.sqlite";
 
 /// SHA-256 of every file in the archive, the last one in it.
 const MANIFEST: &str = "manifest.sha256";
+/// Maximum size of it: half a million files.
+const MAX_MANIFEST: u64 = 64 << 20;
 
 impl DataFolder {
     /// Writes everything into one tar archive: the library as it is at this moment, all files of welds, jobs and users, and the hashes of
@@ -119,7 +121,11 @@ pub fn restore(archive: &Path, folder: &Path) -> Result<(), Error> {
     // Nothing but rows comes from elsewhere: no triggers, views or damage of its pages.
     let foreign = scratch.path().join("foreign.sqlite");
     fs::rename(inside.join(LIBRARY), &foreign).map_err(|e| Error::io(&foreign, "cannot be made", e))?;
-    Library::rebuild(&foreign, &inside.join(LIBRARY)).map_err(|e| in_archive(archive, e))?;
+    let has_manifests = Library::rebuild(&foreign, &inside.join(LIBRARY)).map_err(|e| in_archive(archive, e))?;
+    if has_manifests && !is_listed {
+        let why = format!("{MANIFEST}: missing, though the version that wrote the archive writes it");
+        return Err(Error::damaged(archive, why, "an archive that is as it was written"));
+    }
     // It opens, and is of this version or an older one.
     let data = DataFolder::open(&inside).map_err(|e| in_archive(archive, e))?;
     if !is_listed {
@@ -158,11 +164,16 @@ fn in_archive(archive: &Path, e: Error) -> Error {
 /// Holds every file against the manifest, and removes that. False: there is none, as in archives of older versions.
 fn check_manifest(archive: &Path, inside: &Path) -> Result<bool, Error> {
     let path = inside.join(MANIFEST);
-    let manifest = match fs::read_to_string(&path) {
-        Ok(manifest) => manifest,
+    let size = match fs::metadata(&path) {
+        Ok(there) => there.len(),
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(false),
         Err(e) => return Err(Error::io(&path, "cannot be read", e)),
     };
+    if size > MAX_MANIFEST {
+        let why = format!("{MANIFEST}: of {} MiB", size.div_ceil(1 << 20));
+        return Err(Error::damaged(archive, why, format!("up to {} MiB", MAX_MANIFEST >> 20)));
+    }
+    let manifest = fs::read_to_string(&path).map_err(|e| Error::io(&path, "cannot be read", e))?;
     fs::remove_file(&path).map_err(|e| Error::io(&path, "cannot be removed", e))?;
     let listed: BTreeSet<String> = manifest.split_inclusive('\n').map(str::to_owned).collect();
     let mut found = BTreeSet::new();
@@ -336,7 +347,10 @@ mod tests {
             let (library, archive) =
                 (scratch.path().join(format!("{name}.sqlite")), scratch.path().join(format!("{name}.tar")));
             Library::open_to_read(&from.join(LIBRARY)).unwrap().copy_to(&library).unwrap();
-            rusqlite::Connection::open(&library).unwrap().execute_batch(change).unwrap();
+            let db = rusqlite::Connection::open(&library).unwrap();
+            // Of the last version that wrote no hashes.
+            db.execute_batch("PRAGMA user_version = 2").and_then(|()| db.execute_batch(change)).unwrap();
+            drop(db);
             let mut builder = tar::Builder::new(File::create(&archive).unwrap());
             builder.append_path_with_name(&library, LIBRARY).unwrap();
             builder.finish().unwrap();
@@ -350,6 +364,20 @@ mod tests {
             BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;";
         let changed = copy("changed", changed).unwrap_err();
         assert!(changed.contains("audit entry 1"), "{changed}");
+        // Nobody gets past the hashes by leaving them out.
+        let stripped = copy("stripped", "PRAGMA user_version = 3").unwrap_err();
+        assert!(stripped.contains("manifest.sha256: missing") && stripped.contains("stripped.tar"), "{stripped}");
+    }
+
+    /// A list of hashes that is larger than memory is not read.
+    #[test]
+    fn a_manifest_of_any_size_is_not_read() {
+        let scratch = tempfile::tempdir().unwrap();
+        let inside = scratch.path().join("inside");
+        fs::create_dir(&inside).unwrap();
+        File::create(inside.join(MANIFEST)).unwrap().set_len(MAX_MANIFEST + 1).unwrap();
+        let refused = check_manifest(Path::new("backup.tar"), &inside).unwrap_err().to_string();
+        assert!(refused.contains("manifest.sha256: of 65 MiB"), "{refused}");
     }
 
     /// Whoever gets a backup without users gets no password to try; restored, users stay as they are.

@@ -10,6 +10,10 @@ use std::path::{Path, PathBuf};
 /// Room that must be left on the disk beside the trace, bytes.
 const SPARE: u64 = 64 << 20;
 
+/// What nobody but the owner of the folder reads, whatever it was made with.
+const PRIVATE: [&str; 6] =
+    ["library.sqlite", "library.sqlite-wal", "library.sqlite-shm", "welds", "position.a", "position.b"];
+
 /// The folder of everything that is recorded: `library.sqlite`, `welds/<number>/`, and the journal for power loss.
 #[derive(Debug)]
 pub struct DataFolder {
@@ -42,7 +46,8 @@ pub struct Verified {
 }
 
 impl DataFolder {
-    /// Opens the folder to write, and makes what is missing. A restore that was broken off is finished first.
+    /// Opens the folder to write, and makes what is missing. A restore that was broken off is finished first. Records that others may
+    /// read, as older versions wrote them, become the owner's alone.
     ///
     /// # Errors
     /// If it cannot be written, or its library cannot be opened.
@@ -50,6 +55,10 @@ impl DataFolder {
         crate::finish_replacing(path)?;
         let welds = path.join("welds");
         private::folder(&welds).map_err(|e| Error::io(&welds, "cannot be made", e))?;
+        for name in PRIVATE {
+            // Of files that belong to somebody else their owner decides.
+            drop(private::tighten(&path.join(name)));
+        }
         Ok(Self { path: path.to_owned(), library: Library::open(&path.join("library.sqlite"))? })
     }
 
@@ -105,7 +114,7 @@ impl DataFolder {
     /// Begins to record a weld.
     ///
     /// # Errors
-    /// If there is no room for it, or nothing can be written: the weld is then not to begin.
+    /// If there is no room for it, or nothing can be written: the weld is then not to begin, and nothing is left of it.
     pub fn begin(&mut self, plan: &Plan) -> Result<Recording, Error> {
         self.check_room(plan)?;
         let text = |kind, (name, text): &(String, String)| self.library.add_document(kind, name, text);
@@ -126,8 +135,17 @@ impl DataFolder {
         let last = self.weld_folders()?.into_iter().max().unwrap_or(0);
         let id = self.library.begin_weld(&new, last)?;
         let folder = self.weld_folder(id);
-        private::folder(&folder).map_err(|e| Error::io(&folder, "cannot be made", e))?;
-        Recording::new((id, new.begun), folder, plan)
+        let made = private::folder(&folder).map_err(|e| Error::io(&folder, "cannot be made", e));
+        let recording = made.and_then(|()| Recording::new((id, new.begun), folder.clone(), plan));
+        recording.inspect_err(|_| self.take_back(id, &folder))
+    }
+
+    /// Removes what there is of a weld that could not be begun. What cannot be removed either, [`DataFolder::recover`] settles.
+    fn take_back(&self, id: i64, folder: &Path) {
+        // No weld had this number, so nothing of another one is there.
+        drop(fs::remove_file(folder.join("trace.raw")));
+        drop(fs::remove_dir(folder));
+        drop(self.library.take_back_weld(id));
     }
 
     /// Refuses a weld whose trace would not find room: as raw rows, and once more as Parquet.

@@ -34,4 +34,4 @@ pub use moment::Moment;
 pub use recording::{Outcome, Plan, Recording};
 pub use replace::{Contents, check_archive, discard_checked, finish_replacing, has_checked, replace_by_checked};
 pub use vcd::{VcdAxis, VcdWriter, Wire};
-pub use whole_file::WholeFile;
+pub use whole_file::{ClosedFile, WholeFile};

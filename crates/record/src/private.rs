@@ -1,5 +1,7 @@
 //! Files and folders that nobody but their owner reads, whatever the folder that they are in allows.
 
+#[cfg(unix)]
+use std::fs;
 use std::fs::{DirBuilder, OpenOptions};
 use std::path::Path;
 
@@ -17,4 +19,31 @@ pub(crate) fn options() -> OpenOptions {
     #[cfg(unix)]
     std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
     options
+}
+
+/// Takes the rights of others away from a file or folder, if it is there; before that from what is in a folder that others may enter,
+/// so that it costs one look once it was done. Links in folders are left alone.
+#[cfg(unix)]
+pub(crate) fn tighten(path: &Path) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt as _;
+    let Ok(there) = fs::metadata(path) else { return Ok(()) };
+    let mode = there.permissions().mode();
+    if mode & 0o077 == 0 {
+        return Ok(());
+    }
+    if there.is_dir() {
+        for entry in fs::read_dir(path)? {
+            let entry = entry?;
+            if !entry.file_type()?.is_symlink() {
+                tighten(&entry.path())?;
+            }
+        }
+    }
+    fs::set_permissions(path, fs::Permissions::from_mode(mode & 0o700))
+}
+
+/// Does nothing where files have no such modes.
+#[cfg(not(unix))]
+pub(crate) fn tighten(_: &Path) -> std::io::Result<()> {
+    Ok(())
 }

@@ -12,8 +12,18 @@ const BEGUN: &str = "restore-begun";
 const MOVED: &str = "restore-moved";
 
 /// What goes out of the way and comes: an archive has some of it. Keys of encrypted connections (`tls`) stay.
-const REPLACED: [&str; 8] =
-    [LIBRARY, "library.sqlite-wal", "library.sqlite-shm", "welds", "jobs", USERS, "position.a", "position.b"];
+const REPLACED: [&str; 9] = [
+    LIBRARY,
+    "library.sqlite-wal",
+    "library.sqlite-shm",
+    "welds",
+    "jobs",
+    USERS,
+    // Browsers that users of before are known in.
+    "devices.json",
+    "position.a",
+    "position.b",
+];
 
 /// What an archive has in it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -290,9 +300,10 @@ mod tests {
         fs::write(&bad, b"PK\x03\x04 something else".repeat(100)).unwrap();
         assert!(refused("foreign").contains("whole archive"));
         // An entry of the audit log that was changed, and a schema of a later version.
-        for (sql, said) in
-            [("UPDATE audit SET user = 'eve'", "audit entry"), ("PRAGMA user_version = 999", "later version")]
-        {
+        for (sql, said) in [
+            ("UPDATE audit SET user = 'eve'; PRAGMA user_version = 2", "audit entry"),
+            ("PRAGMA user_version = 999", "later version"),
+        ] {
             let from = scratch.path().join(format!("from {said}"));
             let changed = folder(&from, "new");
             drop(changed);

@@ -6,9 +6,9 @@
 
 use crate::Error;
 use std::fs::{self, File, Metadata, OpenOptions};
-use std::io::{self, Seek as _, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 /// Mode of a new file, less those bits that the user's umask takes away.
 const MODE: u32 = 0o666;
@@ -25,6 +25,15 @@ const MAX_LINKS: usize = 40;
 #[derive(Debug)]
 pub struct WholeFile {
     file: NamedTempFile,
+    destination: Destination,
+}
+
+/// A file that was written and synced, and closed; [`ClosedFile::finish`] gives it its name.
+///
+/// Dropped unfinished it leaves nothing. Many of them wait for their names without a file handle each.
+#[derive(Debug)]
+pub struct ClosedFile {
+    file: TempPath,
     destination: Destination,
 }
 
@@ -72,21 +81,38 @@ impl WholeFile {
         self.file.as_file_mut()
     }
 
+    /// Syncs the file and closes it; it has no name yet.
+    ///
+    /// # Errors
+    /// If the disk refuses.
+    pub fn close(self) -> io::Result<ClosedFile> {
+        if matches!(self.destination, Destination::Replace(_)) {
+            self.file.as_file().sync_all()?;
+        }
+        Ok(ClosedFile { file: self.file.into_temp_path(), destination: self.destination })
+    }
+
     /// Syncs the file and gives it its name; a pipe or device gets all of it now.
     ///
     /// # Errors
     /// If the disk, the pipe or the device refuses.
-    pub fn finish(mut self) -> io::Result<()> {
+    pub fn finish(self) -> io::Result<()> {
+        self.close()?.finish()
+    }
+}
+
+impl ClosedFile {
+    /// Gives the file its name; a pipe or device gets all of it now.
+    ///
+    /// # Errors
+    /// If the disk, the pipe or the device refuses.
+    pub fn finish(self) -> io::Result<()> {
         match self.destination {
-            Destination::Replace(path) => {
-                self.file.as_file().sync_all()?;
-                self.file.persist(path).map(drop).map_err(|e| e.error)
-            }
+            Destination::Replace(path) => self.file.persist(path).map_err(|e| e.error),
             Destination::Stream(path) => {
                 // What is open already, such as standard output in a file, goes on at its end.
                 let mut stream = OpenOptions::new().append(true).open(path)?;
-                self.file.as_file_mut().rewind()?;
-                io::copy(self.file.as_file_mut(), &mut stream)?;
+                io::copy(&mut File::open(&self.file)?, &mut stream)?;
                 stream.flush()
             }
         }

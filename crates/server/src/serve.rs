@@ -62,11 +62,11 @@ pub enum Error {
 const LOOK: Duration = Duration::from_millis(20);
 
 /// Serves the panel until a signal (SIGINT, SIGTERM, SIGHUP and their like) or a fault of the program ends it: the process is off
-/// within a cycle, everything comes to rest, power goes, records are closed, and it returns. `ready` is told the address once it
+/// within a cycle, everything comes to rest, power goes, records are closed, and it returns. `ready` is given the address once it
 /// answers.
 ///
 /// # Errors
-/// See [`Error`].
+/// See [`Error`]; one of the system too if a device does not confirm that its outputs are safe.
 pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error> {
     let shutdown = Shutdown::default();
     shutdown.on_signals().map_err(|e| Error::System(e.to_string()))?;
@@ -182,12 +182,15 @@ impl Lives<'_> {
         }
         // Connections go on meanwhile: they see the end.
         let closes = user.is_some();
-        let end = move || {
-            panel.cell.end();
-            !closes || panel.cell.archive.close()
-        };
-        if !tokio::task::spawn_blocking(end).await.map_err(|e| system(&e))? {
+        let end = move || (panel.cell.end(), !closes || panel.cell.archive.close());
+        let (unconfirmed, closed) = tokio::task::spawn_blocking(end).await.map_err(|e| system(&e))?;
+        if !closed {
             return Err(Error::System("the library cannot be closed: nothing was restored".to_owned()));
+        }
+        // A cell that begins anew connects the same devices, which makes their outputs safe, or ends.
+        if user.is_none() && !unconfirmed.is_empty() {
+            let text = unconfirmed.join("\n");
+            return Err(Error::System(format!("{text}\n   look at once whether arc and gas are off")));
         }
         Ok(user)
     }

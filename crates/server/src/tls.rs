@@ -50,7 +50,10 @@ pub(crate) async fn config(tls: &Tls, data: &Path, names: &[String]) -> Result<R
             Error::Settings(format!("{files}: {e}\n   allowed: PEM files of a certificate and its private key"))
         })?,
         Tls::Own => {
-            let (cert, key) = own(data, names)?;
+            // Keys and files take their time: nobody who stops waits for them.
+            let (data, names) = (data.to_owned(), names.to_vec());
+            let made = tokio::task::spawn_blocking(move || own(&data, &names)).await;
+            let (cert, key) = made.map_err(|e| wrong(&e))??;
             RustlsConfig::from_pem(cert.into_bytes(), key.into_bytes()).await.map_err(|e| wrong(&e))?
         }
     };

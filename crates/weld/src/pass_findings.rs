@@ -1,16 +1,10 @@
 //! What stands against a pass before any machine is looked at.
 
 use crate::PassPath;
-use crate::seam::SAME_MM;
-use glam::DVec3;
-use seamwright_program::{Finding, TorchPath};
+use seamwright_program::{Finding, TorchPath, torch_jumps};
 
 /// Places along a pass that are looked at.
 const PLACES: u32 = 720;
-/// The torch's direction may turn by this at a place, rad: less is rounding.
-const TURN: f64 = 1e-6;
-/// The torch's tip may jump by this at a place, mm: less is rounding.
-const JUMP_MM: f64 = 1e-6;
 /// A bead goes on by at least this part of the way along the seam: one that lies beyond the centre of a bend goes back.
 const LEAST_PROGRESS: f64 = 0.1;
 
@@ -18,7 +12,7 @@ impl PassPath<'_> {
     /// Everything that stands against the pass, the `number`-th from 1.
     pub fn findings(&self, number: usize) -> Vec<Finding> {
         let mut findings = self.access_findings(number);
-        let turns = self.turn_findings(number);
+        let turns = torch_jumps(self, number);
         // Where the tip jumps it may jump back.
         if turns.is_empty() {
             findings.extend(self.progress_findings(number));
@@ -97,46 +91,4 @@ impl PassPath<'_> {
         }
         findings
     }
-
-    /// Corners of the seam at which the torch's direction or its tip would jump.
-    fn turn_findings(&self, pass: usize) -> Vec<Finding> {
-        let finding = |s: f64, message: String, cure: &str| Finding {
-            kind: "turn",
-            message,
-            pass,
-            from_mm: s,
-            to_mm: s,
-            cure: cure.to_owned(),
-            allowed: false,
-        };
-        let mut findings = Vec::new();
-        for corner in self.seam.knots_within(self.stretch.range()) {
-            let [before, after] = [corner - SAME_MM, corner + SAME_MM].map(|s| {
-                let p = self.seam.at(s);
-                let (tip, axis) = self.torch_at(&p);
-                (tip + self.swing_at(&p, axis, self.stretch.own_s(corner)), axis)
-            });
-            let (jump, turn) = ((before.0 - after.0).length(), angle(before.1, after.1));
-            let s = self.stretch.own_s(corner);
-            if turn > TURN {
-                let turn = turn.to_degrees();
-                let message =
-                    format!("the torch's direction would jump by {turn:.2} degrees at the corner at s = {s:.3} mm");
-                let cure = "let one pass end there and another begin after it (in a job order.parts = \"at_corners\", tacks \
-                            elsewhere); or round the corner in the seam; in a butt joint weld without work and travel angle";
-                findings.push(finding(s, message, cure));
-            }
-            if jump > JUMP_MM {
-                let message = format!("the torch's tip would jump by {jump:.3} mm at the corner at s = {s:.3} mm");
-                let cure = "let one pass end there and another begin after it (in a job order.parts = \"at_corners\", tacks \
-                            elsewhere), or round the corner in the seam";
-                findings.push(finding(s, message, cure));
-            }
-        }
-        findings
-    }
-}
-
-fn angle(a: DVec3, b: DVec3) -> f64 {
-    2.0 * (a - b).length().atan2((a + b).length())
 }

@@ -57,14 +57,14 @@ impl PassKeys {
         Self(Source::Derived { table, own: (run, names), has_speed: speed.is_some() })
     }
 
-    /// The key of the file from which `key` of the pass (`begin_mm`, `bead.s_mm[3]`, `spans[0].to_mm`) has its value.
+    /// The key of the file from which `key` of the pass has its value: of where it runs (`begin_mm`, `bead.s_mm[3]`,
+    /// `spans[0].to_mm`), of its torch or of its axes to spare (`spare_axes.hold.r`); the pass itself if empty.
     pub fn of(&self, key: &str) -> String {
         match &self.0 {
             Source::Listed(i) if key.is_empty() => format!("passes[{i}]"),
             Source::Listed(i) => format!("passes[{i}].{key}"),
             Source::Derived { table, .. } => match key.split(['.', '[']).next() {
-                Some("begin_mm" | "spans" | "bead" | "reverse" | "copy" | "") | None => (*table).to_owned(),
-                Some("corner" | "weave" | "oscillation" | "on_limit" | "least_speed_mm_s") => format!("weld.{key}"),
+                Some("begin_mm" | "spans" | "bead" | "") | None => (*table).to_owned(),
                 Some(_) => key.to_owned(),
             },
         }

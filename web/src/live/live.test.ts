@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import type { FromCell, Status } from '../wire';
+import type { FromCell, Status, Stopped } from '../wire';
 import { refusal } from './api';
 import { HoldToRun, REPEAT_MS } from './hold_to_run';
 import { Link, type LinkState } from './socket';
@@ -177,26 +177,48 @@ describe('STOP', () => {
   const ok = { ok: true, why: null };
   const lost = Promise.resolve({ ok: false, why: null });
   const refused = (): Promise<never> => Promise.reject(new Error('no connection'));
+  const stopped = (mode: string, cycle_age_s: number | null = 0.01): Promise<Stopped> => Promise.resolve({ mode, cycle_age_s });
 
-  test('that the cell answers is reached, and needs no second way', async () => {
+  test('after which the cell is seen to stand is reached, and needs no second way', async () => {
     const request = vi.fn(() => never);
     const stopping = new Stopping({ socket: () => Promise.resolve(ok), request });
-    await stopping.stop();
+    const known = stopping.stop();
+    await vi.advanceTimersByTimeAsync(10);
+    stopping.seen('weld');
+    expect(stopping.fate).toBe('sent');
+    stopping.seen('ready');
+    await known;
     await vi.advanceTimersByTimeAsync(5000);
-    expect(stopping.fate).toBe('reached');
+    expect([stopping.fate, stopping.mode]).toEqual(['reached', 'ready']);
     expect(request).not.toHaveBeenCalled();
   });
 
   test('goes as a request at once where there is no connection, and soon where the connection is silent', async () => {
     for (const [socket, after] of [[() => null, 0], [() => lost, 0], [() => never, 250]] as const) {
-      const request = vi.fn(() => Promise.resolve({ mode: 'weld' }));
+      const request = vi.fn(() => stopped('ready'));
       const stopping = new Stopping({ socket, request });
-      const stopped = stopping.stop();
+      const known = stopping.stop();
       await vi.advanceTimersByTimeAsync(after);
       expect(request).toHaveBeenCalledTimes(1);
-      await stopped;
-      expect([stopping.fate, stopping.mode]).toEqual(['reached', 'weld']);
+      await known;
+      expect([stopping.fate, stopping.mode]).toEqual(['reached', 'ready']);
     }
+  });
+
+  test('as a request asks until the cell stands, and no longer', async () => {
+    let mode = 'weld';
+    const request = vi.fn(() => stopped(mode));
+    const stopping = new Stopping({ socket: () => null, request });
+    const known = stopping.stop();
+    await vi.advanceTimersByTimeAsync(400);
+    expect([stopping.fate, stopping.mode]).toEqual(['sent', 'weld']);
+    mode = 'ready';
+    await vi.advanceTimersByTimeAsync(400);
+    await known;
+    expect(stopping.fate).toBe('reached');
+    const asked = request.mock.calls.length;
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(request.mock.calls.length).toBe(asked);
   });
 
   test('that reaches nobody has failed after a second at most, whichever way is silent', async () => {
@@ -210,10 +232,46 @@ describe('STOP', () => {
     }
   });
 
+  test('pressed again and again has failed a second after the first press', async () => {
+    const stopping = new Stopping({ socket: () => never, request: () => never });
+    for (let pressed = 0; pressed < 2; pressed += 1) {
+      void stopping.stop();
+      await vi.advanceTimersByTimeAsync(600);
+    }
+    expect(stopping.fate).toBe('failed');
+  });
+
+  test('that a server answers for a cycle that hangs or has ended has failed', async () => {
+    const silent = Promise.resolve({ ok: false, why: { key: 'silent_cycle', of: [], text: '' } });
+    for (const [socket, age] of [[() => null, 3], [() => silent, 3], [() => null, null]] as const) {
+      const stopping = new Stopping({ socket, request: () => stopped('ready', age) });
+      void stopping.stop();
+      await vi.advanceTimersByTimeAsync(1000);
+      expect(stopping.fate).toBe('failed');
+    }
+  });
+
+  test('that is answered has failed after two seconds if the cell is not seen to stand', async () => {
+    for (const socket of [() => Promise.resolve(ok), () => null]) {
+      const stopping = new Stopping({ socket, request: () => stopped('weld') });
+      void stopping.stop();
+      await vi.advanceTimersByTimeAsync(1900);
+      stopping.seen('weld');
+      expect(stopping.fate).toBe('sent');
+      await vi.advanceTimersByTimeAsync(100);
+      expect(stopping.fate).toBe('failed');
+      // Answered once more it has not reached the cell late: it goes on.
+      void stopping.stop();
+      await vi.advanceTimersByTimeAsync(100);
+      expect(stopping.fate).toBe('failed');
+    }
+  });
+
   test('stays failed until the cell is seen to stand, or somebody has read it', async () => {
     const failed = async (): Promise<Stopping> => {
       const stopping = new Stopping({ socket: () => null, request: refused });
-      await stopping.stop();
+      void stopping.stop();
+      await vi.advanceTimersByTimeAsync(1000);
       return stopping;
     };
     const seen = await failed();
@@ -224,10 +282,16 @@ describe('STOP', () => {
     const read = await failed();
     read.acknowledge();
     expect(read.fate).toBe('none');
+    // The next one has its own second.
+    void read.stop();
+    await vi.advanceTimersByTimeAsync(999);
+    expect(read.fate).toBe('sent');
+    await vi.advanceTimersByTimeAsync(1);
+    expect(read.fate).toBe('failed');
   });
 
   test('that arrives late is said to be late, and a second press does not hide that the first failed', async () => {
-    let arrive: (answer: { mode: string }) => void = () => undefined;
+    let arrive: (answer: Stopped) => void = () => undefined;
     const stopping = new Stopping({ socket: () => null, request: () => new Promise((done) => (arrive = done)) });
     void stopping.stop();
     await vi.advanceTimersByTimeAsync(1000);
@@ -235,7 +299,7 @@ describe('STOP', () => {
     expect(stopping.fate).toBe('failed');
     await vi.advanceTimersByTimeAsync(1500);
     expect(stopping.fate).toBe('failed');
-    arrive({ mode: 'weld' });
+    arrive({ mode: 'weld', cycle_age_s: 0.01 });
     await vi.advanceTimersByTimeAsync(0);
     expect(stopping.fate).toBe('late');
     stopping.seen('ready');

@@ -6,6 +6,12 @@ import type { Answer } from './socket';
 const SECOND_WAY_MS = 250;
 /** STOP without an answer for so long counts as not having reached the cell, ms. */
 export const REACH_MS = 1000;
+/** So long after STOP the cell must be seen to stand, whatever was answered, ms: a server answers for a cycle that hangs, too. */
+export const STAND_MS = 2000;
+/** A request asks again after this time, until the cell is seen to stand, ms. */
+const AGAIN_MS = 300;
+/** An answer for a cycle that has not been heard of for longer says nothing of the cell, s. */
+const FRESH_S = 0.5;
 
 /** The ways to the cell. */
 export type Ways = {
@@ -15,72 +21,109 @@ export type Ways = {
   request: () => Promise<Stopped>;
 };
 
-/** How the last STOP fared. `late`: it reached the cell after it had been reported as failed. */
+/**
+ * How STOP fared. `reached`: the cell was seen to stand after it. `failed`: it was not, in time. `late`: it reached the cell after it had
+ * been reported as failed.
+ */
 export type Fate = 'none' | 'sent' | 'reached' | 'failed' | 'late';
 
-/** STOP, and whether it has reached the cell: a STOP that did not is never reported by less than the whole screen. */
+/** All presses from one after which the cell was not seen to stand yet: the deadlines of the first one hold. */
+type Round = { heard: boolean; known: Promise<void>; end: () => void };
+
+/** STOP, and whether the cell stands after it: a STOP that did not reach it is never reported by less than the whole screen. */
 export class Stopping {
   fate = $state<Fate>('none');
-  /** State of the cell at its answer to a request; empty if it did not say. */
+  /** State of the cell when it was last heard of after STOP; empty if it did not say. */
   mode = $state('');
-  private number = 0;
+  private round: Round | null = null;
 
   constructor(private readonly ways: Ways) {}
 
-  /** Sends STOP over every way until one answers; the promise ends when its fate is known. */
-  async stop(): Promise<void> {
-    const number = ++this.number;
-    // A failure stays on the screen until this attempt is known to have reached the cell.
-    if (this.fate === 'none' || this.fate === 'reached') this.fate = 'sent';
-    const answer = this.send();
-    const inTime = await Promise.race([answer, after(REACH_MS)]);
-    if (number !== this.number) return;
-    if (inTime) {
-      this.fate = this.fate === 'failed' ? 'late' : 'reached';
-      return;
-    }
-    this.fate = 'failed';
-    void answer.then((reached) => {
-      if (reached && number === this.number && this.fate === 'failed') this.fate = 'late';
-    });
+  /** Sends STOP over every way until the cell stands; the promise ends when its fate is known. */
+  stop(): Promise<void> {
+    this.round ??= this.begin();
+    void this.send(this.round);
+    return this.round.known;
   }
 
   /** Takes a status of the cell that has just come: one that stands confirms the STOP. */
   seen(mode: string): void {
-    if ((this.fate === 'failed' || this.fate === 'late') && !canAbort(mode)) this.fate = 'none';
+    if (!this.round || canAbort(mode) || (this.fate === 'sent' && !this.round.heard)) return;
+    this.confirm(this.round, mode);
   }
 
   /** The operator has read that STOP did not reach the cell. */
   acknowledge(): void {
-    this.number += 1;
-    this.fate = 'none';
+    this.over('none');
   }
 
-  /** True as soon as one way has answered; false when all have failed. */
-  private send(): Promise<boolean> {
-    const first = this.ways.socket();
-    if (!first) return this.request();
-    const bySocket = first.then((answer) => answer.ok, () => false);
-    return Promise.race([bySocket, after(SECOND_WAY_MS)]).then((answered) => {
-      if (answered) return true;
-      const byRequest = this.request();
-      return either(bySocket, byRequest);
-    });
+  private begin(): Round {
+    let end: () => void = () => undefined;
+    const known = new Promise<void>((done) => (end = done));
+    const round: Round = { heard: false, known, end };
+    this.fate = 'sent';
+    setTimeout(() => !round.heard && this.fail(round), REACH_MS);
+    setTimeout(() => this.fail(round), STAND_MS);
+    return round;
   }
 
-  private async request(): Promise<boolean> {
-    try {
-      this.mode = (await this.ways.request()).mode;
-      return true;
-    } catch {
-      return false;
+  private async send(round: Round): Promise<void> {
+    const answer = this.ways.socket();
+    if (answer) {
+      const bySocket = answer.then(({ ok }) => ok, () => false);
+      void bySocket.then((ok) => ok && this.hear(round));
+      // Statuses over the same connection show then whether it stands.
+      if (await Promise.race([bySocket, after(SECOND_WAY_MS)])) return;
     }
+    await this.request(round);
+    while (this.waits(round)) {
+      await after(AGAIN_MS);
+      if (this.waits(round)) await this.request(round);
+    }
+  }
+
+  private async request(round: Round): Promise<void> {
+    try {
+      const { mode, cycle_age_s } = await this.ways.request();
+      if (cycle_age_s === null || cycle_age_s > FRESH_S) return;
+      this.hear(round);
+      if (this.round !== round) return;
+      this.mode = mode;
+      if (!canAbort(mode)) this.confirm(round, mode);
+    } catch {
+      // This way is closed.
+    }
+  }
+
+  private waits(round: Round): boolean {
+    return this.round === round && this.fate === 'sent';
+  }
+
+  /** The cell has answered. */
+  private hear(round: Round): void {
+    if (this.round === round && this.fate === 'failed' && !round.heard) this.fate = 'late';
+    round.heard = true;
+  }
+
+  /** The cell was seen to stand. */
+  private confirm(round: Round, mode: string): void {
+    if (this.round !== round) return;
+    this.mode = mode;
+    this.over(this.fate === 'sent' ? 'reached' : 'none');
+  }
+
+  private fail(round: Round): void {
+    if (!this.waits(round)) return;
+    this.fate = 'failed';
+    round.end();
+  }
+
+  private over(fate: Fate): void {
+    this.fate = fate;
+    this.round?.end();
+    this.round = null;
   }
 }
 
 /** False after a time. */
 const after = (ms: number): Promise<false> => new Promise((done) => setTimeout(() => done(false), ms));
-
-/** True as soon as one of both is. */
-const either = (a: Promise<boolean>, b: Promise<boolean>): Promise<boolean> =>
-  Promise.race([a.then((of) => of || b), b.then((of) => of || a)]);

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { LeftView } from '../wire';
-import { continueFrom, finishedPasses, interruption, reloadFrom, type Unfinished } from './unfinished';
+import { chosenOverlap, continueFrom, finishedPasses, interruption, reloadFrom, type Unfinished } from './unfinished';
 
 const left = (pass: number, s_mm: number, more: Partial<LeftView> = {}): Unfinished => ({ pass, s_mm, record: 7, title: 'Nozzle', part: 'N1-001', here: true, ...more }) as Unfinished;
 
@@ -20,6 +20,16 @@ describe('an unfinished weld', () => {
     expect(continueFrom(left(1, 170), overlap)).toEqual([1, 170]);
     expect(continueFrom(left(1, 152, { record: 8 }), overlap)).toEqual([1, 152]);
     expect(continueFrom(left(1, 5), { of: interruption(left(1, 5)), extra_mm: 20 })).toEqual([1, 0]);
+  });
+
+  test('is loaded with the overlap that was chosen, so that the cell does not ask about it', () => {
+    const first = left(1, 152);
+    expect(chosenOverlap(first, { of: interruption(first), extra_mm: 10 })).toBe(10);
+    expect(chosenOverlap(left(1, 170), { of: interruption(first), extra_mm: 10 })).toBe(0);
+    // No further back than the pass goes.
+    expect(chosenOverlap(left(1, 5), { of: interruption(left(1, 5)), extra_mm: 10 })).toBe(5);
+    expect(chosenOverlap(first, null)).toBe(0);
+    expect(chosenOverlap(null, { of: interruption(first), extra_mm: 10 })).toBe(0);
   });
 
   test('is loaded as before where nothing of it was left here', () => {

@@ -17,10 +17,14 @@ export function finishedPasses(left: Unfinished | null): number {
   return left?.here ? (left.finished ?? left.pass - 1) : 0;
 }
 
+/** How much of what is welded is welded over on purpose where the weld goes on, mm: loaded with it, the cell does not ask about it. */
+export function chosenOverlap(left: LeftView | null, overlap: Overlap | null): number {
+  return left?.here && overlap?.of === interruption(left) ? Math.min(left.s_mm, overlap.extra_mm) : 0;
+}
+
 /** The place with which to load so that the weld goes on: that of the newest interruption, never one that was loaded before. */
 export function continueFrom(left: LeftView, overlap: Overlap | null): Place {
-  const extra = overlap?.of === interruption(left) ? overlap.extra_mm : 0;
-  return [left.pass, Math.max(0, left.s_mm - extra)];
+  return [left.pass, left.s_mm - chosenOverlap(left, overlap)];
 }
 
 /** The place with which to load the same program once more: where an unfinished weld goes on, else as it was loaded. */

@@ -60,7 +60,7 @@ export const de: Table = {
   'stop.emergency': 'Not-Halt drücken.',
   'stop.late': 'STOP hat die Zelle spät erreicht',
   'stop.check': 'Prüfen, ob die Maschine steht und der Prozess aus ist.',
-  'stop.unanswered': 'Die Zelle ist verbunden, hat aber in 1 s nicht geantwortet.',
+  'stop.unanswered': 'Die Seite ist verbunden, aber die Zelle hat nicht sichtbar rechtzeitig angehalten.',
   'stop.no_connection': 'Keine Verbindung zur Zelle. Diese Seite versucht weiter, sie aufzubauen.',
   'stop.read': 'Gelesen',
   mode: 'Zustand',

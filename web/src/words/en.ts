@@ -58,7 +58,7 @@ export const en = {
   'stop.emergency': 'Press the emergency stop.',
   'stop.late': 'STOP reached the cell late',
   'stop.check': 'Check that the machine stands and the process is off.',
-  'stop.unanswered': 'The cell is connected but did not answer within 1 s.',
+  'stop.unanswered': 'The page is connected, but the cell was not seen to stop in time.',
   'stop.no_connection': 'There is no connection to the cell. This page keeps trying to connect.',
   'stop.read': 'I have read this',
   mode: 'State',

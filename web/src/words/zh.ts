@@ -60,7 +60,7 @@ export const zh: Table = {
   'stop.emergency': '请按下急停按钮。',
   'stop.late': 'STOP 延迟到达单元',
   'stop.check': '请确认机器已停止且焊接过程已关闭。',
-  'stop.unanswered': '单元已连接，但 1 秒内没有应答。',
+  'stop.unanswered': '页面已连接，但未及时看到单元停止。',
   'stop.no_connection': '与单元没有连接。本页面会继续尝试连接。',
   'stop.read': '已阅',
   mode: '状态',

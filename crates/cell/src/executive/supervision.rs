@@ -20,6 +20,12 @@ const FOLLOWING_S: f64 = 0.01;
 const NOTED_GAP_S: f64 = 0.02;
 const NOTED_EVERY_S: f64 = 10.0;
 
+/// Reports with an age of their own, and their places among [`Supervision::gaps_s`].
+const REPORTS: usize = 3;
+const DRIVES: usize = 0;
+const INPUTS: usize = 1;
+const SOURCE: usize = 2;
+
 /// What supervision remembers from cycle to cycle.
 #[derive(Debug, Clone)]
 pub(super) struct Supervision {
@@ -31,13 +37,13 @@ pub(super) struct Supervision {
     following: [u32; MAX_AXES],
     /// Time for which each process value was off, s.
     off: [f64; VALUES],
-    /// Cycles missed that the drives have not made up for.
+    /// Cycles missed that the drives have not made up for, and whether these are too many.
     missed: f64,
+    too_many: bool,
     /// Cycles missed since they were noted last, the most of them at once, and when that was, s.
     unnoted: (u32, u32, f64),
-    /// Time without cycles (s) that ages of reports have in them without a fault of the devices, and until when, s.
-    gap_s: f64,
-    gap_until: f64,
+    /// Time without cycles that the age of each report contains, without a fault of its device, s: of [`REPORTS`].
+    gaps_s: [f64; REPORTS],
     /// Time since power was asked for, s.
     powered_for: f64,
     /// Allowed following error of each axis at rest, mm or rad.
@@ -56,9 +62,9 @@ impl Supervision {
             following: [0; MAX_AXES],
             off: [0.0; VALUES],
             missed: 0.0,
+            too_many: false,
             unnoted: (0, 0, f64::NEG_INFINITY),
-            gap_s: 0.0,
-            gap_until: f64::NEG_INFINITY,
+            gaps_s: [0.0; REPORTS],
             powered_for: 0.0,
             allowed,
         }
@@ -66,6 +72,23 @@ impl Supervision {
 
     pub(super) fn switched_on(&mut self) {
         (self.powered_for, self.following) = (0.0, [0; MAX_AXES]);
+    }
+}
+
+/// Missed cycles of this cycle, and those that the drives ride out at once, as times, s.
+#[derive(Debug, Clone, Copy)]
+struct Gap {
+    lost_s: f64,
+    rides_out_s: f64,
+}
+
+impl Gap {
+    /// Time without cycles that a report's age contains: `before`, and this gap. Never more than the age itself, so none of before the
+    /// report was read; never more than the longest gap, or those that the drives ride out: many short gaps do not add up to
+    /// time in which a dead device goes unnoticed.
+    fn in_age(self, before: f64, age_s: f64) -> f64 {
+        let longest = self.rides_out_s.max(before).max(self.lost_s);
+        (before + self.lost_s).min(longest).min(age_s)
     }
 }
 
@@ -85,29 +108,29 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     fn judge_cycles(&mut self) {
         let (now, period, slack) = (self.now(), self.machine.servo_period_s, self.devices.rides_out());
         let lost = self.reports.missed;
-        let Supervision { missed, unnoted, gap_s, gap_until, .. } = &mut self.supervision;
+        let ages_s = [self.reports.drives.age_s, self.reports.inputs_age_s, self.reports.source.age_s];
+        let Supervision { missed, too_many, unnoted, gaps_s, .. } = &mut self.supervision;
         *missed = (*missed - slack.regained).max(0.0) + f64::from(lost);
-        let too_many = *missed > f64::from(slack.cycles);
-        if lost > 0 {
-            // Devices have the usual time from here to be heard of again.
-            let before = if now < *gap_until { *gap_s } else { 0.0 };
-            *gap_s = before + f64::from(lost) * period;
-            *gap_until = now + LATE_S;
+        let were_too_many = std::mem::replace(too_many, *missed > f64::from(slack.cycles));
+        let gap = Gap { lost_s: f64::from(lost) * period, rides_out_s: f64::from(slack.cycles) * period };
+        for (gap_s, age_s) in gaps_s.iter_mut().zip(ages_s) {
+            *gap_s = gap.in_age(*gap_s, age_s);
         }
         let (cycles, longest, since) = *unnoted;
         let (cycles, longest) = (cycles.saturating_add(lost), longest.max(lost));
         let long = f64::from(longest) * period >= NOTED_GAP_S && now - since >= NOTED_EVERY_S;
         *unnoted = (cycles, longest, since);
-        if long || (too_many && lost > 0) {
+        let too_many = *too_many;
+        if long || (too_many && !were_too_many) {
             *unnoted = (0, 0, now);
             self.port.note(now, Note::Missed(cycles, 1e3 * f64::from(longest) * period));
         }
         self.condition(Alarm::Overrun, 0, too_many);
     }
 
-    /// Greatest age of reports that is still fresh, s: `usual`, and the time in which there was no cycle to take them.
-    fn late_s(&self, usual: f64) -> f64 {
-        usual + if self.now() < self.supervision.gap_until { self.supervision.gap_s } else { 0.0 }
+    /// True if a report is older than `usual_s`, without the time in which there was no cycle to take a newer one.
+    fn is_late(&self, report: usize, age_s: f64, usual_s: f64) -> bool {
+        age_s.is_nan() || age_s > usual_s + self.supervision.gaps_s[report]
     }
 
     fn judge_drives(&mut self) {
@@ -122,7 +145,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 self.happened(alarm, 0);
             }
         }
-        let fresh = drives.age_s <= self.late_s(self.devices.drives_late_s());
+        let fresh = !self.is_late(DRIVES, drives.age_s, self.devices.drives_late_s());
         let lost = fresh && drives.referenced & self.all_axes() != self.all_axes();
         if lost && self.power && !matches!(self.mode, Mode::Idle | Mode::Homing) {
             self.happened(Alarm::DrivesRestarted, 0);
@@ -160,7 +183,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 
     fn judge_inputs(&mut self) {
-        let silent = self.reports.inputs_age_s > self.late_s(LATE_S);
+        let silent = self.is_late(INPUTS, self.reports.inputs_age_s, LATE_S);
         // Nobody needs them while nothing has power.
         self.condition(Alarm::InputsSilent, 0, silent && self.mode.has_power());
         let inputs = self.reports.inputs;
@@ -190,7 +213,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let source = self.reports.source;
         let used = self.process.on() || self.mode == Mode::Weld;
         // A source that is switched off at the wall is no alarm while nobody welds.
-        self.condition(Alarm::SourceSilent, 0, source.age_s > self.late_s(LATE_S) && used);
+        let silent = self.is_late(SOURCE, source.age_s, LATE_S);
+        self.condition(Alarm::SourceSilent, 0, silent && used);
         self.condition(Alarm::SourceFault, 0, source.fault != 0 && used);
         self.condition(Alarm::WireStuck, 0, source.stuck);
         self.condition(Alarm::ProcessStuckOn, 0, self.process.stays_on());
@@ -281,5 +305,39 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         if matches!(self.mode, Mode::DryRun | Mode::Weld) {
             self.event(Event::Hold);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Gap;
+
+    /// Feeds a gap of `lost_s` each `every_s` to the age of a device that dies; the age at which it counts as late, s.
+    fn late_at(lost_s: f64, every_s: f64, rides_out_s: f64) -> f64 {
+        let (mut gap_s, mut age_s) = (0.0, 0.0);
+        while age_s <= super::LATE_S + gap_s {
+            age_s += every_s;
+            gap_s = Gap { lost_s, rides_out_s }.in_age(gap_s, age_s);
+            assert!(age_s < 10.0, "never");
+        }
+        age_s
+    }
+
+    /// Short gaps, as often as a desktop has them, and long ones, of drives that stand still meanwhile.
+    #[test]
+    fn a_dead_device_is_noticed_however_often_cycles_are_missed() {
+        assert!(late_at(0.005, 0.05, 0.25) <= 0.16, "{}", late_at(0.005, 0.05, 0.25));
+        assert!(late_at(0.2, 0.201, 0.25) <= 0.61, "{}", late_at(0.2, 0.201, 0.25));
+    }
+
+    /// One gap, and the device has the usual time from there; once it was heard of, the gap is over.
+    #[test]
+    fn a_gap_counts_until_the_next_report() {
+        let gap = Gap { lost_s: 0.08, rides_out_s: 0.25 };
+        let none = Gap { lost_s: 0.0, ..gap };
+        let in_age = gap.in_age(0.0, 0.09);
+        assert!((in_age - 0.08).abs() < 1e-12);
+        assert!((none.in_age(in_age, 0.1) - 0.08).abs() < 1e-12);
+        assert!((none.in_age(in_age, 0.001) - 0.001).abs() < 1e-12);
     }
 }

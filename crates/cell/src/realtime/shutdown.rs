@@ -67,7 +67,8 @@ impl Shutdown {
     }
 
     /// Has the signals with which people and service managers end, or freeze, a program ask for the shutdown instead, for the
-    /// rest of the process. Ctrl-Z (SIGTSTP) too: a frozen controller controls nothing.
+    /// rest of the process. Ctrl-Z (SIGTSTP) too: a frozen controller controls nothing. A file that has its largest size (SIGXFSZ) ends
+    /// nothing: the write fails.
     ///
     /// # Errors
     /// If the system refuses.
@@ -108,24 +109,31 @@ pub fn contained<T>(work: impl FnOnce() -> T) -> std::thread::Result<T> {
 #[cfg(unix)]
 mod system {
     use signal_hook::consts::{
-        SIGALRM, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+        SIGALRM, SIGHUP, SIGINT, SIGIO, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2,
+        SIGVTALRM, SIGXCPU, SIGXFSZ,
     };
-    use signal_hook::flag::register_usize;
+    use signal_hook::flag;
     use std::sync::Arc;
-    use std::sync::atomic::AtomicUsize;
+    use std::sync::atomic::{AtomicBool, AtomicUsize};
 
-    /// All that end or freeze a process unless it says otherwise, and that a person, a terminal, a service manager or a limit of the
-    /// system sends.
-    const SIGNALS: [(i32, &str); 10] = [
+    /// All that end or freeze a process unless it says otherwise, and that a person, a terminal, a service manager, a power supply or
+    /// a limit of the system sends.
+    pub(super) const SIGNALS: &[(i32, &str)] = &[
         (SIGTERM, "SIGTERM"),
         (SIGINT, "SIGINT"),
         (SIGHUP, "SIGHUP"),
         (SIGQUIT, "SIGQUIT"),
         (SIGTSTP, "SIGTSTP"),
+        (SIGTTIN, "SIGTTIN"),
+        (SIGTTOU, "SIGTTOU"),
         (SIGUSR1, "SIGUSR1"),
         (SIGUSR2, "SIGUSR2"),
         (SIGALRM, "SIGALRM"),
         (SIGVTALRM, "SIGVTALRM"),
+        (SIGPROF, "SIGPROF"),
+        (SIGIO, "SIGIO"),
+        #[cfg(target_os = "linux")]
+        (rustix::process::Signal::POWER.as_raw(), "SIGPWR"),
         (SIGXCPU, "SIGXCPU"),
     ];
 
@@ -134,9 +142,11 @@ mod system {
     }
 
     pub(super) fn register(flag: &Arc<AtomicUsize>) -> std::io::Result<()> {
+        // A file at its largest size: the write fails, and whoever writes reports that. Nothing has to end for it.
+        flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)))?;
         SIGNALS.iter().try_for_each(|(signal, _)| {
             let code = usize::try_from(*signal).unwrap_or_default();
-            register_usize(*signal, Arc::clone(flag), code).map(drop)
+            flag::register_usize(*signal, Arc::clone(flag), code).map(drop)
         })
     }
 }
@@ -172,10 +182,34 @@ mod tests {
         assert_eq!(shutdown.cause(), Some(ShutdownCause::Panic));
         shutdown.request(ShutdownCause::Signal(15));
         assert_eq!(shutdown.cause(), Some(ShutdownCause::Panic));
+        #[cfg(unix)]
+        assert_eq!(ShutdownCause::Signal(15).to_string(), "signal SIGTERM");
+    }
+
+    /// Each signal that would end or freeze the process asks for the shutdown; one about the size of files does not end it.
+    #[cfg(unix)]
+    #[test]
+    fn signals_shut_down_and_do_not_kill() {
+        use signal_hook::consts::SIGXFSZ;
+        use signal_hook::low_level::raise;
+        for (signal, name) in system::SIGNALS {
+            let shutdown = Shutdown::default();
+            shutdown.on_signals().unwrap();
+            raise(SIGXFSZ).unwrap();
+            assert!(!shutdown.is_requested(), "a file at its largest size ends the cell");
+            raise(*signal).unwrap();
+            assert_eq!(shutdown.cause(), Some(ShutdownCause::Signal(*signal)));
+            assert_eq!(ShutdownCause::Signal(*signal).to_string(), format!("signal {name}"));
+        }
+        for named in ["SIGTTIN", "SIGTTOU", "SIGPROF", "SIGIO"] {
+            assert!(system::SIGNALS.iter().any(|(_, name)| *name == named), "{named} would end or freeze the cell");
+        }
+    }
+
+    #[test]
+    fn a_signal_after_a_panic_changes_nothing() {
         let by_signal = Shutdown::default();
         by_signal.request(ShutdownCause::Signal(15));
         assert_eq!(by_signal.cause(), Some(ShutdownCause::Signal(15)));
-        #[cfg(unix)]
-        assert_eq!(ShutdownCause::Signal(15).to_string(), "signal SIGTERM");
     }
 }

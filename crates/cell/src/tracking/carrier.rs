@@ -1,6 +1,6 @@
 use super::Error;
 use glam::{DMat2, DVec2, DVec3};
-use seamwright_machine::{Joints, Machine};
+use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_tracking::actuator::{OverAxes, SlideAuthority, SlideLimits};
 use seamwright_tracking::lead::SeamFrame;
 
@@ -23,15 +23,17 @@ pub(crate) struct Carrier<'a> {
 pub(crate) type Wanted = (SeamFrame, DVec2);
 
 impl<'a> Carrier<'a> {
-    /// For the first heads of `machine`, along a path with these planned positions and each head's frames there.
+    /// For the first heads of `machine`, along a path with these planned positions and each head's frames there; the
+    /// `held` axes stand still.
     ///
     /// # Errors
     /// [`Error::NoSlide`] for two heads that have none; axes that cannot carry it out.
-    pub(crate) fn new(machine: &'a Machine, places: &[(Joints, Vec<SeamFrame>)]) -> Result<Self, Error> {
+    pub(crate) fn new(machine: &'a Machine, held: AxisSet, places: &[(Joints, Vec<SeamFrame>)]) -> Result<Self, Error> {
         let heads = places.first().map_or(1, |(_, frames)| frames.len());
-        let slides = slides(machine, heads)?;
+        let slides = slides(machine, heads, held)?;
         let both = places.iter().map(|(q, frames)| (*q, [frames[0].lateral, frames[0].height]));
         let over = if slides.is_empty() { OverAxes::new(machine) } else { OverAxes::carrying_all(machine) };
+        let over = over.holding(held);
         let axes = over.limits(both, RANGE_MM)?;
         if slides.is_empty() {
             return Ok(Self { machine, over, slides, authority: None, limits: axes });
@@ -95,10 +97,10 @@ fn seen(way: DVec3, frame: &SeamFrame) -> DVec2 {
     DVec2::new(way.dot(frame.lateral), way.dot(frame.height))
 }
 
-/// The cross slides of the first `heads` heads; none if a single one has none.
-fn slides(machine: &Machine, heads: usize) -> Result<Vec<[usize; 2]>, Error> {
+/// The cross slides of the first `heads` heads; none if a single one has none that may move.
+fn slides(machine: &Machine, heads: usize, held: AxisSet) -> Result<Vec<[usize; 2]>, Error> {
     let of = |head: usize| {
-        let mut slides = machine.heads.get(head)?.slides.iter();
+        let mut slides = machine.heads.get(head)?.slides.iter().filter(|slide| !held.has(*slide));
         Some([slides.next()?, slides.next()?])
     };
     match (0..heads).map(of).collect::<Option<Vec<_>>>() {

@@ -11,7 +11,7 @@ use super::{Along, Displacement, Distortion, Error, LiveHead, Placement, SensorM
 use arrayvec::ArrayVec;
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_machine::{Machine, Sensor};
+use seamwright_machine::{AxisSet, Machine, Sensor};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_tracking::actuator::{DeflectionLimits, HeadTracking};
@@ -86,7 +86,8 @@ impl<'a> PassScene<'a> {
         let at = |i: u32| f64::from(i) / f64::from(PLACES);
         let frames = |i: u32| self.seams.iter().map(|seam| (seam.frame)(seam.length_mm * at(i))).collect();
         let places = (0..=PLACES).map(|i| (planned.path.at(planned.path.length() * at(i)), frames(i)));
-        let carrier = Carrier::new(machine, &places.collect::<Vec<_>>())?;
+        let held: AxisSet = self.pass.spare_axes.hold.keys().filter_map(|name| machine.axis(name)).collect();
+        let carrier = Carrier::new(machine, held, &places.collect::<Vec<_>>())?;
         Ok(Correction { eyes, carrier })
     }
 

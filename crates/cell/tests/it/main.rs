@@ -12,6 +12,7 @@ mod executive_tracked;
 mod frame_sources;
 mod homing;
 mod joint;
+mod missed_cycles;
 mod modbus;
 #[path = "../support/modbus_cell.rs"]
 mod modbus_cell;

@@ -253,6 +253,35 @@ fn a_device_that_takes_no_orders() {
     eventually(&server, "written in the end", |b| b.holding[0] == 900);
 }
 
+/// While the device refuses another output, off does not wait for the next poll: of many times, half take far less than a poll.
+#[test]
+fn off_does_not_wait_for_the_poll_while_another_output_is_refused() {
+    let server = TestServer::new(welder);
+    let map = MAP.replace("poll_hz = 200", "poll_hz = 20");
+    let device = device(&server.address.to_string(), &map);
+    let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned)).unwrap());
+    let mut took_s = Vec::new();
+    for _ in 0..15 {
+        cell.strike(100.0);
+        server.bank().holes.insert(0);
+        cell.orders.values[0] = 90.0;
+        // It is refused.
+        for _ in 0..20 {
+            cell.cycle();
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        assert!(server.bank().coils[1]);
+        cell.orders.on = false;
+        let ordered = Instant::now();
+        cell.until("off", |_| !server.bank().coils[1]);
+        took_s.push(ordered.elapsed().as_secs_f64());
+        server.bank().holes.clear();
+        cell.until("out", |c| c.report.ready && !c.report.burning);
+    }
+    took_s.sort_by(f64::total_cmp);
+    assert!(took_s[7] < 0.01, "off after {took_s:?} s");
+}
+
 #[test]
 fn what_cannot_be_connected() {
     let server = TestServer::new(welder);

@@ -1,9 +1,11 @@
 //! The end that nobody orders: by a signal, or by a fault of the program.
 
-use crate::common::{Planned, Script, in_mode, short, up, weld};
+use crate::common::{Planned, Script, When, at, in_mode, short, up, weld};
 use crate::modbus_cell::{PERIOD_S, parts, welder};
 use crate::modbus_server::TestServer;
-use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
+use seamwright_cell::devices::{
+    Device, DeviceSet, Fault, FaultKind, Faulty, SimulatedDrives, SimulatedInputs, SimulatedSource, When as FaultTime,
+};
 use seamwright_cell::executive::{
     Ask, Command, Cycle, Devices as _, End, Executive, Interlocks, Mode, Note, Orders, Port, Reports, Start,
 };
@@ -40,60 +42,81 @@ impl<F: Fn(&Script<'_>) -> bool> Port for Flagged<'_, F> {
     }
 }
 
-/// Runs `lines` until the flag is set; what was seen, and how often until then.
-fn shut_down<'a>(
-    planned: &Planned,
-    lines: Vec<(crate::common::When<'a>, Ask)>,
-    when: impl Fn(&Script<'_>) -> bool,
-) -> (Script<'a>, usize) {
+/// How to get into a mode, and what is seen there.
+struct Way {
+    lines: Vec<(When<'static>, Ask)>,
+    /// When the flag is set.
+    when: Box<dyn Fn(&Script<'_>) -> bool>,
+    /// What takes the cell into a fault.
+    fault: Option<Fault>,
+}
+
+impl Way {
+    fn into(mode: Mode) -> Self {
+        let then = |more: Vec<(When<'static>, Ask)>| up().into_iter().chain(more).collect::<Vec<_>>();
+        let lines = match mode {
+            Mode::Off => Vec::new(),
+            Mode::Idle | Mode::Homing | Mode::Ready | Mode::Fault => up(),
+            Mode::Jog => then(vec![(in_mode(Mode::Ready), Ask::StartJog)]),
+            Mode::Teach => then(vec![(in_mode(Mode::Ready), Ask::StartTeach)]),
+            Mode::DryRun => then(vec![(in_mode(Mode::Ready), Ask::StartDryRun)]),
+            Mode::Weld => then(weld()),
+            Mode::Hold => then(weld().into_iter().chain([(at(3.0), Ask::Hold)]).collect()),
+        };
+        let when = move |script: &Script<'_>| {
+            let there = script.cycles.last().filter(|c| c.mode == mode && script.cycles.len() > 5);
+            there.is_some_and(|c| match mode {
+                Mode::Weld => c.burning && c.place.s_mm > 3.0,
+                Mode::DryRun => c.place.s_mm > 3.0,
+                _ => true,
+            })
+        };
+        let trips =
+            Fault { device: Device::Inputs, kind: FaultKind::Wrong, when: FaultTime::At(1.0), lasts_s: 0.05, which: 0 };
+        Self { lines, when: Box::new(when), fault: (mode == Mode::Fault).then_some(trips) }
+    }
+}
+
+/// Goes a way until the flag is set; what was seen, and how often until then.
+fn shut_down(planned: &Planned, way: Way) -> (Script<'static>, usize) {
     let machine = &planned.machine;
+    let period = machine.servo_period_s;
+    let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
     let mut devices = DeviceSet {
         drives: SimulatedDrives::new(machine, 1).unwrap(),
-        source: SimulatedSource::new(1, machine.servo_period_s),
-        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
+        source: SimulatedSource::new(1, period),
+        inputs: Faulty::new(inputs, Device::Inputs, way.fault.as_slice(), period),
     };
     let work = planned.work(Start::at_home(&planned.motion));
-    let mut port = Flagged { script: Script::new(lines), when, set: None };
+    let mut port = Flagged { script: Script::new(way.lines), when: way.when, set: None };
     let mut executive = Executive::new(machine, &mut devices, &mut port);
     assert_eq!(executive.serve(Some(&work)), End::Quit);
     drop(executive);
     (port.script, port.set.expect("it ended before"))
 }
 
-/// When the flag is set.
-type Moment = Box<dyn Fn(&Script<'_>) -> bool>;
-
 /// From every mode: no process with the very next orders, rest within the limits, power off, the end, and no order obeyed any more.
 #[test]
 fn a_shutdown_ends_every_mode_without_an_order() {
     let planned = short();
     let period = planned.machine.servo_period_s;
-    let welding = |script: &Script<'_>| script.cycles.last().is_some_and(|c| c.burning && c.place.s_mm > 3.0);
-    let mode = |mode: Mode| move |script: &Script<'_>| script.cycles.last().is_some_and(|c| c.mode == mode);
-    let jog = || vec![(in_mode(Mode::Ready), Ask::StartJog)];
-    let cases: Vec<(Vec<_>, Moment)> = vec![
-        (vec![], Box::new(|script| script.cycles.len() > 5)),
-        (up(), Box::new(mode(Mode::Idle))),
-        (up(), Box::new(mode(Mode::Homing))),
-        (up(), Box::new(mode(Mode::Ready))),
-        ([up(), jog()].into_iter().flatten().collect(), Box::new(mode(Mode::Jog))),
-        ([up(), weld()].into_iter().flatten().collect(), Box::new(welding)),
-    ];
-    for (i, (mut lines, when)) in cases.into_iter().enumerate() {
-        // What comes after is not heard.
-        lines.push((in_mode(Mode::Off), Ask::SwitchOn));
-        lines.push((in_mode(Mode::Idle), Ask::Home));
-        let lines = if i == 0 { vec![] } else { lines };
-        let (script, set) = shut_down(&planned, lines, when);
+    for mode in Mode::ALL {
+        let mut way = Way::into(mode);
+        if mode != Mode::Off {
+            // What comes after is not heard.
+            way.lines.push((in_mode(Mode::Off), Ask::SwitchOn));
+            way.lines.push((in_mode(Mode::Idle), Ask::Home));
+        }
+        let (script, set) = shut_down(&planned, way);
         let after = &script.cycles[set..];
-        assert!(after.iter().all(|c| !c.on), "case {i}: the process is on after the flag");
-        assert!((after.len() as f64) * period < 2.0, "case {i}: {} cycles", after.len());
-        assert!(!after.last().unwrap().powered, "case {i}");
+        assert!(after.iter().all(|c| !c.on), "{mode}: the process is on after the flag");
+        assert!((after.len() as f64) * period < 2.0, "{mode}: {} cycles", after.len());
+        assert!(!after.last().unwrap().powered, "{mode}");
         for (k, axis) in planned.machine.axes.iter().enumerate() {
             let q: Vec<f64> = script.cycles[set - 2..].iter().filter(|c| c.powered).map(|c| c.q[k]).collect();
             for w in q.windows(3) {
                 let a = (w[2] - 2.0 * w[1] + w[0]) / (period * period);
-                assert!(a.abs() <= axis.max_acceleration * 1.01 + 1e-6, "case {i}: axis {k} stops with {a}");
+                assert!(a.abs() <= axis.max_acceleration * 1.01 + 1e-6, "{mode}: axis {k} stops with {a}");
             }
         }
     }

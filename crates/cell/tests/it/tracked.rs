@@ -315,6 +315,20 @@ fn a_beam_tracks_and_its_cosmetic_pass_replays() {
     assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
 }
 
+/// An axis that the job holds stands still while a beam tracks too; the others bring the weld into the joint.
+#[test]
+fn held_axes_stand_still_while_a_pass_is_tracked() {
+    let held = HALF_RING.replace("position = \"flat\"", "hold = { u = 90 }\nposition = \"flat\"");
+    let weld = weld(&held, HALF_RING_MISPLACED, true, 1).unwrap();
+    let u = weld.machine.axis("u").unwrap();
+    let mut positions = weld.samples.iter().filter(|s| s.travels()).map(|s| s.set.q[u]);
+    let first = positions.next().unwrap();
+    assert!((first.to_degrees() - 90.0).abs() < 1e-9, "{first}");
+    assert!(positions.all(|u| (u - first).abs() < 1e-12));
+    let head = &weld.summary.heads[0];
+    assert!(head.tracked && head.untracked_p99_mm > 1.5 && head.miss_p99_mm < 0.05, "{head:?}");
+}
+
 /// What a beam found corrects another weld of the same part; of a part that was moved since it is refused before the beam is on,
 /// and so is a joint that cannot be seen.
 #[test]

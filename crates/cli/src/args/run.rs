@@ -1,5 +1,6 @@
 //! Arguments of `seamwright run` and `seamwright latency`.
 
+use super::PlanningArgs;
 use super::part::PartArgs;
 use super::records::RecordArgs;
 use clap::Args;
@@ -33,6 +34,8 @@ pub(crate) struct RunArgs {
     pub(crate) from: Option<Place>,
     #[command(flatten)]
     pub(crate) record: RecordArgs,
+    #[command(flatten)]
+    pub(crate) planning: PlanningArgs,
     #[command(flatten)]
     pub(crate) part: PartArgs,
     /// CPU that the cycle stays on

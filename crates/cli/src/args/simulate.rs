@@ -1,5 +1,6 @@
 //! Arguments of `seamwright simulate`.
 
+use super::PlanningArgs;
 use super::part::PartArgs;
 use super::records::RecordArgs;
 use clap::Args;
@@ -23,6 +24,8 @@ pub(crate) struct SimulateArgs {
     /// Seed of the disturbances: the same seed gives the same weld
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
+    #[command(flatten)]
+    pub(crate) planning: PlanningArgs,
     #[command(flatten)]
     pub(crate) part: PartArgs,
     /// A fault of a device, like drives:silent@12.5 or source:wrong@30+0.5 (docs/faults.md), s from switching on; may be

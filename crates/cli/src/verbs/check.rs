@@ -16,9 +16,14 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     } else {
         write_findings(&mut io::stdout().lock(), &findings).map_err(Failure::from)
     };
+    read_or_not(printed)?;
+    if against(&findings) { Err(Failure::Printed) } else { Ok(()) }
+}
+
+/// The exit code is the answer, also to whoever reads no further.
+fn read_or_not(printed: Result<(), Failure>) -> Result<(), Failure> {
     match printed {
-        // The exit code is the answer, also to whoever reads no further.
-        Ok(()) | Err(Failure::ReaderGone) if against(&findings) => Err(Failure::Printed),
+        Err(Failure::ReaderGone) => Ok(()),
         printed => printed,
     }
 }
@@ -42,7 +47,7 @@ fn several(args: &CheckArgs) -> Result<(), Failure> {
         if args.json {
             all.push(as_json(job, &checked));
         } else {
-            print_text(&as_text(job, &checked))?;
+            read_or_not(print_text(&as_text(job, &checked)))?;
         }
         let failure = match checked {
             Ok(findings) if !against(&findings) => continue,
@@ -54,7 +59,7 @@ fn several(args: &CheckArgs) -> Result<(), Failure> {
         }
     }
     if args.json {
-        print_json(&all)?;
+        read_or_not(print_json(&all))?;
     }
     // Each was told of where it belongs.
     match worst {

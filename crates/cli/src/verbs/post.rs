@@ -14,8 +14,8 @@ use std::io::{self, Write as _};
 /// A weld that may stray further is none.
 const WIDEST_MM: f64 = 10.0;
 /// Bounds of how far the tip's speed may be off inside blocks, percent: below them the words' decimals would show.
-const LEAST_PERCENT: f64 = 0.1;
-const MOST_PERCENT: f64 = 100.0;
+const MIN_PERCENT: f64 = 0.1;
+const MAX_PERCENT: f64 = 100.0;
 /// Words have six decimals.
 const FINEST_MM: f64 = 0.000_02;
 
@@ -86,9 +86,9 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
         return Err(Failure::Input(message));
     }
     let speed_percent = positive("--speed-percent", args.speed_percent)?;
-    if !(LEAST_PERCENT..=MOST_PERCENT).contains(&speed_percent) {
+    if !(MIN_PERCENT..=MAX_PERCENT).contains(&speed_percent) {
         let message =
-            format!("--speed-percent {speed_percent}: out of range\n   allowed: {LEAST_PERCENT} to {MOST_PERCENT}");
+            format!("--speed-percent {speed_percent}: out of range\n   allowed: {MIN_PERCENT} to {MAX_PERCENT}");
         return Err(Failure::Input(message));
     }
     let interpolation = match (args.dialect, args.interpolation) {

@@ -10,6 +10,7 @@ use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
+use crate::planning;
 use crate::progress::Progress;
 use seamwright_cell::devices::When;
 use seamwright_cell::executive::{Command, Cycle, Executive, Note, Place, Port, Start};
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let part = part::read(&args.part)?;
     let around = loaded.surroundings()?;
     let conditions = part.conditions(args.seed, &args.fault, &around);
-    let motion = part.plan(&loaded)?;
+    let motion = planning::plan_part(&part, &loaded, &args.planning)?;
     let mut output = Output::new(&args.output)?;
     let (report, desk) = weld(&loaded, &motion, conditions, &mut output, args)?;
     if args.fault.is_empty() {

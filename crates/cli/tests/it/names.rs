@@ -26,6 +26,15 @@ fn an_example_is_taken_by_its_name() {
     assert!(run_in(folder.path(), &["check", "ellipse"]).status.success());
 }
 
+/// As after `seamwright plan ellipse -o ellipse`: a folder is no job.
+#[test]
+fn a_folder_of_its_name_does_not_hide_an_example() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("ellipse")).unwrap();
+    let output = run_in(folder.path(), &["check", "ellipse"]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
 #[test]
 fn what_is_no_job_says_what_is_meant() {
     for (job, meant) in [("sadle", "saddle"), ("hill_side", "hillside"), ("jobs/ellipse.toml", "ellipse")] {

@@ -1,8 +1,11 @@
 //! Every verb from the outside: columns, numbers, files.
 
-use crate::common::{column, example, good, root, run, run_with, table};
+use crate::common::{bad, column, example, good, root, run, run_with, table};
 use serde_json::Value;
 use std::fs;
+use std::os::fd::OwnedFd;
+use std::os::unix::net::UnixStream;
+use std::process::{Command, Stdio};
 
 #[test]
 fn seam_has_the_contract_s_columns_and_the_reference_s_values() {
@@ -226,6 +229,24 @@ fn a_search_ends_when_its_time_is_over() {
     assert!(text.contains("finding (search): no plan within 0.001 s") && text.contains("--time-limit"), "{text}");
     assert_eq!(run(&["check", &job, "--time-limit", "0"]).status.code(), Some(2));
     assert_eq!(run(&["plan", &job, "-o", "never", "--time-limit", "nan"]).status.code(), Some(2));
+    // What the cure asks for is an option wherever a weld is planned.
+    for verb in ["simulate", "run"] {
+        let said = bad(1, &[verb, &job, "-o", "never", "--time-limit", "0.001"]);
+        assert!(said.contains("no plan within 0.001 s") && said.contains("--time-limit"), "{verb}: {said}");
+    }
+}
+
+/// The exit code is the answer, also where nobody reads on.
+#[test]
+fn several_jobs_keep_their_exit_code_without_a_reader() {
+    for json in [&[][..], &["--json"]] {
+        let (reader, writer) = UnixStream::pair().unwrap();
+        drop(reader);
+        let mut check = Command::new(env!("CARGO_BIN_EXE_seamwright"));
+        check.args(["check", "nowhere-1.toml", "nowhere-2.toml"]).args(json);
+        let status = check.stdout(OwnedFd::from(writer)).stderr(Stdio::null()).status().unwrap();
+        assert_eq!(status.code(), Some(2), "{json:?}");
+    }
 }
 
 #[test]

@@ -13,6 +13,9 @@ use std::ops::Range;
 const CELLS_WITHOUT_JERK: usize = 1000;
 /// Squared speeds nearer to the asked one than this part are a cruise.
 const AS_ASKED: f64 = 1e-9;
+/// A run-up ends where the part of the asked speed that is reached falls again by more than this: from there on the tip
+/// does not follow a change of the asked speed.
+const FALLS_BEHIND: f64 = 3e-2;
 
 /// The law at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -193,20 +196,35 @@ impl SpeedLaw {
         first..self.owner.partition_point(|owner| (*owner as usize) <= piece)
     }
 
-    /// Those of `cells` between the run-up with which they begin and the run-down with which they end: in these the speed
-    /// rises or comes nearer to the asked one, or it falls or goes away from that.
+    /// Those of `cells` between the run-up with which they begin and the run-down with which they end.
     fn between(&self, cells: Range<usize>) -> Range<usize> {
-        let changes = |i: usize| {
-            let [before, after] = self.cells[i].parts;
-            // An asked speed that changes by much does not hide that the tip speeds up, or slows down.
-            let [from, to] = [0.0, 1.0].map(|part| self.in_cell(i, part).v);
-            if before + after > 0.0 { [to - from, after - before] } else { [to - from; 2] }
-        };
-        let rises = |i: &usize| !self.cells[*i].cruises && changes(*i).iter().any(|change| *change > 0.0);
-        let falls = |i: &usize| !self.cells[*i].cruises && changes(*i).iter().any(|change| *change < 0.0);
-        let up = cells.clone().take_while(rises).count();
-        let down = cells.clone().rev().take_while(falls).count();
+        let up = self.run_up(cells.clone(), false);
+        let down = self.run_up(cells.clone().rev(), true);
         cells.start + up..(cells.end - down).max(cells.start + up)
+    }
+
+    /// Number of `cells` in the run-up with which they begin, or in the run-down if they are looked at `backwards`. In these
+    /// the speed rises or comes nearer to the asked one, until it falls back behind that by more than [`FALLS_BEHIND`]: an
+    /// asked speed that rises by much does not hide that the tip speeds up, nor a run-up that the tip cannot follow.
+    fn run_up(&self, cells: impl Iterator<Item = usize>, backwards: bool) -> usize {
+        let (mut count, mut nearest) = (0, (0.0, 0));
+        for i in cells {
+            let ordered = |[a, b]: [f64; 2]| if backwards { (b, a) } else { (a, b) };
+            let (from, to) = ordered([0.0, 1.0].map(|part| self.in_cell(i, part).v));
+            // Nothing if no speed is asked for.
+            let (before, after) = ordered(self.cells[i].parts.map(|part| part.max(0.0).sqrt()));
+            if self.cells[i].cruises || (to <= from && after <= before) {
+                break;
+            }
+            if after < (1.0 - FALLS_BEHIND) * nearest.0 {
+                return nearest.1;
+            }
+            count += 1;
+            if after >= nearest.0 {
+                nearest = (after, count);
+            }
+        }
+        count
     }
 
     /// The stretches from rest to rest: all of the path, or from one stop to the next.

@@ -17,6 +17,7 @@ mod procedure;
 mod pulses;
 mod ranges;
 mod redundancy;
+mod run_up;
 mod searches;
 mod taught;
 mod tip_limits;

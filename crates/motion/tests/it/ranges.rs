@@ -8,6 +8,7 @@ use seamwright_weld::Welding;
 
 const CIRCLE: &str = include_str!("../../../../tests/data/field-trial/circle-80deg.toml");
 const ROLLS: &str = include_str!("../../../../tests/data/field-trial/cb.toml");
+const SCARA: &str = include_str!("../../../../tests/data/field-trial/scara.toml");
 const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
 
 fn planned(job: &str) -> Result<(), Vec<Finding>> {
@@ -97,4 +98,75 @@ fn nothing_unwinds_while_the_range_has_room() {
     let last = motion.passes.last().unwrap();
     assert!(last.path.at(last.path.length())[r].abs() > 13.0 * std::f64::consts::TAU);
     assert!(motion.findings.iter().all(|f| f.kind != "unwind"), "{:#?}", motion.findings);
+}
+
+/// A line on the slide X of `torch-5axis`, which ends at 800 mm to both sides.
+fn line(from: f64, to: f64) -> Welding {
+    let job = format!(
+        "schema = 1\ntitle = \"t\"\nmachine = \"torch-5axis\"\n[seam.line]\nstart_mm = [{from}, 0, 100]\n\
+         end_mm = [{to}, 0, 100]\nfirst_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[part]\nwatched = false\n\
+         [weld]\nspeed_mm_s = 5\n"
+    );
+    Welding::read("job.toml", &job).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The cure that is offered for the ranges of pass 1 of a weld with these passes.
+fn cure_of_first(weld: &[Welding]) -> String {
+    let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+    let clamped = Clamped::default();
+    let around = Surroundings::new(&machine, &clamped).unwrap();
+    let paths: Vec<_> = weld.iter().map(|welding| welding.path(0)).collect();
+    let passes: Vec<(&dyn TorchPath, &Pass)> =
+        paths.iter().zip(weld).map(|(path, w)| (path as &dyn TorchPath, &w.program.value.passes[0])).collect();
+    let found = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap_err();
+    found.into_iter().find(|f| f.kind == "range" && f.pass == 1).unwrap().cure
+}
+
+/// The work is moved with all its passes: what brings one of them into the ranges may not take another one out of them.
+#[test]
+fn no_cure_of_one_pass_takes_another_out_of_its_range() {
+    let alone = cure_of_first(&[line(700.0, 850.0)]);
+    assert!(alone.starts_with("move the work by -50.") && alone.contains(": tried, every axis"), "{alone}");
+    let both = cure_of_first(&[line(700.0, 850.0), line(-100.0, 100.0)]);
+    assert_eq!(both, alone);
+    let opposed = cure_of_first(&[line(700.0, 850.0), line(-790.0, -700.0)]);
+    assert!(!opposed.starts_with("move the work"), "{opposed}");
+    // With as much out of range before as after it stays that pass's own matter.
+    let outside = cure_of_first(&[line(700.0, 850.0), line(-990.0, -900.0)]);
+    assert!(outside.starts_with("move the work by -50.") && outside.contains("tried for this pass"), "{outside}");
+    // Of a pass whose weld is not known nothing is said of others.
+    let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+    let single = line(700.0, 850.0);
+    let found = PassMotion::plan(&machine, &single.path(0), &single.program.value.passes[0], 1).unwrap_err();
+    assert!(found[0].cure.contains("tried for this pass"), "{}", found[0].cure);
+}
+
+#[test]
+fn a_reason_names_only_changes_that_were_tried() {
+    // A rotary axis lacks more than work angles of 20 degrees give: no shift of the work helps it, and none is tried.
+    let steep = CIRCLE.replace("work_angle_deg = -35.1", "work_angle_deg = -70").replace("0, 0, 200", "0, 0, 500");
+    let found = planned(&steep).unwrap_err();
+    let range = found.iter().find(|f| f.kind == "range").unwrap_or_else(|| panic!("{found:#?}"));
+    assert_eq!(range.cure, "none was found: changing the work angle was tried");
+    // Out of reach: there is nothing by which the work could be moved.
+    let far = Welding::read(
+        "job.toml",
+        "schema = 1\ntitle = \"t\"\nmachine = \"scara.toml\"\n[seam.line]\nstart_mm = [800, -20, 0]\n\
+         end_mm = [800, 20, 0]\nfirst_normal = [1, 0, 1]\nsecond_normal = [-1, 0, 1]\n[part]\nwatched = false\n\
+         [weld]\nspeed_mm_s = 5\n",
+    )
+    .unwrap_or_else(|e| panic!("{e}"));
+    let machine = Machine::read("m.toml", SCARA).unwrap();
+    let found = PassMotion::plan(&machine, &far.path(0), &far.program.value.passes[0], 1).unwrap_err();
+    assert_eq!((found[0].kind, found[0].cure.as_str()), ("reach", "none was found: changing the work angle was tried"));
+}
+
+#[test]
+fn a_cure_names_the_key_that_the_pass_has() {
+    let [first, second] = [0, 600].map(|s| format!("[[torch.at]]\ns_mm = {s}\nwork_angle_deg = -35.1\n"));
+    let job = CIRCLE.replace("[torch]\nwork_angle_deg = -35.1\n", &(first + &second));
+    let cure = planned(&job).unwrap_err()[0].cure.clone();
+    let by = cure.strip_prefix("change work_angle_deg of every [[torch.at]] by ").unwrap_or_else(|| panic!("{cure}"));
+    let by: f64 = by.split(' ').next().unwrap().parse().unwrap();
+    planned(&job.replace("-35.1", &format!("{}", by - 35.1))).unwrap_or_else(|f| panic!("{cure}: {f:#?}"));
 }

@@ -1,10 +1,16 @@
 //! Searches end: how much they try is bounded, and who watches them can stop them.
 
-use seamwright_machine::{Clamped, Machine, Surroundings};
-use seamwright_motion::{SearchProgress, Stop, Terms, Watch, WeldMotion};
+use glam::{DAffine3, DVec3};
+use seamwright_clearance::{Shape, Solid};
+use seamwright_document::Finite;
+use seamwright_geometry::Pose;
+use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_motion::redundancy::holding;
+use seamwright_motion::{PassMotion, SearchProgress, SearchStage, Stop, Terms, Watch, WeldMotion};
 use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_weld::Welding;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
+use std::f64::consts::{PI, TAU};
 
 const ARM_JOB: &str = include_str!("../../../../tests/data/field-trial/u3.toml");
 const ARM: &str = include_str!("../../../../tests/data/field-trial/ur10e_near.toml");
@@ -80,4 +86,163 @@ fn a_search_that_is_stopped_says_how_far_it_came() {
         assert!(findings.len() == 1 && findings[0].kind == "search" && !findings[0].allowed, "{findings:#?}");
         assert!(findings[0].message.contains("tried positions"), "{}", findings[0].message);
     }
+}
+
+/// Stops where `part` of `stage` is done, after it has begun for the `time`-th time.
+struct StopsIn {
+    stage: SearchStage,
+    time: usize,
+    part: f64,
+    seen: RefCell<Vec<SearchProgress>>,
+}
+
+impl StopsIn {
+    fn new(stage: SearchStage, time: usize, part: f64) -> Self {
+        Self { stage, time, part, seen: RefCell::default() }
+    }
+
+    /// How often the stage has begun.
+    fn begun(&self) -> usize {
+        self.seen.borrow().iter().filter(|seen| seen.stage == self.stage && seen.begins).count()
+    }
+}
+
+impl Watch for StopsIn {
+    fn look(&self, progress: &SearchProgress) -> Result<(), Stop> {
+        self.seen.borrow_mut().push(*progress);
+        let is_there = progress.stage == self.stage && self.begun() >= self.time && progress.part >= self.part;
+        if is_there { Err(Stop::OutOfTime(5.0)) } else { Ok(()) }
+    }
+}
+
+/// Plans a job on the machine that ships for it, with `fixtures` on it.
+fn plan_on_shipped(job: &str, fixtures: Vec<Solid>, watch: &StopsIn) -> Result<WeldMotion, Vec<Finding>> {
+    let welding = Welding::read("job.toml", job).unwrap_or_else(|e| panic!("{e}"));
+    let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
+    let clamped = Clamped { fixtures, least_mm: 2.0, ..Clamped::default() };
+    let around = Surroundings::new(&machine, &clamped).unwrap();
+    let path = welding.path(0);
+    let passes: [(&dyn TorchPath, &Pass); 1] = [(&path, &welding.program.value.passes[0])];
+    WeldMotion::plan_under(&machine, &around, &passes, 30.0, Terms { procedure: None, watch: Some(watch) })
+}
+
+/// A ball on the torch's axis, where no torch angle clears it.
+fn ball_on_torch(job: &str, back_mm: f64) -> Vec<Solid> {
+    let welding = Welding::read("job.toml", job).unwrap();
+    let pose = welding.path(0).pose(0.4 * welding.path(0).length());
+    let at = DAffine3::from_translation(pose.point - back_mm * pose.direction);
+    vec![Solid::new("clamp", Shape::Sphere { radius: 40.0 }, at).unwrap()]
+}
+
+const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
+const HEAD_NOZZLE: &str = include_str!("../../../../examples/head-nozzle.toml");
+const OBLIQUE_GIRTH: &str = include_str!("../../../../examples/oblique-girth.toml");
+const CIRCLE: &str = include_str!("../../../../tests/data/field-trial/circle-80deg.toml");
+const FAST_WEAVE: &str = include_str!("../../../../tests/data/field-trial/saddle-weave-8hz.toml");
+
+/// What was not tried is not said to have been tried in vain.
+#[test]
+fn cures_that_are_cut_off_say_how_many_changes_were_tried() {
+    let wide = SADDLE.replace("radius_mm = 250 ", "radius_mm = 700 ").replace("radius_mm = 800 ", "radius_mm = 2500 ");
+    let ranges = |part: f64| {
+        let found = plan_on_shipped(&wide, Vec::new(), &StopsIn::new(SearchStage::Cure, 1, part)).unwrap_err();
+        found.into_iter().find(|f| f.kind == "range").unwrap().cure
+    };
+    assert_eq!(ranges(0.0), "no change was tried in the time that is allowed");
+    let some = ranges(0.5);
+    assert!(
+        some.starts_with("none was found in the time that is allowed: ") && some.contains(" changes were"),
+        "{some}"
+    );
+
+    let clearance = |part: f64| {
+        let watch = StopsIn::new(SearchStage::Cure, 1, part);
+        let found = plan_on_shipped(HEAD_NOZZLE, ball_on_torch(HEAD_NOZZLE, 100.0), &watch).unwrap_err();
+        found.into_iter().find(|f| f.kind == "clearance").unwrap().cure
+    };
+    let some = clearance(0.4);
+    assert!(some.contains("in the time that is allowed: 3 of 6 work angles were tried"), "{some}");
+    let all = clearance(2.0);
+    assert!(all.contains("work angles up to 15 degrees"), "{all}");
+}
+
+/// Ranges are not all that may stand against a weld with a change.
+#[test]
+fn a_cure_is_planned_as_a_whole_before_it_is_offered() {
+    let watch = StopsIn::new(SearchStage::Cure, usize::MAX, 0.0);
+    let found = plan_on_shipped(CIRCLE, Vec::new(), &watch).unwrap_err();
+    assert!(found[0].cure.contains("tried, every axis then stays in its range"), "{found:#?}");
+    let seen = watch.seen.borrow();
+    let trials = seen.iter().skip_while(|seen| seen.stage != SearchStage::Cure);
+    assert!(trials.filter(|seen| seen.stage == SearchStage::Speed && seen.begins).count() > 0);
+}
+
+/// A weld may be clear of what is in the way with other positions of redundant axes: if the search for them was cut off, this
+/// is among the findings.
+#[test]
+fn a_search_for_a_clear_way_that_is_cut_off_is_a_finding() {
+    let free = StopsIn::new(SearchStage::Sampling, usize::MAX, 0.0);
+    plan_on_shipped(OBLIQUE_GIRTH, Vec::new(), &free).unwrap();
+    let watch = StopsIn::new(SearchStage::Sampling, free.begun() + 1, 0.0);
+    let found = plan_on_shipped(OBLIQUE_GIRTH, ball_on_torch(OBLIQUE_GIRTH, 300.0), &watch).unwrap_err();
+    assert!(found.iter().any(|f| f.kind == "clearance"), "{found:#?}");
+    assert!(found.iter().any(|f| f.kind == "search" && !f.allowed), "{found:#?}");
+}
+
+#[test]
+fn the_search_for_a_weave_shows_progress_and_is_stopped() {
+    let all = StopsIn::new(SearchStage::Weave, usize::MAX, 0.0);
+    let found = plan_on_shipped(FAST_WEAVE, Vec::new(), &all).unwrap_err();
+    assert!(found.iter().any(|f| f.message.contains("the weave is too fast")), "{found:#?}");
+    let seen = all.seen.borrow();
+    let parts: Vec<f64> = seen.iter().filter(|seen| seen.stage == SearchStage::Weave).map(|seen| seen.part).collect();
+    assert!(parts.len() > 50 && parts.windows(2).all(|w| w[0] <= w[1]) && parts[parts.len() - 1] > 0.3, "{parts:?}");
+    let found = plan_on_shipped(FAST_WEAVE, Vec::new(), &StopsIn::new(SearchStage::Weave, 1, 0.2)).unwrap_err();
+    assert!(found.len() == 1 && found[0].kind == "search", "{found:#?}");
+}
+
+/// A level circle about `centre`, its point farthest along x at `far` of its length; the torch points down.
+struct Circle {
+    centre: DVec3,
+    far: f64,
+}
+
+impl Circle {
+    const RADIUS_MM: f64 = 100.0;
+}
+
+impl TorchPath for Circle {
+    fn length(&self) -> f64 {
+        TAU * Self::RADIUS_MM
+    }
+
+    fn pose(&self, s: f64) -> Pose {
+        let angle = s / Self::RADIUS_MM - TAU * self.far;
+        let beside = DVec3::new(angle.cos(), angle.sin(), 0.0);
+        Pose { point: self.centre + Self::RADIUS_MM * beside, direction: DVec3::NEG_Z }
+    }
+}
+
+/// Less of the seam than lies between two searches along it: 14 of 1440 places.
+#[test]
+fn a_hundredth_of_a_seam_out_of_an_arm_s_reach_is_found() {
+    let mut pass = Welding::read("job.toml", ARM_JOB).unwrap().program.value.passes[0].clone();
+    pass.spare_axes.hold.insert("j6".to_owned(), Finite::new(0.0).unwrap());
+    let machine = Machine::read("m.toml", ARM).unwrap();
+    let held = holding(&machine, &pass.spare_axes).unwrap();
+    let mut near = held.home();
+    near[held.axis("j6").unwrap()] = 0.0;
+    let circle = |x: f64| Circle { centre: DVec3::new(x, 0.0, 100.0), far: 732.0 / 1440.0 };
+    let reaches = |x: f64| held.inverse(circle(x).pose(PI * Circle::RADIUS_MM * 2.0 * 732.0 / 1440.0), &near).is_ok();
+    let (mut low, mut high) = (0.0, 1500.0);
+    assert!(reaches(low) && !reaches(high));
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if reaches(middle) { low = middle } else { high = middle }
+    }
+    let found = PassMotion::plan(&machine, &circle(low + 0.05), &pass, 1).unwrap_err();
+    println!("{low}: {found:#?}");
+    let reach: Vec<&Finding> = found.iter().filter(|f| f.kind == "reach").collect();
+    assert!(reach.len() == 1 && reach[0].to_mm - reach[0].from_mm < 10.0, "{found:#?}");
+    assert!((reach[0].from_mm..reach[0].to_mm).contains(&(TAU * Circle::RADIUS_MM * 732.0 / 1440.0)), "{found:#?}");
 }

@@ -105,6 +105,16 @@ fn seven_and_ten_axes_play_several_passes() {
     }
 }
 
+/// The torch has a nozzle as the work has: which is which is said.
+#[test]
+fn the_nearest_things_are_named_as_in_findings() {
+    let welding = program(include_str!("../../../../examples/head-nozzle.toml"), 1);
+    let clamped = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap();
+    let motion = plan(&machine(&welding), &welding, &clamped).unwrap_or_else(|f| panic!("{f:#?}"));
+    let (_, _, between) = motion.clearance[0].as_ref().unwrap().nearest.as_ref().unwrap();
+    assert!(between.contains("(part)"), "{between}");
+}
+
 /// A post beside the seam: the weld passes it too near, and says where and who.
 #[test]
 fn what_is_too_near_is_told() {

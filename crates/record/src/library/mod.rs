@@ -131,6 +131,14 @@ impl Library {
         change.execute_batch(&marks).and_then(|()| change.commit()).map_err(failed)
     }
 
+    /// True for a library of a version whose archives have a manifest.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    pub(crate) fn has_manifests(&self) -> Result<bool, Error> {
+        Ok(self.version()? >= schema::MANIFEST_VERSION)
+    }
+
     /// Where it is.
     pub fn path(&self) -> &Path {
         &self.path

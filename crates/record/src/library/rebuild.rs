@@ -48,11 +48,12 @@ impl Library {
         Ok(problems)
     }
 
-    /// Copies the rows of a library of foreign origin into a new file: nothing but rows that fit our schema comes along.
+    /// Copies the rows of a library of foreign origin into a new file: nothing but rows that fit our schema comes along. True if archives
+    /// of its version have a manifest.
     ///
     /// # Errors
     /// A file that is no library or damaged, a schema that is not ours, rows that do not fit, a disk that is full.
-    pub(crate) fn rebuild(from: &Path, to: &Path) -> Result<(), Error> {
+    pub(crate) fn rebuild(from: &Path, to: &Path) -> Result<bool, Error> {
         let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let source = Self::connect(from, flags)?;
         let version = source.version()?;
@@ -64,10 +65,12 @@ impl Library {
                 "an archive of a library that only Seamwright has changed; remove what is foreign with sqlite3 first";
             return Err(Error::damaged(from, problem.clone(), allowed));
         }
+        let has_manifests = source.has_manifests()?;
         drop(source);
         let failed = |e| Error::database(from, e);
         let db = Connection::open(to).and_then(|db| empty(db, version)).map_err(failed)?;
-        copy(&db, from).map_err(failed)
+        copy(&db, from).map_err(failed)?;
+        Ok(has_manifests)
     }
 }
 

@@ -4,7 +4,13 @@
 pub(super) const APPLICATION: i64 = 0x5357_4c62;
 
 /// What leads from each schema version to the next; the first makes an empty file version 1.
-pub(super) const MIGRATIONS: [&str; 2] = [FIRST, LISTED];
+pub(super) const MIGRATIONS: [&str; 3] = [FIRST, LISTED, WITH_MANIFEST];
+
+/// Programs of this version on write archives with the hashes of all files: see [`super::Library::has_manifests`]. Tables stay.
+const WITH_MANIFEST: &str = "";
+
+/// The version to which [`WITH_MANIFEST`] leads.
+pub(super) const MANIFEST_VERSION: i64 = 3;
 
 const LISTED: &str = "
 -- On the panel's list until somebody acknowledges it.

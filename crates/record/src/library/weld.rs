@@ -188,6 +188,14 @@ impl Library {
         Ok(self.db.last_insert_rowid())
     }
 
+    /// Removes a weld of which nothing but its beginning was kept. Its number is not given again.
+    ///
+    /// # Errors
+    /// If the library cannot be written, or something names the weld.
+    pub(crate) fn take_back_weld(&self, id: i64) -> Result<(), Error> {
+        self.run("DELETE FROM weld WHERE id = ?1 AND result = 'running'", [id]).map(drop)
+    }
+
     /// Keeps the end of a weld: all of it, or, if that fails, nothing.
     ///
     /// # Errors

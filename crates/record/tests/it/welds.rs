@@ -421,6 +421,42 @@ fn records_are_private_in_an_open_folder() {
     assert!(files.len() == 2 && files.iter().all(|file| mode(&file.name) & 0o077 == 0));
 }
 
+/// Records that were made for everybody to read, by an older version or a copy, are their owner's alone once the folder is opened.
+#[cfg(unix)]
+#[test]
+fn open_records_become_private_when_the_folder_is_opened() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
+    drop(data.journal().unwrap());
+    drop(data);
+    let weld = format!("welds/{id:06}");
+    let (folders, files) =
+        (["welds", &weld], ["library.sqlite", "position.a", "position.b", &format!("{weld}/trace.parquet")]);
+    let opened = folders.iter().map(|name| (name, 0o755)).chain(files.iter().map(|name| (name, 0o644)));
+    for (name, mode) in opened {
+        fs::set_permissions(folder.path().join(name), fs::Permissions::from_mode(mode)).unwrap();
+    }
+    drop(DataFolder::open(folder.path()).unwrap());
+    for name in folders.iter().chain(&files) {
+        let mode = fs::metadata(folder.path().join(name)).unwrap().permissions().mode();
+        assert_eq!(mode & 0o077, 0, "{name}: {mode:o}");
+    }
+}
+
+/// A weld whose record cannot be begun is not among the welds, and does not run for ever.
+#[test]
+fn a_record_that_cannot_be_begun_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    // Where its folder would be there is a file.
+    fs::write(folder.path().join("welds/000001"), "").unwrap();
+    assert!(data.begin(&plan("P-1")).is_err());
+    assert!(data.library().find(&Query::default()).unwrap().is_empty());
+    assert_eq!(data.begin(&plan("P-1")).unwrap().id(), 2);
+}
+
 /// A clock that is set makes no weld end before it began: how long it took is by another one.
 #[test]
 fn no_weld_ends_before_it_began() {

@@ -283,15 +283,30 @@ impl Archive {
         self.add(|waiting| waiting.refusals.add(&user, &station, &command, &result, Instant::now()));
     }
 
+    /// Something that may be asked for without end, and does not change what is: counted where it is repeated.
+    pub(crate) fn repeatable(&self, user: &str, station: &str, command: &str, result: &str) {
+        self.refused(user, station, command, result);
+    }
+
     /// An alarm, of a weld or beside: on the list until somebody acknowledges it.
     pub(crate) fn alarm(&self, weld: Option<i64>, alarm: Alarm) {
         log::warning(&format!("alarm: {}", plain(&alarm.name)));
         self.add_alarm(Entry::Alarm(weld, Box::new(alarm)));
     }
 
-    /// Somebody knows the alarm of this name on the list, or all.
+    /// Somebody knows the alarm of this name on the list, or all. Where no alarm has come since, once more says nothing new.
     pub(crate) fn acknowledge(&self, user: &str, name: Option<String>) {
-        self.add_alarm(Entry::Acknowledge(plain(user), Moment::now(), name));
+        let item = Entry::Acknowledge(plain(user), Moment::now(), name);
+        let Entry::Acknowledge(.., name) = &item else { return };
+        let is_known =
+            |waits: &Entry| matches!(waits, Entry::Acknowledge(.., known) if known.is_none() || known == name);
+        let waiting = self.0.0.waiting();
+        let since = waiting.alarms.iter().rev().take_while(|waits| !matches!(waits, Entry::Alarm(..)));
+        let repeats = since.into_iter().any(is_known);
+        drop(waiting);
+        if !repeats {
+            self.add_alarm(item);
+        }
     }
 }
 
@@ -338,6 +353,34 @@ mod tests {
         let reported = format!("{left_out} entries were left out");
         assert!(entries.iter().any(|e| e.result == reported), "{entries:?}");
         assert!(data.library().verify_audit().unwrap().broken.is_none());
+    }
+
+    /// Whoever acknowledges or takes control without end, on a disk that stands meanwhile, costs no alarm and no order.
+    #[test]
+    fn what_is_repeated_takes_no_room_of_alarms_and_orders() {
+        let folder = tempfile::tempdir().unwrap();
+        let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 16).unwrap();
+        let busy = hold(folder.path());
+        for i in 0..1000 {
+            if i % 200 == 0 {
+                archive.alarm(None, alarm(&format!("alarm {i}")));
+                archive.audit("ada", "panel 1", &format!("order {i}"), ("", ""), "taken");
+            }
+            archive.acknowledge("eve", Some("alarm 0".to_owned()));
+            archive.acknowledge("eve", None);
+            archive.repeatable("eve", "panel 2", "take control", "control taken");
+        }
+        archive.alarm(None, alarm("last"));
+        busy.execute_batch("COMMIT").unwrap();
+        assert!(archive.close());
+        let data = DataFolder::open_to_read(folder.path()).unwrap();
+        let entries = data.library().audit_entries(1000).unwrap();
+        assert_eq!(entries.iter().filter(|e| e.command.starts_with("order ")).count(), 5, "{entries:?}");
+        assert!(!entries.iter().any(|e| e.result.contains("left out")), "{entries:?}");
+        // All but the last were acknowledged after they came.
+        let listed = data.library().listed_alarms().unwrap();
+        assert_eq!(listed.iter().map(|alarm| alarm.name.as_str()).collect::<Vec<_>>(), ["last"]);
+        assert!(entries.iter().any(|e| e.result.contains("control taken: 999 more")), "{entries:?}");
     }
 
     /// Refusals without end, on a disk that stands meanwhile, cost no alarm and no order; they are counted.

@@ -8,9 +8,10 @@ use super::names::{Extra, Names};
 use super::prepared::Prepared;
 use super::progress::{Left, Parts, Progress, ToWeld};
 use super::recorder::Recorder;
+use super::safe_outputs::SafeOutputs;
 use super::stillness::Stillness;
 use crate::wire::{FromCell, LackView, Shelving, WorkView};
-use rtrb::{Consumer, Producer};
+use rtrb::{Consumer, Producer, PushError};
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Origin};
 use seamwright_cell::realtime::{Footing, Outside, Shown, Shutdown};
 use seamwright_record::{DataFolder, Plan};
@@ -56,6 +57,8 @@ pub(crate) struct Loading {
     pub(crate) plan: Option<Plan>,
     /// Passes that are to be welded.
     pub(crate) passes: usize,
+    /// How much of a finished weld is welded over on purpose where it goes on, mm.
+    pub(crate) overlap_mm: f64,
     pub(crate) user: String,
 }
 
@@ -74,6 +77,9 @@ pub(super) struct Desk {
     pub(super) recorder: Recorder,
     pub(super) mirror: Mirror,
     pub(super) to_weld: Option<ToWeld>,
+    /// The weld that runs.
+    pub(super) welding: Option<Welding>,
+    pub(super) safe_outputs: SafeOutputs,
     waiting: VecDeque<Command>,
     /// What stands against something, as it is told, for each who asked.
     pub(super) lacks: HashMap<(u32, u32), Vec<LackView>>,
@@ -97,6 +103,17 @@ pub(super) struct Desk {
     pub(super) trouble: Option<String>,
 }
 
+/// How far the weld that runs has come, whether it is recorded or not.
+#[derive(Debug, Default)]
+pub(super) struct Welding {
+    /// Passes that have come to their end.
+    pub(super) passes: usize,
+    /// It was left in the middle.
+    pub(super) is_left: bool,
+    /// A cycle of it has come: those before it may wait in the queue when it begins.
+    runs: bool,
+}
+
 /// The desk's ends of the queues to the cycle.
 pub(super) struct Queues {
     pub(super) outside: Outside,
@@ -115,6 +132,7 @@ impl Desk {
         footing: Arc<OnceLock<Footing>>,
     ) -> Self {
         let Queues { outside, next, done } = queues;
+        let safe_outputs = SafeOutputs::new(Arc::clone(&hub));
         Self {
             hub,
             archive,
@@ -126,6 +144,8 @@ impl Desk {
             recorder,
             mirror,
             to_weld: None,
+            welding: None,
+            safe_outputs,
             waiting: VecDeque::new(),
             lacks: HashMap::new(),
             loading: None,
@@ -185,8 +205,9 @@ impl Desk {
 
     fn look(&mut self) {
         self.tell_footing();
-        // Drops what the cycle is done with.
-        while self.done.pop().is_ok() {}
+        while let Ok(done) = self.done.pop() {
+            self.drop_task(done);
+        }
         while let Ok((t, note)) = self.outside.notes.pop() {
             self.noted(t, note);
         }
@@ -223,6 +244,13 @@ impl Desk {
                 break;
             }
             self.waiting.pop_front();
+        }
+    }
+
+    /// Drops a task that the cycle is done with, or does not get. Its devices take their time.
+    fn drop_task(&self, mut task: Box<Prepared>) {
+        if let Some(devices) = task.devices.take() {
+            self.safe_outputs.let_go(devices);
         }
     }
 
@@ -265,10 +293,13 @@ impl Desk {
             self.trouble = Some(trouble);
         }
         // A weld that came to nothing leaves what was left before it. Where it was left itself is told before it is over.
+        if let Some(welding) = &mut self.welding {
+            welding.runs |= matches!(shown.mode, Mode::Weld | Mode::Hold);
+        }
         let over = !shown.mode.moves() && shown.mode != Mode::Hold && shown.phase.is_none();
         if over
             && self.stillness.stands()
-            && self.recorder.runs() != Some(false)
+            && self.welding.as_ref().is_none_or(|welding| welding.runs)
             && let Some(before) = self.left_before.take()
         {
             self.left.get_or_insert(before);
@@ -324,16 +355,18 @@ impl Desk {
         // Nobody has to wait for the answer.
         if let Some(lack) = self.unfit(&loading) {
             drop(answer.send(Err(lack)));
+            self.drop_task(loading.prepared);
             return;
         }
-        let Loading { prepared, view, around, plan, passes, user } = loading;
+        let Loading { prepared, view, around, plan, passes, overlap_mm, user } = loading;
         let start = view.as_ref().and_then(|view| view.from);
-        let to_weld = plan.map(|plan| ToWeld::new(plan, passes, start));
+        let to_weld = plan.map(|plan| ToWeld::new(plan, passes, start).with_overlap(overlap_mm));
         let to = prepared.devices.as_ref().map(|devices| devices.to().clone());
         let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
         let values = prepared.with(|work| work.values().len());
         let heads = view.as_ref().map_or(0, |view| view.tracked);
-        if self.next.push(prepared).is_err() {
+        if let Err(PushError::Full(prepared)) = self.next.push(prepared) {
+            self.drop_task(prepared);
             let text = "the cell does not answer: try again".to_owned();
             drop(answer.send(Err(LackView { key: "moving".to_owned(), of: vec![], text })));
             return;

@@ -15,6 +15,7 @@ mod prepared;
 mod progress;
 mod recorder;
 mod refusals;
+mod safe_outputs;
 mod start;
 mod stillness;
 

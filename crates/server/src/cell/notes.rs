@@ -1,6 +1,6 @@
 //! What the cycle notes, told to everybody whom it concerns: pages, record, library, audit log.
 
-use super::desk::Desk;
+use super::desk::{Desk, Welding};
 use super::happening::happening;
 use super::names::WHY;
 use super::progress::{Left, Progress};
@@ -26,6 +26,7 @@ impl Desk {
             Note::Mode(from, to) => {
                 self.tell(happening("mode", [from, to].map(|mode| mode.name().to_owned())));
                 if to == Mode::Weld && from != Mode::Hold {
+                    self.welding = Some(Welding::default());
                     self.begin_record();
                 }
                 if !matches!(to, Mode::Weld | Mode::Hold) {
@@ -52,9 +53,11 @@ impl Desk {
                 self.tell(happening("cycles_missed", [cycles.to_string(), format!("{longest_ms:.0}")]));
             }
             Note::PassEnds(place) => {
+                self.welding.iter_mut().for_each(|welding| welding.passes += 1);
                 self.tell(happening("pass_ends", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
             }
             Note::Left(place) => {
+                self.welding.iter_mut().for_each(|welding| welding.is_left = true);
                 let at = (place.pass as u32, place.s_mm);
                 if let Some(of) = &self.to_weld {
                     let left = Left::now(at, self.recorder.weld(), of);
@@ -66,10 +69,12 @@ impl Desk {
         }
     }
 
-    /// A weld came to its end, or to none.
+    /// A weld came to its end, or to none: recorded or not, what is finished is known.
     fn weld_is_over(&mut self) {
-        if self.recorder.whole()
-            && let Some(of) = &mut self.to_weld
+        let Some(welding) = self.welding.take() else { return };
+        if let Some(of) = &mut self.to_weld
+            && !welding.is_left
+            && welding.passes >= of.passes
         {
             self.parts.note(of, Progress::Whole(self.recorder.weld()));
             self.left_before = None;
@@ -121,7 +126,11 @@ impl Desk {
             Ask::AcknowledgeOne(..) => format!("acknowledge {}", one.unwrap_or_default()),
             ask => ask.name().to_owned(),
         };
-        self.archive.audit(user.as_deref().unwrap_or(""), &station, &text, ("", ""), "taken");
+        let user = user.as_deref().unwrap_or("");
+        match command.ask {
+            Ask::Acknowledge | Ask::AcknowledgeOne(..) => self.archive.repeatable(user, &station, &text, "taken"),
+            _ => self.archive.audit(user, &station, &text, ("", ""), "taken"),
+        }
     }
 
     fn refused(&mut self, command: Command, missing: Missing) {
@@ -139,7 +148,7 @@ impl Desk {
         let refused = happening("refused", [command.ask.name().to_owned(), why.text.clone()]);
         self.tell(refused.because(why.clone()).by(user.clone()));
         let from = format!("panel {station}");
-        self.archive.audit(user.as_deref().unwrap_or(""), &from, command.ask.name(), ("", ""), &why.text);
+        self.archive.refused(user.as_deref().unwrap_or(""), &from, command.ask.name(), &why.text);
         self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
     }
 

@@ -40,6 +40,8 @@ pub(super) struct ToWeld {
     pub(super) passes: usize,
     /// Where it begins: the pass, and the place in it, mm.
     pub(super) start: (u32, f64),
+    /// How much of a finished weld before `start` is welded over on purpose, mm: asked for when it was loaded.
+    overlap_mm: f64,
     /// SHA-256 of the program.
     program: String,
 }
@@ -47,7 +49,12 @@ pub(super) struct ToWeld {
 impl ToWeld {
     pub(super) fn new(plan: Plan, passes: usize, start: Option<(u32, f64)>) -> Self {
         let program = sha256(plan.program.1.as_bytes());
-        Self { plan, passes, start: start.unwrap_or((1, 0.0)), program }
+        Self { plan, passes, start: start.unwrap_or((1, 0.0)), overlap_mm: 0.0, program }
+    }
+
+    /// The same, where so much of a finished weld is welded over on purpose, mm.
+    pub(super) fn with_overlap(self, overlap_mm: f64) -> Self {
+        Self { overlap_mm, ..self }
     }
 
     fn key(&self) -> Key {
@@ -142,13 +149,14 @@ impl Parts {
         matches!(self.known.get(&key), Some(Progress::Whole(_)))
     }
 
-    /// Why what is in the cell must not be welded from where it begins without a question: it would weld a finished pass again.
+    /// Why what is in the cell must not be welded from where it begins without a question: it would weld a finished pass again, by
+    /// more than the overlap that was asked for.
     pub(super) fn finished(&self, now: &ToWeld, library: Option<&Library>) -> Option<LackView> {
         let (part, start) = (&now.plan.part, now.start);
         match self.of(now, library)? {
             Progress::Left(left) if left.part == *part => {
                 let (pass, s_mm) = left.at;
-                let again = start.0 < pass || (start.0 == pass && start.1 < s_mm - SAME_MM);
+                let again = start.0 < pass || (start.0 == pass && start.1 < s_mm - now.overlap_mm - SAME_MM);
                 let text = format!(
                     "part \"{part}\" is welded up to pass {pass}, {s_mm:.2} mm: from pass {}, {:.2} mm finished weld would be welded \
                      again; go on there, or confirm",
@@ -159,7 +167,7 @@ impl Parts {
             }
             // Parts without a number are others each time.
             Progress::Whole(record) if !part.is_empty() => {
-                let record = record.map_or_else(String::new, |id| id.to_string());
+                let record = record.map_or_else(|| "–".to_owned(), |id| id.to_string());
                 let text = format!(
                     "part \"{part}\" is welded whole (weld {record}): it would be welded again; confirm, or name another part"
                 );
@@ -258,6 +266,13 @@ mod tests {
             assert!(lack.is_none_or(|lack| lack.of == ["N-1", "2", "6.00"]), "{start:?}");
             // Another part is not concerned.
             assert_eq!(parts.finished(&to_weld("N-2", start), None), None);
+        }
+        // Some weld over the end of what is finished is asked for each time: so much of the same pass needs no question.
+        for (start, overlap_mm, again) in
+            [((2, 0.0), 6.0, false), ((2, 1.0), 5.0, false), ((2, 1.0), 4.0, true), ((1, 135.2), 10.0, true)]
+        {
+            let of = to_weld("N-1", start).with_overlap(overlap_mm);
+            assert_eq!(parts.finished(&of, None).is_some(), again, "{start:?} {overlap_mm}");
         }
         let Some(Progress::Left(left)) = parts.of(&continued, None) else { panic!("nothing is left") };
         let seen = left.seen(Some(&continued));

@@ -25,6 +25,8 @@ pub(super) struct Recorder {
     hub: Arc<Hub>,
     archive: Archive,
     open: Option<Open>,
+    /// The journal of positions while a weld is recorded or its record is being closed: one for all of them, since it is locked.
+    places: Option<Arc<Places>>,
     /// Records that are being closed.
     closing: Vec<JoinHandle<()>>,
 }
@@ -32,7 +34,7 @@ pub(super) struct Recorder {
 /// A weld that is being recorded.
 struct Open {
     recording: Recording,
-    places: Option<Places>,
+    places: Arc<Places>,
     watch: Watch,
     tips: run_rows::Tips,
     welder: String,
@@ -57,7 +59,7 @@ impl Open {
 
 impl Recorder {
     pub(super) fn new(folder: &Path, hub: Arc<Hub>, archive: Archive) -> Self {
-        Self { folder: folder.to_owned(), hub, archive, open: None, closing: Vec::new() }
+        Self { folder: folder.to_owned(), hub, archive, open: None, places: None, closing: Vec::new() }
     }
 
     /// Where welds are recorded.
@@ -70,16 +72,6 @@ impl Recorder {
         self.open.as_ref().map(|o| o.recording.id())
     }
 
-    /// Whether a cycle of the weld that is recorded has come; none if none is recorded.
-    pub(super) fn runs(&self) -> Option<bool> {
-        self.open.as_ref().map(|open| open.runs)
-    }
-
-    /// The weld that is recorded has come to the end of its last pass.
-    pub(super) fn whole(&self) -> bool {
-        self.open.as_ref().is_some_and(Open::is_whole)
-    }
-
     /// A weld begins: `passes` of it are to come, by `welder`; `missing` is what the cycle lacks of real-time rights.
     ///
     /// # Errors
@@ -88,8 +80,9 @@ impl Recorder {
         self.end();
         let mut data = DataFolder::open(&self.folder)?;
         let plan = Plan { welder: Some(welder.to_owned()), ..plan.clone() };
+        // First, so that a weld without a journal leaves nothing in the library.
+        let places = self.journal(&data)?;
         let recording = data.begin(&plan)?;
-        let places = Some(power_loss::writer(data.journal()?));
         let welder = welder.to_owned();
         let mut events = Vec::new();
         if !missing.is_empty() {
@@ -114,8 +107,26 @@ impl Recorder {
         Ok(())
     }
 
+    /// The journal that is open already, for a weld that is still being closed, or opens it.
+    fn journal(&mut self, data: &DataFolder) -> Result<Arc<Places>, Error> {
+        if let Some(places) = &self.places {
+            return Ok(Arc::clone(places));
+        }
+        let places = Arc::new(power_loss::writer(data.journal()?));
+        self.places = Some(Arc::clone(&places));
+        Ok(places)
+    }
+
+    /// Lets other programs have the journal once no weld needs it.
+    fn free_journal(&mut self) {
+        if self.open.is_none() {
+            drop(self.places.take_if(|places| Arc::strong_count(places) == 1));
+        }
+    }
+
     /// A cycle; the trouble that keeps rows from being written, if there is some.
     pub(super) fn row(&mut self, names: &Names, shown: &Shown) -> Option<String> {
+        self.free_journal();
         let open = self.open.as_mut()?;
         let welds = matches!(shown.mode, Mode::Weld | Mode::Hold);
         open.runs |= welds;
@@ -125,8 +136,8 @@ impl Recorder {
         open.here = shown.place;
         open.recording.row(run_rows::row(&mut open.tips, &names.machine, shown, names.values, names.heads));
         let weld = u64::try_from(open.recording.id()).unwrap_or(0);
-        if let (Some(places), Some(position)) = (&open.places, open.watch.position(shown, weld)) {
-            places.tell(position);
+        if let Some(position) = open.watch.position(shown, weld) {
+            open.places.tell(position);
         }
         let trouble = open.recording.trouble().map(str::to_owned);
         match open.ended {
@@ -188,6 +199,7 @@ impl Recorder {
         while self.closing.iter().any(|record| !record.is_finished()) && begun.elapsed() < CLOSING {
             std::thread::sleep(Duration::from_millis(5));
         }
+        self.free_journal();
     }
 }
 
@@ -208,7 +220,17 @@ fn alarm(t: f64, raised: &Raised, name: &str) -> Alarm {
     }
 }
 
+/// Closes a record, and takes its weld out of the journal of positions.
 fn finish(open: Open, folder: &Path) -> Result<WeldResult, Error> {
+    let (places, whole) = (Arc::clone(&open.places), open.is_whole());
+    let id = u64::try_from(open.recording.id()).unwrap_or(0);
+    let result = settle(open, folder);
+    // It ended in order: nothing is left to power failures. Where it was left stays in the journal if the library does not have it.
+    let cleared = if whole || result.is_ok() { places.over(id) } else { Ok(()) };
+    result.and_then(|result| cleared.map(|()| result))
+}
+
+fn settle(open: Open, folder: &Path) -> Result<WeldResult, Error> {
     let mut data = DataFolder::open(folder)?;
     let id = open.recording.id();
     let whole = open.is_whole();
@@ -242,9 +264,84 @@ fn finish(open: Open, folder: &Path) -> Result<WeldResult, Error> {
         result: weld.result.name().to_owned(),
     };
     data.library_mut().audit(&entry)?;
-    if let Some(places) = open.places {
-        // It ended in order: nothing is left to power failures. A journal that failed has said so in the trace's trouble.
-        drop(places.end());
-    }
     Ok(result)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use seamwright_record::figures::Basis;
+    use seamwright_record::library::Query;
+    use seamwright_record::trace::{Column, Kind};
+
+    fn plan() -> Plan {
+        let text = |name: &str| (name.to_owned(), "schema = 1".to_owned());
+        Plan {
+            part: "L-1".to_owned(),
+            title: "Short".to_owned(),
+            simulated: true,
+            job: None,
+            program: text("a program"),
+            machine: text("a machine"),
+            procedure: None,
+            welder: None,
+            columns: vec![Column::new("t_s", "s", Kind::F64)],
+            about: Vec::new(),
+            most_rows: 1000,
+            rows: 1000,
+            basis: Basis::default(),
+            note: String::new(),
+        }
+    }
+
+    fn recorder(folder: &Path) -> Recorder {
+        let hub = Arc::new(Hub::new());
+        let archive = Archive::open(folder, Arc::clone(&hub)).unwrap();
+        Recorder::new(folder, hub, archive)
+    }
+
+    fn results(folder: &Path) -> Vec<WeldResult> {
+        let welds = DataFolder::open_to_read(folder).unwrap().library().find(&Query::default()).unwrap();
+        welds.iter().map(|weld| weld.result).collect()
+    }
+
+    /// A weld that begins at once after another one has its record, and its place in the journal.
+    #[test]
+    fn a_weld_is_recorded_while_the_record_before_is_being_closed() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut recorder = recorder(folder.path());
+        (0..10).for_each(|_| recorder.begin(&plan(), 1, "ada", &[]).unwrap());
+        recorder.close();
+        assert_eq!(results(folder.path()), [WeldResult::Stopped; 10]);
+        // Nothing is left in the journal, which others may have now.
+        assert_eq!(DataFolder::open(folder.path()).unwrap().journal().unwrap().last(), None);
+    }
+
+    /// A record that cannot be closed takes nothing from the welds to come.
+    #[test]
+    fn a_record_that_fails_leaves_the_journal_to_the_next_weld() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut recorder = recorder(folder.path());
+        recorder.begin(&plan(), 1, "ada", &["its priority"]).unwrap();
+        let library = rusqlite::Connection::open(folder.path().join("library.sqlite")).unwrap();
+        library.execute("DELETE FROM weld", ()).unwrap();
+        recorder.close();
+        drop(DataFolder::open(folder.path()).unwrap().journal().unwrap());
+        recorder.begin(&plan(), 1, "ada", &[]).unwrap();
+        recorder.close();
+        assert_eq!(results(folder.path()), [WeldResult::Stopped]);
+    }
+
+    /// Where the journal is somebody else's, no weld is left that runs for ever.
+    #[test]
+    fn a_weld_without_a_journal_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut recorder = recorder(folder.path());
+        let journal = DataFolder::open(folder.path()).unwrap().journal().unwrap();
+        assert!(matches!(recorder.begin(&plan(), 1, "ada", &[]), Err(Error::Busy { .. })));
+        assert!(results(folder.path()).is_empty());
+        drop(journal);
+        recorder.begin(&plan(), 1, "ada", &[]).unwrap();
+        recorder.close();
+    }
 }

@@ -10,6 +10,7 @@ use super::names::Names;
 use super::prepared::{Prepared, Task};
 use super::progress;
 use super::recorder::Recorder;
+use super::safe_outputs::SafeOutputs;
 use seamwright_cell::realtime::{Shutdown, Urgent, live};
 use seamwright_machine::{Clamped, Machine, MachineDevices};
 use seamwright_record::DataFolder;
@@ -31,6 +32,7 @@ pub(crate) struct Cell {
     /// The real devices that jobs may use, and where files that they name are seen from: those of the machine at the start, chosen
     /// by who started the panel.
     pub(crate) devices: (MachineDevices, PathBuf),
+    safe_outputs: SafeOutputs,
     thread: Mutex<Option<JoinHandle<()>>>,
 }
 
@@ -103,32 +105,26 @@ impl Cell {
         let queues = Queues { outside, next, done };
         let listens =
             Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror, left), footing);
+        let safe_outputs = listens.safe_outputs.clone();
         let its_shutdown = shutdown.clone();
         let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished(), &its_shutdown));
         let watched = Arc::downgrade(&hub);
         std::thread::spawn(move || around::watch(&watched));
         let devices = (machine.devices.clone(), beside.to_owned());
-        Ok(Self { hub, archive, urgent, desk, devices, thread: Mutex::new(Some(thread)) })
+        Ok(Self { hub, archive, urgent, desk, devices, safe_outputs, thread: Mutex::new(Some(thread)) })
     }
 
-    /// Stops, takes the power away, and waits for the end.
-    pub(crate) fn end(&self) {
+    /// Stops, takes the power away, and waits for the end; the devices that have not confirmed that their outputs are safe, a line
+    /// each.
+    pub(crate) fn end(&self) -> Vec<String> {
         // A desk that has gone has ended already.
         drop(self.desk.send(ToDesk::Quit));
         let thread = self.thread.lock().unwrap_or_else(PoisonError::into_inner).take();
-        drop(thread.map(JoinHandle::join));
-        self.tell_unsafe();
+        let Some(thread) = thread else { return Vec::new() };
+        drop(thread.join());
+        let to = self.hub.connection();
+        let unconfirmed = self.safe_outputs.end(to.as_ref());
         self.archive.flush();
-    }
-
-    /// Tells of devices that have not said that their outputs are safe.
-    fn tell_unsafe(&self) {
-        let lines = self.hub.connection().map(|to| to.lines);
-        for (name, line) in lines.iter().flat_map(|lines| lines.iter()) {
-            if let Some(Err(why)) = line.get().safe {
-                eprintln!("error: device `{name}`: its outputs are not confirmed to be safe: {why}");
-                self.hub.event(0.0, happening("safe_unconfirmed", [name.clone(), why]));
-            }
-        }
+        unconfirmed
     }
 }

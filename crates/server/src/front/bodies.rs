@@ -1,23 +1,24 @@
 //! Bodies of requests, collected whole within bounds of size, memory and time.
 
+use super::room::Room;
 use crate::http::{MAX_BYTES, MAX_UNKNOWN, Refused};
 use axum::body::Body;
 use axum::http::StatusCode;
 use hyper::body::Body as _;
 use std::sync::Arc;
-use tokio::sync::Semaphore;
 
-/// Bytes of all large bodies together while they come, in units of 1 KiB.
-const ROOM_KIB: usize = 64 << 10;
+/// Bytes of all large bodies together while they come, and of those of one user: whoever lets many of them trickle in holds up no others.
+const ROOM: usize = 64 << 20;
+const SHARE: usize = 16 << 20;
 /// Bodies of up to so many bytes come without waiting for room: connections are few enough for them.
 const SMALL: usize = 64 << 10;
 
 /// Room for bodies.
-pub(super) struct Bodies(Arc<Semaphore>);
+pub(super) struct Bodies(Arc<Room>);
 
 impl Default for Bodies {
     fn default() -> Self {
-        Self(Arc::new(Semaphore::new(ROOM_KIB)))
+        Self(Room::new(ROOM, SHARE))
     }
 }
 
@@ -27,16 +28,14 @@ impl Bodies {
         collect(body, MAX_UNKNOWN).await
     }
 
-    /// Collects the body of somebody who is, when there is room for it.
-    pub(super) async fn known(&self, body: Body) -> Result<Body, Refused> {
+    /// Collects the body of a user who is, when there is room for it.
+    pub(super) async fn known(&self, user: &str, body: Body) -> Result<Body, Refused> {
         let size = body.size_hint().upper().and_then(|n| usize::try_from(n).ok());
         let most = size.unwrap_or(MAX_BYTES).min(MAX_BYTES);
         if most <= SMALL {
             return collect(body, MAX_BYTES).await;
         }
-        let units = u32::try_from(most.div_ceil(1024)).unwrap_or(u32::MAX);
-        let room = self.0.acquire_many(units).await;
-        let _room = room.map_err(|_| Refused::server("the panel is ending"))?;
+        let _room = self.0.take(user, most).await;
         collect(body, MAX_BYTES).await
     }
 }

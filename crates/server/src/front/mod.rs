@@ -3,13 +3,16 @@
 //! Nothing on these threads waits for a disk, a database, a plan or another client. Handlers of other routes run on another runtime:
 //! even if one of them blocks its thread, a stop is heard.
 
+mod answers;
 mod bodies;
 mod places;
 mod rates;
+mod room;
 mod stream;
 
 use crate::http::{Panel, Refused, URGENT, app, cookie, urgent_app};
 use crate::users::Session;
+use answers::Answers;
 use axum::Router;
 use axum::body::Body;
 use axum::extract::ConnectInfo;
@@ -28,7 +31,7 @@ use std::convert::Infallible;
 use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use stream::Held;
+use stream::{Deadline, Held};
 use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::net::TcpListener;
 use tokio::runtime::Handle;
@@ -44,8 +47,17 @@ struct Patience {
     stranger: Duration,
     /// For the body of somebody who is.
     body: Duration,
-    /// Until it reads what was written.
+    /// Until it reads some of what was written.
     read: Duration,
+    /// Least rate at which it reads an answer, bytes/s, after a first time of `read`.
+    rate: usize,
+}
+
+impl Patience {
+    /// Time for an answer of so many bytes.
+    fn to_read(self, bytes: usize) -> Duration {
+        self.read + Duration::from_secs_f64(bytes as f64 / self.rate as f64)
+    }
 }
 
 const PATIENCE: Patience = Patience {
@@ -53,10 +65,13 @@ const PATIENCE: Patience = Patience {
     stranger: Duration::from_secs(5),
     body: Duration::from_secs(60),
     read: Duration::from_secs(20),
+    rate: 64 << 10,
 };
 
 /// The route that stops the machine.
 const STOP: &str = "/api/stop";
+/// Where everything but the panel's own files is.
+const API: &str = "/api/";
 /// The one route with a body that is not collected: an archive is as large as the data, and its handler has a bound of its own.
 const STREAMED: &str = "/api/restore";
 
@@ -76,14 +91,16 @@ struct Front {
     places: Places,
     rates: Rates,
     bodies: Bodies,
+    answers: Answers,
     patience: Patience,
 }
 
-/// A connection: where it comes from, and its place.
+/// A connection: where it comes from, its place, and when its answer must have been read.
 #[derive(Clone)]
 struct Connection {
     from: SocketAddr,
     place: Place,
+    deadline: Deadline,
 }
 
 /// Work of a handler that ends with whoever waits for it.
@@ -99,7 +116,7 @@ impl Front {
     fn new(panel: Arc<Panel>, rest: Router, work: Handle, patience: Patience) -> Arc<Self> {
         let urgent = urgent_app(&panel);
         let (places, rates, bodies) = (Places::default(), Rates::default(), Bodies::default());
-        Arc::new(Self { panel, urgent, rest, work, places, rates, bodies, patience })
+        Arc::new(Self { panel, urgent, rest, work, places, rates, bodies, answers: Answers::default(), patience })
     }
 
     async fn accept(self: &Arc<Self>, listener: TcpListener, tls: Option<RustlsConfig>) {
@@ -115,8 +132,9 @@ impl Front {
                 continue;
             }
             let place = self.places.enter(from.ip());
-            let held = Held::new(stream, place.clone(), self.patience.read);
-            let (front, tls, connection) = (Arc::clone(self), tls.clone(), Connection { from, place });
+            let deadline = Deadline::default();
+            let held = Held::new(stream, place.clone(), self.patience.read, deadline.clone());
+            let (front, tls, connection) = (Arc::clone(self), tls.clone(), Connection { from, place, deadline });
             tokio::spawn(async move {
                 let ends = connection.place.clone();
                 tokio::select! {
@@ -151,6 +169,15 @@ impl Front {
     }
 
     async fn answer(&self, request: Request<Incoming>, of: &Connection) -> Response<Body> {
+        of.deadline.set(None);
+        let response = self.respond(request, of).await;
+        if let Some(size) = answers::size(response.body()).filter(|size| *size > 0) {
+            of.deadline.set(Some(tokio::time::Instant::now() + self.patience.to_read(size)));
+        }
+        response
+    }
+
+    async fn respond(&self, request: Request<Incoming>, of: &Connection) -> Response<Body> {
         let mut request = request.map(Body::new);
         request.extensions_mut().insert(ConnectInfo(of.from));
         let path = request.uri().path();
@@ -169,15 +196,20 @@ impl Front {
         }
         let request = match session.is_some() && is_streamed {
             true => request,
-            false => match self.whole(request, session.is_some()).await {
+            false => match self.whole(request, session.as_ref()).await {
                 Ok(request) => request,
                 Err(refused) => return closing(refused),
             },
         };
         of.place.answers(true);
+        // The panel's files are held by all who read them together.
+        let user = session.filter(|_| request.uri().path().starts_with(API)).map(|session| session.user);
         let response = if is_urgent { hand(self.urgent.clone(), request).await } else { self.pass_on(request).await };
         of.place.answers(false);
-        response
+        match user {
+            Some(user) => self.answers.hold(&user, response),
+            None => response,
+        }
     }
 
     fn allows(&self, session: Option<&Session>, of: &Connection) -> bool {
@@ -186,11 +218,11 @@ impl Front {
     }
 
     /// The request with all of its body.
-    async fn whole(&self, request: Request<Body>, is_known: bool) -> Result<Request<Body>, Refused> {
+    async fn whole(&self, request: Request<Body>, session: Option<&Session>) -> Result<Request<Body>, Refused> {
         let (parts, body) = request.into_parts();
-        let collected = match is_known {
-            true => tokio::time::timeout(self.patience.body, self.bodies.known(body)).await,
-            false => tokio::time::timeout(self.patience.stranger, self.bodies.stranger(body)).await,
+        let collected = match session {
+            Some(session) => tokio::time::timeout(self.patience.body, self.bodies.known(&session.user, body)).await,
+            None => tokio::time::timeout(self.patience.stranger, self.bodies.stranger(body)).await,
         };
         let late = |_| Refused::new(StatusCode::REQUEST_TIMEOUT, "slow_down", "the request took too long to arrive");
         Ok(Request::from_parts(parts, collected.map_err(late)??))

@@ -3,11 +3,26 @@
 use super::places::Place;
 use std::io;
 use std::pin::Pin;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::task::{Context, Poll, ready};
 use std::time::Duration;
 use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::TcpStream;
 use tokio::time::{Instant, Sleep, sleep_until};
+
+/// When the other side must have read an answer. Shared by whoever answers and the stream that sends.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Deadline(Arc<Mutex<Option<Instant>>>);
+
+impl Deadline {
+    pub(super) fn set(&self, until: Option<Instant>) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = until;
+    }
+
+    fn get(&self) -> Option<Instant> {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
 
 /// A connection that has its place.
 pub(super) struct Held {
@@ -15,13 +30,15 @@ pub(super) struct Held {
     _place: Place,
     /// Time that a write may wait for the other side to read.
     patience: Duration,
+    /// However often the other side reads a little of an answer.
+    deadline: Deadline,
     /// Runs while a write waits.
     stalled: Option<Pin<Box<Sleep>>>,
 }
 
 impl Held {
-    pub(super) fn new(stream: TcpStream, place: Place, patience: Duration) -> Self {
-        Self { stream, _place: place, patience, stalled: None }
+    pub(super) fn new(stream: TcpStream, place: Place, patience: Duration, deadline: Deadline) -> Self {
+        Self { stream, _place: place, patience, deadline, stalled: None }
     }
 
     /// Passes a write's outcome on; an error once it has waited for too long.
@@ -30,7 +47,8 @@ impl Held {
             self.stalled = None;
             return written;
         }
-        let until = Instant::now() + self.patience;
+        let patient = Instant::now() + self.patience;
+        let until = self.deadline.get().map_or(patient, |deadline| deadline.min(patient));
         let stalled = self.stalled.get_or_insert_with(|| Box::pin(sleep_until(until)));
         ready!(stalled.as_mut().poll(cx));
         Poll::Ready(Err(io::Error::new(io::ErrorKind::TimedOut, "the other side does not read")))

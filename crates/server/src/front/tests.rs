@@ -168,6 +168,76 @@ async fn who_does_not_read_is_cut_off() {
     drop(stream);
 }
 
+/// Whoever reads a large answer byte by byte is cut off too, and its room is free again.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn who_reads_an_answer_too_slowly_is_cut_off() {
+    let rest = |_: &Arc<Panel>| Router::new().route("/much", get(|| async { vec![b'x'; 64 << 20] }));
+    let patience = Patience { read: Duration::from_secs(2), rate: 256 << 20, ..PATIENCE };
+    let fronted = Fronted::new(patience, rest);
+    let mut stream = fronted.say(&fronted.head("GET", "/much", "")).await;
+    let (begin, mut some) = (Instant::now(), [0; 64 << 10]);
+    // Each piece comes in time for the next one, all of them together do not.
+    while stream.read(&mut some).await.is_ok_and(|n| n > 0) {
+        assert!(begin.elapsed() < LONG, "it is still read");
+        tokio::time::sleep(Duration::from_millis(100)).await;
+    }
+    assert!(begin.elapsed() > Duration::from_secs(1));
+}
+
+/// Large answers that nobody reads take a bounded part of the memory, a user's share of it each, and give it back.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn answers_that_nobody_reads_take_bounded_memory() {
+    let rest = |_: &Arc<Panel>| {
+        let much = || async { vec![b'x'; 40 << 20] };
+        Router::new().route("/api/much", get(much)).route("/panel.js", get(much))
+    };
+    let fronted = Fronted::new(PATIENCE, rest);
+    let users = fronted.bench.everybody().await;
+    let ask = async |user: usize, path: &str| {
+        let cookie = format!("cookie: {}\r\n", users[user].1.cookie);
+        let mut stream = fronted.say(&fronted.head("GET", path, &cookie)).await;
+        let mut said = [0; 12];
+        tokio::time::timeout(LONG, stream.read_exact(&mut said)).await.unwrap().unwrap();
+        (String::from_utf8_lossy(&said).into_owned(), stream)
+    };
+    let mut held = Vec::new();
+    let mut taken = async |user: usize, path: &str| {
+        let (said, stream) = ask(user, path).await;
+        held.push(stream);
+        said == "HTTP/1.1 200"
+    };
+    for (user, fits) in [(1, true), (1, true), (1, true), (1, false), (2, true), (2, true), (2, true), (3, false)] {
+        assert_eq!(taken(user, "/api/much").await, fits, "{user}");
+    }
+    // The panel itself comes all the same.
+    assert!(taken(3, "/panel.js").await);
+    held.clear();
+    let begin = Instant::now();
+    while ask(3, "/api/much").await.0 != "HTTP/1.1 200" {
+        assert!(begin.elapsed() < LONG, "its room stays taken");
+        tokio::time::sleep(Duration::from_millis(20)).await;
+    }
+}
+
+/// A user who lets large requests trickle in holds up none of the others.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn large_requests_that_trickle_hold_up_no_other_user() {
+    let fronted = Fronted::new(PATIENCE, app);
+    let users = fronted.bench.everybody().await;
+    let by = |user: usize| format!("cookie: {}\r\nx-seamwright: {}\r\n", users[user].1.cookie, users[user].1.token);
+    let mut stuck = Vec::new();
+    for _ in 0..20 {
+        let head = fronted.head("POST", "/api/plan", &format!("{}content-length: 4000000\r\n", by(2)));
+        stuck.push(fronted.say(&(head + "{")).await);
+    }
+    tokio::time::sleep(Duration::from_millis(200)).await;
+    let text = format!("{{\"text\":\"#{}\"}}", "x".repeat(100_000));
+    let more = format!("{}connection: close\r\ncontent-length: {}\r\n", by(3), text.len());
+    let said = all(fronted.say(&(fronted.head("POST", "/api/draft", &more) + &text)).await).await;
+    assert!(said.starts_with("HTTP/1.1 200"), "{said}");
+    drop(stuck);
+}
+
 /// A session that asks without end is refused for a while; others, and its stops, are not.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn who_asks_without_end_is_slowed_down() {

@@ -2,6 +2,7 @@
 
 use super::answer::Refused;
 use super::panel::Panel;
+use super::turns::Turns;
 use axum::body::{Body, Bytes};
 use axum::extract::State;
 use axum::http::{HeaderMap, Method, StatusCode, Uri, header};
@@ -9,9 +10,11 @@ use axum::response::{IntoResponse, Response};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use rust_embed::{EmbeddedFile, RustEmbed};
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::io::Write as _;
 use std::sync::{Arc, Mutex, PoisonError};
+use tokio::sync::OnceCell;
 
 /// The panel as it was built.
 #[derive(RustEmbed)]
@@ -21,19 +24,35 @@ struct Web;
 /// Smaller files gain nothing by being compressed.
 const MIN_COMPRESSED: usize = 256;
 
-/// Compressed files by their tags; all of them are small beside the program.
-#[derive(Default)]
-pub(crate) struct Compressed(Mutex<HashMap<String, Bytes>>);
+/// Maximum number of files that wait to be compressed: more than there are.
+const MAX_FILES: usize = 4096;
+
+/// Compressed files by their tags; all of them are small beside the program. Each is compressed once, in a place of its own, however many
+/// pages open at once: what comes first of a page is its key STOP.
+pub(crate) struct Compressed {
+    files: Mutex<HashMap<String, Arc<OnceCell<Bytes>>>>,
+    turns: Turns,
+}
+
+impl Default for Compressed {
+    fn default() -> Self {
+        Self { files: Mutex::default(), turns: Turns::new(1, MAX_FILES) }
+    }
+}
 
 impl Compressed {
-    fn get(&self, tag: &str) -> Option<Bytes> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(tag).cloned()
+    fn cell(&self, tag: &str) -> Arc<OnceCell<Bytes>> {
+        let mut files = self.files.lock().unwrap_or_else(PoisonError::into_inner);
+        Arc::clone(files.entry(tag.to_owned()).or_default())
     }
 
-    fn keep(&self, tag: &str, bytes: Vec<u8>) -> Bytes {
-        let bytes = Bytes::from(bytes);
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(tag.to_owned(), bytes.clone());
-        bytes
+    /// The compressed file of a tag, whose contents are `data`.
+    async fn of(&self, tag: &str, data: Cow<'static, [u8]>) -> Result<Bytes, Refused> {
+        let make = async || {
+            let made = move || gzip(&data).map_err(|e| Refused::server(e.to_string()));
+            self.turns.run(made).await.map(Bytes::from)
+        };
+        self.cell(tag).get_or_try_init(make).await.cloned()
     }
 }
 
@@ -67,14 +86,7 @@ async fn sent(panel: &Arc<Panel>, name: &str, file: EmbeddedFile, headers: &Head
     let mut response = if is_known(headers, &tag) {
         StatusCode::NOT_MODIFIED.into_response()
     } else if zipped {
-        let compressed = match panel.compressed.get(&tag) {
-            Some(compressed) => compressed,
-            None => {
-                let data = file.data;
-                let made = move || gzip(&data).map_err(|e| Refused::server(e.to_string()));
-                panel.compressed.keep(&tag, panel.drawing.run(made).await?)
-            }
-        };
+        let compressed = panel.compressed.of(&tag, file.data).await?;
         ([(header::CONTENT_ENCODING, "gzip")], Body::from(compressed)).into_response()
     } else {
         Body::from(file.data).into_response()

@@ -13,6 +13,9 @@ use std::time::{Duration, Instant};
 const RATE: f64 = 100.0;
 const BURST: f64 = 200.0;
 
+/// A cycle that was heard of in this time takes a stop.
+const FRESH: Duration = Duration::from_millis(500);
+
 /// A connection's side of what it is allowed to say.
 pub(super) struct Client {
     pub(super) panel: Arc<Panel>,
@@ -130,7 +133,10 @@ impl Client {
                 self.stopped = Some(Instant::now());
                 self.audit(name, "taken");
             }
-            self.answer(seq, Ok(()));
+            // It was passed on in any case; a cycle that hangs or has ended does not take it.
+            let heard = self.panel.cell.hub.age().is_some_and(|age| age < FRESH);
+            let why = || lack("silent_cycle", "the cell does not answer: try again");
+            self.answer(seq, heard.then_some(()).ok_or_else(why));
             return Ok(());
         }
         self.allowed(name)?;
@@ -143,6 +149,9 @@ impl Client {
         }
         if !self.panel.cell.hub.controls(self.station, false) {
             return Err(lack("control", "this page does not have control: take it first"));
+        }
+        if leaves_rest(&ask) && self.panel.loads.any() {
+            return Err(lack("busy", "a job is being planned to be loaded: wait until it is in the cell"));
         }
         if again {
             self.audit("start weld", "what is finished may be welded again");
@@ -187,7 +196,8 @@ impl Client {
             Ok(()) => {
                 let t = hub.latest().map_or(0.0, |s| s.t);
                 let text = if over { "control taken over" } else { "control taken" };
-                self.audit("take control", text);
+                let station = format!("panel {}", self.station);
+                self.panel.cell.archive.repeatable(&self.session.user, &station, "take control", text);
                 let key = if over { "control_taken_over" } else { "control_taken" };
                 hub.event(t, happening(key, []).by(Some(self.session.user.clone())));
             }
@@ -215,6 +225,11 @@ impl Client {
         let answer = FromCell::Answer { seq, ok: result.is_ok(), why: result.err() };
         self.panel.cell.hub.tell(self.station, &answer);
     }
+}
+
+/// True if the machine moves by this command.
+fn leaves_rest(ask: &Ask) -> bool {
+    matches!(ask, Ask::Home | Ask::HomeAxis(_) | Ask::StartJog | Ask::StartTeach | Ask::StartDryRun | Ask::StartWeld)
 }
 
 pub(super) fn lack(key: &str, text: impl Into<String>) -> LackView {

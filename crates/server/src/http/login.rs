@@ -132,6 +132,7 @@ pub(super) async fn login(
     if device.and_then(|cookie| panel.devices.of(cookie, &name)).is_none() {
         let device = panel.devices.remember(&name).map_err(Refused::server)?;
         set.push((header::SET_COOKIE, set_cookie(&panel, device_name(panel.tls), &device, DEVICE_AGE)));
+        keep_devices(&panel);
     }
     let mut response = Json(session_view(&panel, &session)).into_response();
     for (name, value) in set {
@@ -147,6 +148,12 @@ const DEVICE_AGE: &str = "; Max-Age=15552000";
 fn set_cookie(panel: &Panel, name: &str, value: &str, more: &str) -> String {
     let secure = if panel.tls { "; Secure" } else { "" };
     format!("{name}={value}; Path=/; HttpOnly; SameSite=Strict{secure}{more}")
+}
+
+/// Writes known browsers, in a thread that may wait for the disk.
+pub(super) fn keep_devices(panel: &Arc<Panel>) {
+    let panel = Arc::clone(panel);
+    drop(tokio::task::spawn_blocking(move || panel.devices.save()));
 }
 
 /// Compares without telling by its time how much was right.

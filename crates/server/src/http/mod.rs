@@ -36,7 +36,7 @@ pub(crate) use guard::cookie;
 pub(crate) use jobs::text as job_text;
 pub(crate) use panel::Panel;
 pub(crate) use place::found_place;
-pub(crate) use plan::begin_with;
+pub(crate) use plan::{begin_with, try_load};
 #[cfg(test)]
 pub(crate) use routes::all_routes;
 pub(crate) use routes::{MAX_BYTES, MAX_UNKNOWN, URGENT, app, urgent_app};

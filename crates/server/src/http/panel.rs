@@ -16,6 +16,24 @@ const MOST_ARCHIVE: u64 = 16 << 30;
 /// Who restores all data, and the turn that keeps others from it.
 pub(crate) type Restores = Option<Arc<(String, Turn)>>;
 
+/// Jobs that are being planned in this process to be loaded. That may take as much memory as the system has: no machine may move then.
+#[derive(Default)]
+pub(crate) struct Loads(Arc<()>);
+
+/// A load that is announced, until it is dropped.
+pub(crate) struct Announced(#[allow(dead_code, reason = "held")] Arc<()>);
+
+impl Loads {
+    pub(crate) fn announce(&self) -> Announced {
+        Announced(Arc::clone(&self.0))
+    }
+
+    /// True while at least one is announced.
+    pub(crate) fn any(&self) -> bool {
+        Arc::strong_count(&self.0) > 1
+    }
+}
+
 /// Everything that handlers share.
 pub(crate) struct Panel {
     pub(crate) cell: Cell,
@@ -33,6 +51,7 @@ pub(crate) struct Panel {
     /// The connection is encrypted.
     pub(crate) tls: bool,
     pub(crate) planning: Turns,
+    pub(crate) loads: Loads,
     /// Answers what is asked about texts, beside the cell.
     pub(crate) planner: Planner,
     /// What is read without being planned does not wait for a plan.
@@ -66,13 +85,14 @@ impl Panel {
             accounts,
             sessions: Sessions::default(),
             tries: Tries::default(),
-            devices: Devices::default(),
+            devices: Devices::open(&data),
             checks: Checks::default(),
             key,
             data,
             hosts,
             tls: false,
             planning: Turns::new(1, 8),
+            loads: Loads::default(),
             planner: Planner::new(None),
             drawing: Turns::new(1, 8),
             reading: Turns::new(2, 32),

@@ -14,11 +14,14 @@ use axum::response::{IntoResponse as _, Response};
 use axum::{Extension, Json};
 use seamwright_cell::executive::Place;
 use seamwright_cell::tracking::Distortion;
+use seamwright_motion::WeldMotion;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::part::Part;
 use seamwright_project::recording::{Header, Who, record_plan};
 use seamwright_project::run_rows;
+use seamwright_record::Plan;
 use serde::Deserialize;
+use std::path::Path as FilePath;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
@@ -40,7 +43,8 @@ const MAX_PAGE: usize = 64;
 /// Of which session, and which of its pages.
 fn page_asking(session: &Session, headers: &HeaderMap) -> Page {
     let page = headers.get(PAGE).and_then(|value| value.to_str().ok()).unwrap_or_default();
-    Page { session: session.id.clone(), page: page.chars().take(MAX_PAGE).collect() }
+    let page = page.chars().take(MAX_PAGE).collect();
+    Page { user: session.user.clone(), session: session.id.clone(), page }
 }
 
 /// Puts a question to the planner.
@@ -100,10 +104,6 @@ pub(super) async fn cancel(
     StatusCode::NO_CONTENT
 }
 
-fn loaded(panel: &Panel, name: &str) -> Result<Loaded, Refused> {
-    Ok(load_foreign(checked(name)?, &text(panel, name)?, &panel.jobs())?)
-}
-
 /// Most characters of a part's number.
 const MOST_PART: usize = 120;
 
@@ -120,12 +120,13 @@ fn part(number: &str) -> Result<(), Refused> {
 pub(super) async fn load(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
+    headers: HeaderMap,
     Json(load): Json<Load>,
 ) -> Answer<WorkView> {
     checked(&load.job)?;
     part(load.part.as_deref().unwrap_or_default())?;
     let (what, job) = (format!("load {}", load.job), load.job.clone());
-    let result = put_in(&panel, load, session.user.clone()).await;
+    let result = put_in(&panel, load, page_asking(&session, &headers)).await;
     let said = result.as_ref().map_or_else(|refused| refused.text.clone(), |_| "loaded".to_owned());
     panel.cell.archive.audit(&session.user, "panel", &what, ("", &job), &said);
     result.map(|view| Json((*view).clone()))
@@ -134,13 +135,35 @@ pub(super) async fn load(
 /// Modes in which a job is taken: in all others the machine moves, welds or is held.
 const AT_REST: [&str; 4] = ["off", "idle", "ready", "fault"];
 
-/// Plans a job and puts it into the cell. It is planned in this process, since the cycle runs it, so not while the machine moves.
-async fn put_in(panel: &Arc<Panel>, load: Load, user: String) -> Result<Arc<WorkView>, Refused> {
+/// Starts that were taken just before loads are announced are seen in the cell's status after this time.
+const ANNOUNCED: Duration = Duration::from_millis(100);
+
+/// Refuses while the machine moves, welds or is held.
+fn at_rest(panel: &Panel) -> Result<(), Refused> {
     if panel.cell.hub.latest().is_some_and(|status| !AT_REST.contains(&status.mode.as_str())) {
         let text = "the machine moves or is held: stop it first";
         return Err(Refused::new(StatusCode::CONFLICT, "busy", text));
     }
-    let loading = alone(panel, move |panel| loading(panel, load, user)).await?;
+    Ok(())
+}
+
+/// Plans a job and puts it into the cell. First it is planned beside the cell, with bounds of memory and time; what passes is planned
+/// once more in this process, since the cycle runs it, and then nothing may be started.
+async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkView>, Refused> {
+    at_rest(panel)?;
+    let (asked, job, user) = (Arc::clone(panel), load.job.clone(), page.user.clone());
+    let text = panel.reading.run(move || text(&asked, &job)).await?;
+    if panel.planner.is_bounded() {
+        let question = Question::Load { load: load.clone(), text: text.clone() };
+        panel.planner.ask(page, question, panel.jobs()).await?;
+    }
+    let loading = alone(panel, move |panel| {
+        let _announced = panel.loads.announce();
+        std::thread::sleep(ANNOUNCED);
+        at_rest(panel)?;
+        loading(panel, load, &text, user)
+    });
+    let loading = loading.await?;
     let view = loading.view.clone().ok_or_else(|| Refused::server("a job without a picture"))?;
     give(panel, connected(panel, loading).await?).await?;
     panel.teaching.leave(&panel.cell.hub, (&view.job, &view.machine));
@@ -176,7 +199,8 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
         let prepared = Box::new(Prepared::bare(loading.prepared.machine()).map_err(Refused::input)?);
         let around = Arc::clone(&loading.around);
         let user = loading.user.clone();
-        give(panel, Loading { prepared, view: None, around, plan: None, passes: 0, user }).await?;
+        let bare = Loading { prepared, view: None, around, plan: None, passes: 0, overlap_mm: 0.0, user };
+        give(panel, bare).await?;
         let begin = Instant::now();
         while now.is_there() {
             if begin.elapsed() > Duration::from_secs(GO_S) {
@@ -195,29 +219,62 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
 
 /// Begins with a job in the cell.
 pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), String> {
-    let load = Load { job: job.to_owned(), from: None, part: None, distortion: None };
-    put_in(panel, load, String::new()).await.map(drop).map_err(|refused| refused.text)
+    let load = Load { job: job.to_owned(), from: None, overlap_mm: None, part: None, distortion: None };
+    put_in(panel, load, Page::default()).await.map(drop).map_err(|refused| refused.text)
 }
 
-fn loading(panel: &Panel, load: Load, user: String) -> Result<Loading, Refused> {
-    let loaded = loaded(panel, &load.job)?;
+/// A job on its way into the cell, planned.
+struct Ready {
+    loaded: Loaded,
+    motion: WeldMotion,
+    part: Part,
+    from: Option<Place>,
+    view: WorkView,
+    record: Plan,
+    passes: usize,
+}
+
+/// Plans a job that is to be loaded, from its text and the folder of jobs alone; `number` is that of its view.
+fn ready(load: &Load, text: &str, jobs: &FilePath, number: u64) -> Result<Ready, Refused> {
+    let loaded = load_foreign(checked(&load.job)?, text, jobs)?;
     let part = simulated_part(load.distortion.as_deref())?;
     part.check_devices(&loaded.machine)?;
     let motion = part.plan(&loaded)?;
     let from = load.from.map(|(pass, s_mm)| Place { pass: pass as usize, s_mm });
-    let mut view = work_view(panel.plan_number(), &load.job, &loaded, Ok(&motion));
+    let mut view = work_view(number, &load.job, &loaded, Ok(&motion));
     let heads = if part.tracking { run_rows::head_names(&loaded) } else { Vec::new() };
-    (view.from, view.tracked, view.distortion) = (load.from, heads.len(), load.distortion);
-    let view = Arc::new(view);
+    (view.from, view.tracked, view.distortion) = (load.from, heads.len(), load.distortion.clone());
     let columns = run_rows::columns(&loaded.machine, &view.values, &heads);
     let title = loaded.welding.program.value.title.clone();
     let mut about = vec![("title", title), ("machine", loaded.machine.name.clone())];
     about.extend(view.distortion.clone().map(|text| ("distortion", text)));
     let header = Header { columns: &columns, about: &about, from };
     let simulated = loaded.machine.devices.is_empty();
-    let who = Who { part: load.part.unwrap_or_default(), simulated, welder: None };
-    let plan = record_plan(&loaded, &motion, &header, who)?;
+    let who = Who { part: load.part.clone().unwrap_or_default(), simulated, welder: None };
+    let record = record_plan(&loaded, &motion, &header, who)?;
     let passes = motion.passes.len() - from.map_or(0, |place| place.pass.saturating_sub(1)).min(motion.passes.len());
+    Ok(Ready { loaded, motion, part, from, view, record, passes })
+}
+
+/// Does everything that loading a job takes memory and time for, and throws it away.
+///
+/// # Errors
+/// What is wrong with the job. Whether it can begin from where the axes are is not looked at.
+pub(crate) fn try_load(load: &Load, text: &str, jobs: &FilePath) -> Result<(), Refused> {
+    let Ready { loaded, motion, part, from, view, .. } = ready(load, text, jobs, 0)?;
+    let home = loaded.machine.home();
+    let around = Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?;
+    let prepared = Prepared::new(Task::Job(Box::new(Planned { loaded, motion, part })), &home, from);
+    // Together, as the cell has them.
+    drop((view, around, prepared));
+    Ok(())
+}
+
+fn loading(panel: &Panel, load: Load, text: &str, user: String) -> Result<Loading, Refused> {
+    let overlap_mm = overlap(&load)?;
+    let ready = ready(&load, text, &panel.jobs(), panel.plan_number())?;
+    let Ready { loaded, motion, part, from, view, record, passes } = ready;
+    let view = Arc::new(view);
     // On the devices of the cell from where the axes are, on others from home.
     let fingerprint = fingerprint(&loaded.machine);
     let same = panel.cell.hub.connection().is_some_and(|to| to.serves(&fingerprint, &view.values));
@@ -225,7 +282,18 @@ fn loading(panel: &Panel, load: Load, user: String) -> Result<Loading, Refused> 
     let around = Arc::new(Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?);
     let task = Task::Job(Box::new(Planned { loaded, motion, part }));
     let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
-    Ok(Loading { prepared, view: Some(view), around, plan: Some(plan), passes, user })
+    Ok(Loading { prepared, view: Some(view), around, plan: Some(record), passes, overlap_mm, user })
+}
+
+/// Maximum overlap over what is welded that no start asks about, mm.
+const MAX_OVERLAP_MM: f64 = 100.0;
+
+fn overlap(load: &Load) -> Result<f64, Refused> {
+    let overlap_mm = load.overlap_mm.unwrap_or(0.0);
+    if (0.0..=MAX_OVERLAP_MM).contains(&overlap_mm) {
+        return Ok(overlap_mm);
+    }
+    Err(Refused::input(format!("an overlap of {overlap_mm} mm is not possible; allowed: up to {MAX_OVERLAP_MM} mm")))
 }
 
 /// The part that is welded, where devices are simulated.

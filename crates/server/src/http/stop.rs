@@ -20,5 +20,7 @@ pub(super) async fn stop(State(panel): State<Arc<Panel>>, from: From) -> Json<St
         let station = format!("panel at {}", address(&from));
         panel.cell.archive.audit("", &station, "stop", ("", ""), "taken");
     }
-    Json(Stopped { mode: panel.cell.hub.latest().map_or_else(String::new, |status| status.mode.clone()) })
+    let hub = &panel.cell.hub;
+    let mode = hub.latest().map_or_else(String::new, |status| status.mode);
+    Json(Stopped { mode, cycle_age_s: hub.age().map(|age| age.as_secs_f64()) })
 }

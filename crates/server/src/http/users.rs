@@ -48,6 +48,7 @@ pub(super) async fn put(
     // What they were allowed before, they are not any more.
     panel.sessions.end_all_of(&name);
     panel.devices.forget(&name);
+    super::login::keep_devices(&panel);
     let new = format!("{:?}{}", row.role, if row.enabled { "" } else { ", disabled" });
     panel.cell.archive.audit(&session.user, "panel", &format!("change user {name}"), (&old, &new), "changed");
     Ok(Json(row))
@@ -68,6 +69,7 @@ pub(super) async fn delete(
     }
     panel.sessions.end_all_of(&name);
     panel.devices.forget(&name);
+    super::login::keep_devices(&panel);
     panel.cell.archive.audit(&session.user, "panel", &format!("delete user {name}"), ("", ""), "deleted");
     Ok(StatusCode::NO_CONTENT)
 }

@@ -1,7 +1,8 @@
 //! Plans and drafts, answered beside the cell.
 //!
 //! Texts that somebody is still typing may ask for any amount of memory and time. So they are answered by a process of their own with
-//! bounds of both, one at a time for plans and one for drafts; a newer draft of a page ends the older one, and so does a page that goes.
+//! bounds of both, one at a time for plans, one for drafts and one for jobs that are to be loaded; a newer draft of a page ends the older
+//! one, and so does a page that goes. A user has one question of each of these sorts answered, and one more waiting.
 
 mod child;
 mod question;
@@ -80,17 +81,40 @@ fn too_long(patience: Duration) -> Refused {
     Refused::input(text)
 }
 
-/// Whose question it is: of which session, of which of its pages.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+/// Maximum number of questions of one user and one sort at a time: whatever his pages call themselves.
+const MAX_OF_USER: usize = 2;
+
+/// Whose question it is: of which user and session, of which of its pages.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Hash)]
 pub(crate) struct Page {
+    pub(crate) user: String,
     pub(crate) session: String,
     pub(crate) page: String,
+}
+
+/// Sorts of questions, which do not wait for each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sort {
+    Draft,
+    Plan,
+    Load,
+}
+
+impl Sort {
+    fn of(question: &Question) -> Self {
+        match question {
+            Question::Draft { .. } | Question::Place { .. } => Self::Draft,
+            Question::Load { .. } => Self::Load,
+            _ => Self::Plan,
+        }
+    }
 }
 
 /// A question that is being answered.
 #[derive(Debug)]
 struct Running {
     page: Page,
+    sort: Sort,
     name: &'static str,
     since: Instant,
     token: Arc<Token>,
@@ -110,6 +134,8 @@ pub(crate) struct Planner {
     plans: Turns,
     /// What is not planned does not wait for a plan.
     drafts: Turns,
+    /// Nor does who loads for those who look.
+    loads: Turns,
     running: Arc<Mutex<Table>>,
 }
 
@@ -139,7 +165,13 @@ fn lock(table: &Mutex<Table>) -> MutexGuard<'_, Table> {
 
 impl Planner {
     pub(crate) fn new(program: Option<PathBuf>) -> Self {
-        Self { program, plans: Turns::new(1, 8), drafts: Turns::new(1, 8), running: Arc::default() }
+        Self {
+            program,
+            plans: Turns::new(1, 8),
+            drafts: Turns::new(1, 8),
+            loads: Turns::new(1, 8),
+            running: Arc::default(),
+        }
     }
 
     /// Answers with JSON or a page. A question of the same kind that the page asked before is answered no more.
@@ -147,9 +179,13 @@ impl Planner {
     /// # Errors
     /// What is wrong with the text; that it takes too much memory or time, or was superseded; that too many ask.
     pub(crate) async fn ask(&self, page: Page, question: Question, jobs: PathBuf) -> Result<Vec<u8>, Refused> {
-        let is_draft = matches!(question, Question::Draft { .. } | Question::Place { .. });
-        let (turns, patience) = if is_draft { (&self.drafts, DRAFT_TIME) } else { (&self.plans, PLAN_TIME) };
-        let ticket = self.begin(page, question.name());
+        let sort = Sort::of(&question);
+        let (turns, patience) = match sort {
+            Sort::Draft => (&self.drafts, DRAFT_TIME),
+            Sort::Plan => (&self.plans, PLAN_TIME),
+            Sort::Load => (&self.loads, PLAN_TIME),
+        };
+        let ticket = self.begin(page, sort, question.name())?;
         let (program, token) = (self.program.clone(), Arc::clone(&ticket.token));
         let answer = turns.run(move || match &program {
             _ if token.is_cancelled() => Err(superseded()),
@@ -163,15 +199,25 @@ impl Planner {
         }
     }
 
-    fn begin(&self, page: Page, name: &'static str) -> Ticket {
+    /// True if questions are answered with bounds of memory and time.
+    pub(crate) fn is_bounded(&self) -> bool {
+        self.program.is_some()
+    }
+
+    fn begin(&self, page: Page, sort: Sort, name: &'static str) -> Result<Ticket, Refused> {
         let mut table = lock(&self.running);
         let older = table.running.values().filter(|running| running.page == page && running.name == name);
         older.for_each(|running| running.token.cancel());
+        let wanted = table.running.values().filter(|running| !running.token.is_cancelled());
+        if wanted.filter(|running| running.sort == sort && running.page.user == page.user).count() >= MAX_OF_USER {
+            let text = "too much of this is asked for at once: try again in a moment";
+            return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", text));
+        }
         table.next += 1;
         let (number, token) = (table.next, Arc::<Token>::default());
-        let running = Running { page, name, since: Instant::now(), token: Arc::clone(&token) };
+        let running = Running { page, sort, name, since: Instant::now(), token: Arc::clone(&token) };
         table.running.insert(number, running);
-        Ticket { table: Arc::clone(&self.running), number, token }
+        Ok(Ticket { table: Arc::clone(&self.running), number, token })
     }
 
     /// What is being answered to a page.
@@ -190,4 +236,4 @@ impl Planner {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -1,8 +1,8 @@
 //! What is asked of a planner, and how it is answered: from a text and the folder of jobs alone.
 
-use crate::http::{Refused, found_place};
+use crate::http::{Refused, found_place, try_load};
 use crate::view::{clamped_views, sections, work_view};
-use crate::wire::{DraftAnswer, PlaceText, PlanAnswer, PostAnswer, WrongView};
+use crate::wire::{DraftAnswer, Load, PlaceText, PlanAnswer, PostAnswer, WrongView};
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
@@ -29,6 +29,8 @@ pub(crate) enum Question {
     Report { name: String, text: String, language: String },
     /// A part program of it: a [`PostAnswer`].
     Post { text: String, dialect: String },
+    /// Whether it can be planned to be loaded: nothing.
+    Load { load: Load, text: String },
     /// Where its part stands: a [`crate::wire::PlaceAnswer`].
     Place { asked: PlaceText },
 }
@@ -42,6 +44,7 @@ impl Question {
             Self::Recorded { .. } => "recorded",
             Self::Report { .. } => "report",
             Self::Post { .. } => "post",
+            Self::Load { .. } => "load",
             Self::Place { .. } => "place",
         }
     }
@@ -61,6 +64,7 @@ impl Question {
             }
             Self::Report { name, text, language } => report(name, text, language, jobs),
             Self::Post { text, dialect } => json(&post(text, dialect, jobs)?),
+            Self::Load { load, text } => try_load(load, text, jobs).map(|()| Vec::new()),
             Self::Place { asked } => json(&found_place(asked, jobs)?),
         }
     }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 /// A program that does in place of answering what the text of its question says. It is written once, before any process begins: one that
 /// is being written cannot be run.
-fn program() -> PathBuf {
+pub(crate) fn program() -> PathBuf {
     static PROGRAM: OnceLock<(tempfile::TempDir, PathBuf)> = OnceLock::new();
     let (_, path) = PROGRAM.get_or_init(|| {
         let folder = tempfile::tempdir().unwrap();
@@ -29,7 +29,7 @@ esac
 "#;
 
 fn page(session: &str) -> Page {
-    Page { session: session.to_owned(), page: String::new() }
+    Page { user: session.to_owned(), session: session.to_owned(), page: String::new() }
 }
 
 fn draft(text: &str) -> Question {
@@ -72,6 +72,33 @@ async fn a_newer_draft_ends_the_older_one() {
         std::fs::remove_file(path.join("pid")).unwrap();
         assert!(planner.asked(&page("ada")).is_empty());
     }
+}
+
+/// However many pages and sessions one user names, others have their turn.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_user_does_not_take_all_places() {
+    let folder = tempfile::tempdir().unwrap();
+    let planner = Arc::new(Planner::new(Some(program())));
+    let report = |text: &str| Question::Report { name: String::new(), text: text.to_owned(), language: String::new() };
+    let mut asked = Vec::new();
+    for i in 0..20 {
+        let page = Page { user: "eve".to_owned(), session: format!("session {i}"), page: format!("{i}") };
+        let (planner, jobs, question) = (Arc::clone(&planner), folder.path().to_owned(), report("long"));
+        asked.push(tokio::spawn(async move { planner.ask(page, question, jobs).await }));
+    }
+    while asked.iter().filter(|asked| asked.is_finished()).count() < 20 - MAX_OF_USER {
+        tokio::time::sleep(Duration::from_millis(10)).await;
+    }
+    let (planner, jobs, question) = (Arc::clone(&planner), folder.path().to_owned(), report("short"));
+    let other = tokio::spawn(async move { planner.ask(page("ada"), question, jobs).await });
+    for asked in asked {
+        if !asked.is_finished() {
+            asked.abort();
+        } else {
+            assert_eq!(asked.await.unwrap().unwrap_err().key, "slow_down");
+        }
+    }
+    assert_eq!(other.await.unwrap().unwrap(), b"{}");
 }
 
 /// What a process says of its end is what is answered; its end is nobody else's.

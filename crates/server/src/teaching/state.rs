@@ -109,15 +109,15 @@ impl Teaching {
     /// Forgets what was taught along another seam or on another machine: `job` is in the cell now. A session that still lives ends by
     /// itself.
     pub(crate) fn leave(&self, hub: &Hub, (job, machine): (&str, &str)) {
-        let state = self.state();
-        let stays = state.lives || state.view.job.is_empty() || (state.view.job == job && state.machine == machine);
-        let picture = state.view.picture;
-        drop(state);
-        if !stays {
-            self.change(hub, |state| {
-                *state = State { view: TeachView { picture, ..TeachView::default() }, ..State::default() };
-            });
-        }
+        // Decided and done under one lock: a session that begins meanwhile is not forgotten.
+        self.change(hub, |state| {
+            let view = &state.view;
+            if state.lives || view.job.is_empty() || (view.job == job && state.machine == machine) {
+                return;
+            }
+            let picture = view.picture;
+            *state = State { view: TeachView { picture, ..TeachView::default() }, ..State::default() };
+        });
     }
 
     /// The session has ended.

@@ -1,8 +1,12 @@
 //! Jobs, plans, part programs, edits.
 
 use super::{Bench, HOST};
+use crate::http::{begin_with, hears};
+use crate::planner::{Planner, tests::program};
+use crate::wire::Role;
 use axum::http::StatusCode;
 use http_body_util::BodyExt as _;
+use seamwright_machine::shipped;
 use serde_json::json;
 
 #[tokio::test(flavor = "multi_thread")]
@@ -93,4 +97,35 @@ async fn jobs_are_kept_planned_posted_and_edited() {
         document["components"]["schemas"]["Status"].is_null()
             && document["components"]["schemas"]["WorkView"].is_object()
     );
+}
+
+/// A job that takes more memory than a plan may have is never planned in the cell's process.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_job_is_planned_beside_the_cell_before_it_is_loaded() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir_all(folder.path().join("jobs")).unwrap();
+    std::fs::write(folder.path().join("jobs/memory.toml"), "title = \"memory\"\n").unwrap();
+    let planner = Planner::new(Some(program()));
+    let bench = Bench::planned_by(folder, &[HOST], shipped("ellipse-xy").unwrap().text, planner);
+    let refused = begin_with(&bench.panel, "memory.toml").await.unwrap_err();
+    assert!(refused.contains("GiB of memory"), "{refused}");
+    assert!(bench.panel.cell.hub.work().is_none() && !bench.panel.loads.any());
+}
+
+/// While a job is planned in the cell's process nothing starts to move.
+#[tokio::test(flavor = "multi_thread")]
+async fn nothing_starts_while_a_job_is_planned_to_be_loaded() {
+    let bench = Bench::new(&[HOST]).await;
+    bench.everybody().await;
+    let (_, session) = bench.panel.sessions.begin("Operator", Role::Operator).unwrap();
+    let says = |seq: u32| {
+        let ask = format!("{{\"kind\":\"command\",\"seq\":{seq},\"ask\":{{\"do\":\"start_weld\",\"reweld\":false}}}}");
+        hears(&bench.panel, &session, &["{\"kind\":\"take_control\",\"over\":true}".to_owned(), ask])
+    };
+    let announced = bench.panel.loads.announce();
+    let told = says(1);
+    assert!(told.iter().any(|t| t.contains("\"busy\"") && t.contains("planned to be loaded")), "{told:?}");
+    drop(announced);
+    let told = says(2);
+    assert!(!told.iter().any(|t| t.contains("planned to be loaded")), "{told:?}");
 }

@@ -17,6 +17,20 @@ async fn bytes(response: Response<Body>) -> Vec<u8> {
     response.into_body().collect().await.unwrap().to_bytes().to_vec()
 }
 
+/// Pages that open at once, just after a start and while sensors are being drawn, all get their script.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn pages_that_open_at_once_get_their_files() {
+    let bench = Bench::bare(tempfile::tempdir().unwrap(), &[HOST], shipped("ellipse-xy").unwrap().text);
+    let drawing = bench.panel.drawing.now();
+    assert!(drawing.is_some());
+    let names = crate::http::names();
+    let asked = names.iter().flat_map(|name| (0..20).map(|_| get(&bench, name, &[("accept-encoding", "gzip")])));
+    let asked = futures_util::future::join_all(asked);
+    let answers = tokio::time::timeout(std::time::Duration::from_secs(60), asked).await.unwrap();
+    assert!(answers.iter().all(|answer| answer.status() == StatusCode::OK));
+    drop(drawing);
+}
+
 /// Text goes out compressed to whoever takes it so, is the same text then, and is not sent again to whoever has it.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn text_is_compressed_and_not_sent_twice() {

@@ -6,16 +6,19 @@ mod modbus_server;
 mod modbus_welder;
 
 use super::lived::{Page, Served};
+use super::restored::settings;
 use super::{Bench, Visitor};
+use crate::serve::{Error, Settings, until};
 use axum::http::StatusCode;
 use modbus_server::TestServer;
 use modbus_welder::{MAP, welder};
-use seamwright_cell::realtime::ShutdownCause;
-use seamwright_machine::shipped;
+use seamwright_cell::realtime::{Shutdown, ShutdownCause};
+use seamwright_machine::{Machine, shipped};
 use seamwright_record::DataFolder;
 use seamwright_record::library::{Query, WeldResult};
 use serde_json::{Value, json};
-use std::time::Duration;
+use std::sync::mpsc::channel;
+use std::time::{Duration, Instant};
 
 fn machine(address: &str) -> String {
     let machine = shipped("ellipse-xy").unwrap().text;
@@ -144,5 +147,66 @@ async fn a_shutdown_in_a_weld_leaves_the_device_safe_and_the_record_closed() {
         let welds = data.library().find(&Query::default()).unwrap();
         assert_eq!((welds.len(), welds[0].result), (1, WeldResult::Stopped), "{welds:?}");
         assert!(welds[0].note.contains(&cause.to_string()), "{}", welds[0].note);
+    }
+}
+
+/// A device that is let go for another machine's program and does not answer: the desk goes on meanwhile, everybody is told, and the
+/// end of the cell reports it.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_device_let_go_without_an_answer_is_reported_and_holds_nobody_up() {
+    let server = TestServer::new(welder);
+    let machine = machine(&server.address.to_string());
+    let served = Served::bare(tempfile::tempdir().unwrap(), &machine).await;
+    let bench = &served.bench;
+    let owner = bench.owner().await;
+    let mut page = served.page(&owner).await;
+    page.until("a status", |v| v["kind"] == "status").await;
+    server.silence(true);
+    let watches = async {
+        let (mut last, mut longest) = (Instant::now(), Duration::ZERO);
+        loop {
+            let told = page
+                .until("a status or the report", |v| {
+                    v["kind"] == "status" || v["kind"] == "event" && v["key"] == "safe_unconfirmed"
+                })
+                .await;
+            if told["kind"] == "event" {
+                assert_eq!(told["of"][0], "welder", "{told}");
+                return longest;
+            }
+            longest = longest.max(last.elapsed());
+            last = Instant::now();
+        }
+    };
+    let ((status, work), longest) = tokio::join!(load(bench, &owner, "ellipse.toml"), watches);
+    assert!(status.is_success() && simulated(bench, &owner).await, "{work}");
+    assert!(longest < Duration::from_secs(2), "the desk stood still for {longest:?}");
+    let panel = std::sync::Arc::clone(&bench.panel);
+    let unconfirmed = tokio::task::spawn_blocking(move || panel.cell.end()).await.unwrap();
+    assert!(unconfirmed.len() == 1 && unconfirmed[0].contains("`welder`"), "{unconfirmed:?}");
+}
+
+/// A device that does not confirm its safe outputs at the end: the panel does not end as if all were well.
+#[test]
+fn the_panel_ends_with_an_error_if_a_device_does_not_confirm_its_safe_outputs() {
+    for silent in [false, true] {
+        let server = TestServer::new(welder);
+        let machine = Machine::read("m.toml", &machine(&server.address.to_string())).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let of = Settings { machine, job: None, ..settings(folder.path()) };
+        let (ready, is_ready) = channel();
+        let shutdown = Shutdown::default();
+        let ends = shutdown.clone();
+        let served = std::thread::spawn(move || until(&of, |_| ready.send(()).unwrap(), &ends));
+        is_ready.recv_timeout(Duration::from_secs(60)).unwrap();
+        server.silence(silent);
+        shutdown.request(ShutdownCause::Signal(15));
+        let ended = served.join().unwrap();
+        if silent {
+            let Err(Error::System(text)) = ended else { panic!("{ended:?}") };
+            assert!(text.contains("device `welder`: its outputs are not confirmed to be safe"), "{text}");
+        } else {
+            ended.unwrap();
+        }
     }
 }

@@ -21,6 +21,7 @@ pub(crate) use lived::page;
 
 use crate::cell::Cell;
 use crate::http::{Panel, app, begin_with};
+use crate::planner::Planner;
 use crate::users::Accounts;
 use crate::wire::Role;
 use axum::Router;
@@ -63,13 +64,19 @@ impl Bench {
 
     /// With the data that are there, and a machine file of its own; without a program.
     pub(crate) fn bare(folder: TempDir, hosts: &[&str], machine: &str) -> Self {
+        Self::planned_by(folder, hosts, machine, Planner::new(None))
+    }
+
+    fn planned_by(folder: TempDir, hosts: &[&str], machine: &str, planner: Planner) -> Self {
         std::fs::create_dir_all(folder.path().join("jobs")).unwrap();
         let machine = Machine::read("m.toml", machine).unwrap();
         let shutdown = Shutdown::default();
         let cell = Cell::start(&machine, folder.path(), &[], folder.path(), &shutdown).unwrap();
         let accounts = Accounts::open(folder.path()).unwrap();
         let hosts = hosts.iter().map(|h| (*h).to_owned()).collect();
-        let panel = Arc::new(Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts));
+        let mut panel = Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts);
+        panel.planner = planner;
+        let panel = Arc::new(panel);
         Self { app: app(&panel), panel, folder: Some(folder), shutdown }
     }
 

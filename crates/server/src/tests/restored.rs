@@ -111,7 +111,7 @@ async fn says(address: &str, head: &str, body: &[u8]) -> Option<(u16, String)> {
     Some((status, said))
 }
 
-fn settings(data: &Path) -> Settings {
+pub(super) fn settings(data: &Path) -> Settings {
     Settings {
         program: None,
         cameras: Vec::new(),

@@ -197,11 +197,61 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     assert_eq!(left["s_mm"].as_f64(), Some(farther), "{left}");
     page.order("arm").await;
     assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "finished_pass");
+    // An overlap that was asked for is no question.
+    let overlapping =
+        |mm: f64| json!({ "job": "short.toml", "from": [1, farther - 5.0], "overlap_mm": mm, "part": "A" });
+    for (mm, status) in [(-1.0, 422), (101.0, 422), (5.0, 200)] {
+        let load = owner.request("POST", "/api/load", Some(&overlapping(mm)));
+        assert_eq!(served.bench.ask(load).await.0.as_u16(), status, "{mm}");
+    }
+    page.control().await;
+    weld_to(&mut page, "A", farther).await;
+    load_part(&served.bench, &owner, &mut page, "A", &json!([1, at_a])).await;
+    page.order("arm").await;
+    assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "finished_pass");
     // Asked, and confirmed.
     let again = page.ask(json!({ "do": "start_weld", "reweld": true })).await;
     assert_eq!(again["ok"], true, "{again}");
     page.order("stop").await;
     page.mode("ready").await;
+}
+
+/// A weld whose record cannot be written goes on to its end all the same: its part is finished, and no start at the old place welds
+/// it again unasked.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_part_that_was_welded_without_a_record_is_finished() {
+    let served = Served::new().await;
+    let bench = &served.bench;
+    let owner = bench.owner().await;
+    let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
+    let text = example["text"].as_str().unwrap();
+    let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
+    let text = text.replace(line, SHORT);
+    bench.ask(owner.request("PUT", "/api/jobs/short.toml", Some(&json!({ "text": text })))).await;
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    load_part(bench, &owner, &mut page, "A", &Value::Null).await;
+    let at = weld_to(&mut page, "A", 3.0).await;
+    load_part(bench, &owner, &mut page, "A", &json!([1, at])).await;
+    page.control().await;
+    let (welds, away) = (bench.path().join("welds"), bench.path().join("away"));
+    std::fs::rename(&welds, &away).unwrap();
+    std::fs::write(&welds, "no folder").unwrap();
+    page.order("arm").await;
+    page.order("start_weld").await;
+    page.until("no record", |v| v["kind"] == "event" && v["key"] == "not_recorded").await;
+    page.until("the end", |v| v["kind"] == "status" && v["mode"] == "ready" && v["part"] == "" && v["left"].is_null())
+        .await;
+    std::fs::remove_file(&welds).unwrap();
+    std::fs::rename(&away, &welds).unwrap();
+    page.control().await;
+    page.order("acknowledge").await;
+    page.until("rest", |v| v["kind"] == "status" && v["process"]["phase"].is_null() && v["stands"] == true).await;
+    load_part(bench, &owner, &mut page, "A", &json!([1, at])).await;
+    page.control().await;
+    page.order("arm").await;
+    let refused = page.ask(json!({ "do": "start_weld" })).await;
+    assert_eq!(refused["why"]["key"], "finished_part", "{refused}");
 }
 
 /// What was stopped today is gone on with tomorrow: of the same program, whose number of the part comes with it.
@@ -245,7 +295,26 @@ async fn whoever_is_not_logged_in_stops() {
     assert_eq!(refused.0.as_u16(), 403);
     let (status, stopped) = bench.ask(stranger.request("POST", "/api/stop", Some(&json!({})))).await;
     assert_eq!((status.as_u16(), &stopped["mode"]), (200, &json!("dry_run")));
+    assert!(stopped["cycle_age_s"].as_f64().unwrap() < 2.0, "{stopped}");
     page.mode("ready").await;
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit", None)).await;
     assert!(audit.as_array().unwrap().iter().any(|e| e["command"] == "stop" && e["user"] == ""), "{audit}");
+}
+
+/// The server answers a STOP for a cycle that has ended, and does not report it as taken.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_stop_that_no_cycle_takes_is_not_answered_as_taken() {
+    let served = Served::new().await;
+    let bench = &served.bench;
+    let owner = bench.owner().await;
+    let mut page = served.page(&owner).await;
+    page.until("a status", |v| v["kind"] == "status").await;
+    page.order("stop").await;
+    let panel = std::sync::Arc::clone(&bench.panel);
+    tokio::task::spawn_blocking(move || panel.cell.end()).await.unwrap();
+    tokio::time::sleep(Duration::from_millis(600)).await;
+    let answer = page.ask(json!({ "do": "stop" })).await;
+    assert_eq!((&answer["ok"], &answer["why"]["key"]), (&json!(false), &json!("silent_cycle")), "{answer}");
+    let (_, stopped) = bench.ask(owner.request("POST", "/api/stop", Some(&json!({})))).await;
+    assert!(stopped["cycle_age_s"].as_f64().unwrap() > 0.5, "{stopped}");
 }

@@ -1,56 +1,118 @@
 //! Browsers in which somebody has logged in before: guesses from elsewhere at a name do not lock them out.
 
 use super::secret;
-use seamwright_record::sha256;
+use crate::log;
+use seamwright_project::files;
+use seamwright_record::{Moment, sha256};
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
-use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Maximum number of browsers that are remembered, and of one user: the one that was not used for longest is forgotten.
 const MAX_DEVICES: usize = 1000;
 const MAX_OF_USER: usize = 20;
+/// Where they are, in the data folder.
+const FILE: &str = "devices.json";
+/// Maximum size of the file, bytes: more than all of them take.
+const MAX_FILE: u64 = 1 << 20;
 
 /// A browser of a user.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 struct Device {
+    /// Hash of what is in its cookie.
+    id: String,
     user: String,
-    used: Instant,
+    /// When it was used last, ms since 1970 UTC.
+    used: i64,
 }
 
-/// All of them since the program began, by the hash of what is in their cookies.
-#[derive(Default)]
-pub(crate) struct Devices(Mutex<HashMap<String, Device>>);
+/// All of them, also those from before the program began.
+pub(crate) struct Devices {
+    file: PathBuf,
+    /// By the hash of what is in their cookies.
+    known: Mutex<HashMap<String, Device>>,
+    /// One writes at a time, and at most one waits to.
+    writing: Mutex<()>,
+    is_due: AtomicBool,
+}
 
 impl Devices {
+    /// Reads those of a data folder. A file that cannot be read is as if there were none: logging in makes it anew.
+    pub(crate) fn open(folder: &Path) -> Self {
+        let file = folder.join(FILE);
+        let known = read(&file).unwrap_or_else(|why| {
+            log::warning(&format!("{}: {why}: browsers are remembered anew", file.display()));
+            Vec::new()
+        });
+        let known = known.into_iter().take(MAX_DEVICES).map(|device| (device.id.clone(), device)).collect();
+        Self { file, known: Mutex::new(known), writing: Mutex::default(), is_due: AtomicBool::new(false) }
+    }
+
+    fn known(&self) -> MutexGuard<'_, HashMap<String, Device>> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Returns the number of the device whose cookie this is, if `user` has logged in on it.
     pub(crate) fn of(&self, cookie: &str, user: &str) -> Option<String> {
         let id = sha256(cookie.as_bytes());
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = self.known();
         let device = known.get_mut(&id).filter(|device| device.user == user)?;
-        device.used = Instant::now();
+        device.used = Moment::now().0;
         Some(id)
     }
 
-    /// Remembers a new device of `user`; what its cookie is to hold.
+    /// Remembers a new device of `user`; what its cookie is to hold. [`Devices::save`] keeps it for the next start.
     ///
     /// # Errors
     /// See [`secret`].
     pub(crate) fn remember(&self, user: &str) -> Result<String, String> {
         let cookie = secret()?;
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = self.known();
         let own = known.values().filter(|device| device.user == user).count();
         if own >= MAX_OF_USER || known.len() >= MAX_DEVICES {
             let candidates = known.iter().filter(|(_, device)| own < MAX_OF_USER || device.user == user);
             let oldest = candidates.min_by_key(|(_, device)| device.used).map(|(id, _)| id.clone());
             oldest.map(|id| known.remove(&id));
         }
-        known.insert(sha256(cookie.as_bytes()), Device { user: user.to_owned(), used: Instant::now() });
+        let id = sha256(cookie.as_bytes());
+        known.insert(id.clone(), Device { id, user: user.to_owned(), used: Moment::now().0 });
         Ok(cookie)
     }
 
     /// Forgets all devices of a user, whose password or role changed.
     pub(crate) fn forget(&self, user: &str) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).retain(|_, device| device.user != user);
+        self.known().retain(|_, device| device.user != user);
     }
+
+    /// Writes all of them. Where the disk cannot be written they are known until the end of the program.
+    pub(crate) fn save(&self) {
+        // Whoever waits to write already, writes this too.
+        if self.is_due.swap(true, Ordering::SeqCst) {
+            return;
+        }
+        let _writing = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+        self.is_due.store(false, Ordering::SeqCst);
+        let mut all: Vec<Device> = self.known().values().cloned().collect();
+        all.sort_by(|a, b| a.id.cmp(&b.id));
+        let text = serde_json::to_string(&all).map_err(|e| e.to_string());
+        let written = text.and_then(|text| files::write_secret(&self.file, &text).map_err(|e| e.text()));
+        if let Err(why) = written {
+            log::warning(&format!("known browsers are not kept: {why}"));
+        }
+    }
+}
+
+fn read(file: &Path) -> Result<Vec<Device>, String> {
+    match std::fs::metadata(file) {
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Ok(there) if there.len() > MAX_FILE => return Err(format!("of {} bytes; allowed: {MAX_FILE}", there.len())),
+        _ => {}
+    }
+    let text = std::fs::read_to_string(file).map_err(|e| e.to_string())?;
+    serde_json::from_str(&text).map_err(|e| e.to_string())
 }
 
 #[cfg(test)]
@@ -59,14 +121,39 @@ mod tests {
 
     #[test]
     fn devices_are_of_one_user_and_bounded() {
-        let devices = Devices::default();
+        let folder = tempfile::tempdir().unwrap();
+        let devices = Devices::open(folder.path());
         let ada = devices.remember("ada").unwrap();
         assert!(devices.of(&ada, "ada").is_some() && devices.of(&ada, "eve").is_none());
         assert!(devices.of("guess", "ada").is_none());
         (0..3 * MAX_OF_USER).for_each(|_| drop(devices.remember("eve").unwrap()));
-        assert_eq!(devices.0.lock().unwrap().len(), MAX_OF_USER + 1);
+        assert_eq!(devices.known().len(), MAX_OF_USER + 1);
         assert!(devices.of(&ada, "ada").is_some());
         devices.forget("ada");
         assert!(devices.of(&ada, "ada").is_none());
+    }
+
+    /// A restart costs nobody the browsers in which he is known; the file says no cookie, and is its owner's alone.
+    #[test]
+    fn devices_outlive_the_program() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join(FILE);
+        let devices = Devices::open(folder.path());
+        let (ada, eve) = (devices.remember("ada").unwrap(), devices.remember("eve").unwrap());
+        devices.forget("eve");
+        devices.save();
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(!text.contains(&ada) && text.contains("ada"));
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt as _;
+            assert_eq!(std::fs::metadata(&file).unwrap().permissions().mode() & 0o077, 0);
+        }
+        let devices = Devices::open(folder.path());
+        assert!(devices.of(&ada, "ada").is_some() && devices.of(&eve, "eve").is_none());
+        for broken in ["", "[{}]"] {
+            std::fs::write(&file, broken).unwrap();
+            assert!(Devices::open(folder.path()).of(&ada, "ada").is_none());
+        }
     }
 }

@@ -8,8 +8,10 @@ use std::time::{Duration, Instant};
 const IDLE: Duration = Duration::from_secs(8 * 3600);
 /// A session is over after this long.
 const LONGEST: Duration = Duration::from_secs(24 * 3600);
-/// Most sessions at once: past that the one that was not used for longest ends.
-const MOST: usize = 500;
+/// Maximum number of sessions at once, and of one user. Past that a session of this user, or else of the user with the most of them,
+/// ends: the one that was not seen for longest.
+const MAX_SESSIONS: usize = 500;
+const MAX_OF_USER: usize = 20;
 /// A random text that cannot be guessed, of 256 bits.
 ///
 /// # Errors
@@ -31,6 +33,8 @@ pub(crate) struct Session {
     pub(crate) token: String,
     made: Instant,
     used: Instant,
+    /// When something came with it last, also what does not count as used: a page that only watches, signs of life.
+    seen: Instant,
 }
 
 /// All sessions, by the hash of what is in their cookies.
@@ -49,12 +53,10 @@ impl Sessions {
     pub(crate) fn begin(&self, user: &str, role: Role) -> Result<(String, Session), String> {
         let (cookie, token) = (secret()?, secret()?);
         let (id, now) = (sha256(cookie.as_bytes()), Instant::now());
-        let session = Session { id: id.clone(), user: user.to_owned(), role, token, made: now, used: now };
+        let session = Session { id: id.clone(), user: user.to_owned(), role, token, made: now, used: now, seen: now };
         let mut table = self.table();
         table.retain(|_, s| s.is_alive(now));
-        if table.len() >= MOST
-            && let Some(oldest) = table.iter().min_by_key(|(_, s)| s.used).map(|(key, _)| key.clone())
-        {
+        if let Some(oldest) = superfluous(&table, user) {
             table.remove(&oldest);
         }
         table.insert(id, session.clone());
@@ -66,7 +68,7 @@ impl Sessions {
         let now = Instant::now();
         let mut table = self.table();
         let session = table.get_mut(&sha256(cookie.as_bytes())).filter(|s| s.is_alive(now))?;
-        session.used = now;
+        (session.used, session.seen) = (now, now);
         Some(session.clone())
     }
 
@@ -90,11 +92,27 @@ impl Sessions {
         let now = Instant::now();
         let mut table = self.table();
         let Some(known) = table.get_mut(&session.id).filter(|s| s.is_alive(now)) else { return false };
+        known.seen = now;
         if used {
             known.used = now;
         }
         true
     }
+}
+
+/// The session that ends when another one of `user` begins, if one has to.
+fn superfluous(table: &HashMap<String, Session>, user: &str) -> Option<String> {
+    let mut counts: HashMap<&str, usize> = HashMap::new();
+    table.values().for_each(|session| *counts.entry(&session.user).or_default() += 1);
+    let of = if counts.get(user).is_some_and(|own| *own >= MAX_OF_USER) {
+        user
+    } else if table.len() >= MAX_SESSIONS {
+        counts.iter().max_by_key(|(_, count)| **count).map(|(user, _)| *user)?
+    } else {
+        return None;
+    };
+    let own = table.iter().filter(|(_, session)| session.user == of);
+    own.min_by_key(|(_, session)| session.seen).map(|(id, _)| id.clone())
 }
 
 impl Session {
@@ -119,8 +137,22 @@ mod tests {
         sessions.end_all_of("ada");
         assert!(sessions.of(&other).is_none());
         // It never grows without end.
-        (0..2000).for_each(|_| drop(sessions.begin("x", Role::Viewer).unwrap()));
-        assert!(sessions.table().len() <= MOST);
+        (0..2000).for_each(|i| drop(sessions.begin(&format!("user {}", i / 10), Role::Viewer).unwrap()));
+        assert!(sessions.table().len() <= MAX_SESSIONS);
+    }
+
+    /// However often somebody logs in, the sessions of others stay, and of his own the page that watches.
+    #[test]
+    fn logins_end_sessions_of_their_own_user_only() {
+        let sessions = Sessions::default();
+        let (cookie, _) = sessions.begin("ada", Role::Operator).unwrap();
+        let (_, watches) = sessions.begin("eve", Role::Viewer).unwrap();
+        for _ in 0..2 * MAX_SESSIONS {
+            drop(sessions.begin("eve", Role::Viewer).unwrap());
+            assert!(sessions.lives(&watches, false));
+        }
+        assert!(sessions.of(&cookie).is_some());
+        assert_eq!(sessions.table().len(), MAX_OF_USER + 1);
     }
 
     /// What is used lives on, but not for ever.

@@ -135,11 +135,14 @@ pub struct FrameView {
     pub frame: [f64; 12],
 }
 
-/// The answer to a stop of whoever is not logged in.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, TS, JsonSchema)]
+/// The answer to a stop of whoever is not logged in: the server has passed it on. That the cell has stopped is seen from its mode, if
+/// the cycle is heard of.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Stopped {
     /// What the cell was doing then: [`super::Status::mode`]; empty if that is not known yet.
     pub mode: String,
+    /// Time since the cycle was heard of, s; none before its first status. A cycle that hangs or has ended grows older.
+    pub cycle_age_s: Option<f64>,
 }
 
 /// `GET /api/session`, and the answer of `POST /api/login`.

@@ -175,7 +175,8 @@ pub enum FromCell {
         /// True if it was taken.
         ok: bool,
         /// Why not: a stable key (`mode`, `moving`, `references`, `power`, `silent`, `condition`, `alarm`, `arming`, `source`,
-        /// `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`), and words.
+        /// `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`, `silent_cycle`: a stop was passed on to a cycle
+        /// that is not heard of), and words.
         why: Option<LackView>,
     },
     /// To [`ToCell::Why`]; empty: nothing.

@@ -355,7 +355,7 @@ pub struct JobText {
 /// Something that is being planned for a page: see `GET /api/planning`.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct PlanningView {
-    /// `draft`, `plan`, `recorded`, `report`, `post` or `place`.
+    /// `draft`, `plan`, `recorded`, `report`, `post`, `load` or `place`.
     pub kind: String,
     /// Time since it was asked for, s.
     pub elapsed_s: f64,
@@ -401,6 +401,10 @@ pub struct Load {
     pub job: String,
     /// Where to begin, if not at the begin: pass from 1 and the path length up to which it is welded.
     pub from: Option<(u32, f64)>,
+    /// How much of what is welded already before `from` is welded over on purpose, mm: so much is not asked about at the start.
+    #[serde(default)]
+    #[ts(optional = nullable)]
+    pub overlap_mm: Option<f64>,
     /// Name of the part that is welded, for the record.
     pub part: Option<String>,
     /// How the simulated part differs from the planned one: TOML, as of `simulate --distortion`. It is tracked then.

@@ -3,7 +3,7 @@ use crate::lead::Error;
 use glam::{DMat3, DVec3};
 use nalgebra::SVector;
 use seamwright_geometry::Pose;
-use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
+use seamwright_machine::{AxisKind, AxisSet, Joints, MAX_AXES, Machine};
 
 /// Part of every axis' speed, acceleration and jerk that plans leave to corrections.
 pub const RESERVE: f64 = 0.3;
@@ -31,6 +31,8 @@ pub struct OverAxes<'a> {
     machine: &'a Machine,
     /// 1 / speed^2 of each axis; 1 of axes that have no part in it.
     effort: Column,
+    /// Axes that stand still.
+    held: AxisSet,
     /// What the correction moved the axes by in the cycle before.
     by: Joints,
 }
@@ -44,7 +46,7 @@ impl<'a> OverAxes<'a> {
     #[must_use]
     pub fn new(machine: &'a Machine) -> Self {
         let effort = |i: usize| machine.axes.get(i).map_or(1.0, |axis| axis.max_speed.powi(-2));
-        Self { machine, effort: Column::from_fn(|i, _| effort(i)), by: [0.0; MAX_AXES] }
+        Self { machine, effort: Column::from_fn(|i, _| effort(i)), held: AxisSet::default(), by: [0.0; MAX_AXES] }
     }
 
     /// The same with the linear axes that carry all heads, so that these are shifted alike: their own slides rest.
@@ -58,6 +60,12 @@ impl<'a> OverAxes<'a> {
             }
         }
         over
+    }
+
+    /// The same with these axes held: they stay where the plan has them, and the others do what they can.
+    #[must_use]
+    pub fn holding(self, held: AxisSet) -> Self {
+        Self { held, ..self }
     }
 
     /// Positions at which the torch is `by` (mm, work frame) beside where it is at the planned positions `q`. No
@@ -83,11 +91,18 @@ impl<'a> OverAxes<'a> {
     /// One step from `x`: to the target as it looks from there.
     fn step(&self, q: &Joints, x: &Joints, target: &Pose) -> Option<Column> {
         let here = self.machine.forward(x);
-        let solver = Solver::new(self.machine, x, &self.effort)?;
+        let solver = self.solver(x)?;
         let way = Column::from_fn(|i, _| -self.effort[i] * (x[i] - q[i]));
         let turn = target.direction - here.direction;
         let pull = Column::from_fn(|i, _| ATTITUDE * solver.columns[i].1.dot(turn)) + way;
         solver.solve(&pull, target.point - here.point)
+    }
+
+    /// The conditions of the least step at `x`: a held axis moves nothing, so that no step moves it.
+    fn solver(&self, x: &Joints) -> Option<Solver> {
+        let mut columns = self.machine.jacobian(x);
+        self.held.iter().for_each(|i| columns[i] = (DVec3::ZERO, DVec3::ZERO));
+        Solver::new(columns, self.machine.axes.len(), &self.effort)
     }
 
     /// What a correction may do along a path, so that it asks of every axis no more than its part of
@@ -123,7 +138,7 @@ impl<'a> OverAxes<'a> {
 
     /// By how much each axis moves at most for 1 mm in both directions at once, mm or rad.
     fn gains(&self, q: &Joints, directions: [DVec3; 2]) -> Option<Column> {
-        let solver = Solver::new(self.machine, q, &self.effort)?;
+        let solver = self.solver(q)?;
         let [a, b] = directions.map(|direction| solver.solve(&Column::zeros(), direction));
         Some(a?.abs() + b?.abs())
     }
@@ -140,9 +155,8 @@ struct Solver {
 }
 
 impl Solver {
-    fn new(machine: &Machine, x: &Joints, effort: &Column) -> Option<Self> {
-        let columns = machine.jacobian(x);
-        let axes = machine.axes.len();
+    /// Of axes that move the torch by `columns`; none where they cannot move its tip to all sides.
+    fn new(columns: [(DVec3, DVec3); MAX_AXES], axes: usize, effort: &Column) -> Option<Self> {
         let mut least = [[0.0; MAX_AXES]; MAX_AXES];
         for i in 0..axes {
             for k in 0..=i {

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_geometry::Pose;
-use seamwright_machine::{Joints, Machine, shipped};
+use seamwright_machine::{AxisSet, Joints, Machine, shipped};
 use seamwright_tracking::actuator::{OverAxes, RESERVE, SlideLimits};
 
 fn machine(name: &str) -> Machine {
@@ -102,6 +102,30 @@ fn the_way_does_not_matter() {
         assert!(apart < 1e-6, "{apart}");
     }
     assert!(compared > 300, "{compared}");
+}
+
+/// Held axes stand still to the last bit, and the others shift the tip as exactly and keep the torch's direction.
+#[test]
+fn held_axes_stand_still_while_the_others_shift_the_tip() {
+    let machine = machine("ebw-7axis");
+    let held: AxisSet = ["u", "w"].into_iter().map(|name| machine.axis(name).unwrap()).collect();
+    let mut random = Pcg64Mcg::seed_from_u64(23);
+    let (mut done, mut used) = (0, 0);
+    while done < 500 {
+        let q = somewhere(&machine, &mut random);
+        let by = to_a_side(&mut random, 3.0);
+        let settled =
+            |mut over: OverAxes<'_>| (1..=30).map(|i| over.shifted(&q, by * f64::from(i) / 30.0).ok()).last()?;
+        let Some(x) = settled(OverAxes::new(&machine).holding(held)) else { continue };
+        done += 1;
+        let (planned, here) = (machine.forward(&q), machine.forward(&x));
+        assert!(here.point.distance(planned.point + by) < 1e-7, "{}", here.point - planned.point - by);
+        assert!(here.direction.angle_between(planned.direction) < 1e-4);
+        assert!(held.iter().all(|i| x[i].to_bits() == q[i].to_bits()));
+        let free = settled(OverAxes::new(&machine));
+        used += usize::from(free.is_some_and(|x| held.iter().all(|i| (x[i] - q[i]).abs() > 1e-6)));
+    }
+    assert!(used > 400, "{used}");
 }
 
 /// All heads on one carrier are shifted alike.

@@ -68,7 +68,8 @@ impl Beads {
             fill,
         };
         let plan = BeadPlan::new(seam, joint, self, &runs).map_err(|why| {
-            let (key, allowed) = why.cure(&joint.joint().preparation, &runs);
+            let stations = file.given_or("beads.station_mm", "beads");
+            let (key, allowed) = why.cure(&joint.joint().preparation, &runs, stations);
             file.error_at(&key, why.to_string(), allowed)
         })?;
         let all = passes::passes(&plan, self, &runs, seam, template);

@@ -116,18 +116,23 @@ fn spans(plan: &BeadPlan, adapt: Adapt, asked: &Asked, run: &Run) -> Vec<Span> {
     let mut spans = Vec::new();
     let mut first = 0;
     while first < count {
-        let last =
-            (first + 1..=count).take_while(|last| is_straight(&values[first..=*last])).last().unwrap_or(first + 1);
+        let last = first + straight(&values[first..]);
         spans.push(span(adapt, asked, (places[first], values[first]), (places[last], values[last])));
         first = last;
     }
     spans
 }
 
-fn is_straight(values: &[f64]) -> bool {
-    let last = values.len() - 1;
-    let line = |i: usize| values[0] + (values[last] - values[0]) * i as f64 / last as f64;
-    values.iter().enumerate().all(|(i, v)| (v - line(i)).abs() <= STRAIGHT * v)
+/// Number of steps from the first of `values` (at least two) over which a line leaves none of them by more than
+/// [`STRAIGHT`] of it; one pass over the values: each narrows the slopes that a line may have.
+fn straight(values: &[f64]) -> usize {
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let goes_on = |(i, value): &(usize, &f64)| {
+        let slope = |value: f64| (value - values[0]) / *i as f64;
+        (low, high) = (low.max(slope((1.0 - STRAIGHT) * **value)), high.min(slope((1.0 + STRAIGHT) * **value)));
+        (low..=high).contains(&slope(**value))
+    };
+    values.iter().enumerate().skip(1).take_while(goes_on).count().max(1)
 }
 
 fn span(adapt: Adapt, asked: &Asked, from: (f64, f64), to: (f64, f64)) -> Span {

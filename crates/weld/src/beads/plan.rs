@@ -22,6 +22,8 @@ pub struct BeadPlan {
     pub(crate) beads: Vec<BeadAt>,
     /// The beads in the order of welding, as they are counted at a station.
     pub order: Vec<usize>,
+    /// Number of beads at a station.
+    per_station: usize,
     laying: Laying,
     /// The seam's length if it is welded all round.
     period: Option<f64>,
@@ -34,6 +36,33 @@ pub(crate) const MAX_BEAD_STATIONS: usize = 1_000_000;
 
 /// A part of the seam for one layer may end this much of a station beyond the last station it is at.
 const HALF: f64 = 0.5;
+
+/// Shares of some layers together, and the sizes of their beads.
+#[derive(Debug, Clone, Copy)]
+struct Sizes {
+    shares: f64,
+    /// Sizes of the smallest and the largest bead, as parts of what their runs ask for, before shares are scaled.
+    range: (f64, f64),
+}
+
+impl Default for Sizes {
+    fn default() -> Self {
+        Self { shares: 0.0, range: (f64::INFINITY, 0.0) }
+    }
+}
+
+impl Sizes {
+    fn add(&mut self, share: f64, size: f64) {
+        self.shares += share;
+        self.range = (self.range.0.min(size), self.range.1.max(size));
+    }
+
+    /// Logarithm of the factor by which the worst bead is off where all layers fill `part` of the largest area.
+    fn off(&self, part: f64) -> f64 {
+        let of = |size: f64| (size * part / self.shares).ln().abs();
+        of(self.range.0).max(of(self.range.1))
+    }
+}
 
 impl BeadPlan {
     /// Lays out the beads that `beads` asks for along a seam with a joint: the layers are chosen for the mean area along
@@ -79,11 +108,13 @@ impl BeadPlan {
             totals,
             beads: Vec::new(),
             order: Vec::new(),
+            per_station,
             laying,
             period,
         };
         if beads.adapt == Adapt::Passes {
             plan.leave_out(runs, beads.shortest_mm.get());
+            plan.per_station = plan.layers.iter().map(|l| l.beads).sum();
         }
         // A layer over several pieces of the seam has each bead as often, with all of its rows.
         let passes: usize = plan.layers.iter().zip(&plan.parts).map(|(l, parts)| l.beads * parts.len().max(1)).sum();
@@ -116,7 +147,7 @@ impl BeadPlan {
 
     /// Number of beads at a station.
     pub fn count(&self) -> usize {
-        self.layers.iter().map(|l| l.beads).sum()
+        self.per_station
     }
 
     /// The beads at station `i`; those of layers that are not there have no area.
@@ -158,17 +189,18 @@ impl BeadPlan {
 
     /// Layers that are left out, with no area, on top of what is below them: a pass that ends is led on smoothly.
     fn add_absent(&self, s: f64, out: &mut Vec<BeadAt>) {
-        let mut first = 0;
+        let there = std::mem::replace(out, Vec::with_capacity(self.count()));
+        let mut left = there.as_slice();
         for (k, layer) in self.layers.iter().enumerate() {
-            if !self.is_there(k, s) {
-                // The next layer lies where this one would.
-                let above: Vec<BeadAt> =
-                    out[first..].iter().take_while(|b| b.layer == out[first].layer).copied().collect();
-                let like = |index: usize| above[(index * above.len() / layer.beads).min(above.len() - 1)];
-                let absent = (0..layer.beads).map(|index| BeadAt { layer: k, index, area: 0.0, ..like(index) });
-                out.splice(first..first, absent.collect::<Vec<_>>());
+            // The next layer that is there: this one, or the one that lies where this one would.
+            let next = &left[..left.first().map_or(0, |bead| self.layers[bead.layer].beads)];
+            if self.is_there(k, s) {
+                out.extend_from_slice(next);
+                left = &left[next.len()..];
+            } else {
+                let like = |index: usize| next[(index * next.len() / layer.beads).min(next.len() - 1)];
+                out.extend((0..layer.beads).map(|index| BeadAt { layer: k, index, area: 0.0, ..like(index) }));
             }
-            first += layer.beads;
         }
     }
 
@@ -184,31 +216,34 @@ impl BeadPlan {
 
     /// Leaves out fill layers, the last first, where the beads would be nearer to their areas without.
     fn leave_out(&mut self, runs: &Runs, shortest: f64) {
-        let fills: Vec<usize> = (0..self.layers.len()).filter(|k| self.layers[*k].role == Role::Fill).collect();
+        // Fills follow each other between root and cap.
+        let first = self.layers.iter().position(|l| l.role == Role::Fill).unwrap_or(self.layers.len());
+        let fills = self.layers[first..].iter().take_while(|l| l.role == Role::Fill).count();
         // Shares were made for the largest area: without some layers the others' beads are larger by this.
         let whole = self.totals.iter().copied().fold(0.0, f64::max);
-        let off = |total: f64, left: usize| {
-            let there = |k: usize| !fills[fills.len() - left..].contains(&k);
-            let shares: f64 = (0..self.layers.len()).filter(|k| there(*k)).map(|k| self.layers[k].share).sum();
-            let worst = (0..self.layers.len()).filter(|k| there(*k)).map(|k| {
-                let l = self.layers[k];
-                (l.share * whole / l.beads as f64 / runs.of(l.role).area * (total / whole) / shares).ln().abs()
-            });
-            worst.fold(0.0, f64::max)
+        let with = |mut sizes: Sizes, layer: &Layer| {
+            sizes.add(layer.share, layer.share * whole / layer.beads as f64 / runs.of(layer.role).area);
+            sizes
         };
-        let best =
-            |total: &f64| (0..=fills.len()).min_by(|a, b| off(*total, *a).total_cmp(&off(*total, *b))).unwrap_or(0);
+        let below = self.layers[..first].iter().fold(Sizes::default(), with);
+        let mut stacks = vec![below];
+        for layer in &self.layers[first..first + fills] {
+            stacks.push(with(stacks[stacks.len() - 1], layer));
+        }
+        // By the number of fills that are left out.
+        let above = &self.layers[first + fills..];
+        let stacks: Vec<Sizes> = stacks.into_iter().rev().map(|stack| above.iter().fold(stack, with)).collect();
+        let off = |left: &usize, total: f64| stacks[*left].off(total / whole);
+        let best = |total: &f64| (0..=fills).min_by(|a, b| off(a, *total).total_cmp(&off(b, *total))).unwrap_or(0);
         let left: Vec<usize> = self.totals.iter().map(best).collect();
-        for (rank, &layer) in fills.iter().rev().enumerate() {
+        for rank in 0..fills {
             let there: Vec<bool> = left.iter().map(|left| *left <= rank).collect();
-            self.parts[layer] = self.runs_of(&there, shortest);
+            self.parts[first + fills - 1 - rank] = self.runs_of(&there, shortest);
         }
         // A layer that is nowhere does not exist.
-        let gone: Vec<usize> = fills.into_iter().filter(|k| self.parts[*k] == [(0.0, 0.0)]).collect();
-        let kept: f64 = (0..self.layers.len()).filter(|k| !gone.contains(k)).map(|k| self.layers[k].share).sum();
-        let keep = |k: &usize| !gone.contains(k);
-        self.parts = (0..self.layers.len()).filter(keep).map(|k| self.parts[k].clone()).collect();
-        self.layers = (0..self.layers.len()).filter(keep).map(|k| self.layers[k]).collect();
+        let layers = std::mem::take(&mut self.layers).into_iter().zip(std::mem::take(&mut self.parts));
+        (self.layers, self.parts) = layers.filter(|(_, parts)| *parts != [(0.0, 0.0)]).unzip();
+        let kept: f64 = self.layers.iter().map(|l| l.share).sum();
         self.layers.iter_mut().for_each(|l| l.share /= kept);
     }
 

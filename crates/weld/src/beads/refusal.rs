@@ -20,8 +20,9 @@ pub(crate) enum NoPlan {
 const SMALL_MM2: f64 = 0.3;
 
 impl NoPlan {
-    /// The key of the job to look at, and what is allowed.
-    pub(crate) fn cure(&self, preparation: &Preparation, runs: &Runs) -> (String, String) {
+    /// The key of the job to look at, and what is allowed; `stations` is the key that gives the distance of
+    /// stations, or the table that leaves it at its default.
+    pub(crate) fn cure(&self, preparation: &Preparation, runs: &Runs, stations: &str) -> (String, String) {
         let groove = format!("joint.preparation.{}", preparation.key());
         match self {
             Self::NoGroove { why, .. } => (groove, why.cure().1),
@@ -33,12 +34,10 @@ impl NoPlan {
                 let key = format!("{groove}.{}", preparation.size_key());
                 (key, format!("up to {MAX_BEADS} beads: a smaller groove, or larger beads"))
             }
-            Self::Stations(_) => {
-                ("beads.station_mm".to_owned(), format!("up to {MAX_STATIONS} stations: a larger distance"))
-            }
+            Self::Stations(_) => (stations.to_owned(), format!("up to {MAX_STATIONS} stations: a larger distance")),
             Self::Positions { .. } => {
                 let allowed = format!("up to {MAX_BEAD_STATIONS} positions: a larger distance, or larger beads");
-                ("beads.station_mm".to_owned(), allowed)
+                (stations.to_owned(), allowed)
             }
         }
     }

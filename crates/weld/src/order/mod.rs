@@ -102,17 +102,19 @@ pub(crate) fn ordered(
     order.check_parts(job, seam)?;
     let named = Naming { copies, one: passes.len() == 1 };
     let mut ordering = Ordering { seam, order, places: places(copies), named, last: None, done: Vec::new() };
+    // Counted before they are made: tacks and welds together are the passes of the program.
+    let mut extent = Extent::default();
     if let Some(tacks) = &j.tacks {
         let root = passes.first().and_then(|pass| pass.bead.as_ref());
-        let tacks: Visit = tacks.passes(job, seam, (weld, root))?.into_iter().map(|tack| vec![tack]).collect();
-        let rows = tacks.iter().flatten().map(Pass::rows).sum();
-        not_too_many(job, "tacks", (tacks.len(), rows), copies)?;
+        let starts = tacks.starts(job, seam)?;
+        extent.add(starts.len(), 1 + root.map_or(0, |root| root.s_mm.len()));
+        extent.check(job, "tacks", copies)?;
+        let tacks: Visit = tacks.passes(&starts, seam, (weld, root)).into_iter().map(|tack| vec![tack]).collect();
         ordering.add(&tacks, None);
     }
-    // Counted before they are made: each part has all rows of its pass.
-    let parts = passes.iter().map(|pass| (order.count_parts(pass, seam), pass.rows()));
-    let all = parts.fold((0, 0), |(parts, rows), (n, of_pass)| (parts + n, rows + n * of_pass));
-    not_too_many(job, if j.order.is_some() { "order" } else { "beads" }, all, copies)?;
+    // Each part has all rows of its pass.
+    passes.iter().for_each(|pass| extent.add(order.count_parts(pass, seam), pass.rows()));
+    extent.check(job, multiplying_table(j), copies)?;
     let welds: Visit = passes.iter().map(|pass| order.parts_of(pass, seam)).collect();
     match order.passes {
         Turns::CopyByCopy => ordering.add(&welds, Some(0)),
@@ -125,25 +127,47 @@ pub(crate) fn ordered(
     Ok(ordering.done)
 }
 
-/// Refuses the passes with rows that the table `key` would give on each of the `copies`, if they are very many.
-fn not_too_many(
-    job: &Document<Job>,
-    key: &str,
-    (passes, rows): (usize, usize),
-    copies: &[SeamCopy],
-) -> Result<(), DocumentError> {
-    let times = copies.len().max(1);
-    let (passes, rows) = (passes.saturating_mul(times), rows.saturating_mul(times));
-    let cure = "fewer copies or tacks, or fewer or longer parts";
-    if passes > MAX_PASSES {
-        let message = format!("these are {passes} passes in all");
-        return Err(job.error_at(key, message, format!("up to {MAX_PASSES}: {cure}")));
+/// The table of the job that multiplies its passes: one that is in the file.
+fn multiplying_table(job: &Job) -> &'static str {
+    match job {
+        Job { order: Some(_), .. } => "order",
+        Job { beads: Some(_), .. } => "beads",
+        Job { rows: Some(_), .. } => "rows",
+        Job { copies, .. } if !copies.is_empty() => "copies",
+        _ => "weld",
     }
-    if rows > MAX_ROWS {
-        let message = format!("these are {passes} passes with {rows} rows of beads and spans in all");
-        return Err(job.error_at(key, message, format!("up to {MAX_ROWS} rows: {cure}, or a larger beads.station_mm")));
+}
+
+/// Passes on one copy of the seam, and their rows, counted before they are made.
+#[derive(Debug, Clone, Copy, Default)]
+struct Extent {
+    passes: usize,
+    rows: usize,
+}
+
+impl Extent {
+    /// Adds `passes` passes of `rows` rows each.
+    fn add(&mut self, passes: usize, rows: usize) {
+        self.passes = self.passes.saturating_add(passes);
+        self.rows = self.rows.saturating_add(passes.saturating_mul(rows));
     }
-    Ok(())
+
+    /// Refuses more passes or rows on all `copies` than a program holds, at the table `key`.
+    fn check(self, job: &Document<Job>, key: &str, copies: &[SeamCopy]) -> Result<(), DocumentError> {
+        let times = copies.len().max(1);
+        let (passes, rows) = (self.passes.saturating_mul(times), self.rows.saturating_mul(times));
+        let cure = "fewer copies or tacks, or fewer or longer parts";
+        if passes > MAX_PASSES {
+            let message = format!("these are {passes} passes in all");
+            return Err(job.error_at(key, message, format!("up to {MAX_PASSES}: {cure}")));
+        }
+        if rows > MAX_ROWS {
+            let message = format!("these are {passes} passes with {rows} rows of beads and spans in all");
+            let allowed = format!("up to {MAX_ROWS} rows: {cure}, or a larger beads.station_mm");
+            return Err(job.error_at(key, message, allowed));
+        }
+        Ok(())
+    }
 }
 
 /// Row and place of each copy, in the part's frame; one alone where there are no copies.

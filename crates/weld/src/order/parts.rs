@@ -34,7 +34,8 @@ impl WeldOrder {
             }
             Parts::AtCorners if seam.all_round() && is_beyond(seam.weld_length(), seam.length()) => {
                 let message = "from corner to corner there is nothing to overlap";
-                return Err(file.error_at("start.overlap_mm", message, "0 with order.parts = \"at_corners\""));
+                let key = file.given_or("start.overlap_mm", "start");
+                return Err(file.error_at(key, message, "0 with order.parts = \"at_corners\""));
             }
             Parts::AtCorners => f64::INFINITY,
             Parts::Quadrants if !seam.all_round() => {
@@ -55,7 +56,8 @@ impl WeldOrder {
         };
         if !is_before(self.tie_in_mm.get(), part) {
             let message = "the parts would lie on one another from end to end";
-            return Err(file.error_at("order.tie_in_mm", message, format!("less than a part: {part:.3}")));
+            let key = file.given_or("order.tie_in_mm", "order");
+            return Err(file.error_at(key, message, format!("less than a part: {part:.3}")));
         }
         if self.either_end && seam.all_round() {
             let message = "a seam that is welded all round ends where it begins";

@@ -72,23 +72,15 @@ impl Tacks {
         Ok(())
     }
 
-    /// The tacks on `seam` in the order of welding: each far from all before it, then the one opposite. What is not
-    /// their own they have from `weld`, the pass along the whole seam; they lie where the `root` bead of a groove does.
-    ///
-    /// # Errors
-    /// With the key's address: tacks longer than the pitch or nearer to the start than they may be.
-    pub(crate) fn passes<T>(
-        &self,
-        file: &Document<T>,
-        seam: &SeamCurve,
-        (weld, root): (&Pass, Option<&Bead>),
-    ) -> Result<Vec<Pass>, DocumentError> {
-        let places = self.places(file, seam)?;
+    /// The tacks on `seam` that begin at `starts`, in the order of welding: each far from all before it, then the one
+    /// opposite. What is not their own they have from `weld`, the pass along the whole seam; they lie where the `root`
+    /// bead of a groove does.
+    pub(crate) fn passes(&self, starts: &[f64], seam: &SeamCurve, (weld, root): (&Pass, Option<&Bead>)) -> Vec<Pass> {
         // Their metal is not that of the bead, which comes on top.
         let none = |root: &Bead| vec![NonNegative::default(); root.area_mm2.len()];
         let bead = root.map(|root| Bead { area_mm2: none(root), weave_part: Vec::new(), ..root.clone() });
         let pass = |(number, place): (usize, usize)| {
-            let begin = places[place];
+            let begin = starts[place];
             let mut process = weld.span_at(begin).map(|span| span.process.clone()).unwrap_or_default();
             for value in process.values_mut() {
                 let there = weld.span_at(begin).map(|span| value.at(span.part(begin)));
@@ -114,12 +106,15 @@ impl Tacks {
                 ..weld.clone()
             }
         };
-        Ok(opposite_first(places.len(), seam.all_round()).into_iter().enumerate().map(pass).collect())
+        opposite_first(starts.len(), seam.all_round()).into_iter().enumerate().map(pass).collect()
     }
 
     /// Path lengths at which the tacks begin, increasing, mm: evenly, with the start in the middle between two on a seam
     /// welded all round, else from end to end.
-    fn places<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<Vec<f64>, DocumentError> {
+    ///
+    /// # Errors
+    /// With the key's address: tacks longer than the pitch or nearer to the start than they may be.
+    pub(crate) fn starts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<Vec<f64>, DocumentError> {
         let (length, clear) = (self.length_mm.get(), self.clear_mm.get());
         let round = seam.all_round();
         // From the first tack's beginning to the last one's, or all round.
@@ -145,7 +140,8 @@ impl Tacks {
         let first = if round { 0.5 * (pitch - length) } else { clear };
         if is_before(first, clear) {
             let message = format!("tacks would begin {first:.3} mm from the weld's start");
-            return Err(file.error_at("tacks.clear_mm", message, format!("up to {first:.3}, or fewer tacks")));
+            let key = file.given_or("tacks.clear_mm", "tacks");
+            return Err(file.error_at(key, message, format!("up to {first:.3}, or fewer tacks")));
         }
         Ok((0..count as usize).map(|i| first + pitch * i as f64).collect())
     }

@@ -60,7 +60,7 @@ impl Welding {
     ///
     /// # Errors
     /// With the key's address: everything that can be wrong with a solid or an STL file, a body that ends within the
-    /// seam, a part that is replaced by nothing.
+    /// seam, a part that is replaced by nothing. Of a part that is not watched no solid is made and no file read.
     pub fn clamped(&self, load: Load) -> Result<Clamped, DocumentError> {
         let program = &self.program.value;
         let fixtures = given(&self.program, "fixtures", &program.fixtures, load)?;
@@ -69,10 +69,9 @@ impl Welding {
             let message = "the part made from the seam is replaced, but by no solids";
             return Err(self.program.error_at("part.replace", message, "[[part.solids]] with it, or without it"));
         }
-        let mut part = given(&self.program, "part.solids", solids, load)?;
-        if !watched {
-            part.clear();
-        } else if !replace {
+        // The files of a part that is left out need not be there.
+        let mut part = if *watched { given(&self.program, "part.solids", solids, load)? } else { Vec::new() };
+        if *watched && !replace {
             part.extend(self.made()?);
         }
         self.clamped_as(&part, fixtures)

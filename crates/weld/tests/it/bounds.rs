@@ -68,6 +68,77 @@ fn counts_that_several_keys_multiply_to_are_refused_at_one_of_them() {
     assert_eq!(refused(&with(&[("[joint]", &far)])).key, "rows.step_mm");
 }
 
+/// A line of this length with a butt joint to fill.
+fn line(length_mm: f64, preparation: &str, beads: &str) -> String {
+    format!(
+        "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [{length_mm}, 0, 0]\n\
+         first_normal = [0, 0, 1]\nsecond_normal = [0, 0, 1]\n[joint]\npreparation.{preparation}\n[beads]\n{beads}\n\
+         [weld]\nspeed_mm_s = 5\n"
+    )
+}
+
+const ROWS: &str = "[rows]\nrows = 10\ncolumns = 100\nstep_mm = [400, 0, 0]\nrow_step_mm = [0, 400, 0]\n";
+
+#[test]
+fn tacks_and_welds_are_counted_together() {
+    let job = format!(
+        "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{ROWS}[seam.circle]\nradius_mm = 100\n[tacks]\nlength_mm = 10\n\
+         count = 8\n[order]\nparts = \"quadrants\"\n[weld]\nspeed_mm_s = 5\n"
+    );
+    let e = refused(&job);
+    assert_eq!((e.key.as_str(), e.message.as_str()), ("order", "these are 12000 passes in all"));
+    // Two tacks less are as many passes as a program holds.
+    let welding = Welding::read("job.toml", &job.replace("count = 8", "count = 6")).unwrap();
+    assert_eq!(welding.program.value.passes.len(), 10_000);
+    // Of tacks in a groove each has the rows of the root bead: counted before they are made.
+    let groove = line(3000.0, "square = { thickness_mm = 3, root_gap_mm = 1 }", "fill = { area_mm2 = 3 }");
+    let e = refused(&format!("{groove}{ROWS}[tacks]\nlength_mm = 1\ncount = 7\n"));
+    assert!(e.key == "tacks" && e.message.contains("rows of beads"), "{e}");
+}
+
+#[test]
+fn refusals_of_many_rows_name_a_table_of_the_file() {
+    let stations: String =
+        (0..4100).map(|i| format!("[[weld.at]]\ns_mm = {}\nspeed_mm_s = {}\n", i, 5 + i % 2)).collect();
+    let weld = "first_normal = [0, 0, 1]\nsecond_normal = [0, 0, 1]\n[weld]\nspeed_mm_s = 5\n";
+    let seam = format!("[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [4100, 0, 0]\n{weld}");
+    let job = format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{ROWS}{seam}{stations}");
+    let e = refused(&job);
+    assert!(e.key == "rows" && e.message.contains("rows of beads and spans"), "{e}");
+    let copies: String =
+        (0..1000).map(|i| format!("[[copies]]\nname = \"{i}\"\nplacement.move_mm = [0, {i}, 0]\n")).collect();
+    assert_eq!(refused(&job.replace(ROWS, &copies)).key, "copies");
+}
+
+#[test]
+fn too_many_stations_at_the_default_distance_are_refused_at_the_beads() {
+    let square = "square = { thickness_mm = 3, root_gap_mm = 1 }";
+    let stations = line(200_000.0, square, "fill = { area_mm2 = 3 }");
+    assert_eq!(refused(&stations).key, "beads");
+    let positions = line(50_000.0, "square = { thickness_mm = 300, root_gap_mm = 12 }", "fill = { area_mm2 = 30 }");
+    assert_eq!(refused(&positions).key, "beads");
+    for text in [stations, positions] {
+        assert_eq!(refused(&text.replace("[beads]", "[beads]\nstation_mm = 4.9")).key, "beads.station_mm");
+    }
+}
+
+/// Thousands of layers, each of which may be left out at each station: work that grows with their product, no faster.
+#[test]
+fn layers_left_out_of_a_thick_groove_are_chosen_in_seconds() {
+    let beads = "adapt = \"passes\"\nmost_percent = 80\nfill = { layer_mm = 0.1, area_mm2 = 1 }";
+    let job = line(1000.0, "square = { thickness_mm = 300, root_gap_mm = 12 }", beads);
+    let fit_up =
+        "[[joint.fit_up]]\ns_mm = 0\nroot_gap_mm = 12\n[[joint.fit_up]]\ns_mm = 1000\nroot_gap_mm = 6\n[beads]";
+    let begin = std::time::Instant::now();
+    for text in [job.clone(), job.replace("[beads]", fit_up)] {
+        let plan = Welding::read("job.toml", &text).unwrap_or_else(|e| panic!("{e}")).plan.unwrap();
+        assert!(plan.count() > 3000, "{}", plan.count());
+        println!("{} beads, {:?}", plan.count(), begin.elapsed());
+    }
+    // A minute in an optimised build would be a fault of the order of growth; tests run unoptimised.
+    assert!(begin.elapsed().as_secs() < 120, "{:?}", begin.elapsed());
+}
+
 #[test]
 fn a_pass_of_more_than_a_day_is_refused_at_its_speed() {
     let job =

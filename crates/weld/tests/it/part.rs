@@ -165,6 +165,14 @@ fn a_body_that_is_added_does_not_take_the_place_of_the_part() {
 }
 
 #[test]
+fn a_part_that_is_left_out_needs_no_files() {
+    let solids = "[[part.solids]]\nshape.stl = { file = \"gone.stl\" }\n";
+    let job = format!("{}[part]\nwatched = false\n{solids}", EXAMPLES[0]);
+    let clamped = Welding::read("job.toml", &job).unwrap().clamped(NO_STL).unwrap();
+    assert!(clamped.part.is_empty());
+}
+
+#[test]
 fn solids_are_given_or_refused_with_their_address() {
     let with = |more: &str, load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>| {
         Welding::read("job.toml", &(EXAMPLES[0].to_owned() + more)).and_then(|w| w.clamped(load))

@@ -2,7 +2,7 @@ use super::image::Ordered;
 use super::link::{Line, Link};
 use super::orders::OrderWriter;
 use super::reports::ReportReader;
-use super::traffic::TrafficView;
+use super::traffic::TrafficLog;
 use super::wire::{Trouble, runtime};
 use crate::devices::InputBits;
 use crate::executive::SourceReport;
@@ -33,7 +33,7 @@ pub(super) struct Ends {
     pub(super) source: Input<Stamped<SourceReport>>,
     pub(super) inputs: Input<Stamped<InputBits>>,
     pub(super) life: Arc<Life>,
-    pub(super) traffic: TrafficView,
+    pub(super) traffic: TrafficLog,
 }
 
 /// What talks to the device, in a thread of its own: orders on one connection and reports on another, so that an order never

@@ -35,6 +35,8 @@ struct Unit {
     cells: [u16; 2],
     len: usize,
     written: Option<[u16; 2]>,
+    /// What the device refused to take last.
+    refused: Option<[u16; 2]>,
     /// Arc or beam is in it.
     has_on: bool,
 }
@@ -70,7 +72,7 @@ impl Image {
             // Bits of the same register are written together.
             if image.units.last().is_none_or(|unit| (unit.table, unit.at) != (table, at)) {
                 let len = usize::from(register.place.cells());
-                image.units.push(Unit { table, at, cells: [0; 2], len, written: None, has_on: false });
+                image.units.push(Unit { table, at, cells: [0; 2], len, written: None, refused: None, has_on: false });
             }
             let unit = image.units.len() - 1;
             image.units[unit].has_on |= register.role == Role::On;
@@ -142,13 +144,18 @@ impl Image {
         self.units.iter_mut().for_each(|unit| unit.written = None);
     }
 
-    /// Requests that write what changed, neighbours together. What switches arc or beam off comes first; what switches it on last.
+    /// Requests that write what changed, neighbours together. What switches arc or beam off comes first, alone: no neighbour that
+    /// the device refuses keeps it from being written. What switches it on comes last.
     pub(super) fn changes(&self) -> Vec<Run> {
         let mut runs: Vec<Run> = Vec::new();
         for (i, unit) in self.units.iter().enumerate().filter(|(_, unit)| unit.written != Some(unit.cells)) {
             let cells = &unit.cells[..unit.len];
             let most = MOST[usize::from(unit.table.has_bits())];
-            let last = runs.last_mut().filter(|run| {
+            let apart = |unit: &Unit| unit.has_on && !self.on;
+            let last = runs.last_mut().filter(|_| !apart(unit)).filter(|run| {
+                if apart(&self.units[run.units.start]) {
+                    return false;
+                }
                 let end = usize::from(run.at) + run.cells.len();
                 run.table == unit.table && end == usize::from(unit.at) && run.cells.len() + unit.len <= most
             });
@@ -164,10 +171,68 @@ impl Image {
         runs
     }
 
+    /// The request that switches arc or beam off, if that is to be written and the device has not just refused it.
+    pub(super) fn off(&self) -> Option<Run> {
+        if self.on {
+            return None;
+        }
+        let is_new = |unit: &Unit| ![unit.written, unit.refused].contains(&Some(unit.cells));
+        let (i, unit) = self.units.iter().enumerate().find(|(_, unit)| unit.has_on && is_new(unit))?;
+        Some(Run { table: unit.table, at: unit.at, cells: unit.cells[..unit.len].to_vec(), units: i..i + 1 })
+    }
+
     /// The device has taken `run`.
     pub(super) fn written(&mut self, run: &Run) {
         for unit in &mut self.units[run.units.clone()] {
-            unit.written = Some(unit.cells);
+            (unit.written, unit.refused) = (Some(unit.cells), None);
         }
+    }
+
+    /// The device has refused `run`.
+    pub(super) fn refused(&mut self, run: &Run) {
+        for unit in &mut self.units[run.units.clone()] {
+            unit.refused = Some(unit.cells);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use seamwright_machine::{Machine, shipped};
+
+    fn image() -> Image {
+        let map = "[devices.io.modbus.outputs]\ngas = { coil = 0 }\non = { coil = 1 }\nwatchdog = { coil = 2 }\n\
+                   [devices.io.modbus.reports]\nburning = { discrete = 4 }";
+        let machine = shipped("ellipse-xy").unwrap().text;
+        let text = format!("{machine}\n[devices.io.modbus]\naddress = \"127.0.0.1:1\"\n{map}");
+        let device = Machine::read("m.toml", &text).unwrap_or_else(|e| panic!("{e}")).devices.modbus.remove(0);
+        Image::new(&device.registers, &[])
+    }
+
+    fn ordered(on: bool, offs: u64) -> Ordered {
+        let process = ProcessOrders { on, gas: on, ..ProcessOrders::default() };
+        Ordered { process, offs }
+    }
+
+    /// Gas and watchdog beside it may be refused: off is a request of its own, the first, and on goes with its neighbours.
+    #[test]
+    fn off_is_written_apart_from_its_neighbours() {
+        let mut image = image();
+        image.order(&ordered(false, 1));
+        image.order(&ordered(true, 1));
+        let runs = image.changes();
+        assert_eq!((runs.len(), runs[0].cells.len()), (1, 3), "{runs:?}");
+        assert_eq!(image.off(), None);
+        image.written(&runs[0]);
+        image.order(&ordered(false, 2));
+        image.beat();
+        let runs = image.changes();
+        assert_eq!((runs[0].at, runs[0].cells.as_slice()), (1, &[0][..]), "{runs:?}");
+        assert_eq!(image.off().as_ref(), Some(&runs[0]));
+        image.refused(&runs[0]);
+        assert_eq!(image.off(), None, "what was refused waits for the next poll");
+        image.written(&runs[0]);
+        assert!(image.changes().iter().all(|run| run.at != 1));
     }
 }

@@ -1,5 +1,5 @@
 use super::client::Life;
-use super::traffic::TrafficView;
+use super::traffic::TrafficLog;
 use super::wire::{Trouble, Wire};
 use seamwright_machine::{ModbusDevice, Table};
 use std::cell::{Cell, RefCell};
@@ -16,7 +16,7 @@ pub(super) const LOOK: Duration = Duration::from_millis(1);
 pub(super) struct Link {
     pub(super) device: ModbusDevice,
     pub(super) life: Arc<Life>,
-    pub(super) traffic: TrafficView,
+    pub(super) traffic: TrafficLog,
     /// Connections for orders so far: how often the device has started, as far as anybody can tell.
     pub(super) starts: Cell<u32>,
     /// Why the device has not got what was ordered: what it reports would not be what was ordered.
@@ -27,7 +27,7 @@ pub(super) struct Link {
 }
 
 impl Link {
-    pub(super) fn new(device: &ModbusDevice, life: Arc<Life>, traffic: TrafficView) -> Self {
+    pub(super) fn new(device: &ModbusDevice, life: Arc<Life>, traffic: TrafficLog) -> Self {
         Self {
             device: device.clone(),
             life,

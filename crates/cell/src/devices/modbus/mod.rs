@@ -29,6 +29,7 @@ use seamwright_machine::{ModbusDevice, Role};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::thread::JoinHandle;
+use traffic::TrafficLog;
 use triple_buffer::{Input, Output, triple_buffer};
 
 /// Why a device cannot be used.
@@ -117,8 +118,9 @@ pub fn connect(device: &ModbusDevice, values: &[String]) -> Result<ModbusParts, 
     let (orders_in, orders) = triple_buffer(&Ordered::default());
     let (source, source_out) = triple_buffer(&None);
     let (inputs, inputs_out) = triple_buffer(&None);
-    let (life, traffic) = (Arc::new(Life::default()), TrafficView::default());
-    let ends = Ends { orders, source, inputs, life: Arc::clone(&life), traffic: traffic.clone() };
+    let (log, traffic) = TrafficLog::new();
+    let life = Arc::new(Life::default());
+    let ends = Ends { orders, source, inputs, life: Arc::clone(&life), traffic: log };
     let unreachable =
         |why: String| ModbusError::Unreachable { device: device.name.clone(), address: device.address.clone(), why };
     let mut client = Client::new(device, values, ends).map_err(|trouble| unreachable(trouble.to_string()))?;

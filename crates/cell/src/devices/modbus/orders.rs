@@ -77,15 +77,31 @@ impl OrderWriter {
                 self.image.beat();
             }
         }
+        // What the device refused is tried again with the next poll, not a thousand times a second.
+        if !due && link.unordered.borrow().is_some() {
+            return self.switch_off(link).await;
+        }
         let lost = link.lost.get();
         if lost != link.rewritten.get() {
             // The device may have started anew; where it has, this connection is dead, which shows now.
             self.image.rewrite();
         }
-        // What the device refused is tried again with the next poll, not a thousand times a second.
-        if due || link.unordered.borrow().is_none() {
-            self.write(link).await?;
-            link.rewritten.set(lost);
+        self.write(link).await?;
+        link.rewritten.set(lost);
+        Ok(())
+    }
+
+    /// Switches arc or beam off at once where that is ordered, while outputs that the device refuses wait for the next poll.
+    async fn switch_off(&mut self, link: &Link) -> Result<(), Trouble> {
+        self.order(link);
+        let Some(run) = self.image.off() else { return Ok(()) };
+        match self.line.write(run.table, run.at, &run.cells).await {
+            Ok(()) => self.image.written(&run),
+            Err(trouble @ Trouble::Refused { .. }) => {
+                self.image.refused(&run);
+                *link.unordered.borrow_mut() = Some(trouble);
+            }
+            Err(gone) => return Err(gone),
         }
         Ok(())
     }
@@ -120,7 +136,10 @@ impl OrderWriter {
             let Some(run) = next else { break };
             match self.line.write(run.table, run.at, &run.cells).await {
                 Ok(()) => self.image.written(&run),
-                Err(trouble @ Trouble::Refused { .. }) => refused = Some(trouble),
+                Err(trouble @ Trouble::Refused { .. }) => {
+                    self.image.refused(&run);
+                    refused = Some(trouble);
+                }
                 Err(gone) => return Err(gone),
             }
             tried.push(run.units);

@@ -1,5 +1,7 @@
 use crate::realtime::Latency;
+use std::cell::RefCell;
 use std::sync::{Arc, Mutex, PoisonError};
+use triple_buffer::{Input, Output, triple_buffer};
 
 /// What went over the line to a device since it was connected.
 #[derive(Debug, Clone, Default)]
@@ -22,17 +24,50 @@ pub struct Traffic {
     pub safe: Option<Result<(), String>>,
 }
 
-/// A view of the traffic, for whoever is not the cycle: it takes a lock.
-#[derive(Debug, Clone, Default)]
-pub struct TrafficView(Arc<Mutex<Traffic>>);
+/// A view of the traffic, for whoever is not the cycle. Readers take a lock among themselves; the client never waits for it.
+#[derive(Debug, Clone)]
+pub struct TrafficView(Arc<Mutex<Output<Traffic>>>);
 
 impl TrafficView {
     /// The traffic so far.
     pub fn get(&self) -> Traffic {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).read().clone()
+    }
+}
+
+/// The client's end: it has a real-time priority, so it publishes without a lock.
+#[derive(Debug)]
+pub(super) struct TrafficLog(RefCell<(Traffic, Input<Traffic>)>);
+
+impl TrafficLog {
+    /// Nothing yet, and a view of it.
+    pub(super) fn new() -> (Self, TrafficView) {
+        let (input, output) = triple_buffer(&Traffic::default());
+        (Self(RefCell::new((Traffic::default(), input))), TrafficView(Arc::new(Mutex::new(output))))
     }
 
     pub(super) fn change(&self, change: impl FnOnce(&mut Traffic)) {
-        change(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner));
+        let (traffic, shown) = &mut *self.0.borrow_mut();
+        change(traffic);
+        shown.input_buffer_mut().clone_from(traffic);
+        shown.publish();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Somebody reads and is slow at it: the client goes on, and what it noted is seen afterwards.
+    #[test]
+    fn the_client_does_not_wait_for_readers() {
+        let (log, view) = TrafficLog::new();
+        log.change(|t| t.polls = 1);
+        let mut reads = view.0.lock().unwrap();
+        assert_eq!(reads.read().polls, 1);
+        log.change(|t| t.polls = 2);
+        log.change(|t| t.safe = Some(Ok(())));
+        drop(reads);
+        assert_eq!((view.get().polls, view.get().safe), (2, Some(Ok(()))));
     }
 }

@@ -9,6 +9,7 @@ use crate::args::run::RunArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
+use crate::planning;
 use crate::verbs::part;
 use desk::Desk;
 use seamwright_cell::SimulatedCell;
@@ -48,7 +49,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let conditions = part.conditions(args.seed, &args.fault, &around);
     part.check_devices(&loaded.machine)?;
     devices::check_period(&loaded.machine)?;
-    let motion = part.plan(&loaded)?;
+    let motion = planning::plan_part(&part, &loaded, &args.planning)?;
     power_loss::check(args.record.data.as_deref(), args.from)?;
     let paths = loaded.paths();
     let cell = SimulatedCell::new(&loaded.machine, loaded.passes(&paths), &motion, conditions);
@@ -133,17 +134,20 @@ fn with_cell(
     let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
     let ended = real(work, machine, (devices, lines, tracking), (asked.cpu, &shutdown), &mut desk)?;
     let closed = desk.close(&mut output, &loaded.welding.program.value.title, &ended);
+    // Outputs that may be on come before files that cannot be written.
+    check_safe(&ended.lines)?;
     output.finish()?;
     tell_missed(&ended, machine.servo_period_s);
     closed?;
-    check_safe(&ended.lines)?;
     desk.judge()
 }
 
 /// Refuses to end as if all were well where a device has not said that its outputs are safe.
 fn check_safe(lines: &Lines) -> Result<(), Failure> {
     for (name, line) in lines {
-        if let Some(Err(why)) = line.get().safe {
+        // A device without an answer counts as one whose outputs are on.
+        let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".to_owned()));
+        if let Err(why) = safe {
             return Err(Failure::Environment(format!(
                 "device `{name}`: its outputs are not confirmed to be safe: {why}\n   look at once whether arc and gas are off"
             )));

@@ -1,0 +1,72 @@
+//! Devices that are let go, and whether their outputs are safe then.
+
+use super::connection::{CellDevices, Connection};
+use super::happening::happening;
+use super::hub::Hub;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+
+/// Lets devices go and judges whether they have confirmed their safe outputs.
+#[derive(Clone)]
+pub(super) struct SafeOutputs {
+    hub: Arc<Hub>,
+    shared: Arc<Mutex<Shared>>,
+}
+
+#[derive(Default)]
+struct Shared {
+    /// Devices without a confirmation, and why.
+    unconfirmed: BTreeMap<String, String>,
+    /// Threads that wait for devices.
+    waiting: Vec<JoinHandle<()>>,
+}
+
+impl SafeOutputs {
+    pub(super) fn new(hub: Arc<Hub>) -> Self {
+        Self { hub, shared: Arc::default() }
+    }
+
+    /// Drops `devices` and judges them, in a thread of its own: they have some seconds to answer.
+    pub(super) fn let_go(&self, devices: CellDevices) {
+        let own = self.clone();
+        let waits = std::thread::spawn(move || {
+            let to = devices.to().clone();
+            drop(devices);
+            own.judge(&to);
+        });
+        let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
+        shared.waiting.retain(|thread| !thread.is_finished());
+        shared.waiting.push(waits);
+    }
+
+    /// Reports devices of `to`, which have been dropped, that have not confirmed their safe outputs.
+    fn judge(&self, to: &Connection) {
+        for (name, line) in to.lines.iter() {
+            let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".to_owned()));
+            if let Err(why) = &safe {
+                eprintln!("error: device `{name}`: its outputs are not confirmed to be safe: {why}");
+                self.hub.event(0.0, happening("safe_unconfirmed", [name.clone(), why.clone()]));
+            }
+            let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
+            match safe {
+                // What was connected anew since, and is safe now, is safe.
+                Ok(()) => shared.unconfirmed.remove(name),
+                Err(why) => shared.unconfirmed.insert(name.clone(), why),
+            };
+        }
+    }
+
+    /// Waits for all devices that were let go and judges the last ones, of `to`, which have been dropped; all without a confirmation,
+    /// a line each.
+    pub(super) fn end(&self, to: Option<&Connection>) -> Vec<String> {
+        let waiting = std::mem::take(&mut self.shared.lock().unwrap_or_else(PoisonError::into_inner).waiting);
+        waiting.into_iter().for_each(|thread| drop(thread.join()));
+        to.into_iter().for_each(|to| self.judge(to));
+        let shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
+        let line = |(name, why): (&String, &String)| {
+            format!("device `{name}`: its outputs are not confirmed to be safe: {why}")
+        };
+        shared.unconfirmed.iter().map(line).collect()
+    }
+}
