@@ -30,12 +30,12 @@ impl Dialect {
     }
 }
 
-/// How a machine's control is spoken to.
+/// Language and settings of a machine's control.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Control {
     /// Its language.
     pub dialect: Dialect,
-    /// What the numbers of a row are: the machine's axes, then process values by name.
+    /// Channels of a row: the machine's axes, then process values by name.
     pub channels: Vec<Channel>,
     /// Address of each channel; empty for an analogue output.
     pub addresses: Vec<String>,
@@ -55,7 +55,7 @@ pub struct Control {
     pub footer: Option<String>,
 }
 
-/// What a code of the machine's own does.
+/// Effect of a code of the machine's own.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Code {
     /// It switches or calls something.
@@ -154,7 +154,7 @@ impl Control {
     }
 }
 
-/// What the name of an event in a machine file means.
+/// Meaning of an event's name in a machine file.
 fn code_of(does: &str) -> Code {
     Code::Event(match does {
         "exact_stop" => return Code::ExactStop,

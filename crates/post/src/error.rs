@@ -52,9 +52,9 @@ pub enum Error {
         step: usize,
         /// The pass that it is in, if it is in one.
         pass: String,
-        /// What the control cannot take.
+        /// Feature that the control lacks.
         what: String,
-        /// What to do.
+        /// Operator action.
         cure: &'static str,
     },
 }

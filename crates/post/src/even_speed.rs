@@ -1,7 +1,7 @@
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 
-/// The tip's speed tells nothing where the plan is slower than this part of the pass' fastest: it (nearly) stands still.
+/// Slowest planned speed that is compared, as a part of the pass' fastest: below it the tip (nearly) stands still.
 const SLOWEST: f64 = 0.2;
 /// Most parts of a block whose speed is compared, and the shortest, s: in shorter ones the six decimals would show.
 const MAX_PARTS: f64 = 16.0;

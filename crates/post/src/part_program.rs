@@ -1,20 +1,20 @@
-//! A part program as data: what a control is told, in order, in no dialect. Posts write it, readers make it, the proof
+//! A part program as data: commands to a control, in order, in no dialect. Posts write it, readers make it, the proof
 //! plays it.
 
 use crate::polynomial::{Evenly, POWERS, Polynomial};
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;
 
-/// What one number of a row is.
+/// Meaning of one number of a row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Channel {
     /// Name of the axis (in the machine file) or of the process value.
     pub name: String,
-    /// How the control takes it from one row to the next.
+    /// Change of its value from one row to the next.
     pub kind: ChannelKind,
 }
 
-/// How a control takes a channel from one row to the next.
+/// Change of a channel's value from one row to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChannelKind {
     /// A linear axis, mm, interpolated.
@@ -33,9 +33,9 @@ pub enum ChannelKind {
 pub struct PartProgram {
     /// Title, for people.
     pub title: String,
-    /// What the numbers of a row are.
+    /// Channels of a row.
     pub channels: Vec<Channel>,
-    /// What is done, in order.
+    /// Steps in the order of execution.
     pub steps: Vec<Step>,
     /// Arcs that moves go along.
     pub arcs: Vec<Arc>,
@@ -51,11 +51,11 @@ pub struct Step {
     pub line: u32,
     /// Block number, if it has one.
     pub number: Option<u32>,
-    /// What it does.
+    /// Effect of the step.
     pub what: What,
 }
 
-/// What a line does.
+/// Effect of a step.
 #[derive(Debug, Clone, PartialEq)]
 pub enum What {
     /// A pass begins here, with its name: a place to start again from.
@@ -78,13 +78,13 @@ pub enum What {
         /// Whether it happens without waiting for a move.
         at_once: bool,
     },
-    /// Nothing moves for this long, s.
+    /// Dwell without motion, s.
     Dwell(f64),
     /// A remark.
     Comment(Box<str>),
 }
 
-/// What is switched or said.
+/// Output that is switched, or message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Event {
     /// Arc or beam on or off.
@@ -108,15 +108,15 @@ pub struct Move {
     pub path: Path,
     /// Index of the row it ends at.
     pub row: u32,
-    /// How long it takes by the control's own rule for feeds, s; 0 for a rapid move.
+    /// Duration by the control's own rule for feeds, s; 0 for a rapid move.
     pub seconds: f64,
-    /// What is interpolated.
+    /// Level of interpolation.
     pub level: Level,
     /// Whether the control stops at its end.
     pub exact_stop: bool,
 }
 
-/// What the control interpolates.
+/// Level at which the control interpolates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     /// The axes themselves.

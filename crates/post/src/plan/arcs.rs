@@ -15,7 +15,7 @@ pub(crate) enum Arcs {
     Any,
 }
 
-/// What the normal of an arc may be.
+/// Permitted normal of an arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Normal {
     /// This one; along it the arc may climb.
@@ -41,7 +41,7 @@ impl Arcs {
 const LARGEST_MM: f64 = 1e5;
 /// Smaller ones are corners.
 const SMALLEST_MM: f64 = 1e-3;
-/// Longest arc, rad: ends that are near to each other would not tell a circle from a point.
+/// Longest arc, rad: with ends near to each other, a circle is not distinguishable from a point.
 const LONGEST: f64 = 0.95 * TAU;
 
 /// The arc from `start` through `middle` to `end`; none where they are in line, or its radius or angle are out of

@@ -63,7 +63,7 @@ pub struct Speeds {
 /// A pass cut into blocks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linearisation {
-    /// Where the first block begins (with no duration).
+    /// Start of the first block (with no duration).
     pub start: Block,
     /// The blocks.
     pub blocks: Vec<Block>,

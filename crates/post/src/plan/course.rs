@@ -8,7 +8,7 @@ use seamwright_program::Pass;
 pub(crate) const WELDING: (f64, f64) = (f64::INFINITY, f64::INFINITY);
 /// Way over which a value goes from that of one span to that of the next, mm.
 const JUMP_MM: f64 = 0.5;
-/// How far a value may be from an even change within a block, as a part of what it spans.
+/// Maximum deviation of a value from an even change within a block, as a part of its range there.
 const USED: f64 = 0.005;
 /// Places at which a value's span is looked for.
 const PLACES: u32 = 400;

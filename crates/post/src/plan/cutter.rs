@@ -2,7 +2,7 @@ use super::arcs::{Arcs, Normal, through};
 use super::block::{Block, Linearisation, Shape, Speeds};
 use super::course::Course;
 use crate::even_speed::EvenSpeed;
-use crate::feed::LEAST_FEED;
+use crate::feed::MIN_FEED;
 use crate::polynomial::{Evenly, Polynomial};
 use crate::{Error, Level};
 use glam::DVec3;
@@ -12,8 +12,8 @@ use seamwright_program::TorchPath;
 
 /// Parts of a block at whose ends it is compared with the exact path.
 pub(super) const CHECKS: usize = 16;
-/// What may be used of the tolerance at these places: between them the path of the blocks strays up to
-/// `(1/16)^2` of the tolerance more where the deviation has one hump, and four times that where it has two.
+/// Usable part of the tolerance at these stations. Between them the deviation grows by up to `(1/16)^2` of the
+/// tolerance if it has one hump, and by four times that with two.
 const USED: f64 = 0.98;
 /// Shortest block, mm.
 const SHORTEST_MM: f64 = 1e-4;
@@ -24,23 +24,23 @@ const LONGER: f64 = 1.2;
 /// Linear motion that may be left to a later block, as a part of the tolerance. The cutter's own tolerance is smaller
 /// by as much.
 pub(crate) const HELD_BACK: f64 = 0.05;
-/// How far feeds stay above the least one.
+/// Minimum ratio of feeds to the minimum feed.
 const MARGIN: f64 = 1.2;
 /// Turns smaller than this (rad) are lost in the words' decimals.
 const TURN: f64 = 1e-7;
 
-/// How a pass is cut.
+/// Settings that cut a pass into blocks.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cutting<'a> {
-    /// What the control interpolates.
+    /// Level at which the control interpolates.
     pub(crate) level: Level,
     /// Greatest distance from the planned path, mm.
     pub(crate) tolerance_mm: f64,
     /// Greatest deviation of the tip's speed from the planned one inside a block, as a part of that.
     pub(crate) speed: f64,
-    /// Whether the control raises feeds below [`LEAST_FEED`].
+    /// Whether the control raises feeds below [`MIN_FEED`].
     pub(crate) least_feed: bool,
-    /// What blocks are that are no arcs.
+    /// Kind of blocks other than arcs.
     pub(crate) base: Kind,
     /// Arcs that the control has.
     pub(crate) arcs: Arcs,
@@ -159,7 +159,7 @@ pub(super) struct Cutter<'a> {
     pub(super) tolerance: f64,
     /// Path lengths between which the torch does not stop.
     ends: (f64, f64),
-    /// Where the tip's speed is compared with the plan.
+    /// Comparison of the tip's speed with the plan.
     pub(super) even: EvenSpeed<'a>,
 }
 
@@ -234,7 +234,7 @@ impl Cutter<'_> {
         let base = self.cutting.base;
         let (s, checks) = (self.farthest(base, here, written, (end, guess), CHECKS), CHECKS);
         let line = self.turned_back(here, written, s);
-        // At rest nothing tells how it goes on: halves of a line so short are no good for an arc.
+        // A line from rest has no history, so halves of a line so short are no good for an arc.
         let length = (line - here.s).max(SHORTEST_MM);
         let tried = (here.s + LONGER * length).min(end);
         let mut best = (line, base);
@@ -309,7 +309,7 @@ impl Cutter<'_> {
             // From where the words left the axes an arc cannot begin elsewhere.
             Shape::Arc(arc) => {
                 let way = arc.length(self.place(here), self.place(b));
-                written.s >= here.s && way / b.duration * 60.0 >= MARGIN * LEAST_FEED
+                written.s >= here.s && way / b.duration * 60.0 >= MARGIN * MIN_FEED
             }
             _ => !self.below_least_feed(written, b) || self.linear(written, b) <= HELD_BACK * self.tolerance,
         }
@@ -317,7 +317,7 @@ impl Cutter<'_> {
 
     /// True if the control would raise the block's feed, counted from the last linear words `written`.
     fn below_least_feed(&self, written: &Block, b: &Block) -> bool {
-        self.linear(written, b) / b.duration * 60.0 < MARGIN * LEAST_FEED
+        self.linear(written, b) / b.duration * 60.0 < MARGIN * MIN_FEED
     }
 
     /// True if a rotary axis moves in the block by more than its words can say.

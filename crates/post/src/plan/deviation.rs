@@ -1,4 +1,4 @@
-//! How far a block is from the plan.
+//! Deviation of a block from the plan.
 
 use super::BRIEFEST_S;
 use super::block::{Block, Shape};
@@ -9,10 +9,10 @@ use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
 use seamwright_program::TorchPath;
 
-/// How far along the seam, or the way of a weaving tip, a block may run ahead of the plan or behind it, as a multiple of
-/// the chord tolerance.
+/// Maximum lead or lag of a block against the plan, as a multiple of the chord tolerance: along the seam, or along a
+/// weaving tip's way.
 const LAG: f64 = 20.0;
-/// What may be used of the speed's tolerance in the parts looked at.
+/// Usable part of the speed's tolerance in the parts that are compared.
 const SPEED_USED: f64 = 0.9;
 /// Largest deviation of the torch's attitude within a block, rad.
 const ATTITUDE: f64 = 0.1 * std::f64::consts::PI / 180.0;

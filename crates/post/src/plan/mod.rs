@@ -27,17 +27,17 @@ use seamwright_program::{Pass, Program, TorchPath};
 use stands::Neighbours;
 use steps::Steps;
 
-/// How a weld is made a part program.
+/// Options that convert a weld into a part program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
-    /// What the control interpolates.
+    /// Level at which the control interpolates.
     pub level: Level,
     /// Greatest distance of the blocks' path from the planned one of the tip, mm.
     pub tolerance_mm: f64,
     /// Greatest deviation of the tip's speed from the planned one inside blocks between run-up and run-down, percent, as
     /// far as the control's block rate allows: see [`BRIEFEST_S`]. Passes that weave are not held to it.
     pub speed_percent: f64,
-    /// What blocks are. LinuxCNC and grblHAL have lines and arcs alone, Sinumerik polynomials too.
+    /// Kind of blocks. LinuxCNC and grblHAL have lines and arcs alone, Sinumerik polynomials too.
     pub interpolation: Interpolation,
 }
 
@@ -53,13 +53,13 @@ impl Default for Options {
 pub const BRIEFEST_S: f64 = 0.01;
 
 impl Options {
-    /// What is left to a control that rounds corners between blocks, mm.
+    /// Tolerance left to a control that rounds corners between blocks, mm.
     pub fn rounding_mm(&self) -> f64 {
         ROUNDING * self.tolerance_mm
     }
 }
 
-/// What blocks are on controls that have more than lines and arcs.
+/// Kind of blocks on controls that have more than lines and arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
     /// Cubics in time, with speeds: PVT.
@@ -79,16 +79,16 @@ const SPARED: f64 = 0.05;
 /// Longest time of PMAC's cubics, s.
 const LONGEST_CUBIC_S: f64 = 4.095;
 
-/// The weld as a part program for `control`: blocks that keep to `options.tolerance_mm` and to the plan's timing, outputs
-/// switched with the motion; between passes the planned air moves, whose straight lines in axis space are those of
-/// rapid moves at joint level. `paths` are those of the passes that `motion` was planned of.
+/// Converts the weld into a part program for `control`. Blocks keep to `options.tolerance_mm` and to the plan's timing,
+/// and outputs are switched with the motion. Transfer moves are as planned; their straight lines in axis space are
+/// those of rapid moves at joint level. `paths` are those of the passes that `motion` was planned of.
 ///
-/// Rows are rounded to the six decimals that are written, so what is in them is what the control is told. At joint level
-/// the control must move axes as they are; tip level needs kinematics in the control that match the machine.
+/// Rows are rounded to the six decimals that are written, so they equal the values that the control reads. At joint
+/// level the control must move axes as they are; tip level needs kinematics in the control that match the machine.
 ///
 /// # Errors
-/// [`Error::TooFine`]; [`Error::NoTip`]; [`Error::TipPasses`] where the control cannot go over to its axes between
-/// passes; [`Error::TwoTorches`] at tip level.
+/// [`Error::TooFine`]; [`Error::NoTip`]; [`Error::TipPasses`] if the control cannot change to its axes between passes;
+/// [`Error::TwoTorches`] at tip level.
 pub fn part_program(
     machine: &Machine,
     control: &Control,
@@ -153,7 +153,7 @@ fn restarts(program: &Program) -> bool {
     program.passes.iter().filter(|pass| pass.has_arc()).count() > 1
 }
 
-/// What a pass through points switches and says, with the path length at which it does.
+/// Events and messages of a pass through points, each with its path length.
 fn point_events(pass: &Pass, path: &dyn TorchPath) -> Vec<(f64, Event)> {
     let events = pass.points.iter().flat_map(|points| &points.events);
     let mut events: Vec<(f64, Event)> =

@@ -11,7 +11,7 @@ const SHORTEST_MM: f64 = 0.5;
 /// Steps of a slope are no shorter than this, s.
 const SHORTEST_S: f64 = 0.02;
 
-/// Where blocks end within a span so that its ramps change in small steps, mm.
+/// Block ends within a span that make its ramps change in small steps, mm.
 pub(crate) fn ramp_breaks(span: &Span) -> Vec<f64> {
     if !span.process.values().any(ProcessValue::is_ramp) {
         return Vec::new();
@@ -21,7 +21,7 @@ pub(crate) fn ramp_breaks(span: &Span) -> Vec<f64> {
     (1..count).map(|i| from + (to - from) * f64::from(i) / f64::from(count)).collect()
 }
 
-/// Where blocks end so that the values of a weave's sides change in small steps, mm; none without such values.
+/// Block ends that make the values of a weave's sides change in small steps, mm; empty without such values.
 pub(crate) fn weave_breaks(pass: &Pass) -> Vec<f64> {
     let (Some(weave), Some(weaving)) = (&pass.weave, Weaving::new(pass)) else { return Vec::new() };
     if weave.at_sides.is_empty() {
@@ -40,7 +40,7 @@ fn steps(most: f64) -> u32 {
 /// Part of a time in which the torch rests with the arc on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RestStep {
-    /// How long it is, s.
+    /// Duration, s.
     pub(crate) time: f64,
     /// Its middle, from the begin of the rest, s.
     pub(crate) middle: f64,

@@ -21,9 +21,9 @@ const STEADY_S: f64 = 0.02;
 const FEWEST: f64 = 6.0;
 /// Places checked within a block.
 const CHECKS: u32 = 4;
-/// What may be used of the tolerance at these places.
+/// Usable part of the tolerance at these stations.
 const USED: f64 = 0.95;
-/// How far a block may run ahead of the plan or behind it, as a multiple of the tolerance.
+/// Maximum lead or lag of a block against the plan, as a multiple of the tolerance.
 const LAG: f64 = 20.0;
 
 /// Axes and tip together: what the splines go through.

@@ -34,7 +34,7 @@ fn rests_first(pass: &Pass) -> bool {
     points.rows().nth(1).is_some_and(|first| axes.iter().all(|(_, i)| first[*i] == points.start[*i]))
 }
 
-/// What is before and behind a pass.
+/// Position of a pass among its neighbours.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Neighbours {
     /// It is the first.
@@ -109,7 +109,7 @@ impl Steps<'_> {
         if self.arc && !burns_on {
             self.event(Event::Arc(false), true);
             self.arc = false;
-            // What has its value until another is set has none without the arc.
+            // A stepped value keeps its setting until the next one, so it is set to zero without the arc.
             for name in pass.spans.first().iter().flat_map(|span| span.process.keys()) {
                 let Some(i) = self.control.channel(name) else { continue };
                 if self.control.channels[i].kind == ChannelKind::Stepped && self.row[i].abs() > 0.0 {

@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
 const APPROACH_MM_MIN: f64 = 600.0;
-/// What is switched this near behind the begin of a block goes with it, mm.
+/// An event up to this far behind the start of a block is switched with it, mm.
 const NEAR: f64 = 1e-6;
 /// Steps of process values at outputs.
 const VALUE_SCALE: f64 = 1e4;
@@ -28,7 +28,7 @@ pub(super) struct Steps<'a> {
     pub(super) control: &'a Control,
     pub(super) level: Level,
     pub(super) program: PartProgram,
-    /// What the control has been told of each channel.
+    /// Last value of each channel that was sent to the control.
     pub(super) row: Vec<f64>,
     /// The row before the block under way.
     pub(super) before: Vec<f64>,
@@ -58,7 +58,7 @@ impl<'a> Steps<'a> {
         self.program.push(What::Comment(text.into()));
     }
 
-    /// What the pass is, in words.
+    /// Describes the pass in comments.
     pub(super) fn remarks(&mut self, name: &str, motion: &PassMotion, cut: &Linearisation, options: &Options) {
         self.comment(&format!(
             "{name}: travel {} mm in {} s; arc on {} s",
@@ -119,7 +119,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Where the torch stands with the axes at `q`.
+    /// Block at rest with the axes at `q`.
     pub(super) fn standing(&self, q: &Joints) -> Block {
         let tip = self.machine.forward(q).point;
         Block { s: 0.0, q: *q, tip, duration: 0.0, turns_only: false, stops: false, shape: Shape::Line }
@@ -165,7 +165,7 @@ impl<'a> Steps<'a> {
             self.set_interpolated(channel, value);
         }
         if delay > 0.0 {
-            // Nothing moves yet: immediate outputs, for LinuxCNC repeated below in step with the motion.
+            // At rest before the motion: immediate outputs, for LinuxCNC repeated below in step with the motion.
             let upslope = sequence.upslope.as_ref().map_or(0.0, |s| s.time_s.get());
             let mut time = 0.0;
             for (i, step) in self.rests(delay, (upslope, 0.0), pass).into_iter().enumerate() {
@@ -320,7 +320,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Says which process values the control cannot be told.
+    /// Reports process values for which the control has no output.
     fn missing(&mut self, pass: &Pass) {
         for name in pass.spans[0].process.keys().filter(|name| self.control.channel(name).is_none()) {
             let value = pass.process_at(name, 0.0, WELDING).unwrap_or(0.0);

@@ -6,7 +6,7 @@ use seamwright_document::Finite;
 const SAME: f64 = 1e-7;
 /// Part of a segment for differences.
 const STEP: f64 = 1e-4;
-/// Shortest part of a segment that is told by a cubic of its own.
+/// Shortest part of a segment that has a cubic of its own.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
 /// The columns that say the place of a row.
@@ -22,7 +22,7 @@ pub(super) struct Cubics<'a> {
 }
 
 impl Cubics<'_> {
-    /// Where they end, as parts of the segment: one cubic, but where its directions or its even feed bend it.
+    /// Ends of the cubics, as parts of the segment: one cubic, unless its directions or its even feed bend it.
     pub(super) fn ends(&self) -> Vec<f64> {
         let mut ends = Vec::new();
         self.halve((0.0, 1.0), &mut ends);

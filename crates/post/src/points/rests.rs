@@ -10,16 +10,16 @@ pub(super) enum Gap {
     Event(PointEvent),
 }
 
-/// What is between two moves, in order.
+/// Gaps between two moves, in order.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rests(Vec<Gap>);
 
-/// What is at the end of a pass.
+/// Gaps at the end of a pass.
 #[derive(Debug, Clone, Default)]
 pub(super) struct End {
     burning: Vec<(f64, Vec<f64>)>,
     after_s: f64,
-    /// What is switched when it is over.
+    /// Events after its end.
     pub(super) events: Vec<PointEvent>,
 }
 
@@ -33,9 +33,8 @@ impl Rests {
         self.0.iter().any(|gap| matches!(gap, Gap::Rest(..)))
     }
 
-    /// Takes the rests with the arc as in the pass, if their values are neither those of `stays` nor make a slope from or
-    /// to `weld`: what happens then cannot be told by a sequence. `back` if they end a pass: then only those before
-    /// anything else.
+    /// Takes the rests with the arc as in the pass whose values are neither those of `stays` nor make a slope from or
+    /// to `weld`: a sequence cannot express them. `back` if they end a pass: then only those before anything else.
     pub(super) fn take_odd(&mut self, arc: bool, (stays, weld): (&[f64], &[f64]), back: bool) -> Vec<Gap> {
         let is_on = |gap: &Gap| matches!(gap, Gap::Rest(on, ..) if *on == arc);
         let from = if back { 0 } else { self.0.iter().position(is_on).unwrap_or(self.0.len()) };
@@ -84,7 +83,7 @@ impl Rests {
         std::mem::take(&mut self.0)
     }
 
-    /// What is switched before the next pass, which is left without it.
+    /// Takes the events before the next pass out of the gaps.
     pub(super) fn take_events(&mut self) -> Vec<PointEvent> {
         let mut events = Vec::new();
         self.0.retain(|gap| match gap {
@@ -123,7 +122,7 @@ fn seconds(value: f64) -> NonNegative {
     NonNegative::new(value).unwrap_or_default()
 }
 
-/// How far a step may be from an even slope, as a part of what that spans.
+/// Maximum deviation of a step from an even slope, as a part of that slope's range.
 const EVEN: f64 = 1e-3;
 
 /// The slope whose steps these rests are: from the outer end to the weld, where values are `weld`. Steps have the values

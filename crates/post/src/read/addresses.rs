@@ -50,7 +50,7 @@ impl Addresses {
         }
     }
 
-    /// What the machine's own code does, if this is one: `number` in tenths.
+    /// Effect of the machine's own code, if this is one: `number` in tenths.
     #[inline]
     pub(super) fn code(&self, letter: u8, number: u32) -> Option<&Code> {
         self.codes.iter().find(|(l, n, _)| (*l, *n) == (letter, number)).map(|(_, _, code)| code)

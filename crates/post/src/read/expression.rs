@@ -250,7 +250,7 @@ impl Expressions {
     }
 }
 
-/// What stands behind LinuxCNC's `#`.
+/// Parameter named after LinuxCNC's `#`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Parameter {
     Number(u32),

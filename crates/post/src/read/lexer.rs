@@ -1,4 +1,4 @@
-//! Bytes of a line, and the numbers and names in them. Nothing here allocates.
+//! Bytes of a line, and the numbers and names in them. This module does not allocate.
 
 use super::error::{Fault, Read, Span, floor_char};
 
@@ -114,7 +114,7 @@ impl<'a> Cursor<'a> {
         Some(&rest[..length])
     }
 
-    /// A name: letters, digits and `_`. Empty if there is none.
+    /// A name of letters, digits and `_`; may be empty.
     pub(super) fn name(&mut self) -> &'a str {
         let from = self.at;
         while matches!(self.peek(), b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'_') {
@@ -123,7 +123,7 @@ impl<'a> Cursor<'a> {
         self.of(self.since(from))
     }
 
-    /// Letters and nothing else. Empty if there are none.
+    /// A name of letters only; may be empty.
     pub(super) fn letters(&mut self) -> &'a str {
         let from = self.at;
         while self.peek().is_ascii_alphabetic() {

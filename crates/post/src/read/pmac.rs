@@ -12,7 +12,7 @@ use super::target::{How, twice};
 use super::{Flow, Lines};
 use glam::DVec3;
 
-/// What PMAC has in mind beside the other controls' state.
+/// State of PMAC beside the other controls' state.
 #[derive(Debug)]
 pub(super) struct Words {
     begun: bool,

@@ -14,7 +14,7 @@ pub(super) struct Program<'a> {
     pub(super) line: u32,
     /// Remark beside its name.
     pub(super) title: &'a str,
-    /// Where the text goes on behind it: byte and line.
+    /// Position at which the text continues behind it: byte and line.
     pub(super) after: (usize, u32),
 }
 

@@ -193,7 +193,7 @@ impl State<'_> {
         Ok(arc)
     }
 
-    /// What the control puts up with in arcs.
+    /// Tolerance of the control for arcs.
     fn tolerance(&self) -> Tolerance {
         let (least, relative, most, radius, least_angle, rule) = match self.control.dialect {
             // Its interpreter: absolute and relative, and a hundred times the absolute one whatever the radius.

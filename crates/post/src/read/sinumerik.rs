@@ -13,13 +13,13 @@ use super::target::{How, twice};
 use super::{Flow, Lines};
 use crate::Level;
 
-/// What is known of the text so far.
+/// State of the text so far.
 #[derive(Debug, Default)]
 pub(super) struct Words {
     begun: bool,
 }
 
-/// What a line says, beside the channels.
+/// Words of a line, beside the channels.
 #[derive(Debug, Default)]
 struct Line {
     block: Block,

@@ -13,7 +13,7 @@ use seamwright_motion::WeldMotion;
 use seamwright_program::Program;
 use serde::Serialize;
 
-/// What a post is held against.
+/// Plan against which a post is verified.
 #[derive(Debug, Clone, Copy)]
 pub struct Planned<'a> {
     /// The machine.
@@ -56,7 +56,7 @@ pub struct PassVerification {
     pub rotary: Option<(f64, String)>,
     /// Greatest deviation of the torch's direction, degrees.
     pub direction_deg: f64,
-    /// How far the tip is ahead of the plan or behind it at most, mm.
+    /// Maximum lead or lag of the tip against the plan, mm.
     pub lag_mm: f64,
     /// Greatest deviation of the tip's mean speed in a block, percent of the planned one.
     pub speed_percent: f64,
@@ -80,12 +80,12 @@ const PROCESS_PERCENT: f64 = 2.5;
 /// Rounding of six decimals.
 const ROUNDING: f64 = 1e-5;
 
-/// Holds `told`, read back from the text, against `asked`, from which it was written, and the plan; `start` is the row
-/// before the first block.
+/// Verifies `told`, read back from the text, against `asked`, from which it was written, and the plan. `start` is the
+/// row before the first block.
 ///
 /// # Errors
-/// What is not as it must be, in words: blocks that are missing or differ, and deviations beyond the tolerance, 0.1 % of
-/// the time or 2.5 % of a process value.
+/// Descriptions of all faults: blocks that are missing or differ, and deviations beyond the tolerance, 0.1 % of the
+/// time or 2.5 % of a process value.
 pub fn verify(
     asked: &PartProgram,
     told: &PartProgram,
@@ -104,7 +104,7 @@ pub fn verify(
             false => plan::check(planned, (i, pass), &same.blocks),
         };
         wrong.extend(checked.complaints(planned, i + 1));
-        // What was asked for is not trusted here: a torch that burns where the program has no arc.
+        // Checks the text itself, not `asked`: the arc must be off in a pass without one.
         let burns = |block: &same::Block| block.pass == i && block.told.arc && planned.control.switches_arc();
         if !pass.has_arc() && same.blocks.iter().any(burns) {
             wrong.push(format!("pass {} ({}): the arc is on in a pass without one", i + 1, pass.name));

@@ -11,8 +11,8 @@ use seamwright_program::{Pass, TorchPath};
 
 /// Places in a block that are looked at, its end among them.
 const PLACES: u32 = 16;
-/// Blocks shorter than this, or slower than this part of the fastest, tell nothing of the speed: run-up and run-down
-/// change within them.
+/// Blocks shorter than this, or slower than this part of the fastest, are not compared: speed changes within them in
+/// the acceleration and deceleration phases.
 const SHORTEST_S: f64 = 1e-3;
 const SLOWEST: f64 = 0.2;
 
@@ -84,7 +84,7 @@ struct Checker<'a> {
     pass: &'a Pass,
     motion: &'a PassMotion,
     path: TipPath<'a>,
-    /// Where the tip's speed is compared with the plan.
+    /// Comparison of the tip's speed with the plan.
     even: EvenSpeed<'a>,
     /// When the torch begins to travel, on the text's clock, s.
     travel: f64,

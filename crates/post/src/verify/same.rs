@@ -107,7 +107,7 @@ fn passes(program: &PartProgram) -> Vec<usize> {
     program.steps.iter().map(of).collect()
 }
 
-/// What is switched, in order; words for people aside.
+/// Events in order, without messages.
 fn events<'a>(control: &Control, program: &'a PartProgram) -> Vec<&'a Event> {
     let of = |step: &'a crate::Step| match &step.what {
         What::Event { event: Event::Message(_), .. } => None,
@@ -116,7 +116,7 @@ fn events<'a>(control: &Control, program: &'a PartProgram) -> Vec<&'a Event> {
         _ => None,
     };
     let mut events: Vec<&Event> = program.steps.iter().filter_map(of).collect();
-    // LinuxCNC is told at once and with the motion; what is said twice is one.
+    // LinuxCNC gets an event at once and with the motion; the two count as one.
     events.dedup();
     events
 }

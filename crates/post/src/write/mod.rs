@@ -18,14 +18,14 @@ use crate::part_program::{Event, PartProgram};
 use crate::{Control, Dialect, Error};
 use writer::Writer;
 
-/// How a part program is written.
+/// Options of the writer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WriteOptions {
     /// The machine's title, for people.
     pub machine: String,
-    /// How times of blocks are said.
+    /// Form of the blocks' times.
     pub feed: Feed,
-    /// How far the control may round corners between blocks, mm; 0: as it does by itself. LinuxCNC only.
+    /// Rounding of corners between blocks by the control, mm; 0: the control's own default. LinuxCNC only.
     pub rounding_mm: f64,
     /// Remarks for the begin of the text.
     pub remarks: Vec<String>,
@@ -37,7 +37,7 @@ impl Default for WriteOptions {
     }
 }
 
-/// How times of blocks are said. PMAC: times, or a feed per second; its cubics and splines have times always.
+/// Form of the blocks' times. PMAC: times, or a feed per second; its cubics and splines have times always.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feed {
     /// Blocks per minute, G93.

@@ -70,7 +70,7 @@ fn millionths(size: f64) -> u64 {
     let scaled = size * SCALE;
     let whole = scaled.floor();
     let above = scaled - whole - 0.5;
-    // Where the product's rounding may decide, its error does.
+    // Near a tie the rounding error of the product decides.
     if above.abs() > scaled * f64::EPSILON {
         return whole as u64 + u64::from(above > 0.0);
     }

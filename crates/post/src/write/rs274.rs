@@ -1,4 +1,4 @@
-//! What LinuxCNC and grblHAL have in common.
+//! Words common to LinuxCNC and grblHAL.
 
 use super::feed_mode::FeedMode;
 use super::fixed;

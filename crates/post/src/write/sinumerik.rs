@@ -15,7 +15,7 @@ pub(super) struct Sinumerik {
     plane: Option<usize>,
 }
 
-/// Where the programs are kept in the control.
+/// Folder of the programs in the control.
 const FOLDER: &str = ";$PATH=/_N_WKS_DIR/_N_SEAMWRIGHT_WPD";
 
 impl Sinumerik {
@@ -267,7 +267,7 @@ impl Tongue for Sinumerik {
         w.text.number(value);
         w.text.glue(")");
         w.text.end();
-        // What is set need not be said by the next block.
+        // The next block need not repeat this value.
         if w.here.is_empty() {
             w.here = vec![f64::NAN; control.channels.len()];
         }

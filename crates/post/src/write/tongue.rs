@@ -1,4 +1,4 @@
-//! What the dialects say differently.
+//! Differences between the dialects.
 
 use super::writer::{Problem, Writer};
 use crate::part_program::{Event, Level, Move};
@@ -26,7 +26,7 @@ pub(super) trait Tongue {
     /// The usual lines at the end.
     fn tail(&mut self, w: &mut Writer);
 
-    /// How to start again at a pass.
+    /// Describes how to start again at a pass.
     fn restart(&self, passes: u32) -> String;
 
     /// Lines that make the control go over to axes or tip.
@@ -47,7 +47,7 @@ pub(super) trait Tongue {
     /// Says something to the operator.
     fn message(&mut self, w: &mut Writer, text: &str);
 
-    /// Switches what needs no output; false if that is none of the dialect's own.
+    /// Switches events that need no output; false if the dialect has no word for this one.
     fn own(&mut self, _w: &mut Writer, _event: &Event, _at_once: bool) -> bool {
         false
     }

@@ -6,7 +6,7 @@ use crate::{Code, Control, Dialect, Error};
 use glam::DVec3;
 use std::ops::Range;
 
-/// What the control cannot take, and what to do.
+/// Feature that the control lacks, and the operator action.
 pub(super) struct Problem {
     pub(super) what: String,
     pub(super) cure: &'static str,
@@ -37,9 +37,9 @@ pub(super) struct Writer<'a> {
     pub(super) known: bool,
     /// Codes and words that go with the next move.
     pub(super) pending: String,
-    /// Level the control was told, if any.
+    /// Level last sent to the control, if any.
     level: Option<Level>,
-    /// Whether levels must be told.
+    /// Whether the control needs words for levels.
     tells_level: bool,
     at: usize,
     /// Block number that the step under way has of its own.
@@ -291,7 +291,7 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// How many passes there are.
+    /// Number of passes.
     pub(super) fn passes(&self) -> usize {
         self.program.steps.iter().filter(|step| matches!(step.what, What::Pass(_))).count()
     }

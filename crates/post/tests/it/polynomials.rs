@@ -14,7 +14,8 @@ use std::fmt::Write as _;
 
 const STEPS: usize = 20_000;
 
-/// A block as told: for x, y, z, b and c the ends and the coefficients of the powers 2 and up of a parameter to `length`.
+/// A block as written: for x, y, z, b and c the ends and the coefficients of the powers 2 and up of a parameter to
+/// `length`.
 struct Told {
     axes: [(f64, f64, [f64; 4]); 5],
     length: f64,

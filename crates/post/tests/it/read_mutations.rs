@@ -1,6 +1,6 @@
-//! Whatever the text, the reader gives a program or an error with its place, and never panics: random garbage, and
-//! programs with parts changed, doubled, cut and mixed. `SEAMWRIGHT_FUZZ_S` says for how many seconds; what once failed
-//! is kept in `tests/data/read`.
+//! For any text the reader gives a program or an error with its position, and never panics: random garbage, and
+//! programs with parts changed, doubled, cut and mixed. `SEAMWRIGHT_FUZZ_S` is the number of seconds; texts that once
+//! failed are in `tests/data/read`.
 
 use crate::reading::{self, Uniform, cases};
 use seamwright_post::{Control, Dialect, Path, ReadOptions, What, read};

@@ -278,7 +278,7 @@ fn arcs_of_several_turns() {
     }
 }
 
-/// Where the control can go over, passes are welded at tip level and air moves are made by the axes.
+/// If the control can change levels, passes are welded at tip level and transfer moves are made by the axes.
 #[test]
 fn passes_at_tip_level() {
     let job = std::fs::read_to_string(format!("{}/../../tests/data/passes.toml", env!("CARGO_MANIFEST_DIR"))).unwrap();

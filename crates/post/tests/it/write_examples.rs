@@ -81,7 +81,7 @@ fn proven(planned: &Planned, control: &Control, program: &PartProgram, options: 
     }
 }
 
-/// What is not as it was asked is found: a place, a feed, an output, a block less.
+/// Each difference from the request is found: a position, a feed, an output, a missing block.
 #[test]
 fn a_wrong_text_is_no_proof() {
     let planned = Planned::example("saddle");

@@ -23,7 +23,7 @@ impl Builder<'_> {
             Path::Arc(_) => Along::Arc,
             Path::Hermite(_) | Path::Spline | Path::Curve(_) => Along::Cubic,
         };
-        // Arcs of more than half a turn are told by several.
+        // Arcs of more than half a turn are split.
         let ends = match arc {
             Some(arc) => {
                 let parts = (arc.sweep / (PI * (1.0 + 1e-9))).ceil().max(1.0) as u32;
@@ -64,7 +64,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Whether an arc also goes along its axis: whatever else, its places do not tell its plane.
+    /// Whether an arc also goes along its axis: then its points do not define its plane.
     fn climbs(&self, segment: &Segment) -> bool {
         let Some(arc) = self.arc_of(segment) else { return false };
         let [start, end] = [segment.start(), segment.end()].map(|row| self.read.xyz().of(row));

@@ -1,4 +1,4 @@
-//! What the codes of a line mean, and the order in which the line's words are done.
+//! Meaning of the codes of a line, and the order in which the line's words are executed.
 
 use super::{E, F, L, Line, P, Q, R, S};
 use crate::read::Flow;

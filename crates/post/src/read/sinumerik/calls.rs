@@ -46,7 +46,7 @@ pub(super) fn channel(state: &State, c: &mut Cursor) -> Read<(usize, Span)> {
     if name.is_empty() {
         return Err(Fault::new(c.here(), "an axis is missing here"));
     }
-    // Who names what there is not means something else by what follows: this is not left out.
+    // An unknown axis changes the meaning of the rest, so even a lenient reader does not leave it out.
     let mut fault = match state.addresses.name(name) {
         Some(channel) => return Ok((channel, span)),
         None => no_address(state.control, span, name),

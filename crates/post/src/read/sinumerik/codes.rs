@@ -1,4 +1,4 @@
-//! What the codes of a line mean, and what is done at its end.
+//! Meaning of the codes of a line, and the actions at its end.
 
 use super::Line;
 use crate::Event;

@@ -7,7 +7,7 @@ use glam::DVec3;
 use seamwright_post::{Control, Dialect};
 use std::f64::consts::TAU;
 
-/// What was read of a text.
+/// Content read from a text.
 #[derive(Default)]
 pub(crate) struct Read {
     /// The row after each line of motion.
