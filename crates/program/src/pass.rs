@@ -133,7 +133,7 @@ pub enum OnLimit {
 }
 
 impl Pass {
-    /// What the pass is for: its role, or what the first word of its name says.
+    /// Role of the pass: the given one, or that named by the first word of its name.
     pub fn known_role(&self) -> Option<Role> {
         let word = self.name.split_whitespace().next();
         self.role.or_else(|| Role::ALL.into_iter().find(|role| word == Some(role.name())))

@@ -50,7 +50,7 @@ const UNITS: [(&str, &str, f64); 17] = [
 /// submerged arc welding, the strongest.
 const ARC: [(&str, f64); 2] = [("current_a", 3000.0), ("voltage_v", 100.0)];
 
-/// What a process value is without its unit, and the dimension of this and its greatest value; none of other units.
+/// A process value's name without its unit, the unit's dimension and its maximum value; `None` for other units.
 fn quantity(name: &str) -> Option<(&str, &'static str, f64)> {
     UNITS.iter().find_map(|(unit, dimension, greatest)| {
         let stem = name.strip_suffix(unit)?.strip_suffix('_')?;

@@ -46,10 +46,10 @@ pub struct Groove {
     pub dihedral: f64,
 }
 
-/// Most axes of a machine.
-pub const MOST_AXES: usize = 12;
+/// Maximum number of axes of a machine.
+pub const MAX_AXES: usize = 12;
 /// Positions of a machine's axes in its file's order, mm or rad; 0 beyond the last one.
-pub type AxisPositions = [f64; MOST_AXES];
+pub type AxisPositions = [f64; MAX_AXES];
 
 /// A path of the torch in the work frame by path length: what the rooms that know machines and time need of a pass.
 pub trait TorchPath: Sync {
@@ -102,14 +102,14 @@ pub trait TorchPath: Sync {
         None
     }
 
-    /// Where the torch weaves: how far its tip is from its line, as a vector. The line is what `rate` and `tangent` speak
-    /// of, and along which speeds count. None if the tip is on its line all along.
+    /// Offset of a weaving tip from its line, as a vector. `rate`, `tangent` and speeds refer to the line. `None`
+    /// without a weave.
     fn swing(&self, _s: f64) -> Option<DVec3> {
         None
     }
 
-    /// Where the torch weaves: the same path with a weave that goes only `factor` times as fast, below 1;
-    /// with 0 without it.
+    /// The same path with its weave slowed down to `factor` times its speed, below 1; 0 removes the weave. `None`
+    /// without a weave.
     fn slower(&self, _factor: f64) -> Option<Box<dyn TorchPath + '_>> {
         None
     }
@@ -133,8 +133,8 @@ pub trait TorchPath: Sync {
     }
 
     /// Path length within [`from`, `to`] of the path's point nearest to `point`, which must lie near the path at path
-    /// length `guess`: two Newton steps on the foot of the perpendicular. Where the torch weaves, that of the line's
-    /// point nearest to where `point` would be without the swing that is asked for at `guess`.
+    /// length `guess`. Makes two Newton steps on the foot of the perpendicular. With a weave, the swing at `guess` is
+    /// subtracted from `point`, and the foot is on the line.
     fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
         let point = point - self.swing(guess).unwrap_or_default();
         let along = |s: f64| {

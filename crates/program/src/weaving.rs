@@ -35,7 +35,7 @@ impl Weaving {
         self.begun[i] + self.weave.periods(&self.spans[i], s)
     }
 
-    /// How far the torch is from its line, mm: across towards the first part, and along in the direction of travel.
+    /// Offset of the torch from its line, mm: across towards the first part, and along in the direction of travel.
     pub fn offset(&self, s: f64) -> (f64, f64) {
         let Swing { across, along } = self.weave.figure.at(self.phase(s), self.weave.dwells());
         let (wide, long) = self.weave.reach();
@@ -99,8 +99,8 @@ impl Weaving {
 }
 
 impl Pass {
-    /// How far the weave is out to a side at path length `s`: 0 in the middle, 1 at the side of the first part, -1 at
-    /// that of the second; 0 without a weave. Allocates nothing.
+    /// Offset of the weave at path length `s`: 0 in the middle, 1 at the side of the first part, -1 at that of the
+    /// second; 0 without a weave. Does not allocate.
     pub fn swing_at(&self, s: f64) -> f64 {
         let Some(weave) = &self.weave else { return 0.0 };
         let mut phase = 0.0;

@@ -60,7 +60,7 @@ impl PointsDraft {
         columns
     }
 
-    /// Where among a cubic's speeds those of some columns are; none if one of them says no place.
+    /// Indices of some columns among a cubic's speeds; `None` if one of them holds no position.
     pub(super) fn among_speeds(&self, columns: [usize; 3]) -> Option<[usize; 3]> {
         let places = self.place_columns();
         let [x, y, z] = columns.map(|column| places.iter().position(|c| *c == column));
@@ -173,7 +173,7 @@ impl PointsDraft {
     }
 }
 
-/// How fast values change that follow each other after `seconds`: of the parabola through each and its neighbours.
+/// Rates of values that follow each other after `seconds`: of the parabola through each and its neighbours.
 fn rates(values: &[DVec3], seconds: &[f64]) -> Vec<DVec3> {
     let n = seconds.len();
     let mean: Vec<DVec3> = (0..n).map(|k| (values[k + 1] - values[k]) / seconds[k]).collect();

@@ -12,7 +12,7 @@ pub(super) fn formatted(text: &str, program: &Document<Program>) -> Result<Strin
     let usual = program.value.to_toml().unwrap_or_default();
     let mut old: DocumentMut = text.parse().map_err(unwritable)?;
     let mut new: DocumentMut = usual.parse().map_err(unwritable)?;
-    // What heads the file stays there, whatever key comes first now.
+    // The head of the file stays there, even if another key comes first now.
     let mut head = take_top(&mut old);
     if head.is_empty() {
         head.extend(usual.lines().next().map(str::to_owned));

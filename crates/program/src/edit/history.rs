@@ -1,4 +1,4 @@
-//! What was done to a text, so that it can be undone: patches of what changed, not copies of the text.
+//! History of edits of a text, for undo: patches of the changes, not copies of the text.
 
 use seamwright_document::DocumentError;
 use serde::{Deserialize, Serialize};
@@ -7,13 +7,13 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Patch {
-    /// What was done, in words.
+    /// Description of the edit.
     pub name: String,
     /// Bytes before the place.
     pub at: usize,
-    /// What stood there.
+    /// Text before the edit.
     pub removed: String,
-    /// What stands there.
+    /// Text after the edit.
     pub inserted: String,
 }
 
@@ -66,13 +66,13 @@ pub struct History {
 struct Head {
     /// Version of the format.
     history: u32,
-    /// How many edits are done; the others are undone.
+    /// Number of edits that are done; the others are undone.
     done: usize,
     /// Of the text, as it is with these done.
     checksum: String,
 }
 
-/// FNV-1a, 64 bits: tells a text that was changed by hand; nobody is to be fooled.
+/// FNV-1a, 64 bits: detects a text that was changed by hand; it is no protection against forgery.
 fn checksum(text: &str) -> String {
     let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     format!("{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325, step))

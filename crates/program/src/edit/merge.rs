@@ -96,7 +96,7 @@ pub(super) fn table_of<T: serde::Serialize>(value: &T) -> toml::Table {
     toml::Table::try_from(value).unwrap_or_default()
 }
 
-/// The tables at `key` of `table` as an array of tables, whatever way they are written; an empty one if there are none.
+/// The tables at `key` of `table` as an array of tables, in any notation; empty if the key is missing.
 pub(super) fn tables<'a>(table: &'a mut Table, key: &str) -> Option<&'a mut ArrayOfTables> {
     if !table.get(key).is_some_and(Item::is_array_of_tables) {
         let mut said = table.key(key).map(|key| comments(key.leaf_decor())).unwrap_or_default();

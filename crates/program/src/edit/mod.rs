@@ -72,12 +72,12 @@ impl Editor {
         &self.text
     }
 
-    /// What it says, expressions as their numbers.
+    /// The program, with expressions as their numbers.
     pub fn program(&self) -> &Program {
         &self.program.value
     }
 
-    /// What was done.
+    /// History of the edits.
     pub fn history(&self) -> &History {
         &self.history
     }
@@ -130,18 +130,19 @@ impl Editor {
         Ok((text, program, report))
     }
 
-    /// Undoes the last edit: the text is byte by byte what it was. What was undone; none if nothing was left.
+    /// Undoes the last edit: the text is byte by byte as before. Returns its description; `None` if there is nothing to
+    /// undo.
     ///
     /// # Errors
-    /// The text is not that of the history.
+    /// The text differs from that of the history.
     pub fn undo(&mut self) -> Result<Option<String>, DocumentError> {
         if self.history.done().is_empty() { Ok(None) } else { self.step(History::undo).map(Some) }
     }
 
-    /// Makes the last edit undone again. What was made; none if nothing was left.
+    /// Redoes the last edit that was undone. Returns its description; `None` if there is nothing to redo.
     ///
     /// # Errors
-    /// The text is not that of the history.
+    /// The text differs from that of the history.
     pub fn redo(&mut self) -> Result<Option<String>, DocumentError> {
         if self.history.undone().is_empty() { Ok(None) } else { self.step(History::redo).map(Some) }
     }

@@ -1,4 +1,4 @@
-//! Where points are: mirrored, or moved by the torch's frame.
+//! Edits of points' positions: mirrored, or moved by the torch's frame.
 
 use super::draft::{Body, Draft, PointsDraft, Row, RowSpan};
 use super::report::Report;

@@ -197,7 +197,7 @@ impl PointsDraft {
         }
     }
 
-    /// What each way counts in a ramp: its time, or the distance of its ends; the same if there is no time or place.
+    /// Weight of each way in a ramp: its time, or the distance of its ends; all equal without times or positions.
     fn lengths(&self) -> Vec<f64> {
         let rows: Vec<_> = self.rows().collect();
         let each = rows.windows(2).map(|pair| match self.places() {

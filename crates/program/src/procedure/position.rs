@@ -37,7 +37,7 @@ impl fmt::Display for WeldingPosition {
     }
 }
 
-/// How a weld lies against gravity at one place.
+/// Inclination of a weld against gravity at one station.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inclination {
     /// Slope S of the direction of travel, rad: positive uphill.

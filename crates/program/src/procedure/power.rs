@@ -2,7 +2,7 @@ use super::Procedure;
 use crate::{ProcessValues, check_process_name};
 use seamwright_document::{Document, DocumentError};
 
-/// What a process value that makes power is, and what turns it into A, V or W.
+/// Kind of a process value that determines power, with its factor to A, V or W.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Factor {
     Current(f64),

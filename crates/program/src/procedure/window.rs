@@ -73,9 +73,9 @@ impl Window {
 
     /// The stretches on which `value`, a function of path length, is outside the window, those below it first.
     ///
-    /// `places` increase; between two of them the value is continuous and its extremes are at or near the places, so a
-    /// value that is linear between them is judged exactly, another as well as the places are close. Where the value
-    /// passes a limit is found by halving, to rounding. A value on a limit, or a millionth beyond, is within.
+    /// `places` increase. Between two of them the value is continuous and its extremes are at or near the `places`. A
+    /// linear value is judged exactly, another one as well as the `places` are close. A crossing of a limit is found by
+    /// halving, to rounding. A value on a limit, or a millionth beyond, is within.
     pub fn outside(self, places: &[f64], value: impl Fn(f64) -> f64) -> Vec<Outside> {
         let (least, greatest) = self.ends();
         let rounding = ROUNDING * least.abs().max(greatest.abs()).max(1.0);

@@ -41,7 +41,7 @@ fn random_cubic(random: &mut Random, count: usize, more: &str) -> String {
     )
 }
 
-/// Where a pass of cubics is after `t` seconds, and how fast: Bernstein's form, not the one that edits use.
+/// Position and speed of a pass of cubics after `t` seconds: Bernstein's form, not the one that edits use.
 fn at(points: &Points, t: f64) -> (DVec3, DVec3) {
     let vector = |row: &[Finite]| DVec3::from_slice(&plain(row)[..3]);
     let (mut here, mut begin) = (vector(&points.start), 0.0);
@@ -249,7 +249,7 @@ fn a_spline_that_becomes_a_cubic_goes_the_same_way() {
         let start = (at(&cubic, 1e-4).1 - at(&cubic, 0.0).1) / 1e-4;
         assert!(start.length() < 0.2, "seed {seed}: {start}");
     }
-    // Where the torch stops it stands.
+    // At a stop all speeds are 0.
     let text =
         random_cubic(&mut Random::new(3), 4, "").replace("along = \"cubic\"\n", "along = \"cubic\"\nstops = true\n");
     let mut editor = Editor::new("p.toml", &text).unwrap();

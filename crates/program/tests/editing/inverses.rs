@@ -29,7 +29,7 @@ fn apply(editor: &mut Editor, operation: Value) -> Result<(), String> {
     editor.apply(&operation).map(drop).map_err(|e| e.to_string())
 }
 
-/// What is on over each way, by what is switched; what was not switched is off.
+/// State of an output over each way; it is off until it is switched.
 fn states(points: &Points, switch: &dyn Fn(&PointEvent) -> Option<bool>) -> Vec<bool> {
     let mut events: Vec<&PointEvent> = points.events.iter().collect();
     events.sort_by_key(|event| event.after);

@@ -29,7 +29,7 @@ fn slope_and_rotation_are_those_a_weld_was_turned_by() {
     for _ in 0..cases(20_000) {
         let (slope, rotation) = (random.in_range(-89.0, 89.0), random.in_range(-180.0, 180.0));
         let (tangent, face) = turned(slope, rotation, random.in_range(-4.0, 4.0));
-        // Whatever the face has along the weld does not matter.
+        // The face's component along the weld has no effect.
         let leaning = (face + random.in_range(-2.0, 2.0) * tangent).normalize();
         let found = Inclination::new(tangent, leaning, DVec3::Z);
         assert!((found.slope.to_degrees() - slope).abs() < 1e-10, "{slope} {rotation}");
