@@ -78,7 +78,7 @@ impl Attitude {
         travel.cos() * across + travel.sin() * (sense * p.along)
     }
 
-    /// Where a second derivative of the angles may jump, inside `range` of the seam, mm.
+    /// Positions inside `range` of the seam at which a second derivative of the angles may jump, mm.
     pub(crate) fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
         repeated(self.work.knots().iter().copied(), self.work.period(), range, SAME_POSITION_MM)
     }

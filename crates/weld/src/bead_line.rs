@@ -5,13 +5,13 @@ use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_geometry::CubicSpline;
 use seamwright_program::{Bead, SAME_POSITION_MM, is_before, is_beyond, is_same_position};
 
-/// Where a bead lies beside the seam, by the seam's path length: cubic splines through the rows of a [`Bead`], periodic
-/// on a seam welded all round, natural on any other.
+/// Position of a bead beside the seam, by the seam's path length: cubic splines through the rows of a [`Bead`],
+/// periodic on a seam welded all round, natural on any other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BeadLine {
     across: CubicSpline,
     out: CubicSpline,
-    /// What it adds to the work angle, rad.
+    /// Addition to the work angle, rad.
     lean: CubicSpline,
     /// Width of the weave as a part of its own.
     weave_part: Option<CubicSpline>,
@@ -78,7 +78,7 @@ impl BeadLine {
         p.point + self.across.at(p.s).0 * p.towards_first + self.out.at(p.s).0 * p.bisector
     }
 
-    /// What it adds to the work angle at path length `s` on the seam, rad.
+    /// Addition to the work angle at path length `s` on the seam, rad.
     pub fn lean(&self, s: f64) -> f64 {
         self.lean.at(s).0
     }

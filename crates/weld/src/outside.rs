@@ -1,4 +1,4 @@
-//! What a job names but does not hold: tables in files, and where its machine's axes put the torch.
+//! Data outside a job's file: tables in files, and the torch poses of its machine's axes.
 
 use crate::MachineAxes;
 use glam::{DAffine3, DVec3};
@@ -9,9 +9,9 @@ use std::sync::Arc;
 /// Why something from outside cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wrong {
-    /// What is wrong.
+    /// Description of the fault.
     pub message: String,
-    /// What would be right.
+    /// Allowed values.
     pub allowed: String,
 }
 
@@ -26,7 +26,7 @@ pub trait Outside {
     /// Rows of the point table `file`, as the job names it: three numbers (mm), six or nine (with one or two normals).
     ///
     /// # Errors
-    /// A file that cannot be read, or has other columns.
+    /// An unreadable file, or one with other columns.
     fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong>;
 
     /// The torch tip (mm) in the work frame of `machine`, as the job names it, at axis positions in mm or degrees, in

@@ -16,9 +16,9 @@ pub struct PassPath<'a> {
     pub stretch: Stretch,
     /// Torch angles by the seam's path length.
     pub attitude: Attitude,
-    /// Where the bead lies beside the seam, if it does.
+    /// Position of the bead beside the seam, if it has one.
     pub bead: Option<&'a BeadLine>,
-    /// How the torch weaves about the bead's line, if it does.
+    /// Weave of the torch about the bead's line, if any.
     pub weaving: Option<Weaving>,
     /// The frame of the pass' copy of the seam in the work frame: work offset and placement.
     pub placement: DAffine3,
@@ -44,8 +44,8 @@ impl PassPath<'_> {
         (tip, self.attitude.leaning(p, lean, self.stretch.sense))
     }
 
-    /// How far the weave takes the tip from its line at path length `s`, mm: across towards the first part, and along in
-    /// the direction of travel. None without a weave.
+    /// Offset of the weaving tip from its line at path length `s`, mm: across towards the first part, and along in the
+    /// direction of travel. `None` without a weave.
     pub fn woven(&self, s: f64) -> Option<(f64, f64)> {
         let (across, along) = self.weaving.as_ref()?.offset(s);
         let part = self.bead.map_or(1.0, |bead| bead.weave_part(self.stretch.seam_s(s)));

@@ -62,8 +62,8 @@ pub struct SeamCurve {
 /// rounding, and too little for a bend to turn the torch.
 pub(crate) const SAME_MM: f64 = 1e-9;
 
-/// Largest angle of a start or end, degrees: ten turns.
-const MOST_PHI_DEG: f64 = 3600.0;
+/// Maximum angle of a start or end, degrees: ten turns.
+const MAX_PHI_DEG: f64 = 3600.0;
 
 impl std::fmt::Debug for SeamCurve {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
@@ -123,8 +123,8 @@ impl SeamCurve {
         let angles = Angles::new(file, seam, closed)?;
         let length_at = |phi: f64| angles.parameter(phi.to_radians()).map_or(0.0, |u| curve.length_at(u));
         for (key, phi) in [("phi_deg", Some(start.phi_deg)), ("end_phi_deg", start.end_phi_deg)] {
-            if phi.is_some_and(|p| p.get().abs() > MOST_PHI_DEG) {
-                let allowed = format!("-{MOST_PHI_DEG} to {MOST_PHI_DEG}");
+            if phi.is_some_and(|p| p.get().abs() > MAX_PHI_DEG) {
+                let allowed = format!("-{MAX_PHI_DEG} to {MAX_PHI_DEG}");
                 return Err(file.error_at(&format!("start.{key}"), "this is many turns away", allowed));
             }
         }

@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 /// Points nearer to each other than this are one, mm.
 const APART_MM: f64 = 1e-3;
-/// Largest angle of a span against the nominal seam, degrees: beyond, its points zigzag.
-const MOST_TURN_DEG: f64 = 60.0;
+/// Maximum angle of a span against the nominal seam, degrees: beyond, its points zigzag.
+const MAX_TURN_DEG: f64 = 60.0;
 /// Places of an interval of the spline that are looked at for that.
 const PLACES: u32 = 16;
 /// Step by which the curvature's change at a join is measured, outside of the span, mm.
@@ -19,11 +19,11 @@ const STEP_MM: f64 = 0.01;
 /// A taught span on the seam; path lengths in mm from the start of the weld.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaughtSpan {
-    /// Where it begins and ends on the seam.
+    /// Start and end on the seam.
     pub seam: (f64, f64),
     /// The same places on the nominal seam.
     pub nominal: (f64, f64),
-    /// Where its points are on the seam.
+    /// Positions of its points on the seam.
     pub points: Vec<f64>,
 }
 
@@ -178,7 +178,7 @@ impl Curve for TaughtEdge {
         let (first, last) = self.domain();
         let mut breaks = Vec::new();
         for u in self.nominal().breaks() {
-            // Where the nominal seam has a break within a span its normals may have one.
+            // At a break of the nominal seam within a span, the normals of the span may break too.
             let at = self.span(u).map_or(u, |(span, _)| {
                 let (length, start) = (self.nominal.curve.length_at(u), span.place.point(0.0).x);
                 let turns = if self.closed() { ((start - length) / self.nominal.length()).ceil() } else { 0.0 };
@@ -193,7 +193,7 @@ impl Curve for TaughtEdge {
         if self.closed() {
             breaks.iter_mut().for_each(|u| *u = first + (*u - first).rem_euclid(last - first));
         }
-        // The ends of an open curve are none.
+        // The ends of an open curve do not count as breaks.
         breaks.retain(|u| self.nominal.closed || (*u > first && *u < last));
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
@@ -216,7 +216,7 @@ impl Edge for TaughtEdge {
     }
 }
 
-/// What a span is made from.
+/// Inputs of a span.
 struct Making<'a, T> {
     file: &'a Document<T>,
     /// Which span, counted from 0.
@@ -323,7 +323,7 @@ impl<T> Making<'_, T> {
 
     /// The span must go along with the nominal seam everywhere: then it neither turns back nor crosses itself.
     fn check_turns(&self, span: &Span) -> Result<(), DocumentError> {
-        let least = MOST_TURN_DEG.to_radians().cos();
+        let least = MAX_TURN_DEG.to_radians().cos();
         for pair in span.curve.knots().windows(2) {
             for i in 0..PLACES {
                 let t = pair[0] + (pair[1] - pair[0]) * f64::from(i) / f64::from(PLACES);
@@ -338,7 +338,7 @@ impl<T> Making<'_, T> {
                     let turn = cosine.clamp(-1.0, 1.0).acos().to_degrees();
                     let message = format!("the curve through the points turns {turn:.0} degrees off the seam near it");
                     let allowed =
-                        format!("up to {MOST_TURN_DEG} degrees: points farther apart, or nearer to one smooth curve");
+                        format!("up to {MAX_TURN_DEG} degrees: points farther apart, or nearer to one smooth curve");
                     return Err(self.wrong(number, &message, &allowed));
                 }
             }

@@ -2,7 +2,7 @@ use super::layers::Layer;
 use crate::Section;
 use glam::DVec2;
 
-/// How beads lie in their layer.
+/// Arrangement of beads in their layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Laying {
     /// Distance of the wire from the walls, mm.
@@ -20,7 +20,7 @@ pub struct BeadAt {
     pub layer: usize,
     /// Its place in the layer, counted from 0 at the second part.
     pub index: usize,
-    /// Where the wire points to, mm, in the frame of the [`Section`].
+    /// Target of the wire, mm, in the frame of the [`Section`].
     pub tip: DVec2,
     /// Angle from the bisector to the torch, rad; positive leans towards the first part.
     pub lean: f64,
@@ -36,7 +36,7 @@ pub struct BeadAt {
     pub parts: (f64, f64),
 }
 
-/// How far over the bottom of the groove the wire points in the first layer, as a part of the layer's height.
+/// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height.
 const ROOT_RISE: f64 = 0.35;
 
 /// The beads of `layers` in a section, layer by layer, each from the second part to the first; layers for which

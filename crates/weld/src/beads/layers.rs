@@ -5,7 +5,7 @@ use seamwright_program::Role;
 /// A layer of beads, from the root out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layer {
-    /// What its beads are for.
+    /// Role of its beads.
     pub role: Role,
     /// Number of beads side by side.
     pub beads: usize,
@@ -13,7 +13,7 @@ pub struct Layer {
     pub share: f64,
 }
 
-/// What the three kinds of runs ask for.
+/// Settings of the three kinds of runs.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Runs {
     pub(crate) root: Option<Asked>,
@@ -36,8 +36,8 @@ impl Runs {
     }
 }
 
-/// Most beads in a layer.
-const MOST: f64 = 400.0;
+/// Maximum number of beads in a layer.
+const MAX_BEADS: f64 = 400.0;
 
 /// More beads in a section are a slip: a V of 60 degrees in 300 mm takes 2,600 beads of 20 mm^2.
 pub(crate) const MAX_BEADS: usize = 5_000;
@@ -101,5 +101,5 @@ fn stack(section: &Section, runs: &Runs, cap: usize) -> Vec<Layer> {
 
 /// The number of beads nearest to `wanted`, at least one.
 fn whole(wanted: f64) -> usize {
-    wanted.round().clamp(1.0, MOST) as usize
+    wanted.round().clamp(1.0, MAX_BEADS) as usize
 }

@@ -17,7 +17,7 @@ struct Run {
     reverse: bool,
 }
 
-/// The passes of a plan in the order of welding, and of which bead each is. What is the same for all is that of
+/// The passes of a plan in the order of welding, each with the index of its bead. Values common to all are those of
 /// `template`.
 pub(crate) fn passes(
     plan: &BeadPlan,
@@ -82,7 +82,7 @@ fn pass(plan: &BeadPlan, beads: &Beads, runs: &Runs, run: &Run, template: &Pass)
     pass
 }
 
-/// Where the bead lies at every station, and how wide a weave is that `follows` the groove.
+/// Position of the bead at every station, and the width of a weave that `follows` the groove.
 fn columns(plan: &BeadPlan, bead: usize, follows: Option<&Weave>) -> Bead {
     // To a tenth of a micrometre, a millionth of a degree: what a file needs.
     let rounded = |value: f64, digits: f64| Finite::new((value * digits).round() / digits).unwrap_or_default();

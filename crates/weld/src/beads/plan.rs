@@ -6,7 +6,7 @@ use crate::joint::SeamJoint;
 use crate::{SeamCurve, Section};
 use seamwright_program::{Finding, Role, part_start, parts_of};
 
-/// Where all beads lie along a seam.
+/// Positions of all beads along a seam.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BeadPlan {
     /// Layers from the root out.
@@ -247,8 +247,8 @@ impl BeadPlan {
         self.layers.iter_mut().for_each(|l| l.share /= kept);
     }
 
-    /// Where a layer is: pieces of the seam, none if it is all along; those too short are made longer, gaps too short
-    /// are closed.
+    /// Pieces of the seam that a layer covers; empty if it covers the whole. Pieces that are too short are made longer,
+    /// gaps that are too short are closed.
     fn runs_of(&self, there: &[bool], shortest: f64) -> Vec<(f64, f64)> {
         if there.iter().all(|t| *t) {
             return Vec::new();

@@ -128,7 +128,7 @@ fn beads_too_large_or_small_are_findings() {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
-    /// Whatever the groove and the beads: areas sum up, layers go from root to cap, beads lie inside the groove.
+    /// For any groove and beads: areas sum up, layers go from root to cap, beads lie inside the groove.
     #[test]
     fn sections_are_filled_whatever_they_are(
         t in 3.0..60.0f64, degrees in 20.0..90.0f64, gap in 0.0..4.0f64, root in proptest::option::of(4.0..20.0f64),

@@ -86,7 +86,7 @@ impl SeamJoint {
         }
     }
 
-    /// The section at a place of the seam, and why there is none.
+    /// The section at a station of the seam, or the reason for its absence.
     pub(crate) fn try_section(&self, p: &SeamPoint) -> Result<Section, NoGroove> {
         let (gap, mismatch) = self.fit_up(p.s);
         let place = Place { dihedral: p.dihedral, gap, mismatch };

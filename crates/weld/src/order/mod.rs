@@ -26,7 +26,7 @@ use seamwright_document::{Document, DocumentError, Transform};
 use seamwright_program::{MAX_PASSES, MAX_ROWS, Pass, SeamCopy};
 use tour::{Leg, Stop, in_rows, tour};
 
-/// What is welded on a copy before the torch goes on to the next one: passes, each with its parts.
+/// Passes that are welded on a copy before the torch goes on to the next one, each with its parts.
 type Visit = Vec<Vec<Pass>>;
 
 impl WeldOrder {
@@ -184,7 +184,7 @@ struct Ordering<'a> {
     order: WeldOrder,
     places: Vec<(u32, DAffine3)>,
     named: Naming<'a>,
-    /// Where the torch is, in the part's frame.
+    /// Position of the torch in the part's frame.
     last: Option<DVec3>,
     done: Vec<(Pass, Option<usize>)>,
 }
@@ -216,7 +216,7 @@ impl Ordering<'_> {
         self.last = legs.last().map(|&(copy, way)| stops[copy].ways[way].1);
     }
 
-    /// Where a visit begins and ends on the seam.
+    /// Start and end of a visit on the seam.
     fn ends(&self, visit: &Visit) -> Option<(DVec3, DVec3)> {
         let (first, last) = (visit.first()?.first()?, visit.last()?.last()?);
         Some((self.seam.at(first.seam_s(0.0)).point, self.seam.at(last.seam_s(last.length())).point))

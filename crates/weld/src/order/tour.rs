@@ -21,8 +21,8 @@ const LONGEST: usize = 48;
 /// In a window of up to this many stops any number of them is moved on, in a longer one a few.
 const SHORT: usize = 12;
 const MOVED: usize = 3;
-/// A change that wins less, mm and as a part of the way, is rounding.
-const LEAST_GAIN: (f64, f64) = (1e-9, 1e-11);
+/// Minimum gain of a change, mm and as a part of the way; smaller ones are rounding.
+const MIN_GAIN: (f64, f64) = (1e-9, 1e-11);
 
 /// A copy: where its weld begins and ends, mm, welded one way or (if it has two) the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,7 +86,7 @@ fn choose(series: &[Vec<usize>], chosen: &mut Vec<usize>) -> bool {
     false
 }
 
-/// What a way costs: first by its steps within a row, where these count, then by its length.
+/// Cost of a way: first by its steps within a row, where these count, then by its length.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
 struct Cost {
     within: usize,
@@ -104,7 +104,7 @@ impl std::ops::Add for Cost {
 impl Cost {
     /// True if it is less by more than rounding.
     fn wins(self, other: Self) -> bool {
-        let least = LEAST_GAIN.0 + LEAST_GAIN.1 * other.way;
+        let least = MIN_GAIN.0 + MIN_GAIN.1 * other.way;
         self.within < other.within || (self.within == other.within && self.way < other.way - least)
     }
 }
@@ -133,7 +133,7 @@ impl Search<'_> {
         }
     }
 
-    /// What `legs` cost between the legs before and after them.
+    /// Cost of `legs` between the legs before and after them.
     fn cost(&self, before: Option<Leg>, legs: &[Leg], after: Option<Leg>) -> Cost {
         let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return Cost::default() };
         let steps = legs.windows(2).map(|w| self.step(w[0], w[1])).chain(after.map(|after| self.step(*last, after)));

@@ -5,7 +5,7 @@ use seamwright_geometry::Head;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// How far a head's mesh may lie outside the true surface, mm, by half along the meridian and by half around.
+/// Maximum distance of a head's mesh outside the true surface, mm, by half along the meridian and by half around.
 const HEAD_MM: f64 = 0.1;
 /// The same as a part of the head's radius, if that is more: finer meshes would take millions of triangles.
 const HEAD_PART: f64 = 2e-5;
@@ -20,7 +20,7 @@ impl Making<'_> {
     }
 }
 
-/// How far a head's mesh may be off, mm, along the meridian, and as much around.
+/// Maximum error of a head's mesh, mm, along the meridian, and as much around.
 pub(super) fn head_within(head: &Head) -> f64 {
     0.5 * HEAD_MM.max(HEAD_PART * head.radius())
 }

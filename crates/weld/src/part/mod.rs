@@ -15,7 +15,7 @@ use seamwright_clearance::{Clamped, ClearanceError, Shape, Solid, SolidFile};
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_program::{Part, Seam};
 
-/// How far nozzle, tube or web go on if the job does not say, mm.
+/// Default length of nozzle, tube or web, mm.
 const NOZZLE_MM: f64 = 100.0;
 /// Thickness of plates, mm: nobody comes near their other side.
 const PLATE_MM: f64 = 10.0;
@@ -36,10 +36,10 @@ enum Impossible {
     Document(#[from] DocumentError),
 }
 
-/// How the bytes of an STL file are got.
+/// Loads the bytes of an STL file.
 type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
-/// What solids are made from.
+/// Inputs of the solids.
 struct Making<'a> {
     seam: &'a SeamCurve,
     nozzle_mm: f64,

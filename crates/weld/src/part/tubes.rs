@@ -9,7 +9,7 @@ use seamwright_program::{Body, Branch, Girth, Helix, Nozzle, NozzleCurve};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// How far a dome's mesh may lie outside the ellipsoid, mm.
+/// Maximum distance of a dome's mesh outside the ellipsoid, mm.
 const DOME_MM: f64 = 0.1;
 /// Larger ellipsoids stay whole, mm: their domes would take millions of triangles.
 const LARGEST_DOME_MM: f64 = 5_000.0;

@@ -17,7 +17,7 @@ pub(crate) struct Block {
     pub(crate) is_continued: bool,
 }
 
-/// How the numbers go from begin to end, by the part of the block that is done.
+/// Change of the numbers from start to end, by the part of the block that is done.
 #[derive(Debug, Clone)]
 pub(crate) enum Shape {
     /// Evenly.

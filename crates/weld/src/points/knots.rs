@@ -5,20 +5,20 @@ use seamwright_geometry::CubicSpline;
 /// A block before its place on the path is known.
 pub(super) struct Timed {
     pub(super) block: Block,
-    /// How long it takes, s.
+    /// Duration, s.
     pub(super) seconds: f64,
     /// Index of the point it ends at.
     pub(super) point: usize,
 }
 
-/// What a spline goes through.
+/// Knots of a spline.
 pub(super) struct Knots {
     pub(super) rows: Vec<Row>,
     /// Their numbers among the span's points, 0 where it begins.
     pub(super) points: Vec<usize>,
     /// When each is reached, s.
     pub(super) at: Vec<f64>,
-    /// How long the chords from each to the next take, s, and how long they are, mm.
+    /// Duration, s, and length, mm, of the chords from each knot to the next.
     pub(super) chords: Vec<(f64, f64)>,
     /// The torch stops at each.
     pub(super) stops: bool,

@@ -13,7 +13,7 @@ const NO_STL: &dyn Fn(&str) -> std::io::Result<Vec<u8>> = &|_| Err(std::io::Erro
 
 /// Radius of the ball that stands for a point, mm.
 const BALL_MM: f64 = 1e-6;
-/// What the proven distance may be less than the true one near round solids, as a share of the seam's length.
+/// Permitted shortfall of the proven distance below the true one near round solids, as a share of the seam's length.
 const SLACK: f64 = 1e-5;
 
 struct Random(TestRng);
@@ -288,7 +288,7 @@ impl Tee {
         DQuat::from_axis_angle(self.axis, u * self.sweep) * at_start
     }
 
-    /// How far the cross-section's point is from the axis, negative beyond it.
+    /// Distance of the cross-section's point from the axis, negative beyond it.
     fn off_axis(&self, left: f64, out: f64) -> f64 {
         let along = self.axis.cross(self.start).normalize();
         (self.start + left * self.skin.cross(along) + out * self.skin).dot(self.start.normalize())

@@ -103,7 +103,7 @@ fn eliminate(mut m: Vec<Vec<f64>>) -> Vec<f64> {
     (0..n).map(|i| m[i][n] / m[i][i]).collect()
 }
 
-/// Where a random pass runs on a seam, and where its bead lies.
+/// Range of a random pass on a seam, and the position of its bead.
 #[derive(Debug, Clone)]
 struct Case {
     seam: usize,
@@ -323,7 +323,7 @@ fn new_keys_come_back_as_they_were() {
     assert!((pass.speeds().0 - 4.0).abs() < 1e-15 && (pass.speeds().1 - 6.5).abs() < 1e-15);
 }
 
-/// What a change of the written program brings: key, message, allowed.
+/// Error after a change of the written program: key, message, allowed.
 fn wrong(text: &str, change: impl FnOnce(&mut Pass), edit: impl FnOnce(String) -> String) -> (String, String, String) {
     let mut program = read(text).program.value;
     change(&mut program.passes[0]);

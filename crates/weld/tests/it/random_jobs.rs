@@ -38,7 +38,7 @@ impl Random {
     }
 }
 
-/// What is welded on a seam.
+/// Kind of joint on a seam.
 #[derive(Clone, Copy, PartialEq)]
 enum Faces {
     Corner,

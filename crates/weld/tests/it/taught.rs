@@ -42,7 +42,7 @@ fn span(nominal: &Welding, (from, to): (f64, f64), off: &[(f64, f64)]) -> (Strin
     (format!("[[taught]]\nfrom_mm = {from:?}\nto_mm = {to:?}\npoints_mm = [{}]\n", list.join(", ")), points)
 }
 
-/// What an axis follows: the point and both normals.
+/// Vectors that an axis follows: the point and both normals.
 fn frame(p: &SeamPoint) -> [DVec3; 3] {
     [p.point, p.n1, p.bisector]
 }

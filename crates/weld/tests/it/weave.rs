@@ -53,7 +53,7 @@ fn weave(figure: Figure, width: f64, pitch: f64, fade: f64) -> Weave {
     }
 }
 
-/// Where the figure is, in parts, by formulas of its own.
+/// Offset of the figure, in parts, by independent formulas.
 fn figure(figure: Figure, phase: f64) -> (f64, f64) {
     let angle = TAU * phase;
     match figure {
@@ -151,7 +151,7 @@ fn weaves_are_as_wide_as_the_groove() {
     for (k, pass) in job.program.value.passes.iter().enumerate() {
         let path = job.path(k);
         let path = path.along_seam().unwrap();
-        // Where it is farthest out to a side: a quarter of a period on.
+        // Extreme of the weave to a side: a quarter of a period on.
         for s in (0..200).map(|i| f64::from(i) * 3.0 + 0.75).filter(|s| *s < pass.length()) {
             let at = pass.seam_s(s).rem_euclid(job.seam.as_ref().unwrap().length());
             let section = joint.section(&job.seam.as_ref().unwrap().at(at)).unwrap();
