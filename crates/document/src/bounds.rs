@@ -8,14 +8,14 @@ use crate::{Document, DocumentError};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What a number with a unit can be.
+/// Bounds of a number with a unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
     /// Ending of the key.
     pub suffix: &'static str,
     /// The unit in words.
     pub unit: &'static str,
-    /// Smallest magnitude but 0; 0 if there is none.
+    /// Smallest magnitude other than 0; 0 if unbounded.
     pub min: f64,
     /// Largest magnitude.
     pub max: f64,
@@ -95,7 +95,7 @@ impl Bound {
 /// # Errors
 /// With the number's address.
 pub(crate) fn check<T>(document: &Document<T>) -> Result<(), DocumentError> {
-    // What cannot be parsed has been refused before.
+    // Text with wrong syntax has been refused before.
     let Ok(table) = DeTable::parse(document.text()) else { return Ok(()) };
     Check { document, path: String::new() }.table(table.get_ref(), None)
 }

@@ -10,7 +10,7 @@ const QUOTED: usize = 60;
 /// A document read into `T`, together with its text, so that later checks can point at a key.
 #[derive(Debug, Clone)]
 pub struct Document<T> {
-    /// What was read.
+    /// The value read.
     pub value: T,
     file: String,
     text: String,

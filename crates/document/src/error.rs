@@ -16,9 +16,9 @@ pub struct DocumentError {
     pub key: String,
     /// The value found, as written.
     pub value: String,
-    /// What is wrong with it.
+    /// Description of the fault.
     pub message: String,
-    /// What would be right.
+    /// Allowed values.
     pub allowed: Option<String>,
     /// A suggestion.
     pub help: Option<String>,
