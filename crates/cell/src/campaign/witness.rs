@@ -30,8 +30,8 @@ const RECOVERS_S: f64 = 3.0;
 const ANYWHERE: u64 = 20_000;
 /// Cycles from an alarm to the first decelerating set-point.
 const REACTS: f64 = 3.0;
-/// The speed profile always keeps a return to a constant feed override: a stop needs at most this multiple of the
-/// shortest one.
+/// Maximum stop distance relative to the shortest one: the speed profile must be able to return to a constant feed
+/// override at any moment.
 const CAREFUL: f64 = 2.0;
 /// Path length after which a dry run or a weld counts as under way, mm.
 const UNDER_WAY_MM: f64 = 3.0;

@@ -43,7 +43,8 @@ impl Standing {
     }
 }
 
-/// All drives of a machine in simulation: position loops, motors, friction, cogging, encoders; brakes that close without power.
+/// All drives of a machine in simulation: position loops, motors, friction, cogging, encoders; brakes that close
+/// without power.
 #[derive(Debug, Clone)]
 pub struct SimulatedDrives {
     drives: crate::drives::Drives,

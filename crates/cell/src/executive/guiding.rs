@@ -127,7 +127,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
     pub(super) fn allowed_pace(&self, asked: f64) -> f64 {
         /// Minimum increase that is worth an order.
         const WORTH: f64 = 0.02;
-        /// Minimum override requested of the guide's: below it, the guide's alarm stops the motion.
+        /// Minimum override taken from the guide: below it, its alarm stops the motion.
         const SLOWEST: f64 = 0.01;
         let guide = if self.guided { self.guide_pace } else { 1.0 };
         if guide < SLOWEST {

@@ -34,7 +34,7 @@ pub enum Event {
     SwitchOff,
     /// Homing request.
     Home,
-    /// Homing is complete.
+    /// All references are known.
     Homed,
     /// Jogging request.
     Jog,
