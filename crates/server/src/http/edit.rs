@@ -9,7 +9,7 @@ use serde::Deserialize;
 use std::sync::Arc;
 
 /// Maximum number of operations in a request.
-const MOST: usize = 1000;
+const MAX_OPERATIONS: usize = 1000;
 
 /// A text and operations on it, in the format of `seamwright edit --script`.
 #[derive(Deserialize)]
@@ -26,8 +26,8 @@ pub(super) async fn edit(State(panel): State<Arc<Panel>>, Json(edit): Json<Edit>
 
 /// Returns the text after all operations, or the reason why one of them fails.
 fn edited(edit: &Edit) -> Result<EditAnswer, String> {
-    if edit.operations.len() > MOST {
-        return Err(format!("too many operations; allowed: up to {MOST} at once"));
+    if edit.operations.len() > MAX_OPERATIONS {
+        return Err(format!("too many operations; allowed: up to {MAX_OPERATIONS} at once"));
     }
     let mut editor = Editor::new("job.toml", &edit.text).map_err(|e| told(&e))?;
     let several = edit.operations.len() > 1;

@@ -8,9 +8,9 @@ use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_motion::jog::{self, TipFrame};
 
 /// Maximum step of a key, mm or degrees.
-const MOST_STEP: f64 = 10.0;
+const MAX_STEP: f64 = 10.0;
 /// Minimum step that counts as motion, mm or degrees.
-const LEAST_STEP: f64 = 1e-4;
+const MIN_STEP: f64 = 1e-4;
 /// Speeds below this part of the maximum count as zero: they would be invisible, yet hold the control token forever.
 const DEAD_BAND: f64 = 1e-3;
 
@@ -56,7 +56,7 @@ impl Client {
     /// Moves to the target of the first step since the key was released.
     pub(super) fn step(&mut self, seq: u32, of: JogOf, index: u32, by: f64) -> Result<(), LackView> {
         // A zero step does not hold the control token.
-        self.may_jog(seq, by.abs() >= LEAST_STEP)?;
+        self.may_jog(seq, by.abs() >= MIN_STEP)?;
         let target = match self.held {
             Some(target) => target,
             None => self.stepped(of, index as usize, by)?,
@@ -68,8 +68,8 @@ impl Client {
 
     /// Returns the target of a step from the set-points.
     fn stepped(&self, of: JogOf, index: usize, by: f64) -> Result<Joints, LackView> {
-        if !(-MOST_STEP..=MOST_STEP).contains(&by) {
-            return Err(lack("value", format!("a step of {by}; allowed: {MOST_STEP} of either sign")));
+        if !(-MAX_STEP..=MAX_STEP).contains(&by) {
+            return Err(lack("value", format!("a step of {by}; allowed: {MAX_STEP} of either sign")));
         }
         let hub = &self.panel.cell.hub;
         let known = hub.machine().zip(hub.set_points());

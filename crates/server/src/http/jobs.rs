@@ -13,7 +13,7 @@ use std::io::Read as _;
 use std::sync::Arc;
 
 /// Maximum number of own jobs.
-const MOST: usize = 2000;
+const MAX_JOBS: usize = 2000;
 
 /// Checks the file name of a job: no folders, no hidden files.
 pub(super) fn checked(name: &str) -> Result<&str, Refused> {
@@ -94,7 +94,7 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>>
             Ok(head) => (kind(&head) == Kind::Job).then(|| JobRow { name, title: title(&head), example: false }),
             Err(e) => Some(JobRow { name, title: e.to_string(), example: false }),
         };
-        let mut rows: Vec<JobRow> = own(&asked)?.into_iter().take(MOST).filter_map(row).collect();
+        let mut rows: Vec<JobRow> = own(&asked)?.into_iter().take(MAX_JOBS).filter_map(row).collect();
         for example in EXAMPLES {
             let name = format!("{}.toml", example.name);
             if rows.iter().all(|row| row.name != name) {
@@ -141,8 +141,8 @@ fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<J
         let text = format!("another text is kept as `{name}`");
         return Err(Refused::new(StatusCode::CONFLICT, "other", text));
     }
-    if !path.is_file() && own(panel)?.len() >= MOST {
-        return Err(Refused::input(format!("there are too many jobs; allowed: {MOST}")));
+    if !path.is_file() && own(panel)?.len() >= MAX_JOBS {
+        return Err(Refused::input(format!("there are too many jobs; allowed: {MAX_JOBS}")));
     }
     files::write(&path, &job.text)?;
     let hash = |text: &str| seamwright_record::sha256(text.as_bytes());

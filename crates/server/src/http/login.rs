@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Maximum length of a name or password, bytes.
-const MOST: usize = 512;
+const MAX_LOGIN_BYTES: usize = 512;
 
 pub(super) fn session_view(panel: &Panel, session: &Session) -> SessionView {
     SessionView {
@@ -101,8 +101,8 @@ pub(super) async fn login(
         let text = format!("the header `{TOKEN}` must say `login`");
         return Err(Refused::new(StatusCode::FORBIDDEN, "token", text));
     }
-    if login.user.len() > MOST || login.password.len() > MOST {
-        return Err(Refused::input(format!("name or password is too long; allowed: up to {MOST} bytes")));
+    if login.user.len() > MAX_LOGIN_BYTES || login.password.len() > MAX_LOGIN_BYTES {
+        return Err(Refused::input(format!("name or password is too long; allowed: up to {MAX_LOGIN_BYTES} bytes")));
     }
     let name = if login.user.is_empty() { OWNER.to_owned() } else { login.user };
     let right = checked(&panel, (&from, &headers), &name, login.password).await?;
