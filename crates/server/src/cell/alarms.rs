@@ -6,7 +6,7 @@ use seamwright_record::{Moment, library};
 use std::time::{Duration, Instant};
 
 /// Maximum time for which an alarm is shelved, min: one shift.
-const MOST_MINUTES: u32 = 480;
+const MAX_MINUTES: u32 = 480;
 
 /// Copy of the executive's alarm list, updated from its notes. Adds unacknowledged alarms of earlier runs,
 /// acknowledgements and shelving.
@@ -69,7 +69,7 @@ impl Mirror {
         let key = (raised.alarm, raised.detail);
         self.said.retain(|said| said.key != key);
         self.said.push(Said { key, at: Moment::now(), acknowledged: None });
-        // An alarm that reacts is shown even if it was shelved.
+        // An alarm with a reaction beyond `Tell` is shown even if it was shelved.
         if raised.reaction != Reaction::Tell {
             let number = raised.alarm.number() as u8;
             self.shelf.retain(|shelved| self::key(&shelved.view) != (number, raised.detail));
@@ -102,12 +102,12 @@ impl Mirror {
     /// Shelves an alarm for a time, or unshelves it. Returns its name.
     ///
     /// # Errors
-    /// In words, if the alarm is not listed or has a reaction. Alarms that stop the process or prevent its start are
-    /// never hidden.
+    /// In words, if the alarm is not listed or its reaction is not `Tell`. Alarms that stop the process or prevent its
+    /// start are never hidden.
     pub(super) fn shelve(&mut self, names: &Names, asked: &Shelving, by: &str) -> Result<String, String> {
         let wanted = (asked.number, asked.detail);
-        if asked.minutes > MOST_MINUTES {
-            return Err(format!("{} min; allowed: up to {MOST_MINUTES}", asked.minutes));
+        if asked.minutes > MAX_MINUTES {
+            return Err(format!("{} min; allowed: up to {MAX_MINUTES}", asked.minutes));
         }
         let views = self.views(names);
         let Some(view) = views.into_iter().find(|view| key(view) == wanted) else {
@@ -242,7 +242,7 @@ mod tests {
         Shelving { number: alarm.number() as u8, detail: 0, minutes }
     }
 
-    /// Only alarms without a reaction can be shelved, for one shift at most.
+    /// Only alarms with reaction `Tell` can be shelved, for one shift at most.
     #[test]
     fn what_stops_the_process_is_never_shelved() {
         let names = names();
@@ -252,14 +252,14 @@ mod tests {
             mirror.noted(&alarm(of), "");
             let tells = of.entry().reaction == Reaction::Tell && of != Alarm::Interlock;
             assert_eq!(mirror.shelve(&names, &asked(of, 5), "ada").is_ok(), tells, "{of:?}");
-            assert!(mirror.shelve(&names, &asked(of, MOST_MINUTES + 1), "ada").is_err());
+            assert!(mirror.shelve(&names, &asked(of, MAX_MINUTES + 1), "ada").is_err());
             let view = mirror.views(&names).pop().unwrap();
             assert_eq!(view.shelved.map(|s| s.by), tells.then(|| "ada".to_owned()), "{of:?}");
         }
     }
 
-    /// A shelved alarm that returns with a reaction is shown at once. A shelved alarm that has gone stays shelved until
-    /// its time is over.
+    /// A shelved alarm that returns with a stronger reaction is shown at once. A shelved alarm that has gone stays
+    /// shelved until its time is over.
     #[test]
     fn a_shelf_hides_nothing_that_grows_worse() {
         let names = names();

@@ -18,7 +18,7 @@ const MAX_WAITING: usize = 4096;
 /// Maximum wait for the disk at the end.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Maximum number of characters of a field of the audit log.
-const MOST: usize = 500;
+const MAX_FIELD_CHARS: usize = 500;
 
 /// Audit log and alarm archive. Alarms, orders and refusals have separate queues, so that none displaces another.
 #[derive(Clone)]
@@ -128,7 +128,7 @@ fn plain(text: &str) -> String {
     let mut out = String::new();
     for (i, c) in text.chars().enumerate() {
         match c {
-            _ if i == MOST => {
+            _ if i == MAX_FIELD_CHARS => {
                 out.push('…');
                 break;
             }
@@ -319,7 +319,7 @@ mod tests {
         assert_eq!(plain("load Зварка 1.toml"), "load Зварка 1.toml");
         assert_eq!(plain("a\nada  arm  taken"), "a\\nada  arm  taken");
         assert_eq!(plain("\u{202e}nimda\u{0}\u{1b}[2J"), "\\u{202e}nimda\\u{0}\\u{1b}[2J");
-        assert!(plain(&"x".repeat(1 << 20)).len() < MOST + 8);
+        assert!(plain(&"x".repeat(1 << 20)).len() < MAX_FIELD_CHARS + 8);
     }
 
     fn alarm(name: &str) -> Alarm {

@@ -70,7 +70,7 @@ impl CellDevices {
         Ok(Self { cell, to, _there: there })
     }
 
-    /// Returns what the devices serve.
+    /// Machine and process values that the devices serve.
     pub(super) fn to(&self) -> &Connection {
         &self.to
     }

@@ -424,7 +424,7 @@ impl Desk {
 /// A program that the cycle has been given but not yet taken.
 pub(super) struct Pending {
     names: Names,
-    /// What its devices serve.
+    /// Machine and process values that its devices serve.
     to: Option<Connection>,
     view: Option<Arc<WorkView>>,
     around: Arc<Around>,

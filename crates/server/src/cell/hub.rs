@@ -50,7 +50,7 @@ struct Told {
     work: Option<Arc<WorkView>>,
     work_text: Option<Text>,
     machine: Option<Arc<Machine>>,
-    /// What the devices serve.
+    /// Machine and process values that the devices serve.
     connection: Option<Connection>,
     around: Option<Arc<Around>>,
     control: Option<Holder>,
@@ -228,7 +228,7 @@ impl Hub {
         told.all(&FromCell::Machine);
     }
 
-    /// What the devices serve.
+    /// Machine and process values that the devices serve.
     pub(crate) fn connection(&self) -> Option<Connection> {
         self.told().connection.clone()
     }

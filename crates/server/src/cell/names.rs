@@ -183,7 +183,7 @@ impl Names {
     }
 }
 
-/// Returns true if an alarm has no reaction and may be shelved. An unmet condition has none, but prevents starts.
+/// Returns true if an alarm only informs and may be shelved. An unmet condition also only informs, but prevents starts.
 pub(super) fn shelvable(alarm: Alarm, reaction: Reaction) -> bool {
     reaction == Reaction::Tell && alarm != Alarm::Interlock
 }

@@ -43,7 +43,7 @@ impl Cell {
     /// `shutdown` ends the cell first of all: process off within a cycle, rest, power off.
     ///
     /// # Errors
-    /// In words: a folder that cannot be written, invalid drive values in the machine file, devices that do not answer.
+    /// In words: an unwritable folder, invalid drive values in the machine file, devices that do not answer.
     pub(crate) fn start(
         machine: &Machine,
         beside: &Path,
