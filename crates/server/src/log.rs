@@ -45,7 +45,7 @@ fn write(from: &Receiver<String>) {
         } else {
             String::new()
         };
-        // A log that cannot be written stops nothing.
+        // A failed write is ignored: logging stops nothing.
         let _ = std::io::stderr().lock().write_all(format!("{gap}{line}").as_bytes());
     }
 }

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Minimum number of characters of a password.
-const LEAST: usize = 10;
+const MIN_PASSWORD_CHARS: usize = 10;
 /// Maximum number of characters of a name or password.
-const MOST: usize = 128;
+const MAX_CHARS: usize = 128;
 /// Name of the client that has the printed address while there is no administrator; reserved.
 pub(crate) const OWNER: &str = "owner";
 /// Maximum number of users.
@@ -92,7 +92,7 @@ impl Accounts {
     /// caller hides the difference if not.
     pub(crate) fn check(&self, name: &str, password: &str) -> Option<(Role, String)> {
         let user = self.users().iter().find(|u| u.name == name && u.enabled).cloned()?;
-        let fits = password.len() <= 4 * MOST && self.passwords.fits(password, &user.hash);
+        let fits = password.len() <= 4 * MAX_CHARS && self.passwords.fits(password, &user.hash);
         fits.then_some((user.role, user.hash))
     }
 
@@ -104,7 +104,7 @@ impl Accounts {
     /// Creates or changes a user; a new user needs a password.
     ///
     /// # Errors
-    /// An invalid name or password, no administrator left, or a file that cannot be written.
+    /// An invalid name or password, no administrator left, or an unwritable file.
     pub(crate) fn put(
         &self,
         name: &str,
@@ -113,16 +113,16 @@ impl Accounts {
         password: Option<&str>,
     ) -> Result<UserRow, Trouble> {
         let good = |c: char| c.is_alphanumeric() || "-_. ".contains(c);
-        if name.trim() != name || name.is_empty() || name.chars().count() > MOST || !name.chars().all(good) {
+        if name.trim() != name || name.is_empty() || name.chars().count() > MAX_CHARS || !name.chars().all(good) {
             return trouble("the name is not allowed: letters, digits, - _ . and spaces between them, up to 128");
         }
         if name.eq_ignore_ascii_case(OWNER) {
             return trouble(format!("`{name}` is whoever has the printed address: take another name"));
         }
         let hash = match password {
-            Some(p) if !(LEAST..=MOST).contains(&p.chars().count()) => {
+            Some(p) if !(MIN_PASSWORD_CHARS..=MAX_CHARS).contains(&p.chars().count()) => {
                 return trouble(format!(
-                    "the password is too short or too long; allowed: {LEAST} to {MOST} characters"
+                    "the password is too short or too long; allowed: {MIN_PASSWORD_CHARS} to {MAX_CHARS} characters"
                 ));
             }
             Some(p) => Some(self.passwords.hash(p)?),
@@ -149,7 +149,7 @@ impl Accounts {
     /// Removes a user. Returns false if the user did not exist.
     ///
     /// # Errors
-    /// No administrator left, or a file that cannot be written.
+    /// No administrator left, or an unwritable file.
     pub(crate) fn remove(&self, name: &str) -> Result<bool, Trouble> {
         let _alone = self.alone();
         let before = self.users().clone();

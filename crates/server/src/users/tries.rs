@@ -15,7 +15,7 @@ const DOUBLINGS_HERE: u32 = 4;
 /// Wrong passwords are forgotten after this time without another one.
 const FORGET: Duration = Duration::from_secs(3600);
 /// Maximum number of keys that are remembered.
-const MOST: usize = 2000;
+const MAX_KEYS: usize = 2000;
 
 /// Key by which wrong passwords are counted.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -84,7 +84,7 @@ impl Tries {
         }
         known.retain(|_, (_, until)| *until + FORGET > now);
         for (key, allowed, doublings) in keys(origin, user) {
-            if known.len() >= MOST && !known.contains_key(&key) {
+            if known.len() >= MAX_KEYS && !known.contains_key(&key) {
                 // A flood of invented names does not displace names that are tried repeatedly.
                 if let Some(least) = known.iter().min_by_key(|(_, counted)| **counted).map(|(key, _)| key.clone()) {
                     known.remove(&least);
@@ -205,10 +205,10 @@ mod tests {
     fn it_never_grows_without_end_and_forgets_the_least() {
         let tries = Tries::default();
         wrong(&tries, "127.0.0.1", "ada", OF_NAME);
-        for i in 0..3 * MOST {
+        for i in 0..3 * MAX_KEYS {
             wrong(&tries, "127.0.0.1", &format!("name {i}"), 1);
         }
-        assert!(tries.0.lock().unwrap().len() <= MOST);
+        assert!(tries.0.lock().unwrap().len() <= MAX_KEYS);
         assert!(waits(&tries, "127.0.0.1", "ada").is_some());
     }
 }
