@@ -103,7 +103,7 @@ fn rows(points: usize, reduction: &Reduction) -> Result<(), Failure> {
     let lines = spans.iter().filter(is_line).count();
     let mut told = format!("{points} points; lines: {lines}, arcs: {}", spans.len() - lines);
     told += &format!("; greatest error {:.3e} mm; spans needed at least: {}", greatest(spans), reduction.at_least);
-    // Nothing can be done if standard error is closed.
+    // Errors are ignored: standard error may be closed.
     let _ = writeln!(io::stderr(), "{told}");
     Ok(())
 }
