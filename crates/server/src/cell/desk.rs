@@ -292,8 +292,8 @@ impl Desk {
             self.tell(happening("record_fails", [trouble.clone()]));
             self.trouble = Some(trouble);
         }
-        // A weld without a result restores the previous position. If the weld itself was left, that note arrives before it
-        // is over.
+        // A weld without a result restores the previous position. If the weld itself was left, that note arrives before
+        // it is over.
         if let Some(welding) = &mut self.welding {
             welding.runs |= matches!(shown.mode, Mode::Weld | Mode::Hold);
         }
