@@ -37,7 +37,7 @@ impl Runs {
 }
 
 /// Maximum number of beads in a layer.
-const MAX_BEADS: f64 = 400.0;
+const MAX_IN_LAYER: f64 = 400.0;
 
 /// More beads in a section are a slip: a V of 60 degrees in 300 mm takes 2,600 beads of 20 mm^2.
 pub(crate) const MAX_BEADS: usize = 5_000;
@@ -101,5 +101,5 @@ fn stack(section: &Section, runs: &Runs, cap: usize) -> Vec<Layer> {
 
 /// The number of beads nearest to `wanted`, at least one.
 fn whole(wanted: f64) -> usize {
-    wanted.round().clamp(1.0, MAX_BEADS) as usize
+    wanted.round().clamp(1.0, MAX_IN_LAYER) as usize
 }
