@@ -44,7 +44,7 @@ impl<'a> Travel<'a> {
                 let left = (to - self.s).abs();
                 let goes_on =
                     matches!(self.legs.get(self.leg + 1), Some(Leg::To(next, _)) if (next - to) * sense > 0.0);
-                // The speed from which it can stop at the end of the leg, half a cycle early.
+                // Maximum speed from which the torch can stop at the end of the leg, half a cycle early.
                 let stop = (2.0 * ACCELERATION * left).sqrt() - 0.5 * ACCELERATION * cycle_s;
                 let most = if goes_on { f64::INFINITY } else { stop.max(0.1 * ACCELERATION * cycle_s) };
                 let wanted = sense * (speed * pace).min(most);

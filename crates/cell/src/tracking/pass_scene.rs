@@ -67,7 +67,6 @@ impl<'a> PassScene<'a> {
         Self { path, pass, distortion, whole, seams }
     }
 
-    /// Returns the pass.
     pub(super) fn pass(&self) -> &'a Pass {
         self.pass
     }

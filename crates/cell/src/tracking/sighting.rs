@@ -6,7 +6,7 @@ use seamwright_machine::{Course, Joints, MAX_AXES, Surroundings};
 /// Distance between checked positions of the way, mm.
 pub(super) const STEP_MM: f64 = 0.5;
 
-/// The way back from the start of a pass: positions of the axes every so many mm, from the start on.
+/// The way back from the start of a pass: equidistant positions of the axes, from the start on.
 pub(super) struct Sighting {
     pub(super) step_mm: f64,
     /// Positions of the axes, at least that of the start.

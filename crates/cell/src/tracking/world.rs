@@ -38,7 +38,7 @@ pub struct World<'a> {
 pub struct Along {
     /// Start of the pass on the seam, mm.
     pub begin_mm: f64,
-    /// True if it runs against the seam.
+    /// True if the pass runs against the seam.
     pub reverse: bool,
     /// Circumference of a closed seam, mm: beyond it the seam repeats.
     pub round_mm: Option<f64>,

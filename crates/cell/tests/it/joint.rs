@@ -45,7 +45,7 @@ fn joints_go_straight_on_where_others_meet_them() {
     }
 }
 
-/// The follower leaves the rim of a tack beside the edge of a shadow (367, 573, 661) and looks through salt on a
+/// The follower leaves the rim of a tack beside the edge of a shadow (367, 573, 661). It ignores salt on a
 /// coarser level (951). It finds a joint that starts on the edge (474), and continues one lost before the rim (691).
 #[test]
 fn joints_go_on_behind_what_hides_them() {

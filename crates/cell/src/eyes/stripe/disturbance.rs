@@ -47,7 +47,7 @@ impl StripeDisturbances {
     /// A stripe on ground steel: speckle, ambient light.
     pub const USUAL: Self = Self { width_change: 0.3, speckle: 0.2, noise: 4.0, ambient: 20.0, ..Self::CLEAN };
 
-    /// Beside a burning arc on bright steel: glow, saturated places, reflections, spatter.
+    /// Beside a burning arc on bright steel: glow, saturated spots, reflections, spatter.
     pub const ROUGH: Self =
         Self { peak: 420.0, glow: 90.0, ghosts: 3, ghost_peak: 0.7, spatter: 25, width_px: 2.6, ..Self::USUAL };
 

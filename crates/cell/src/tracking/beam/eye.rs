@@ -49,7 +49,7 @@ pub(crate) trait Hidden {
     fn crossing(&self, glance: &Glance<'_>, along_mm: f64) -> Option<(DVec2, bool)>;
 }
 
-/// Seeded errors of what is seen.
+/// Seeded measurement errors.
 #[derive(Debug, Clone)]
 pub struct Noise {
     random: Random,
