@@ -26,8 +26,8 @@ pub trait Channels {
     /// Parameters inside the range at which a third derivative or the requested speed may jump or bend, increasing.
     fn breaks(&self) -> Vec<f64>;
 
-    /// Breaks at which the requested speed bends, increasing. The profile follows listed bends at any cost in time,
-    /// other bends only if that gains time.
+    /// Breaks at which the requested speed bends, increasing. The profile follows a listed bend even if missing it
+    /// costs little time.
     fn bends(&self) -> Vec<Bend> {
         Vec::new()
     }
