@@ -19,7 +19,7 @@ impl Dialect {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Sinumerik, Self::Linuxcnc, Self::Grblhal, Self::Pmac];
 
-    /// As on the command line and in machine files.
+    /// Name of the dialect on the command line and in machine files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sinumerik => "sinumerik",
@@ -39,9 +39,9 @@ pub struct Control {
     pub channels: Vec<Channel>,
     /// Address of each channel; empty for an analogue output.
     pub addresses: Vec<String>,
-    /// Number of the analogue output of each channel that is one.
+    /// Number of the analogue output of each channel that has one.
     pub outputs: Vec<Option<u8>>,
-    /// Codes of the machine's own with what they do, the longest first.
+    /// Codes of the machine's own with their effect, the longest first.
     pub codes: Vec<(String, Code)>,
     /// Outputs that switch arc, gas and wire.
     pub io: Io,
@@ -135,8 +135,8 @@ impl Control {
         self.outputs.push(output);
     }
 
-    /// Whether a part program switches arc or beam by something of its own: a code or an output. A Sinumerik that
-    /// interpolates process values switches it by these, unless the machine file has a code for it.
+    /// Whether a part program switches arc or beam by a code or an output. A Sinumerik that interpolates process values
+    /// switches it by these, unless the machine file has a code for it.
     pub fn switches_arc(&self) -> bool {
         let interpolates = self.channels.iter().any(|c| c.kind == ChannelKind::Interpolated);
         let coded = self.code(&Code::Event(Event::Arc(true))).is_some();

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-/// Why a part program cannot be written.
+/// Reason why a part program cannot be written.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Error {
     /// An axis has no letter that the control knows.

@@ -15,10 +15,10 @@ use glam::DVec3;
 /// LinuxCNC's interpreter raises any lower feed to this, in mm/min or deg/min, without a word.
 pub(crate) const MIN_FEED: f64 = 0.1;
 
-/// Which axes a feed counts: those of FGROUP or FRAX by channel; none: the control's usual ones.
+/// Axes that a feed counts: those of FGROUP or FRAX by channel; `None`: the control's usual ones.
 pub type Group<'a> = Option<&'a [usize]>;
 
-/// A control's rule for what counts as the way, worked out once for many blocks.
+/// A control's rule for the counted way, computed once for many blocks.
 #[derive(Debug, Clone)]
 pub(crate) struct FeedRule {
     /// Channels that count together: the first of these in which something moves.
@@ -27,7 +27,7 @@ pub(crate) struct FeedRule {
 }
 
 impl FeedRule {
-    /// Channels that count together, a bit for each; none: those of no set move.
+    /// Channels that count together, a bit for each; 0 if the rule has no set.
     pub(crate) fn counted(&self) -> u64 {
         self.sets.first().into_iter().flatten().fold(0, |bits, channel| bits | 1 << channel)
     }

@@ -6,7 +6,7 @@ use crate::polynomial::{Evenly, Polynomial};
 /// Part of a played program in which one thing goes on.
 #[derive(Debug, Clone)]
 pub struct Segment {
-    /// Time at its begin, s; rapid moves take none.
+    /// Time at its start, s; rapid moves take none.
     pub begin: f64,
     /// Duration, s.
     pub seconds: f64,
@@ -92,7 +92,7 @@ impl Segment {
         &self.to
     }
 
-    /// Channels at its begin.
+    /// Channels at its start.
     pub fn start(&self) -> &[f64] {
         &self.from
     }
@@ -191,7 +191,7 @@ impl<'a> Player<'a> {
 
     fn add(&mut self, step: usize, seconds: f64, level: Option<Level>, to: Vec<f64>, way: Way) {
         let mut from = std::mem::replace(&mut self.here, to.clone());
-        // Stepped values have theirs from the begin on.
+        // Stepped values change at the start.
         for (k, channel) in self.program.channels.iter().enumerate() {
             if channel.kind == ChannelKind::Stepped {
                 from[k] = to[k];
@@ -248,7 +248,7 @@ impl<'a> Player<'a> {
     }
 }
 
-/// Whether a spline goes on with `next`: its times are equal.
+/// Whether a spline continues with `next`: its times are equal.
 fn goes_on(moves: &[(usize, Move)], next: &Move) -> bool {
     moves.first().is_none_or(|(_, first)| (first.seconds - next.seconds).abs() <= 1e-9 * first.seconds)
 }

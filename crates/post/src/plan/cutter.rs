@@ -17,14 +17,14 @@ pub(super) const CHECKS: usize = 16;
 const USED: f64 = 0.98;
 /// Shortest block, mm.
 const SHORTEST_MM: f64 = 1e-4;
-/// More blocks in a pass than these are no part program that a control takes.
+/// Maximum number of blocks in a pass: controls refuse larger part programs.
 pub(super) const MAX_BLOCKS: usize = 2_000_000;
 /// An arc is looked for if one this much longer than the line is good.
 const LONGER: f64 = 1.2;
 /// Linear motion that may be left to a later block, as a part of the tolerance. The cutter's own tolerance is smaller
 /// by as much.
 pub(crate) const HELD_BACK: f64 = 0.05;
-/// Minimum ratio of feeds to the minimum feed.
+/// Safety factor of feeds over the minimum feed.
 const MARGIN: f64 = 1.2;
 /// Turns smaller than this (rad) are lost in the words' decimals.
 const TURN: f64 = 1e-7;
@@ -72,11 +72,11 @@ impl Cutting<'_> {
     }
 }
 
-/// Cuts `motion` into few straight blocks for LinuxCNC whose path stays within `tolerance_mm` of the planned one of the
-/// tip (the seam, but for blends at corners): greedily, each block as long as tolerance, timing, attitude and the
-/// control's least feed let it be.
+/// Cuts `motion` into few straight blocks for LinuxCNC. Their path stays within `tolerance_mm` of the planned one of
+/// the tip: the seam, except for blends at corners. Each block is as long as tolerance, timing, torch attitude and the
+/// control's minimum feed permit.
 ///
-/// Places where spans end (`breaks`, mm) and corners at which the torch stops always end a block.
+/// Ends of spans (`breaks`, mm) and corners at which the torch stops always end a block.
 ///
 /// # Errors
 /// [`Error::TooFine`], [`Error::NoTip`].
@@ -90,7 +90,7 @@ pub fn linearise(
     cut(machine, motion, breaks, &Cutting::lines(level, tolerance_mm))
 }
 
-/// The same in the blocks that `cutting` allows: at each place the longer of the farthest good line and arc.
+/// The same in the blocks that `cutting` allows: from each station on the longer of the farthest good line and arc.
 pub(crate) fn cut(
     machine: &Machine,
     motion: &PassMotion,
@@ -102,7 +102,7 @@ pub(crate) fn cut(
     let mut cutter =
         Cutter { machine, path, motion, cutting, tolerance: USED * cutting.tolerance_mm, ends: (0.0, 0.0), even };
     let mut here = cutter.end_at(0.0, 0.0);
-    // The last place whose linear words were written.
+    // The last position whose linear words were written.
     let mut written = here;
     let mut cut = Linearisation { start: here, blocks: Vec::new(), chord_error_mm: 0.0 };
     let stops: Vec<f64> = motion.law.legs().iter().skip(1).map(|leg| leg.from).collect();
@@ -171,7 +171,7 @@ impl Cutter<'_> {
         Block { s, q, tip, duration, turns_only: false, stops: false, shape: Shape::Line }
     }
 
-    /// The block of a kind from `here` to `s`, if there is one.
+    /// The block of a kind from `here` to `s`, if it exists.
     fn block(&self, kind: Kind, here: &Block, s: f64) -> Option<Block> {
         let mut block = self.end_at(s, here.s);
         block.shape = match kind {
@@ -187,7 +187,7 @@ impl Cutter<'_> {
         Some(block)
     }
 
-    /// The cubic with the path's directions at both ends; only what the control moves is bent.
+    /// The cubic with the path's directions at both ends; only the control's own channels are bent.
     fn curve(&self, here: &Block, block: &Block) -> Shape {
         let slopes = |s: f64, before: bool| self.slopes(s, before, block.s - here.s);
         let (from, to) = (slopes(here.s, false), slopes(block.s, true));
@@ -221,7 +221,7 @@ impl Cutter<'_> {
         self.slopes(s, before, self.motion.law.speed(s))
     }
 
-    /// X, Y and Z of what the control moves, mm.
+    /// X, Y and Z that the control moves, mm.
     pub(super) fn place(&self, at: &Block) -> DVec3 {
         match self.cutting.level {
             Level::Tip => at.tip,
@@ -243,7 +243,7 @@ impl Cutter<'_> {
             if !self.tried(kind, here, written, tried, checks) {
                 continue;
             }
-            // As many checks as there were within a line, so that no wave slips through between them.
+            // The checks are as dense as within a line, so that no wave slips through between them.
             let fine = |to: f64| (CHECKS as f64 / 4.0 * (to - here.s) / length).max(CHECKS as f64) as usize;
             let mut far = tried;
             while far < end {
@@ -287,8 +287,8 @@ impl Cutter<'_> {
         ok
     }
 
-    /// The middle of a block to `end`, if linear motion goes out and back in it and would be left out as too small
-    /// though either half has enough; otherwise `end`.
+    /// The middle of a block to `end`, if linear motion goes out and back in it: the whole would be left out as too
+    /// small, though either half has enough. Otherwise `end`.
     fn turned_back(&self, here: &Block, written: &Block, end: f64) -> f64 {
         if !self.cutting.least_feed {
             return end;
@@ -306,7 +306,7 @@ impl Cutter<'_> {
             return true;
         }
         match b.shape {
-            // From where the words left the axes an arc cannot begin elsewhere.
+            // An arc must start at the position of the last words.
             Shape::Arc(arc) => {
                 let way = arc.length(self.place(here), self.place(b));
                 written.s >= here.s && way / b.duration * 60.0 >= MARGIN * MIN_FEED

@@ -24,7 +24,7 @@ impl Cutter<'_> {
         if b.duration > self.cutting.longest_s {
             return false;
         }
-        // In an order that finds what is bad soon.
+        // The order of the checks finds bad blocks early.
         let n = checks.next_power_of_two();
         let stride = (3 * n / 8) | 1;
         let near = (1..n).map(|i| ((i * stride) % n) as f64 / n as f64).all(|f| {
@@ -88,7 +88,7 @@ impl Cutter<'_> {
         let planned = self.motion.law.at(self.motion.law.time(a.s) + f * b.duration, &mut 0).s;
         let s = self.path.foot(passed.point, planned, (a.s, b.s));
         let there = self.motion.path.at(s);
-        // Compared with what the axes really reach, so that a missing freedom is not a chord error.
+        // Compared with the reached position, so that a missing freedom is not a chord error.
         let reached = self.machine.forward(&there);
         let mut chord = (passed.point - reached.point).length();
         let mut attitude = (passed.direction - reached.direction).length();

@@ -48,8 +48,8 @@ impl Default for Options {
     }
 }
 
-/// Blocks shorter than this are not cut for the sake of the tip's speed, s: a hundred blocks a second is what any of the
-/// controls goes through without slowing down.
+/// Minimum duration of blocks cut for the sake of the tip's speed, s: all of the controls pass a hundred blocks a
+/// second without slowing down.
 pub const BRIEFEST_S: f64 = 0.01;
 
 impl Options {
@@ -169,7 +169,7 @@ fn is_same(a: &Joints, b: &Joints) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME)
 }
 
-/// Whether the arc burns on from one pass into the next, if they are in one place.
+/// Whether the arc burns on from one pass into the next at the same position.
 fn goes_on(pass: &Pass, next: &Pass) -> bool {
     next.has_arc() && pass.sequence.postflow_s.get() + next.sequence.preflow_s.get() <= 0.0
 }
@@ -225,7 +225,7 @@ fn blocks(
     if spline { spline::splines(machine, planned, &breaks, &cutting) } else { cut(machine, planned, &breaks, &cutting) }
 }
 
-/// The arcs that the control has: none where its X, Y and Z are not the axes of these names.
+/// The arcs of the control: none if its X, Y and Z are not the axes of these names.
 fn arcs_of(control: &Control, level: Level) -> Arcs {
     let there = control.axes_xyz().iter().flatten().count();
     if there < 2 || (level == Level::Tip && there < 3) {
@@ -245,7 +245,7 @@ impl Control {
         self.channel(name).is_some_and(|i| self.channels[i].kind == crate::ChannelKind::Stepped)
     }
 
-    /// Whether the machine file says how `event` is brought about.
+    /// Whether the machine file has an output or code for `event`.
     fn can(&self, event: &Event) -> bool {
         let output = match event {
             // Always said, and left out by the writer where the control has no word for it.
@@ -258,7 +258,7 @@ impl Control {
         output.is_some() || self.code(&Code::Event(event.clone())).is_some()
     }
 
-    /// Whether a program can go over from axes to the tip and back.
+    /// Whether a program can change from axes to the tip and back.
     pub(crate) fn switches_level(&self) -> bool {
         match self.dialect {
             Dialect::Sinumerik => true,

@@ -2,13 +2,13 @@
 
 use seamwright_program::{Pass, ProcessValue, Span, Weaving};
 
-/// Steps of a ramp or slope: each is one part in this many of the change.
+/// Number of steps of a ramp or slope.
 const STEPS: u32 = 50;
 /// Steps of a weave's period.
 const SWING_STEPS: u32 = 24;
-/// Steps of a ramp are no shorter than this, mm.
+/// Minimum length of a ramp's steps, mm.
 const SHORTEST_MM: f64 = 0.5;
-/// Steps of a slope are no shorter than this, s.
+/// Minimum duration of a slope's steps, s.
 const SHORTEST_S: f64 = 0.02;
 
 /// Block ends within a span that make its ramps change in small steps, mm.
@@ -42,7 +42,7 @@ fn steps(most: f64) -> u32 {
 pub(crate) struct RestStep {
     /// Duration, s.
     pub(crate) time: f64,
-    /// Its middle, from the begin of the rest, s.
+    /// Its middle, from the start of the rest, s.
     pub(crate) middle: f64,
     /// True within a slope.
     pub(crate) slopes: bool,

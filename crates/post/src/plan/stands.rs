@@ -8,8 +8,8 @@ use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_machine::Joints;
 use seamwright_program::{Along, Pass, Span, SpanValue};
 
-/// The pass with no more than the process values of its first and its last block, in spans of 1 mm: what is needed for
-/// slopes before and after it.
+/// The pass with only the process values of its first and its last block, in spans of 1 mm: the data for slopes before
+/// and after it.
 fn at_its_ends(pass: &Pass) -> Pass {
     let Some(points) = &pass.points else { return pass.clone() };
     let columns = points.known_columns();
@@ -46,7 +46,7 @@ pub(super) struct Neighbours {
 }
 
 impl Steps<'_> {
-    /// The pass, after the `way` to it, straight from place to place.
+    /// The pass, after the `way` to it, straight from position to position.
     pub(super) fn stands(&mut self, pass: &Pass, way: &[Joints], neighbours: Neighbours) {
         let Neighbours { first, restarts, burns_on } = neighbours;
         let again = restarts && !self.arc;

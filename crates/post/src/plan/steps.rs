@@ -46,7 +46,7 @@ impl<'a> Steps<'a> {
         Self { machine, control, level: options.level, program: part, row, before, set: BTreeMap::new(), arc: false }
     }
 
-    /// A pass begins: whatever was left on by what ran before, the arc is off, unless it burns on.
+    /// Starts a pass: the arc is off, regardless of the program before, unless it burns on.
     pub(super) fn begin_pass(&mut self, name: &str) {
         self.program.push(What::Pass(name.into()));
         if !self.arc {
@@ -79,7 +79,7 @@ impl<'a> Steps<'a> {
     /// The planned way from where the torch stands back after one pass to where it does before the next, for the axes.
     pub(super) fn air(&mut self, air: &AirMove) {
         self.comment("the planned way to the next pass");
-        // The retract and the approach are written with their welds; the last place is where the approach begins.
+        // The retract and the approach are written with their welds; the last position is the start of the approach.
         let skip = usize::from(air.retracts);
         let inner = air.legs.len().saturating_sub(usize::from(air.approaches));
         let level = std::mem::replace(&mut self.level, Level::Joint);
@@ -154,7 +154,7 @@ impl<'a> Steps<'a> {
     fn start(&mut self, cut: &Linearisation, pass: &Pass, course: &Course) {
         let sequence = &pass.sequence;
         self.missing(pass);
-        // A pass through points says itself what is switched beside the arc.
+        // A pass through points has its own events beside the arc.
         if pass.points.is_none() {
             self.event(Event::Gas(true), true);
         }
@@ -185,7 +185,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// The blocks, with what is switched on the way; what is left of that at the end.
+    /// The blocks, with the events on the way; remaining events come at the end.
     fn weld(
         &mut self,
         cut: &Linearisation,
@@ -214,7 +214,7 @@ impl<'a> Steps<'a> {
             }
             self.before.clone_from(&self.row);
             self.go_to(block, block.turns_only);
-            // PMAC's times are multiples of a tick; what is lost in one is made up for in the next.
+            // PMAC's times are multiples of a tick; the rounding of one block is corrected in the next.
             time += block.duration;
             let seconds = match self.control.dialect {
                 Dialect::Pmac => (time / TICK).round() * TICK - ticks,
@@ -302,8 +302,8 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Sets the process values that change in steps, as they are at path length `s` and a time since the arc went on and
-    /// until it goes off, where they changed.
+    /// Sets the process values that change in steps and have changed, at path length `s`. `clock` is the time since the
+    /// arc went on, and until it goes off.
     pub(super) fn values(&mut self, pass: &Pass, at_once: bool, (s, clock): (f64, (f64, f64))) {
         for name in pass.spans[0].process.keys() {
             let value = rounded(pass.process_at(name, s, clock).unwrap_or(0.0), VALUE_SCALE);

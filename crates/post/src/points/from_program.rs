@@ -5,8 +5,8 @@ use seamwright_document::{Direction, Finite};
 use seamwright_machine::{Joints, Machine};
 use seamwright_program::{Along, ArcThrough, Pass, PointEvent, PointSpan, Points, tip_way};
 
-/// Whether a pass goes into a part program block by block: its points are axis positions, and the control has every way
-/// between them. The others are cut from the planned motion.
+/// Whether a pass goes into a part program block by block: its points are axis positions, and the control supports
+/// every way between them. The others are cut from the planned motion.
 pub(crate) fn is_posted_as_it_stands(control: &Control, pass: &Pass) -> bool {
     let Some(points) = &pass.points else { return false };
     let columns = points.known_columns();
@@ -46,7 +46,7 @@ fn arc(span: &PointSpan, start: DVec3, end: DVec3) -> Option<ArcThrough> {
     ArcThrough::new(start, span.via_mm?.get(), end, span.normal.map(Direction::unit))
 }
 
-/// Axis positions at begin and end of a pass through them.
+/// Axis positions at start and end of a pass through them.
 pub(crate) fn ends(machine: &Machine, pass: &Pass) -> Option<(Joints, Joints)> {
     let points = pass.points.as_ref()?;
     let columns = points.known_columns();

@@ -4,7 +4,7 @@ use seamwright_program::{PointEvent, Sequence, Slope};
 /// Something between two moves.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Gap {
-    /// Nothing moves: whether the arc is on, how long, s, and the process values.
+    /// Rest without motion: whether the arc is on, the duration, s, and the process values.
     Rest(bool, f64, Vec<f64>),
     /// Something is switched or said.
     Event(PointEvent),
@@ -53,8 +53,8 @@ impl Rests {
         if odd { self.0.drain(from..from + count).collect() } else { Vec::new() }
     }
 
-    /// Takes what belongs to the pass before: with the arc on, the time that it burns on and the time after it, and what
-    /// is switched then; or everything, if no pass follows.
+    /// Takes the gaps that belong to the pass before: with the arc on, the time that it burns on, the time after it,
+    /// and the events then. Takes everything if no pass follows.
     pub(super) fn take_end(&mut self, arc: bool, last: bool) -> End {
         let mut end = End::default();
         let goes_on = |end: &End, gap: &Gap| match gap {
@@ -130,7 +130,7 @@ const EVEN: f64 = 1e-3;
 fn slope(names: &[String], rests: &[(f64, Vec<f64>)], weld: &[f64]) -> Option<Slope> {
     let differs = |values: &[f64]| values.iter().zip(weld).any(|(a, b)| (a - b).abs() > 1e-9);
     let last = rests.iter().rposition(|(_, values)| differs(values))?;
-    // Values that stay are no slope: they jump when the torch begins to travel.
+    // Constant values are no slope: they jump when the torch starts to travel.
     if last == 0 || rests[..=last].windows(2).all(|w| w[0].1 == w[1].1) {
         return None;
     }

@@ -1,5 +1,5 @@
-//! Arcs from what programs say of them. All turn about `normal` by the right-hand rule: for the other way round it is
-//! turned over.
+//! Arcs from the words of programs. All turn about `normal` by the right-hand rule; the opposite sense has the opposite
+//! normal.
 
 use crate::Arc;
 use glam::DVec3;

@@ -42,21 +42,21 @@ impl fmt::Display for ReadError {
     }
 }
 
-/// A place in the text: from this byte up to that one.
+/// A range of the text: from this byte up to that one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Span {
     pub(super) from: usize,
     pub(super) to: usize,
 }
 
-/// Something wrong at a place, before its line and column are counted.
+/// A fault at a position, before its line and column are counted.
 #[derive(Debug, Clone)]
 pub(super) struct Fault {
     pub(super) span: Span,
     pub(super) message: String,
     allowed: Option<String>,
     cure: Option<String>,
-    /// Whether it is only not understood, so that a lenient reader may leave it out.
+    /// Whether the text is only unknown, so that a lenient reader may leave it out.
     pub(super) unknown: bool,
 }
 

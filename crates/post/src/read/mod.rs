@@ -46,7 +46,7 @@ pub struct LeftOut {
     pub column: usize,
     /// The words.
     pub text: String,
-    /// Why they were not understood.
+    /// Reason why they were not understood.
     pub why: String,
 }
 
@@ -57,7 +57,7 @@ pub struct ReadOptions {
     pub lenient: bool,
     /// Level at which the control interpolates at the start.
     pub level: Level,
-    /// The row before the first block, as many numbers as the control has channels (mm, degrees); zeros if none.
+    /// The row before the first block, as many numbers as the control has channels (mm, degrees); `None`: zeros.
     pub start: Option<Vec<f64>>,
 }
 
@@ -78,7 +78,7 @@ enum Flow {
     Over(usize),
     /// The caller.
     Return,
-    /// Nothing more.
+    /// End of the program.
     End,
 }
 
@@ -218,7 +218,7 @@ fn rest(state: &mut State, text: &str, main: &Frame) {
 }
 
 impl State<'_> {
-    /// A pass begins here. Calls within sub-programs are no passes.
+    /// Starts a pass. Calls within sub-programs are no passes.
     fn pass(&mut self, name: &str) {
         if !self.inside {
             self.push(What::Pass(name.into()));

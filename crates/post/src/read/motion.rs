@@ -22,7 +22,7 @@ pub(super) struct Block {
     pub(super) angle: Option<(f64, Span)>,
     /// Full turns beside the arc.
     pub(super) turns: Option<(u32, Span)>,
-    /// Whether positions count from the machine's zero whatever the modal state is.
+    /// Whether positions count from the machine's zero, regardless of the modal state.
     pub(super) machine_zero: bool,
     /// Whether the control stops at its end.
     pub(super) exact_stop: bool,
@@ -44,7 +44,7 @@ impl Block {
         words.chain(others.into_iter().flatten()).min_by_key(|s| s.from)
     }
 
-    /// Whether anything is said of an arc.
+    /// Whether the block has a word of an arc.
     #[inline]
     pub(super) fn has_arc_word(&self) -> bool {
         self.centre.iter().any(Option::is_some)

@@ -196,7 +196,7 @@ impl Words {
         Ok(())
     }
 
-    /// Does what the line says.
+    /// Executes the line.
     #[inline]
     fn finish(&mut self, line: Line, state: &mut State) -> Read<Flow> {
         let flow = line.finish(state)?;

@@ -297,7 +297,7 @@ impl Line {
     }
 }
 
-/// Whether the letter and digits here are the beginning of a longer name, like `I1=` or `P1_ROOT`.
+/// Whether the letter and digits here are the start of a longer name, like `I1=` or `P1_ROOT`.
 fn longer_name(c: &Cursor) -> bool {
     let mut ahead = 1;
     while c.look(ahead).is_ascii_digit() {

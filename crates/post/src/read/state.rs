@@ -90,7 +90,7 @@ pub(super) struct State<'a> {
     pub(super) rule: FeedRule,
     pub(super) exact_stop: bool,
     pub(super) level: Level,
-    /// Which of X, Y and Z are not known since the level changed.
+    /// X, Y and Z that are unknown since the level changed.
     pub(super) lost: [bool; 3],
 }
 
@@ -292,7 +292,7 @@ impl<'a> State<'a> {
         Ok(())
     }
 
-    /// F, or TM: what it may be.
+    /// Checks the value of F or TM.
     pub(super) fn check_feed(value: f64, span: Span) -> Read {
         if value <= 0.0 {
             return Err(Fault::new(span, "a feed must be greater than 0"));

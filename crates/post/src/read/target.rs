@@ -3,7 +3,7 @@ use super::error::{Fault, Read, Span};
 /// Interpretation of a word's value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum How {
-    /// As the modal state says.
+    /// By the modal state.
     Modal,
     /// From zero.
     Absolute,

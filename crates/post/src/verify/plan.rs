@@ -9,7 +9,7 @@ use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::{PassMotion, TipPath};
 use seamwright_program::{Pass, TorchPath};
 
-/// Places in a block that are looked at, its end among them.
+/// Stations checked in a block, its end among them.
 const PLACES: u32 = 16;
 /// Blocks shorter than this, or slower than this part of the fastest, are not compared: speed changes within them in
 /// the acceleration and deceleration phases.
@@ -69,7 +69,7 @@ pub(super) fn check(planned: Planned, (number, pass): (usize, &Pass), blocks: &[
     checker.proof
 }
 
-/// Each process channel of the control with the value's name and its greatest in the pass.
+/// Each process channel of the control with the value's name and its maximum in the pass.
 fn greatest_values(planned: Planned, pass: &Pass) -> Vec<(usize, String, f64)> {
     let names = pass.spans.first().into_iter().flat_map(|span| span.process.keys());
     let greatest = |name: &String| {

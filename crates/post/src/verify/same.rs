@@ -2,7 +2,7 @@ use crate::Control;
 use crate::part_program::{ChannelKind, Event, PartProgram, Path, What};
 use crate::play::{Segment, play};
 
-/// A block of motion as read back, with what the program it was written from says of it.
+/// A block of motion as read back, with its data in the program that it was written from.
 pub(super) struct Block {
     pub(super) told: Segment,
     /// Whether the arc is on, as asked.
@@ -13,7 +13,7 @@ pub(super) struct Block {
     pub(super) rapid: bool,
 }
 
-/// All blocks, and the greatest difference found.
+/// All blocks, and the maximum difference found.
 pub(super) struct Same {
     pub(super) blocks: Vec<Block>,
     pub(super) rounding: f64,
@@ -24,11 +24,11 @@ const TIME: (f64, f64) = (1e-6, 2e-6);
 /// Values further apart than this are others.
 const OTHER: f64 = 1e-3;
 
-/// Compares what was asked with what was read back: the same blocks in the same order, to the same places, at the same
+/// Compares the request with the text read back: the same blocks in the same order, to the same positions, at the same
 /// times, with the same outputs between them.
 ///
 /// # Errors
-/// The first difference, in words.
+/// A description of the first difference.
 pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, start: &[f64]) -> Result<Same, String> {
     let [of_asked, of_told] = [asked, told].map(|program| moves(program, start));
     let passes = passes(asked);

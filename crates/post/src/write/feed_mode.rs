@@ -5,7 +5,7 @@ use crate::part_program::{Arc, Move};
 /// Feed mode of the control, and the last feed that stays in force.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub(super) struct FeedMode {
-    /// Whether feeds are in inverse time, if that was said in this pass.
+    /// Whether feeds are in inverse time, if this pass has set the mode.
     pub(super) inverse: Option<bool>,
     /// The last feed per minute.
     feed: Option<f64>,

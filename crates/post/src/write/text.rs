@@ -50,12 +50,12 @@ impl Text {
         self.fine_number(value);
     }
 
-    /// A value to nine decimals behind what is there.
+    /// Appends a value to nine decimals.
     pub(super) fn fine_number(&mut self, value: f64) {
         number::push_fine(&mut self.out, value, self.point);
     }
 
-    /// A value behind what is there.
+    /// Appends a value.
     pub(super) fn number(&mut self, value: f64) {
         number::push(&mut self.out, value, self.point);
     }

@@ -3,7 +3,7 @@
 use super::writer::{Problem, Writer};
 use crate::part_program::{Event, Level, Move};
 
-/// A dialect, with what it has to remember between lines.
+/// A dialect, with its state between lines.
 pub(super) trait Tongue {
     /// Whether several passes become sub-programs, and whether these stand before the main part.
     const SUBS: Option<bool>;
@@ -11,10 +11,10 @@ pub(super) trait Tongue {
     /// The very first lines, before the comments.
     fn first(&mut self, _w: &mut Writer) {}
 
-    /// The usual lines at the begin of the main part.
+    /// The usual lines at the start of the main part.
     fn head(&mut self, w: &mut Writer);
 
-    /// The begin of pass `number` (from 1), in a sub-program of its own or not.
+    /// The start of pass `number` (from 1), in a sub-program of its own or not.
     fn begin(&mut self, w: &mut Writer, number: u32, name: &str, sub: bool);
 
     /// Its end.
@@ -32,7 +32,7 @@ pub(super) trait Tongue {
     /// Lines that make the control go over to axes or tip.
     fn level(&mut self, w: &mut Writer, level: Level);
 
-    /// Called before what is to happen at once, with the machine at rest.
+    /// Called before actions at once, with the machine at rest.
     fn wait(&mut self, _w: &mut Writer) {}
 
     /// A block of motion to the row `to`; what changed is in `w`.

@@ -1,4 +1,4 @@
-//! Arcs: every way to write them, and what is easily read wrong. Checked against the circle itself: each point of the
+//! Arcs: every way to write them, and typical errors of reading. Checked against the circle itself: each point of the
 //! arc is at its radius, it turns the right way, and it takes the time of its length.
 
 use crate::reading::{Uniform, cases, good, moves, near, refused, rows};

@@ -116,7 +116,7 @@ fn survives(controls: &[Control; 4], text: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// A place between two characters.
+/// A position between two characters.
 fn place(random: &mut Uniform, text: &str) -> usize {
     let mut at = random.below(text.len() + 1);
     while !text.is_char_boundary(at) {
@@ -185,7 +185,7 @@ fn the_corpus_is_good() {
 fn garbage_and_mutations_never_panic() {
     let controls = Dialect::ALL.map(reading::control);
     let seconds = std::env::var("SEAMWRIGHT_FUZZ_S").ok().and_then(|v| v.parse().ok());
-    // Long runs begin elsewhere each day; a failing text is kept, so the seed need not be.
+    // Long runs start with another seed each day; a failing text is kept, so the seed need not be.
     let seed = seconds.and_then(|_: u64| std::time::UNIX_EPOCH.elapsed().ok()).map_or(1, |t| t.as_secs() as u32);
     let mut random = Uniform::new(seed);
     let (begin, mut tried) = (Instant::now(), 0);

@@ -233,7 +233,7 @@ impl Writer<'_> {
             _ => format!("G4 P{seconds:.4}"),
         };
         self.line(&[text]);
-        // Siemens' F of a dwell is no feed; with G93 others want it in every block anyway.
+        // Siemens' F of a dwell is no feed; with G93 the others need it in every block.
         self.told.push(Told::Dwell(seconds));
     }
 }

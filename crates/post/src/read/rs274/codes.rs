@@ -256,7 +256,7 @@ impl Line {
         }
     }
 
-    /// M66: L0 is only a point to wait at for what went before.
+    /// M66: L0 only waits for the motion before.
     fn wait(&mut self, span: Span, state: &mut State) -> Read {
         let (digital, analogue) = (self.values[P].take(), self.values[E].take());
         let (how, _) = (self.values[L].take().map_or(0.0, |l| l.0), self.values[Q].take());

@@ -59,7 +59,7 @@ fn bare(dialect: Dialect, line: &str) -> &str {
     .trim()
 }
 
-/// Lines that are no words.
+/// Lines that hold no words.
 fn is_other(dialect: Dialect, line: &str) -> bool {
     let starts: &[&str] = match dialect {
         Dialect::Sinumerik => &[
