@@ -1,9 +1,9 @@
 use serde::Serialize;
 
-/// Something that keeps a weld from being made as asked, or that is worth knowing about it: where on the seam, and what
-/// would cure it.
+/// A fault that keeps a weld from being made as requested, or a note about it, with its position on the seam and the
+/// operator action.
 ///
-/// `allowed` and `cure` together give its [`Severity`]; so a warning always says what to do.
+/// `allowed` and `cure` together give its [`Severity`]; so a warning always has an operator action.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
     /// Short kind, stable for programs: `reach`, `range`, `speed`, `attitude`, `access`, `singular`, `jump`, `hold`,

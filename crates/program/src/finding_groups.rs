@@ -103,7 +103,7 @@ impl<'a> Piece<'a> {
     }
 }
 
-/// Cuts a sentence into numbers and what stands between them.
+/// Splits a sentence into numbers and the text between them.
 fn pieces(sentence: &str) -> impl Iterator<Item = Piece<'_>> {
     let mut rest = sentence;
     let mut before = ' ';
@@ -111,7 +111,7 @@ fn pieces(sentence: &str) -> impl Iterator<Item = Piece<'_>> {
         let first = rest.chars().next()?;
         let number = number_at(rest).filter(|_| !before.is_alphanumeric() && !['_', '-', '.'].contains(&before));
         let length = number.unwrap_or_else(|| {
-            // Up to where the next number could begin.
+            // Up to the next possible start of a number.
             let start = if first.is_ascii_digit() { digits(rest) } else { first.len_utf8() };
             rest[start..].find(|c: char| c.is_ascii_digit()).map_or(rest.len(), |at| start + at)
         });

@@ -26,7 +26,7 @@ impl Oscillation {
     /// Checks the oscillation at `path` of a file.
     ///
     /// # Errors
-    /// With the key's address: a length of a figure that has none.
+    /// With the key's address: a length of a figure that has no length.
     pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         if self.along_mm.is_some() && !self.figure.is_round() {
             let allowed = "no such key, or figure = \"circle\" or \"eight\"";

@@ -79,7 +79,7 @@ pub enum Along {
 }
 
 impl Along {
-    /// As in files.
+    /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rapid => "rapid",

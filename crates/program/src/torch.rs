@@ -35,7 +35,7 @@ pub struct TorchAt {
     pub travel_angle_deg: Finite,
 }
 
-/// The joint at one place, in the work frame.
+/// The joint at one station, in the work frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Groove {
     /// Unit tangent in the direction of welding.
@@ -51,7 +51,7 @@ pub const MAX_AXES: usize = 12;
 /// Positions of a machine's axes in its file's order, mm or rad; 0 beyond the last one.
 pub type AxisPositions = [f64; MAX_AXES];
 
-/// A path of the torch in the work frame by path length: what the rooms that know machines and time need of a pass.
+/// A path of the torch in the work frame by path length: the view of a pass for the crates of machines and time.
 pub trait TorchPath: Sync {
     /// Length, mm: `s` runs from 0 to this.
     fn length(&self) -> f64;
@@ -66,7 +66,8 @@ pub trait TorchPath: Sync {
         1.0
     }
 
-    /// True if `s` counts planned time and not the tip's way: speeds along it are those by `s`, whatever the tip does.
+    /// True if `s` counts planned time and not the tip's way: speeds along it are those by `s`, for any motion of the
+    /// tip.
     fn is_timed(&self) -> bool {
         false
     }
@@ -114,7 +115,7 @@ pub trait TorchPath: Sync {
         None
     }
 
-    /// The place at `s` on the line along which the tip goes, from which it weaves.
+    /// The position at `s` on the line about which the tip weaves.
     fn centre(&self, s: f64) -> DVec3 {
         self.pose(s).point - self.swing(s).unwrap_or_default()
     }
@@ -149,7 +150,7 @@ pub trait TorchPath: Sync {
         Vec::new()
     }
 
-    /// Those of them where the first or the second one may: elsewhere no axis has to stop.
+    /// Knots at which the first or the second derivative may jump: elsewhere no axis has to stop.
     fn bends(&self) -> Vec<f64> {
         self.knots()
     }

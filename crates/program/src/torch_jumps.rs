@@ -1,4 +1,4 @@
-//! Places at which the torch itself would have to jump: no axes can follow it there, whatever the machine.
+//! Positions at which the torch itself would have to jump: no machine's axes can follow it there.
 
 use crate::{Finding, TorchPath};
 use seamwright_geometry::Pose;

@@ -1,7 +1,7 @@
 //! Variables of a program: `[variables]`, and numbers written as `"= expression"` over them.
 //!
-//! Expressions are replaced in the text by their numbers before it is read as a program, each within its line: whatever
-//! is wrong later on has its own line and key. Texts for people (`title`, `name`, `message`) are left alone.
+//! Expressions are replaced in the text by their numbers before it is read as a program, each within its line. So later
+//! errors have their own line and key. Texts for people (`title`, `name`, `message`) are left alone.
 
 use seamwright_document::{Document, DocumentError, Finite};
 use std::borrow::Cow;
@@ -94,7 +94,7 @@ fn given(document: &Document<toml::Table>) -> Result<BTreeMap<String, f64>, Docu
     Ok(variables)
 }
 
-/// Calls `visit` for every expression with its key's path, its text after the equals sign, and its place.
+/// Calls `visit` for every expression with its key's path, its text after the equals sign, and its byte range.
 fn table_values(table: &DeTable, path: &mut String, visit: &mut dyn FnMut(&str, &str, Range<usize>)) {
     for (key, value) in table {
         let name: &str = key.get_ref();

@@ -141,12 +141,12 @@ fn trapezoid(phase: f64, (first, second): (f64, f64)) -> f64 {
 }
 
 impl Weave {
-    /// Checks the weave at `path` of a file; `process` are the values of the pass, `corner` is what it does at corners,
-    /// and where in the file that stands.
+    /// Checks the weave at `path` of a file; `process` are the values of the pass. The last argument is the key of the
+    /// pass' corners, and their setting.
     ///
     /// # Errors
     /// With the key's address: neither pitch nor frequency or both, dwells without a trapezoid or longer than the
-    /// period, values at the sides that the pass does not have, corners that are to be blended.
+    /// period. Also values at the sides that the pass does not have, and corners that are to be blended.
     pub fn check<T>(
         &self,
         file: &Document<T>,

@@ -1,4 +1,4 @@
-//! Tables of points in a document: a line for each as a rule, with what is said of it behind it or above.
+//! Tables of points in a document: a line for each as a rule, with its comment behind it or above.
 
 use super::draft::Row;
 use super::merge::{number, replace};
@@ -47,13 +47,13 @@ impl Written {
         }
     }
 
-    /// Whether these are the `count` points that stand in the document from point `first` on.
+    /// Whether these are the `count` points of the document from point `first` on.
     fn is_same(&self, rows: &[Row], (first, count): (usize, usize)) -> bool {
         let same = |(i, row): (usize, &Row)| row.from == Some(first + i) && row.numbers == self.numbers[first + i];
         rows.len() == count && rows.iter().enumerate().all(same)
     }
 
-    /// The start as it is to be written; none if it stays.
+    /// The start as it is to be written; `None` if it is unchanged.
     pub(super) fn start(&self, row: &Row) -> Option<Value> {
         if row.from == Some(0) && row.numbers == self.numbers[0] {
             return None;

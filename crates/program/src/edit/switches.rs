@@ -1,4 +1,4 @@
-//! Events of a pass whose ways come in another order: what is on stays on over the same ways.
+//! Events of a pass whose ways are reordered: outputs stay on over the same ways.
 
 use super::draft::EventDraft;
 use crate::PointEvent;

@@ -1,4 +1,4 @@
-//! Welding positions against welds that are turned into place, and against the table written out once more.
+//! Welding positions against welds that are turned into position, and against a second copy of the table.
 
 use crate::common::{Uniform, cases};
 use glam::{DQuat, DVec3};
@@ -190,7 +190,7 @@ fn positions_of_random_swings_change_on_limits_and_for_a_reason() {
         let places: Vec<f64> = (0..=3000).map(|i| 6.0 * f64::from(i) / 3000.0).collect();
         let found = limits.along(joint, &places, swing);
         assert!(found[0].from_mm.abs() < 1e-12 && (found[found.len() - 1].to_mm - 6.0).abs() < 1e-12);
-        // Every place is within its position's limits and the hysteresis.
+        // Every station is within its position's limits and the hysteresis.
         for &s in &places {
             let beyond = limits.beyond(joint, position_of(&found, s), swing(s));
             assert!(beyond <= 4.0 + 1e-6, "{s}: {beyond}");

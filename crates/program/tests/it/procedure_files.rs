@@ -1,4 +1,4 @@
-//! Procedure files: what is read, and what each mistake says.
+//! Procedure files: their content, and the message of each mistake.
 
 use seamwright_document::DocumentError;
 use seamwright_program::{PROCEDURES, Pass, Procedure, Program, Role};
