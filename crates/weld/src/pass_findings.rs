@@ -3,7 +3,7 @@
 use crate::PassPath;
 use seamwright_program::{Finding, TorchPath, torch_jumps};
 
-/// Places along a pass that are looked at.
+/// Number of stations checked along a pass.
 const PLACES: u32 = 720;
 /// Minimum progress of a bead, as a part of the way along the seam: beyond the centre of a bend it goes back.
 const MIN_PROGRESS: f64 = 0.1;

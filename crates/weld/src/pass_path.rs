@@ -138,11 +138,11 @@ impl TorchPath for PassPath<'_> {
 }
 
 impl PassPath<'_> {
-    /// Places of seam, attitude and bead where a derivative may jump, with those of the weave.
+    /// Positions at which a derivative of seam, torch attitude or bead may jump, with those of the weave.
     fn with_weave(&self, of: impl Fn(&Weaving) -> Vec<f64>) -> Vec<f64> {
         let range = self.stretch.range();
         let mut knots = self.seam.knots_within(range);
-        // A place of the attitude or of the bead next to one of the seam is that one.
+        // A position of the torch attitude or of the bead next to one of the seam counts as that one.
         let more = [self.attitude.knots_within(range), self.bead.map_or(Vec::new(), |bead| bead.knots_within(range))];
         for place in more.into_iter().flatten() {
             if knots.iter().all(|knot| !is_same_position(*knot, place)) {

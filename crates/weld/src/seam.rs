@@ -20,7 +20,7 @@ use std::sync::Arc;
 pub struct SeamPoint {
     /// Path length from the start of the weld, mm.
     pub s: f64,
-    /// Angle about the nozzle's axis or eccentric angle, rad, counted on beyond a turn; none on seams without angles.
+    /// Angle about the nozzle's axis or eccentric angle, rad, counted on beyond a turn; `None` on seams without angles.
     pub phi: Option<f64>,
     /// Position, mm.
     pub point: DVec3,
@@ -178,7 +178,7 @@ impl SeamCurve {
         self.closed && !is_before(self.weld_length, self.length())
     }
 
-    /// Least and greatest dihedral angle over the weld, rad, found at 720 places.
+    /// Minimum and maximum dihedral angle over the weld, rad, found at 720 stations.
     pub fn dihedral_range(&self) -> (f64, f64) {
         let angles = (0..=720).map(|i| self.at(self.weld_length * f64::from(i) / 720.0).dihedral);
         angles.fold((f64::INFINITY, 0.0), |(l, h), a| (f64::min(l, a), f64::max(h, a)))
@@ -202,7 +202,7 @@ impl SeamCurve {
         self.knots_within((0.0, self.weld_length))
     }
 
-    /// Those inside `range`; on a closed seam it may be of more than a turn, and begin before the start of the weld.
+    /// Those inside `range`; on a closed seam it may be longer than a turn, and start before the start of the weld.
     pub fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
         let length = self.length();
         let place = |u: f64| {

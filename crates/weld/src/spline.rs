@@ -13,7 +13,7 @@ const MAX_POINTS: usize = 20_000;
 /// The edge of a seam along a spline.
 ///
 /// # Errors
-/// With the key's address: too few points, points in one place, a curve that turns back, normals along it.
+/// With the key's address: too few points, coincident points, a curve that turns back, normals along it.
 pub(crate) fn edge<T>(file: &Document<T>, s: &Spline) -> Result<SplineEdge, DocumentError> {
     let points: Vec<DVec3> = s.points_mm.iter().map(|p| p.get()).collect();
     let at = At { file, from_file: s.file.is_some() };

@@ -11,7 +11,7 @@ use std::sync::Arc;
 const APART_MM: f64 = 1e-3;
 /// Maximum angle of a span against the nominal seam, degrees: beyond, its points zigzag.
 const MAX_TURN_DEG: f64 = 60.0;
-/// Places of an interval of the spline that are looked at for that.
+/// Stations of an interval of the spline that are checked for that.
 const PLACES: u32 = 16;
 /// Step by which the curvature's change at a join is measured, outside of the span, mm.
 const STEP_MM: f64 = 0.01;
@@ -45,8 +45,8 @@ impl Join {
 /// A nominal edge with taught spans, by the nominal one's parameter; within a span that goes evenly along the spline.
 ///
 /// A span has the nominal seam's point, direction and curvature at both joins, so an axis that follows it needs no jump
-/// in its acceleration there. Its normals are those of the nominal seam at the place that goes along with it from
-/// join to join, made square to the span's [`Along`].
+/// in its acceleration there. Its normals are those of the nominal seam at the corresponding position between the
+/// joins, made square to the span's [`Along`].
 pub(crate) struct TaughtEdge {
     nominal: Arc<SeamCurve>,
     spans: Vec<Span>,
@@ -59,7 +59,7 @@ struct Span {
     nominal: (f64, f64),
     curve: Spline,
     along: Along,
-    /// The nominal curve's arc length that belongs to a place of the spline, in x.
+    /// The nominal curve's arc length that belongs to a parameter of the spline, in x.
     place: Spline,
     /// Parameters of the taught points on the spline.
     points: Vec<f64>,
@@ -122,7 +122,7 @@ impl TaughtEdge {
         self.spans.iter().map(join).collect()
     }
 
-    /// The span that holds parameter `u`, and the place on its spline.
+    /// The span that holds parameter `u`, and the parameter of its spline.
     fn span(&self, u: f64) -> Option<(&Span, f64)> {
         let (first, last) = self.domain();
         self.spans.iter().find_map(|span| {
@@ -143,12 +143,12 @@ impl Span {
         self.curve.domain().1 / (self.to - self.from)
     }
 
-    /// The edge's parameter at a place of the spline.
+    /// The edge's parameter at a parameter of the spline.
     fn parameter(&self, t: f64) -> f64 {
         self.from + t / self.rate()
     }
 
-    /// The place of the spline that goes with a nominal arc length between the joins.
+    /// The parameter of the spline for a nominal arc length between the joins.
     fn place_of(&self, length: f64) -> f64 {
         let (mut low, mut high) = self.curve.domain();
         for _ in 0..60 {
@@ -219,7 +219,7 @@ impl Edge for TaughtEdge {
 /// Inputs of a span.
 struct Making<'a, T> {
     file: &'a Document<T>,
-    /// Which span, counted from 0.
+    /// Number of the span, counted from 0.
     number: usize,
     nominal: &'a SeamCurve,
     taught: &'a Taught,
@@ -359,7 +359,7 @@ fn by_arc(nominal: &SeamCurve, l: f64, side: f64) -> ByArc {
     let step = if inside(l + 2.0 * side * STEP_MM) { side * STEP_MM } else { -side * STEP_MM };
     let (point, tangent, curvature) = frame(l);
     let [near, far] = [1.0, 2.0].map(|k| frame(l + k * step).2);
-    // One-sided, so that what is inside the span does not count.
+    // One-sided, so that the inside of the span does not count.
     let change = (4.0 * near - 3.0 * curvature - far) / (2.0 * step);
     ByArc { point, tangent, curvature, change }
 }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 pub struct Welding {
     /// The program, at the address of the file it came from, each pass as often as it is welded.
     pub program: Document<Program>,
-    /// The seam by path length from the start of the weld; none where all passes go through points.
+    /// The seam by path length from the start of the weld; `None` if all passes go through points.
     pub seam: Option<SeamCurve>,
     /// Line of each pass.
     lines: Vec<Arc<PassLine>>,
@@ -24,7 +24,7 @@ pub struct Welding {
     pub plan: Option<BeadPlan>,
     /// Findings against the plan.
     plan_findings: Vec<Finding>,
-    /// The end of the branch or nozzle as it is cut, where the file gives what it takes.
+    /// The end of the branch or nozzle as it is cut, if the file has the data for it.
     pub cut: Option<Cut>,
 }
 
@@ -152,9 +152,9 @@ impl Welding {
         }
     }
 
-    /// Work angle (offset from the bisector of the faces, towards the first part) and travel angle of the torch, rad, at
-    /// path length `s` (mm) of the seam, in passes of this role; without what a bead adds to the work angle. None if there
-    /// is no such pass along the seam.
+    /// Work angle (offset from the bisector of the faces, towards the first part) and travel angle of the torch, rad.
+    /// They are at path length `s` (mm) of the seam, in passes of this role, without the bead's addition to the work
+    /// angle. `None` without such a pass along the seam.
     pub fn torch_angles(&self, role: Option<Role>, s: f64) -> Option<(f64, f64)> {
         let passes = self.program.value.passes.iter().zip(&self.lines);
         let line = passes.filter(|(pass, _)| pass.role == role).find_map(|(_, line)| match line.as_ref() {
@@ -178,11 +178,11 @@ impl Welding {
     }
 }
 
-/// Places at which a range of the seam is looked at.
+/// Number of stations checked in a range of the seam.
 const PLACES: u32 = 64;
 
-/// The path lengths of `pass` between which it runs over a range of the seam (mm from the start of the weld); none if it
-/// does not.
+/// The path lengths of `pass` between which it runs over a range of the seam (mm from the start of the weld); `None` if
+/// it does not.
 fn on_pass(pass: &Pass, seam: &SeamCurve, (from, to): (f64, f64)) -> Option<(f64, f64)> {
     let sense = if pass.reverse { -1.0 } else { 1.0 };
     let own = |i: u32| {
@@ -214,7 +214,7 @@ enum PassLine {
 struct SeamLine {
     /// The part of the seam.
     stretch: Stretch,
-    /// Torch angles by the seam's path length; without what the bead adds to them.
+    /// Torch angles by the seam's path length, without the bead's addition.
     attitude: Attitude,
     /// Position of the bead beside the seam, if it has one.
     bead: Option<BeadLine>,

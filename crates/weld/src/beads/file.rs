@@ -227,7 +227,7 @@ impl Beads {
         weave.check_speeds(file, &path, (&pass.spans, |_| path.clone()))
     }
 
-    /// Checks what does not depend on the groove.
+    /// Checks the settings that do not depend on the groove.
     ///
     /// # Errors
     /// With the key's address.

@@ -18,7 +18,7 @@ pub(crate) struct Laying {
 pub struct BeadAt {
     /// Its layer, counted from 0 at the root.
     pub layer: usize,
-    /// Its place in the layer, counted from 0 at the second part.
+    /// Its index in the layer, counted from 0 at the second part.
     pub index: usize,
     /// Target of the wire, mm, in the frame of the [`Section`].
     pub tip: DVec2,
@@ -39,11 +39,11 @@ pub struct BeadAt {
 /// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height.
 const ROOT_RISE: f64 = 0.35;
 
-/// The beads of `layers` in a section, layer by layer, each from the second part to the first; layers for which
+/// The beads of `layers` in a section, layer by layer, each from the second part to the first. Layers for which
 /// `present` is false are left out and their area goes to the others.
 ///
-/// Guarantee: the areas sum to that of groove and cap; a bead's is its share of its layer's, and the layers' those of
-/// the groove between their heights, and of the cap for the last one.
+/// Guarantee: the areas sum to that of groove and cap. A bead's area is its share of its layer's. The layers' areas are
+/// those of the groove between their heights, and of the cap for the last one.
 pub(crate) fn fill(
     section: &Section,
     layers: &[Layer],

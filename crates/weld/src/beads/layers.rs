@@ -39,15 +39,15 @@ impl Runs {
 /// Maximum number of beads in a layer.
 const MAX_IN_LAYER: f64 = 400.0;
 
-/// More beads in a section are a slip: a V of 60 degrees in 300 mm takes 2,600 beads of 20 mm^2.
+/// Maximum number of beads in a section; more are a mistake: a V of 60 degrees in 300 mm takes 2,600 beads of 20 mm^2.
 pub(crate) const MAX_BEADS: usize = 5_000;
 
-/// The layers that fill a section best: every bead of its run's area, but for one factor for all that is as near to 1 as
-/// whole numbers of beads allow.
+/// The layers that fill a section best. Every bead has its run's area times one factor for all, as near to 1 as whole
+/// numbers of beads allow.
 ///
-/// One bead that is large enough is enough. Otherwise a root pass of its own, if there is one, then layers of as many
-/// beads side by side as give a height near to the wanted one, then the cap layer with what is above the line from toe to
-/// toe.
+/// A single bead is used if it is large enough. Otherwise a root pass of its own, if there is one, then layers of beads
+/// side by side. Their number gives a height near to the wanted one. The cap layer has the area above the line from toe
+/// to toe.
 ///
 /// # Errors
 /// The number of beads it would take, if that is more than [`MAX_BEADS`].

@@ -28,7 +28,7 @@ impl Profile {
         Self::Curved { root_face: root_face.get(), angle, radius: radius.get(), land: land.get() }
     }
 
-    /// Angle of its straight part from the depth direction, rad; none on a round part.
+    /// Angle of its straight part from the depth direction, rad; `None` on a round part.
     pub(crate) fn angle(self) -> Option<f64> {
         match self {
             Self::Square => Some(0.0),

@@ -40,7 +40,7 @@ pub(crate) struct Place {
     pub(crate) mismatch: f64,
 }
 
-/// Why there is no groove at a place.
+/// Reason why a station has no groove.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub(crate) enum NoGroove {
     #[error("faces at {0:.1} degrees to each other make no butt joint")]
@@ -61,7 +61,7 @@ pub(crate) enum NoGroove {
 }
 
 impl NoGroove {
-    /// The key of the preparation to look at, and what is allowed.
+    /// The key of the preparation to look at, and the allowed values.
     pub(crate) fn cure(&self) -> (&'static str, String) {
         match self {
             Self::NoButt(_) => {
@@ -223,7 +223,7 @@ impl Section {
         [&self.first, &self.second].map(|edge| edge.last().copied().unwrap_or_default())
     }
 
-    /// The place at (`across`, `height`) along [`Section::across`] and [`Section::up`], mm.
+    /// The point at (`across`, `height`) along [`Section::across`] and [`Section::up`], mm.
     pub fn place(&self, across: f64, height: f64) -> DVec2 {
         across * self.across() + height * self.up
     }

@@ -12,7 +12,7 @@ const CORNER_MM: f64 = 1e-4;
 const MIN_PART_MM: f64 = 10.0 * CORNER_MM;
 /// Maximum number of pieces of a weld; more are a mistake.
 const MAX_PIECES: usize = 1000;
-/// Cosine of the largest turn of a seam that is no corner: 0.1 degrees.
+/// Cosine of the maximum turn of a seam that does not count as a corner: 0.1 degrees.
 const STRAIGHT: f64 = 1.0 - 1.5e-6;
 
 impl WeldOrder {
@@ -20,7 +20,7 @@ impl WeldOrder {
     ///
     /// # Errors
     /// With the key's address: quarters of a seam that is not welded all round, pieces longer than the weld, a tie-in
-    /// as long as a part, two ends on a seam that has none.
+    /// as long as a part. Also two ends on a seam without ends.
     pub(crate) fn check_parts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<(), DocumentError> {
         let part = match self.parts {
             Parts::Whole => f64::INFINITY,
@@ -133,7 +133,7 @@ fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64>
     ends
 }
 
-/// Places inside a range of the seam at which it or the direction between its faces turns, mm.
+/// Positions inside a range of the seam at which it or the direction between its faces turns, mm.
 fn corners(seam: &SeamCurve, range: (f64, f64)) -> Vec<f64> {
     let turns = |s: &f64| {
         let (before, after) = (seam.at(s - SAME_MM), seam.at(s + SAME_MM));

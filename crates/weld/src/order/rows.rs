@@ -28,7 +28,7 @@ impl Rows {
     /// Checks the table `rows` of a job whose seam stands at `placement`.
     ///
     /// # Errors
-    /// With the key's address: no copies or very many, copies at one place or out of this world.
+    /// With the key's address: no copies or very many, copies at the same position or too far away.
     pub(crate) fn check<T>(&self, file: &Document<T>, placement: &Transform) -> Result<(), DocumentError> {
         for (key, count) in [("rows.rows", self.rows), ("rows.columns", self.columns)] {
             if count == 0 || count > MAX_COPIES {

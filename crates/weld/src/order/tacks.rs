@@ -41,10 +41,11 @@ fn clear() -> NonNegative {
 }
 
 impl Tacks {
-    /// Checks what does not depend on the seam; `sequence` and `process` are those of the weld.
+    /// Checks the settings that do not depend on the seam; `sequence` and `process` are those of the weld.
     ///
     /// # Errors
-    /// With the key's address: neither number nor pitch or both, fewer than two, a process value that the weld has not.
+    /// With the key's address: neither number nor pitch or both, fewer than two, a process value that the weld does not
+    /// have.
     pub(crate) fn check<T>(
         &self,
         file: &Document<T>,
@@ -109,11 +110,11 @@ impl Tacks {
         opposite_first(starts.len(), seam.all_round()).into_iter().enumerate().map(pass).collect()
     }
 
-    /// Path lengths at which the tacks begin, increasing, mm: evenly, with the start in the middle between two on a seam
+    /// Path lengths of the tacks' starts, increasing, mm: evenly, with the start in the middle between two on a seam
     /// welded all round, else from end to end.
     ///
     /// # Errors
-    /// With the key's address: tacks longer than the pitch or nearer to the start than they may be.
+    /// With the key's address: tacks longer than the pitch or too near to the start.
     pub(crate) fn starts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<Vec<f64>, DocumentError> {
         let (length, clear) = (self.length_mm.get(), self.clear_mm.get());
         let round = seam.all_round();
@@ -155,7 +156,7 @@ fn opposite_first(count: usize, ring: bool) -> Vec<usize> {
         if ring { d.min(count - d) } else { d }
     };
     let mut order: Vec<usize> = Vec::with_capacity(count);
-    // Distance of each place from those in order; none of those themselves.
+    // Distance of each tack from those in order; `None` for those in order.
     let mut from_all: Vec<Option<usize>> = vec![Some(count); count];
     while order.len() < count {
         let left = || from_all.iter().enumerate().filter_map(|(i, apart)| Some((i, (*apart)?)));

@@ -142,7 +142,7 @@ fn rows_become_copies_at_their_places() {
     assert!(e.key.ends_with(".copy") && e.allowed.as_deref() == Some("0 to 11, the place in [[copies]]"), "{e}");
     let solids = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap().part;
     assert_eq!((solids.len(), solids[7].name()), (12, "plate of row 2, 2"));
-    // A file of one place has none of the new keys.
+    // A file of a seam without copies has none of the new keys.
     let plain = read(LINE).program.value.to_toml().unwrap();
     assert!(!plain.contains("cop") && !plain.contains("order"), "{plain}");
 }
@@ -221,7 +221,7 @@ fn from_corner_to_corner_no_direction_jumps() {
         }
     }
     assert!(before.distance(after) > 0.1, "{before} {after}");
-    // A start at a corner is one of the corners.
+    // A start at a corner counts as one of the corners.
     let program = whole.program.value.to_toml().unwrap();
     assert!(Welding::read("p.toml", &program).is_ok());
 }

@@ -25,8 +25,8 @@ pub(super) fn head_within(head: &Head) -> f64 {
     0.5 * HEAD_MM.max(HEAD_PART * head.radius())
 }
 
-/// The solid of revolution about z between an outer and an inner line of points (distance from the axis, height), the
-/// inner one going back from the end of the outer one. Around the axis the mesh lies at most `within` mm outside it, and
+/// The solid of revolution about z between an outer and an inner line of points (distance from the axis, height). The
+/// inner one goes back from the end of the outer one. Around the axis the mesh lies at most `within` mm outside it, and
 /// nowhere inside.
 pub(super) fn turned(outer: &[(f64, f64)], inner: &[(f64, f64)], within: f64) -> Result<Shape, ClearanceError> {
     let farthest = outer.iter().fold(0.0, |m: f64, p| m.max(p.0));

@@ -13,7 +13,7 @@ use seamwright_geometry::{Curve, Head};
 use seamwright_program::{Body, Mount, Nozzle};
 use std::f64::consts::TAU;
 
-/// Places around a curve that are looked at for its extent.
+/// Number of points around a curve that give its extent.
 const PLACES: u32 = 720;
 
 impl Making<'_> {

@@ -74,7 +74,7 @@ impl Making<'_> {
         Ok(vec![tube, self.nozzle_body(file, &nozzle.body, &foot)?])
     }
 
-    /// A branch's tube from the seam's lowest point on, the chord, and the other branch if there is one.
+    /// A branch's tube from the seam's lowest point on, the chord, and the other branch, if any.
     pub(super) fn branch<T>(&self, file: &Document<T>, branch: &Branch) -> Result<Vec<Solid>, Impossible> {
         let Joint { tube, chord, other, .. } = Joint::new(file, branch)?;
         let (origin, along, radius) = (tube.origin(), tube.direction(), tube.radius());

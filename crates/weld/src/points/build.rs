@@ -70,7 +70,7 @@ struct Reader {
     rest: Row,
     /// Highest speed of each number where it is an axis.
     fastest: Option<Row>,
-    /// Which of the row's numbers are x, y and z.
+    /// Indices of x, y and z among the row's numbers.
     places: [Option<usize>; 3],
     /// Index in the row of each of `from`.
     to: Vec<usize>,
@@ -126,7 +126,7 @@ impl Reader {
         row
     }
 
-    /// Speeds of the row's numbers from those of the columns that say the place.
+    /// Speeds of the row's numbers from those of the position's columns.
     fn speeds(&self, speeds: &[Finite]) -> Row {
         let mut row = Row::default();
         for ((speed, (_, factor)), to) in speeds.iter().zip(&self.from).zip(&self.to) {

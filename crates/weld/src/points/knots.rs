@@ -2,7 +2,7 @@ use super::Row;
 use super::block::{Block, Shape};
 use seamwright_geometry::CubicSpline;
 
-/// A block before its place on the path is known.
+/// A block before its position on the path is known.
 pub(super) struct Timed {
     pub(super) block: Block,
     /// Duration, s.
@@ -40,7 +40,7 @@ impl Knots {
         (0..rows.len() - 1).map(piece).collect()
     }
 
-    /// Times each piece by its length, `ways` in mm, at the speed of its chords; the greatest change, as a part.
+    /// Times each piece by its length, `ways` in mm, at the speed of its chords. Returns the maximum change, as a part.
     pub(super) fn retime(&mut self, ways: &[f64]) -> f64 {
         let (mut now, mut change) = (0.0, 0.0f64);
         for (k, ((seconds, chord), way)) in self.chords.iter().zip(ways).enumerate() {

@@ -108,7 +108,8 @@ proptest! {
                 prop_assert!(slope.distance(p.tangent) < 1e-6, "{} {}", slope, p.tangent);
             }
         }
-        // No second derivative of the point or the faces jumps at a knot: one-sided differences meet as the step shrinks.
+        // The second derivatives of point and faces are continuous at knots: one-sided differences meet as the step
+        // shrinks.
         for s in w.seam.as_ref().unwrap().knots() {
             let jump = |h: f64| {
                 let at = |k: f64| frame(&w.seam.as_ref().unwrap().at(s + k * h));
