@@ -1,10 +1,10 @@
-//! Builds the panel into `OUT_DIR/web`, from where it is embedded.
+//! Builds the panel into `OUT_DIR/web`, which is then embedded.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// What the panel is made from.
+/// Sources of the panel, relative to folder `web`; a change triggers a new build.
 const SOURCES: [&str; 9] = [
     "src",
     "../docs/schema",
@@ -20,7 +20,7 @@ const SOURCES: [&str; 9] = [
 fn main() {
     println!("cargo:rerun-if-env-changed=SEAMWRIGHT_WEB");
     println!("cargo:rerun-if-changed=build.rs");
-    // Asked when it runs: a script that was compiled elsewhere (a target folder that was copied) would build that panel.
+    // Read at run time: a build script copied with its target folder would otherwise build the panel of the old path.
     let here = env::var_os("CARGO_MANIFEST_DIR").expect("cargo gives a build script CARGO_MANIFEST_DIR");
     let web = Path::new(&here).join("../../web");
     for source in SOURCES {
@@ -70,7 +70,7 @@ fn run(command: &mut Command) -> Result<String, String> {
     Err(format!("{} failed:\n{}", command.get_program().display(), String::from_utf8_lossy(&said)))
 }
 
-/// What is served instead.
+/// Returns the page that is embedded if the panel was not built.
 fn page(why: &str) -> String {
     let why = why.replace('&', "&amp;").replace('<', "&lt;");
     format!(

@@ -1,6 +1,6 @@
-//! One cycle of a machine with ten axes: the set-point from the plan with its feed-forward, the inverse of its pose
-//! moved by a correction, and ten position loops. Aim: 5 us in the median, 20 us for 999 of 1000. And one of
-//! tracking, one of beam mode, and one of the whole executive.
+//! Times one cycle of a machine with ten axes: the set-point from the plan with its feed-forward, the inverse
+//! kinematics of its pose moved by a correction, and ten position loops. Aim: 5 us in the median, 20 us for 999 of
+//! 1000. Also times cycles of tracking, of beam mode and of the whole executive.
 
 use glam::{DVec2, DVec3};
 use seamwright_cell::executive::{
@@ -49,7 +49,7 @@ fn main() {
         let point = motion.path.point(law.s, false);
         let mut target =
             Target { first: machine.forward_of(0, &point.q), second: Some(machine.forward_of(1, &point.q)) };
-        // What a seam tracker moves the torch by.
+        // Correction of the torch by a seam tracker.
         target.first.point += 0.1 * target.first.direction;
         match machine.inverse_near(black_box(target), &near) {
             Ok(solution) => near = solution.joints,
@@ -70,7 +70,7 @@ fn main() {
     executive();
 }
 
-/// Times what the executive does between two exchanges with its devices.
+/// Times the executive's work between two exchanges with its devices.
 struct Timed<D> {
     devices: D,
     left: Option<Instant>,
@@ -135,8 +135,8 @@ impl Port for Once {
     fn note(&mut self, _t: f64, _note: Note) {}
 }
 
-/// The executive's part of every cycle of a weld of the T-joint: ten axes, two tracked torches, interlocks, supervision, the
-/// process, what is shown. The papers' machine had 75 us for its fast inputs and outputs (EBW-2004).
+/// Times the executive in every cycle of a weld of the T-joint: ten axes, two tracked torches, interlocks,
+/// supervision, process, display. The papers' machine had 75 us for its fast inputs and outputs (EBW-2004).
 fn executive() {
     let welding = Welding::read("t-joint", JOB).expect("the example is good");
     let program = &welding.program.value;
@@ -162,7 +162,7 @@ fn executive() {
     print("executive: ten axes, tracking, i/o", devices.times);
 }
 
-/// Tracking of one head at 100 mm/s on a bent seam, a measurement every 10 ms. Aim: 3 us for 999 of 1000.
+/// Times tracking of one head at 100 mm/s on a bent seam, a measurement every 10 ms. Aim: 3 us for 999 of 1000.
 fn tracking() {
     let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
     let settings = Settings::usual(20.0, 100.0);
@@ -186,7 +186,8 @@ fn tracking() {
     print("tracking of a head", times);
 }
 
-/// Beam mode at 10 mm/s on a straight seam: cycles, and the pictures that come every 300 ms. Aim: as that of a head.
+/// Times beam mode at 10 mm/s on a straight seam: cycles, and the pictures that come every 300 ms. Aim: as that of a
+/// head.
 fn beam() {
     let straight = |s: f64| SeamFrame { point: DVec3::X * s, along: DVec3::X, lateral: DVec3::Y, height: DVec3::Z };
     let range = DeflectionLimits { range_mm: 1.0, slew: 2000.0, latency_s: 75e-6 };

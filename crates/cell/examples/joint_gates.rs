@@ -1,4 +1,4 @@
-//! Frames that the follower gets wrong or leaves early, and the gates:
+//! Frames that the follower gets wrong or leaves early, and the acceptance criteria:
 //! `cargo run --release -p seamwright-cell --example joint_gates FRAMES FIRST_SEED`.
 
 #![allow(missing_docs)]
@@ -38,7 +38,7 @@ fn main() {
     let all = times(Kind::ALL, first..first + frames.min(100), 512);
     let (median, most, longer) = (all[all.len() / 2], all[all.len() * 99 / 100], all.iter().filter(|ms| **ms > 1.0));
     println!("{} frames: median {median:.3} ms, 99 % {most:.3} ms, {} over 1 ms", all.len(), longer.count());
-    // The same joints, larger: time by pixels.
+    // The same joints, larger: time by number of pixels.
     for size in [256, 512, 1024, 2048] {
         let clear = times([Kind::Clear], first..first + frames.min(15), size);
         let ms = clear[clear.len() / 2];
@@ -54,7 +54,7 @@ fn main() {
     }
 }
 
-/// Milliseconds that frames of these kinds and seeds take, the best of three each, in order.
+/// Returns the times of frames of these kinds and seeds, ms, the best of three each, sorted.
 fn times(kinds: impl IntoIterator<Item = Kind>, seeds: Range<u64>, size: usize) -> Vec<f64> {
     let mut follower = Follower::new(Options::default());
     let mut times: Vec<f64> = Vec::new();
@@ -72,7 +72,7 @@ fn times(kinds: impl IntoIterator<Item = Kind>, seeds: Range<u64>, size: usize) 
     times
 }
 
-/// Where one frame's confident rows are off.
+/// Prints the errors of one frame's confident rows.
 fn show(kind: Kind, seed: u64) {
     let scene = scene(kind, seed, 512);
     let outcome = follow(&mut Follower::new(Options::default()), &scene);

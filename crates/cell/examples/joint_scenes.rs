@@ -1,4 +1,4 @@
-//! Simulated frames with their truth and what we find in them, for `peers/vision.py`:
+//! Simulated frames with their truth and our detections, for `peers/vision.py`:
 //! `cargo run --release -p seamwright-cell --example joint_scenes DIRECTORY FRAMES`.
 
 #![allow(missing_docs)]

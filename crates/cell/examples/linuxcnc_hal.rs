@@ -1,8 +1,8 @@
-//! A job welded on drives by LinuxCNC's HAL without hardware, in real time; what HAL did with every set-point.
+//! A job welded on drives by LinuxCNC's HAL without hardware, in real time, with HAL's state for every set-point.
 //!
-//! Every few seconds a correction comes: a step of one axis, as a tracker that has found the joint elsewhere orders it. Prints
-//! whether HAL ran out of set-points, how far its joints were from what was ordered, and how late orders counted. Fails if they
-//! were not what is promised.
+//! A correction comes every few seconds: a step of one axis, like that of a tracker after a shift of the joint. Prints
+//! HAL's underruns of set-points, the deviation of its joints from the orders, and the delay of the orders. Fails if
+//! they exceed the stated limits.
 //!
 //! Usage: linuxcnc_hal JOB [STORE]
 
@@ -35,17 +35,17 @@ mod linux {
     const EVERY: u64 = 3000;
     const CORRECTED: usize = 1;
     const CORRECTION: f64 = 0.25;
-    /// What HAL's six decimals may differ by, mm or degrees.
+    /// Tolerance for HAL's six decimals, mm or degrees.
     const SAME: f64 = 1e-6;
     /// Time of a line through two pipes, and of HAL's own jitter, periods.
     const PIPES: f64 = 2.0;
 
-    /// Drives before which corrections come.
+    /// Drives with added corrections.
     struct Corrected<D> {
         drives: D,
         cycles: u64,
         by: f64,
-        /// When each correction was ordered, and what it brought the axis to.
+        /// Time of each correction, and the resulting axis position.
         steps: Vec<(Instant, f64)>,
         starved: u32,
     }
@@ -63,7 +63,7 @@ mod linux {
                 self.steps.push((Instant::now(), orders.set[CORRECTED].position));
             }
             self.drives.exchange(&orders, report);
-            // What is not asked for is not reported: the executive follows its own plan.
+            // Remove the correction: the executive follows its own plan.
             report.position[CORRECTED] -= self.by;
             self.starved = report.starved;
         }
@@ -77,7 +77,7 @@ mod linux {
         }
     }
 
-    /// Welds once; keeps everything that HAL says.
+    /// Welds once; keeps all samples of HAL.
     struct Operator {
         mode: Mode,
         armed: bool,
@@ -205,13 +205,13 @@ mod linux {
         Ok(good && operator.welded)
     }
 
-    /// Prints and judges what HAL said.
+    /// Prints and evaluates the samples of HAL.
     fn judge(machine: &Machine, store: u32, operator: &Operator, steps: &[(Instant, f64)], starved: u32) -> bool {
         let taken = &operator.taken;
         let period = Duration::from_secs_f64(machine.servo_period_s);
         let gaps = taken.windows(2).filter(|w| w[1].sample.number > w[0].sample.number + 1).count();
         let ordered: Vec<&Taken> = taken.iter().filter(|t| t.sample.number > 0 && t.sample.powered).collect();
-        // Looking for references is not following.
+        // During homing the axes do not follow set-points.
         let after = ordered.iter().position(|t| t.sample.homed.count_ones() as usize == machine.axes.len());
         let followed = &ordered[(after.unwrap_or(0) + 500).min(ordered.len())..];
         let worst = followed.iter().flat_map(|t| {
@@ -219,7 +219,7 @@ mod linux {
             axes.map(|(i, axis)| (axis.to_file(t.set[i]) - axis.to_file(t.sample.position[i])).abs())
         });
         let worst = worst.fold(0.0, f64::max);
-        // HAL's periods lie on a grid of the same clock: its begin is where reading was least late.
+        // HAL's periods lie on a grid of the same clock: the sample read with the least delay marks its start.
         let early = taken
             .iter()
             .enumerate()
@@ -246,7 +246,7 @@ mod linux {
         for (when, position) in steps {
             let next = taken.iter().enumerate().filter(|(_, t)| t.ordered >= *when && t.sample.powered);
             let there = |q: f64| (q - position).abs() < CORRECTION / 2.0;
-            // While the store is made up for, a step lies between two set-points.
+            // While the store refills, a step may lie between two set-points.
             let found = next.take(3).find(|(_, t)| there(t.set[CORRECTED]) && there(t.sample.position[CORRECTED]));
             if let Some((k, t)) = found {
                 applied.push(ms(at(k), *when));
@@ -268,7 +268,7 @@ mod linux {
         starved == 0 && gaps == 0 && worst < SAME && applied.len() == steps.len() && most(&applied) <= stated
     }
 
-    /// From `then` until `now`, ms.
+    /// Returns the time from `then` to `now`, ms.
     fn ms(now: Instant, then: Instant) -> f64 {
         1e3 * now.saturating_duration_since(then).as_secs_f64()
     }

@@ -1,4 +1,4 @@
-//! The gates of the laser stripe, and the cases of a kind that are silent, wrong or far off:
+//! The acceptance criteria of the laser stripe, and the cases of a kind that are silent, wrong or far off:
 //! `cargo run --release -p seamwright-cell --example stripe_gates CASES FIRST_SEED [KIND LEVEL]`.
 
 #![allow(missing_docs)]
@@ -34,7 +34,7 @@ fn main() {
     }
 }
 
-/// What is found in one case beside what is there.
+/// Prints the detection of one case beside its truth.
 fn show(kind: JointKind, how: &StripeDisturbances, seed: u64) {
     let section = Section::random(kind, seed);
     let scene = stripe_scene(section, seed);

@@ -12,7 +12,7 @@ pub(crate) struct Drives {
     axes: Vec<(ServoAxis, Disturbance)>,
 }
 
-/// The position loop may ask for this much more than the axis' highest speed, to catch up.
+/// Maximum speed of the position loop relative to the axis limit, so that it can catch up.
 const SPEED_RESERVE: f64 = 1.2;
 
 impl Drives {
@@ -37,24 +37,25 @@ impl Drives {
         }
     }
 
-    /// One servo period of axis `i`.
+    /// Simulates one servo period of axis `i`.
     pub(crate) fn step(&mut self, i: usize, set: SetPoint) -> AxisState {
         let (servo, disturbance) = &mut self.axes[i];
         let force = disturbance.next(servo.drive().position());
-        // Cogging is the motor's.
+        // Cogging acts on the motor.
         servo.step(set, seamwright_servo::Disturbance { motor: force, load: 0.0 })
     }
 }
 
-/// Checks that every drive of the machine file makes a drive.
+/// Checks the drive values of the machine file.
 ///
 /// # Errors
-/// [`Error::Drive`] with the first axis whose values do not.
+/// [`Error::Drive`] with the first axis whose values are invalid.
 pub fn check_drives(machine: &Machine) -> Result<(), Error> {
     Drives::new(machine, 0).map(drop)
 }
 
-/// A drive for an axis whose file describes none: unit inertia, three times the acceleration it needs, 5 % friction.
+/// Default drive for an axis without one in the file: unit inertia, three times the required acceleration, 5 %
+/// friction.
 fn assumed(axis: &Axis) -> Drive {
     let per_metre = if axis.kind == AxisKind::Linear { 1e-3 } else { 1.0 };
     let peak = 3.0 * axis.max_acceleration * per_metre;
@@ -74,10 +75,10 @@ fn assumed(axis: &Axis) -> Drive {
     }
 }
 
-/// Tunes the position loop of `axis` on its drive in simulation, or on the assumed one if the file describes none.
+/// Tunes the position loop of `axis` on its drive in simulation, or on the default one if the file has no drive.
 ///
 /// # Errors
-/// [`Error::Drive`] if its values make no drive, or one that cannot be tuned.
+/// [`Error::Drive`] if its values are invalid, or the drive cannot be tuned.
 pub fn tune_axis(axis: &Axis, period_s: f64) -> Result<Tuned, Error> {
     let drive = axis.drive.clone().unwrap_or_else(|| assumed(axis));
     parameters(axis, &drive)

@@ -1,21 +1,21 @@
 use crate::executive::VALUES;
 use thiserror::Error;
 
-/// Why a cell cannot run.
+/// Reasons why a cell cannot run.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Error {
-    /// A drive's values do not make a drive.
+    /// Invalid drive values.
     #[error("drive of axis {axis}: {reason}")]
     Drive {
         /// Name of the axis.
         axis: String,
-        /// What is wrong.
+        /// The reason.
         reason: String,
     },
-    /// A pass that cannot be tracked.
+    /// A pass does not allow tracking.
     #[error(transparent)]
     Tracking(Box<crate::tracking::Error>),
-    /// More process values than a cell carries.
+    /// Too many process values.
     #[error("the program has {0} process values\n   allowed: up to {VALUES}")]
     Values(usize),
 }

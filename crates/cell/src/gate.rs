@@ -1,9 +1,9 @@
-//! Measured values against what they may be.
+//! Acceptance limits of measured values.
 
-/// A table of gates.
+/// A table of acceptance criteria.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
-    /// What it is about.
+    /// Subject of the table.
     pub title: String,
     /// Its rows.
     pub rows: Vec<Gate>,
@@ -12,29 +12,29 @@ pub struct Table {
 /// A measured value and its limit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gate {
-    /// Which frames.
+    /// Description of the frames.
     pub frames: String,
-    /// What is measured.
+    /// Measured quantity.
     pub what: &'static str,
     /// The measured value.
     pub value: f64,
-    /// What it may be.
+    /// Limit of the value.
     pub limit: Limit,
     /// Unit of both.
     pub unit: &'static str,
 }
 
-/// What a value may be.
+/// Acceptance limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Limit {
-    /// No more than this.
+    /// Maximum.
     Most(f64),
-    /// No less than this.
+    /// Minimum.
     Least(f64),
 }
 
 impl Gate {
-    /// True if the value is within its limit.
+    /// Returns true if the value is within its limit.
     #[must_use]
     pub fn is_kept(&self) -> bool {
         match self.limit {

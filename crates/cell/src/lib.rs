@@ -1,8 +1,9 @@
 //! The running machine: an executive on real or simulated devices.
 //!
-//! The [`executive`] runs programs on devices. [`simulate`] has it do so in virtual time with simulated ones (position loop, velocity
-//! loop, inertia, friction, encoder, current limit; source, sensors, inputs), finds the true torch tip from the true axis positions
-//! with the machine's own chain, and measures how far it is from the seam and how fast it runs along it.
+//! The [`executive`] runs programs on devices. [`simulate`] runs them in virtual time on simulated devices: position
+//! loop, velocity loop, inertia, friction, encoder, current limit; source, sensors, inputs. It finds the true torch tip
+//! from the true axis positions with the machine's own kinematic chain. It measures the tip's distance from the seam
+//! and its speed along the seam.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

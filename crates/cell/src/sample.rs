@@ -3,10 +3,10 @@ use crate::tracking::HeadSample;
 use seamwright_machine::Joints;
 use seamwright_motion::{LawPoint, Phase, SetPoint};
 
-/// What the simulated cell was at one servo period; mm, rad, s.
+/// State of the simulated cell at one servo period; mm, rad, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
-    /// The pass, counted from 1; 0 in an air move, where everything along the seam is no number.
+    /// The pass, counted from 1; 0 in a transfer move, where all values along the seam are NaN.
     pub pass: usize,
     /// The set-point of this period.
     pub set: SetPoint,
@@ -14,28 +14,28 @@ pub struct Sample {
     pub q: Joints,
     /// Following error of each axis: set-point less true position.
     pub following_error: Joints,
-    /// Current of each drive as a part of its peak, -1 to 1.
+    /// Current of each drive, relative to its peak, -1 to 1.
     pub current: Joints,
-    /// Place nearest to the true tip on the planned path, by path length along the seam, mm.
+    /// Path length of the planned path's nearest point to the true tip, along the seam, mm.
     pub tip_s: f64,
-    /// Speed of the true tip along the planned path since the period before, mm/s.
+    /// Speed of the true tip along the planned path since the previous period, mm/s.
     pub tip_speed: f64,
-    /// Planned speed over the same period, mm/s: how far the set-point's tip moved in it.
+    /// Planned speed over the same period, mm/s: the travel of the set-point's tip in it.
     pub planned_speed: f64,
-    /// Distance of the true tip from the seam, normal to it, mm; of two torches that weld at once the greater.
+    /// Distance of the true tip from the seam, normal to it, mm; the larger one of two torches that weld at once.
     pub path_error: f64,
-    /// Angle between the true torch direction and the one asked for there, rad.
+    /// Angle between the true torch direction and the planned one there, rad.
     pub attitude_error: f64,
-    /// What each head that welds did, where the seam may lie elsewhere than planned.
+    /// Result of each welding head, if the seam may differ from the plan.
     pub heads: [Option<HeadSample>; 2],
-    /// What the cell was doing.
+    /// Mode of the cell.
     pub mode: Mode,
-    /// Process values that were asked for, by their names in alphabetic order; 0 while the arc is off.
+    /// Requested process values, by their names in alphabetic order; 0 while the arc is off.
     pub values: [f64; VALUES],
 }
 
 impl Sample {
-    /// A sample of nothing: no numbers along the seam, everything else at 0.
+    /// A sample outside of all passes: NaN along the seam, zero elsewhere.
     pub(crate) fn nowhere() -> Self {
         let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
         let none = Joints::default();
@@ -56,12 +56,12 @@ impl Sample {
         }
     }
 
-    /// True while the arc (or beam) is on.
+    /// Returns true while the arc (or beam) is on.
     pub fn arc(&self) -> bool {
         self.set.phase.arc()
     }
 
-    /// True while the torch is to travel.
+    /// Returns true while the torch is to travel.
     pub fn travels(&self) -> bool {
         self.set.phase == Phase::Travel
     }

@@ -5,17 +5,17 @@ use seamwright_motion::PassMotion;
 use seamwright_program::{Finding, Tolerance};
 use serde::Serialize;
 
-/// How long after the run-up (s) the drives are given to settle before the steady speed is judged.
+/// Settling time of the drives after the acceleration phase, before the steady speed is evaluated, s.
 pub(crate) const SETTLING_S: f64 = 0.5;
 
-/// Least, greatest and root-mean-square value of something.
+/// Minimum, maximum and root-mean-square value of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Extremes {
-    /// Least value.
+    /// Minimum.
     pub min: f64,
-    /// Greatest value.
+    /// Maximum.
     pub max: f64,
-    /// Root of the mean square.
+    /// Root mean square.
     pub rms: f64,
 }
 
@@ -48,7 +48,7 @@ impl Gather {
     }
 }
 
-/// What one axis did, in mm or degrees.
+/// Results of one axis, in mm or degrees.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AxisSummary {
     /// Name of the axis.
@@ -59,21 +59,21 @@ pub struct AxisSummary {
     pub position: Extremes,
     /// Its range, if it has one.
     pub range: Option<(f64, f64)>,
-    /// Greatest speed of the set-points, per s.
+    /// Maximum speed of the set-points, per s.
     pub speed: f64,
     /// Its limit.
     pub max_speed: f64,
-    /// Greatest acceleration of the set-points, per s^2.
+    /// Maximum acceleration of the set-points, per s^2.
     pub acceleration: f64,
     /// Its limit.
     pub max_acceleration: f64,
     /// Following error while the arc is on.
     pub following_error: Extremes,
-    /// Greatest current as a part of the drive's peak.
+    /// Maximum current, relative to the drive's peak.
     pub current: f64,
 }
 
-/// A simulated weld in numbers; mm, s, degrees.
+/// Results of a simulated weld; mm, s, degrees.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
     /// Seed of the disturbances.
@@ -84,36 +84,36 @@ pub struct Summary {
     pub weld_s: f64,
     /// Time with the arc (or beam) on, s.
     pub arc_on_s: f64,
-    /// False of a pass of which nothing was welded: all of its numbers are nothing too.
+    /// False if no part of the pass was welded: all of its numbers are zero then.
     pub welded: bool,
-    /// Distance of the true tip from the seam, normal to it, while it travels.
+    /// Distance of the true tip from the seam, normal to it, during travel.
     pub path_error_mm: Extremes,
-    /// Path length where that is greatest, mm.
+    /// Path length of the maximum, mm.
     pub path_error_at_mm: f64,
-    /// Speed of the true tip along the seam from half a second after each run-up to the next run-down; `rms` is that of
-    /// the deviation from the planned speed. None if the weld is too short for that.
+    /// Speed of the true tip along the seam, from half a second after each acceleration phase to the next deceleration
+    /// phase; `rms` is that of the deviation from the planned speed. `None` if the weld is too short.
     pub tip_speed_mm_s: Option<Extremes>,
-    /// Greatest deviation of that speed from the planned one over the same servo period, as a part of it; none if the
-    /// weld is too short to be judged.
+    /// Maximum deviation of that speed from the planned one over the same servo period, relative to it; `None` if the
+    /// weld is too short.
     pub speed_ripple: Option<f64>,
     /// Path length of that deviation, mm.
     pub speed_ripple_at_mm: f64,
-    /// Angle between true and asked torch direction while it travels, degrees.
+    /// Angle between true and planned torch direction during travel, degrees.
     pub attitude_error_deg: Extremes,
     /// Each axis, in machine-file order.
     pub axes: Vec<AxisSummary>,
-    /// How far each head's weld lies from its joint, where that may lie elsewhere than planned.
+    /// Distance of each head's weld from its joint, if the joint may differ from the plan.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub heads: Vec<HeadSummary>,
 }
 
-/// Of two values with their places the greater.
+/// Returns the larger of two values, with its position.
 fn greater(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     if b.0 > a.0 { b } else { a }
 }
 
 impl Summary {
-    /// Where the simulated weld strays beyond the tolerance, and drives at the end of their strength.
+    /// Returns findings for deviations beyond the tolerance, and for drives at their current limit.
     pub fn findings(&self, tolerance: &Tolerance, pass: usize) -> Vec<Finding> {
         let finding = |kind, message, at, cure: &str, allowed| Finding {
             kind,
@@ -163,9 +163,9 @@ pub(crate) struct Tally {
     path_error: Gather,
     tip_speed: Gather,
     deviation: Gather,
-    /// Greatest deviation of the speed and where.
+    /// Maximum deviation of the speed and its path length.
     ripple: (f64, f64),
-    /// Greatest path error and where.
+    /// Maximum path error and its path length.
     worst: (f64, f64),
     attitude: Gather,
     position: Vec<Gather>,
@@ -173,10 +173,10 @@ pub(crate) struct Tally {
     acceleration: Vec<f64>,
     following: Vec<Gather>,
     current: Vec<f64>,
-    /// From where to where (mm) the steady speed is judged.
+    /// Ranges of path length (mm) in which the steady speed is evaluated.
     steady: Vec<(f64, f64)>,
     period_s: f64,
-    /// Periods in the pass, of travel, with the arc on.
+    /// Number of periods: in the pass, of travel, with the arc on.
     periods: [u64; 3],
 }
 

@@ -1,4 +1,4 @@
-//! A day of welds in virtual time: memory that does not grow, welds that do not drift.
+//! A day of welds in virtual time: constant memory, welds without drift.
 
 #![cfg(target_os = "linux")]
 
@@ -15,18 +15,18 @@ fn memory_kb() -> u64 {
     line.split_whitespace().nth(1).unwrap().parse().unwrap()
 }
 
-/// What a weld was.
+/// Result of a weld.
 #[derive(Debug, Clone, Copy)]
 struct Made {
-    /// Greatest distance of weld and joint from 10 mm on, mm.
+    /// Maximum distance of weld and joint from 10 mm on, mm.
     miss_mm: f64,
-    /// Path that was travelled, mm.
+    /// Travelled path length, mm.
     end_mm: f64,
-    /// From the first order of the arc to its end, s.
+    /// Time from the first order of the arc to its end, s.
     took_s: f64,
 }
 
-/// Welds on and on until the time is over.
+/// Welds repeatedly until the time is over.
 struct Shift<'a> {
     judge: Judge<'a>,
     until_s: f64,
@@ -37,7 +37,7 @@ struct Shift<'a> {
     begun: Option<f64>,
     now: Made,
     made: Vec<Made>,
-    /// After the first hour, and at the end.
+    /// Memory after the first hour, and at the end, kB.
     memory: [u64; 2],
 }
 
@@ -116,9 +116,9 @@ fn a_day_of_tracked_welds() {
         miss(last)
     );
     assert!(made.len() > 500, "{}", made.len());
-    // Noise of the sensor differs from weld to weld: the bound is that of a weld of its own.
+    // Noise of the sensor differs from weld to weld: the bound is that of a single weld.
     assert!(miss(made) < 0.12, "{}", miss(made));
-    // Time and way are the plan's in the last weld as in the first.
+    // Time and path length follow the plan in the last weld as in the first.
     assert!(made.iter().all(|m| (m.end_mm - made[0].end_mm).abs() < 1e-6), "{made:?}");
     assert!(made.iter().all(|m| (m.took_s - made[0].took_s).abs() < 0.5), "{made:?}");
     assert!(day <= hour + 1024, "{hour} kB, {day} kB");

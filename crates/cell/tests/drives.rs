@@ -1,4 +1,4 @@
-//! What all drives must do, simulated ones, steppers and LinuxCNC's, with a plan of faults before them.
+//! Conformance of all drives with a fault plan before them: simulated ones, steppers and LinuxCNC's.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use seamwright_cell::devices::{Device, Drives, Fault, FaultKind, Faulty, SimulatedDrives, StepDrives, When};
@@ -15,7 +15,7 @@ static ALLOCATOR: AllocDisabler = AllocDisabler;
 const WAY: f64 = 0.5;
 const MOVED: usize = 2;
 const SILENT_S: f64 = 0.3;
-/// When the drives start anew, s.
+/// Time of the drives' restart, s.
 const REBOOT_S: f64 = 7.0;
 
 /// Drives with orders and reports, cycle by cycle.
@@ -29,7 +29,7 @@ struct Bench<'a, D> {
 }
 
 impl<D: Drives> Bench<'_, D> {
-    /// A cycle, without an allocation.
+    /// Runs a cycle without an allocation.
     fn cycle(&mut self) {
         self.orders.watchdog = !self.orders.watchdog;
         let Self { drives, orders, report, .. } = self;
@@ -38,7 +38,7 @@ impl<D: Drives> Bench<'_, D> {
         (self.wait)();
     }
 
-    /// Cycles until it is so; false if it is not after so many seconds.
+    /// Runs cycles until `is` holds; returns false if it does not within `s` seconds.
     fn within(&mut self, s: f64, is: impl Fn(&DriveReport, f64) -> bool) -> bool {
         let late = self.drives.late_s();
         for _ in 0..(s / self.machine.servo_period_s) as usize {
@@ -50,7 +50,7 @@ impl<D: Drives> Bench<'_, D> {
         false
     }
 
-    /// Time in which orders are seen in reports, s.
+    /// Returns the maximum time until orders appear in reports, s.
     fn delay_s(&self) -> f64 {
         f64::from(self.drives.rides_out().cycles.min(1000)) * self.machine.servo_period_s + 2.0 * self.drives.late_s()
     }
@@ -59,7 +59,7 @@ impl<D: Drives> Bench<'_, D> {
         (1 << self.machine.axes.len()) - 1
     }
 
-    /// Set-points where the axes are.
+    /// Moves the set-points to the actual positions.
     fn take_actual(&mut self) {
         for (set, position) in self.orders.set.iter_mut().zip(self.report.position) {
             *set = SetPoint { position, ..SetPoint::default() };
@@ -71,8 +71,8 @@ impl<D: Drives> Bench<'_, D> {
     }
 }
 
-/// What the drives do, whoever they are; `wait` waits for the next cycle. Those that run by a clock of their own may run out of
-/// set-points where the computer has other things to do: that is for `make peers`.
+/// Checks the drives' conformance; `wait` waits for the next cycle. Drives with their own clock may run out of
+/// set-points on a busy computer: that is tested by `make peers`.
 fn conform<D: Drives>(machine: &Machine, drives: D, own_clock: bool, wait: Box<dyn FnMut()>) {
     let told = Arc::new(AtomicBool::new(false));
     let fault = |kind, when, lasts_s| Fault { device: Device::Drives, kind, when, lasts_s, which: 0 };
@@ -82,7 +82,7 @@ fn conform<D: Drives>(machine: &Machine, drives: D, own_clock: bool, wait: Box<d
     let report = DriveReport { age_s: f64::INFINITY, ..DriveReport::default() };
     let mut bench = Bench { machine, drives, orders: Orders::default(), report, cycles: 0, wait };
 
-    // They report by themselves, and do nothing without power.
+    // They report without orders, and do nothing without power.
     assert!(bench.within(1.0, |r, late| r.age_s <= late));
     assert!(!bench.report.powered && bench.report.starts == 1);
     bench.take_actual();
@@ -101,7 +101,7 @@ fn conform<D: Drives>(machine: &Machine, drives: D, own_clock: bool, wait: Box<d
     assert!(bench.within(2.0 + delay_s, |r, _| r.referenced == all));
     bench.orders.home = false;
     bench.take_actual();
-    // What was ordered before is no following error.
+    // Earlier orders cause no following error.
     assert!(!bench.within(delay_s, |r, _| r.following_error.iter().any(|e| e.abs() > 0.1)), "{:?}", bench.report);
     assert!((bench.moved() - machine.home()[MOVED]).abs() < 0.02, "{}", bench.moved());
 
@@ -127,7 +127,7 @@ fn conform<D: Drives>(machine: &Machine, drives: D, own_clock: bool, wait: Box<d
     assert!(bench.within(SILENT_S, |r, late| r.age_s > late));
     assert!(bench.within(SILENT_S + 0.5, |r, late| r.age_s <= late));
 
-    // Without power at rest they stay where they are.
+    // Without power they keep their position.
     bench.orders.power = false;
     assert!(bench.within(1.0 + delay_s, |r, _| !r.powered));
     assert!((bench.moved() - from - WAY).abs() < 0.02);
@@ -135,7 +135,7 @@ fn conform<D: Drives>(machine: &Machine, drives: D, own_clock: bool, wait: Box<d
     assert!((report.fault, report.limit_switch, report.starts) == (0, 0, 1), "{report:?}");
     assert!(own_clock || report.starved == 0, "{report:?}");
 
-    // A start is counted.
+    // A restart is counted.
     let left_s = REBOOT_S - bench.cycles as f64 * machine.servo_period_s;
     assert!(left_s > 0.0, "all that took {} s", REBOOT_S - left_s);
     assert!(bench.within(left_s + 1.0, |r, _| r.starts == 2));
@@ -161,8 +161,8 @@ fn drives_by_steps_conform() {
     conform(&machine, StepDrives::new(&machine, &device).unwrap(), false, Box::new(|| ()));
 }
 
-/// In real time, with more in store than a busy computer takes at once: without hardware; HAL files that HAL refuses; and with a
-/// HAL file of hardware that takes its time. One after another: there is one HAL on a computer.
+/// Runs in real time, with a store larger than the longest delay of a busy computer. Cases: no hardware; HAL files
+/// that HAL refuses; a HAL file of slow hardware. They run in sequence: a computer has one HAL.
 #[cfg(target_os = "linux")]
 #[test]
 fn linuxcnc_drives_conform() {
@@ -191,13 +191,13 @@ fn linuxcnc_drives_conform() {
     match drives {
         Ok(drives) => run(&machine, drives),
         Err(why @ (LinuxCncError::NotInstalled(_) | LinuxCncError::Running(_))) => {
-            // Past what a test's own output is hidden by.
+            // Bypasses the capture of a test's output.
             let _ = writeln!(std::io::stderr(), "SKIPPED: drives by LinuxCNC were not tested: {why}");
             return;
         }
         Err(error) => panic!("{error}"),
     }
-    // What HAL says of the file is told, with its name; nothing of it is left for the next.
+    // HAL's message about the file is reported with the file's name; the next start is clean.
     for (text, said) in [
         (Some("loadrt nosuchcomponent\n"), "nosuchcomponent"),
         (Some("# ours\nnet seamwright.q.set => nosuch.pin\n"), "nosuch.pin"),
@@ -218,13 +218,13 @@ fn linuxcnc_drives_conform() {
     std::fs::write(folder.path().join("hardware.hal"), hardware(&machine)).unwrap();
     let (machine, drives) = start("hal = \"hardware.hal\"");
     run(&machine, drives.unwrap_or_else(|e| panic!("{e}")));
-    // And HAL of which a part is killed.
+    // HAL with a killed part.
     let (machine, drives) = start("hal = \"hardware.hal\"");
     comes_back(&machine, drives.unwrap_or_else(|e| panic!("{e}")));
 }
 
-/// Each of HAL's programs is killed with -9 under power: the drives are silent, and as long as somebody wants power they stay so. Then
-/// they are there again, once more, without power and references; and nothing of that costs the cycle an allocation.
+/// Each of HAL's programs is killed with -9 under power. The drives are silent, and stay so while power is requested.
+/// Then they start once more, without power and references. The cycle allocates nothing.
 #[cfg(target_os = "linux")]
 fn comes_back<D: Drives>(machine: &Machine, drives: D) {
     use seamwright_cell::realtime::Pacer;
@@ -257,10 +257,10 @@ fn comes_back<D: Drives>(machine: &Machine, drives: D) {
     assert_eq!(violation_count(), 0);
 }
 
-/// Ends a program of HAL's, of which there is one on a computer, and ours.
+/// Kills a program of HAL's, of which there is one on a computer, and ours.
 #[cfg(target_os = "linux")]
 fn kill(program: &str) {
-    // What has ended may stand there until somebody asks how.
+    // A terminated process stays listed as a zombie until its parent waits for it.
     let runs = format!("({program}) ");
     let named = |folder: &std::path::Path| {
         std::fs::read_to_string(folder.join("stat"))
@@ -273,8 +273,8 @@ fn kill(program: &str) {
     assert!(std::process::Command::new("kill").arg("-9").arg(process).status().unwrap().success());
 }
 
-/// A HAL file as a user writes it, with HAL's own components for hardware: power that follows `enable`, axes that have a highest
-/// speed and acceleration, and references that are known once an axis has come to its home position by itself.
+/// A HAL file as a user writes it, with HAL's own components for hardware. Power follows `enable`, axes have a
+/// maximum speed and acceleration. References are known once an axis has reached its home position by itself.
 fn hardware(machine: &Machine) -> String {
     let names = |kind: &str| {
         let names: Vec<String> = machine.axes.iter().map(|axis| format!("{kind}.{}", axis.name)).collect();

@@ -1,4 +1,5 @@
-//! A whole weld with a hold and a resume costs no allocation after the program was loaded, nor does jogging from its first cycle on, nor refusing to jog.
+//! Allocation tests after the program is loaded: a whole weld with a hold and a resume, jogging from its first cycle
+//! on, and refused jogs.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
@@ -60,7 +61,7 @@ impl Port for Operator {
 
 #[test]
 fn a_weld_costs_no_allocation() {
-    // A short one: ten degrees of the example.
+    // A short weld: ten degrees of the example.
     let job = include_str!("../../../examples/saddle.toml").replace("overlap_mm = 20", "end_phi_deg = 30");
     let welding = Welding::read("job.toml", &job).unwrap();
     let program = &welding.program.value;
@@ -85,7 +86,7 @@ fn a_weld_costs_no_allocation() {
     assert!(operator.welded && operator.held);
 }
 
-/// Jogs by speeds, by steps, along the tip and to a place, asks for what cannot be, begins anew, and jogs again.
+/// Jogs by speeds, by steps, along the tip and to a position; sends invalid requests, restarts, and jogs again.
 #[derive(Default)]
 struct Hand {
     mode: Option<Mode>,
@@ -99,10 +100,10 @@ struct Hand {
     q: f64,
 }
 
-/// Cycles of each part of a jog.
+/// Number of cycles of each part of a jog.
 const PART: u32 = 1000;
 
-/// What cannot be, in these cycles of a part.
+/// Returns an invalid request in these cycles of a part.
 fn refused(cycle: u32) -> Option<jog::Command> {
     let mut beyond = Joints::default();
     match cycle {
@@ -130,7 +131,7 @@ impl Hand {
     }
 
     fn wants(&self) -> Option<jog::Command> {
-        // The panel says it twenty times a second, but steps once.
+        // The panel repeats a request twenty times a second, but steps once.
         let again = self.cycles.is_multiple_of(50);
         let begins = self.cycles.is_multiple_of(PART);
         let halfway = self.cycles % PART >= PART / 2;
@@ -142,7 +143,7 @@ impl Hand {
                 again.then_some(jog::Command::Speeds(joints))
             }
             1 if begins => Some(jog::Command::Step { axis: 0, by: 0.5 }),
-            // Before the panel counts as silent.
+            // Ends before the panel counts as silent.
             1 => match self.cycles % PART {
                 180 => Some(jog::Command::Rest),
                 n => refused(n),

@@ -1,4 +1,4 @@
-//! A cycle that exchanges with a device on Modbus allocates nothing, whether the device answers, is silent or comes back.
+//! A cycle that exchanges with a Modbus device allocates nothing, whether the device answers, is silent or returns.
 
 #[path = "support/modbus_cell.rs"]
 mod modbus_cell;

@@ -1,4 +1,4 @@
-//! A cycle of ten axes costs no allocation: set-point, inverse, position loops.
+//! A cycle of ten axes costs no allocation: set-point, inverse kinematics, position loops.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use seamwright_machine::{Machine, Target, shipped};
@@ -29,7 +29,7 @@ fn cycles_do_not_allocate() {
         }
     });
     assert_eq!(violation_count(), 0);
-    // The count counts.
+    // Checks the counter itself.
     assert_no_alloc(|| black_box(vec![1]));
     assert!(violation_count() > 0);
 }

@@ -1,5 +1,5 @@
-//! Whole tracked welds with a hold and a resume cost no allocation after the program was loaded: by a leading sensor, by two with
-//! cross slides, by a beam.
+//! Whole tracked welds with a hold and a resume allocate nothing after the program is loaded: by a leading sensor, by
+//! two with cross slides, by a beam.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use seamwright_cell::executive::{Ask, Command, Cycle, Executive, Mode, Note, Place, Port, Start};

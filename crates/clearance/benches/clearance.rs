@@ -85,7 +85,7 @@ fn scene() -> Scene {
 fn clearance(c: &mut Criterion) {
     let scene = scene();
     let limits = Limits { cutoff_mm: 100.0, precision_mm: 0.1, smallest: 0.05 };
-    // The torch passes close by and never touches: no cell is settled the easy way.
+    // The torch passes close by without contact: every cell needs the full proof.
     let profile = scene.along(&Saddle, 1000, &limits).unwrap();
     let least = profile.traces[0].nearest.1.distance;
     assert!(profile.stretches.is_empty() && least < 10.0, "{least} mm, {:?}", profile.stretches.first());
@@ -94,7 +94,7 @@ fn clearance(c: &mut Criterion) {
     group.bench_function("1,000 stations, 20 fixtures, 50,000 triangles", |b| {
         b.iter(|| black_box(scene.along(&Saddle, 1000, &limits)).unwrap());
     });
-    // Two such parts, 20 mm apart and crosswise: the dearest single distance.
+    // Two such parts, 20 mm apart and crosswise: the most expensive single distance.
     let body = Shape::Mesh(Arc::new(part()));
     let turned = DAffine3::from_rotation_x(1.5) * DAffine3::from_translation(DVec3::new(720.0, 0.0, 85.0));
     let (a, b) = (solid(body.clone(), 0.0, 0.0, 0.0), Solid::new("", body, turned).unwrap());

@@ -1,86 +1,85 @@
-//! Distances along a whole motion, with bounds between the places looked at.
+//! Distances along a whole motion, with bounds between samples.
 
 use crate::scene::{Memory, Place};
 use crate::{ClearanceError, Evaluation, Scene, Watch};
 use glam::DAffine3;
 
-/// How the groups of a scene move, over any parameter `s` (path length, say).
+/// Motion of the groups of a scene, over any parameter `s` (path length, for example).
 pub trait Motion {
     /// First and last parameter, the first not above the last.
     fn range(&self) -> (f64, f64);
     /// Frames of all groups at `s`, in a common frame.
     fn frames(&self, s: f64, frames: &mut [DAffine3]);
     /// An upper bound, valid everywhere in `from..=to`, of the speed (mm per unit of s) of any point of group `a`'s
-    /// solids seen from group `b`. The first group of every watch ends, so there is one.
+    /// solids seen from group `b`. It exists since the first group of every watch is bounded.
     fn greatest_speed(&self, a: usize, b: usize, from: f64, to: f64) -> f64;
 }
 
-/// How far and how finely to look.
+/// Range and resolution of the sampling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Distances beyond this are only reported as at least this, mm.
+    /// Cut-off: larger distances are only reported as at least this, mm.
     pub cutoff_mm: f64,
-    /// Lower bounds may lie this much, and a tenth of the distance, under the distance, mm.
+    /// Lower bounds may lie below the distance by this, mm, plus a tenth of the distance.
     pub precision_mm: f64,
-    /// Cells are not halved any more when they are this short (in s): then their bound is reported as it is.
+    /// Minimum cell length, in s: shorter cells are not halved, and their bound is reported as it is.
     pub smallest: f64,
 }
 
-/// The share of a distance that its lower bound may be less.
+/// Share of a distance by which its lower bound may be smaller.
 const SHARE: f64 = 0.1;
 
-/// What was found along a motion.
+/// Clearance along a motion.
 #[derive(Debug, Clone)]
 pub struct Profile {
     /// The ends of the cells, one more than there are cells.
     pub edges: Vec<f64>,
-    /// For each watch of the scene, what was found.
+    /// One trace for each watch of the scene.
     pub traces: Vec<Trace>,
-    /// Where a watch does not hold or cannot be shown to hold, watch by watch, in the order of s.
+    /// Stretches where a watch is violated or unproven, by watch and in the order of s.
     pub stretches: Vec<Stretch>,
 }
 
 /// One watch along the motion.
 #[derive(Debug, Clone)]
 pub struct Trace {
-    /// For each cell.
+    /// One bound for each cell.
     pub cells: Vec<Cell>,
-    /// The least distance found at any place looked at, and its s.
+    /// The minimum distance of all samples, with its s.
     pub nearest: (f64, Evaluation),
 }
 
 /// One watch over one cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cell {
-    /// Nowhere in the cell is the distance (or room) less, mm; never above the cut-off.
+    /// Lower bound of the distance (or margin) in the whole cell, mm; at most the cut-off.
     pub at_least_mm: f64,
-    /// The place looked at that is nearest to where this bound comes from.
+    /// Parameter of the nearer of the two samples of this bound.
     pub s: f64,
-    /// Where the solids are nearest there; none beyond the cut-off.
+    /// Nearest points of the solids there; none beyond the cut-off.
     pub place: Option<Place>,
 }
 
-/// A part of the motion where a watch does not hold, or cannot be shown to.
+/// A part of the motion where a watch is violated or unproven.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
     /// Index of the watch.
     pub watch: usize,
-    /// Where it begins. Next to a stretch the watch is shown to hold; within it, it may in parts, by less than the
-    /// precision.
+    /// Start, in s. Next to a stretch the watch is proven; within it, it may hold in parts, by less than the precision.
     pub from: f64,
-    /// Where it ends.
+    /// End, in s.
     pub to: f64,
-    /// Nowhere in it is the distance (or room) less, mm.
+    /// Lower bound of the distance (or margin) in the whole stretch, mm.
     pub at_least_mm: f64,
-    /// The place with the least distance found. If this distance is enough, the watch may hold after all, but that
-    /// could not be shown with cells as small as allowed.
+    /// The sample with the minimum distance, in s. If that distance is sufficient, the watch may hold, but cells of the
+    /// minimum length could not prove it.
     pub s: f64,
-    /// What was found there.
+    /// Evaluation there.
     pub nearest: Evaluation,
 }
 
 impl Profile {
-    /// For each cell, the watch with the least bound and what is known of it: the data of a plot. None without watches.
+    /// The watch with the smallest bound in a cell, and its bound: the data of a plot. None without watches.
     pub fn nearest(&self, cell: usize) -> Option<(usize, &Cell)> {
         let cells = self.traces.iter().map(|t| &t.cells[cell]).enumerate();
         cells.min_by(|a, b| a.1.at_least_mm.total_cmp(&b.1.at_least_mm))
@@ -90,11 +89,11 @@ impl Profile {
 impl Scene {
     /// Follows a motion in `stations` cells of equal length (at least one).
     ///
-    /// Guarantee: nowhere in a cell is a distance less than the cell's bound, if the motion's speed bound is right.
-    /// Between two places ds apart with distances d0 and d1, and at most v of closing speed, no distance is below
-    /// `(d0 + d1 - v ds) / 2`; cells are halved until that is near enough to what was found and on one side of what is
-    /// required, and joined where it already is over many. The work is bounded by the motion's length over
-    /// `limits.smallest`, for each watch.
+    /// Guarantee: all distances in a cell are at least the cell's bound, if the motion's speed bound is right. Let two
+    /// samples ds apart have the distances d0 and d1, and v bound the closing speed. All distances between them are at
+    /// least `(d0 + d1 - v ds) / 2`. Cells are halved until that bound is close to the samples and on one side of the
+    /// required distance. One bound covers many cells where it already is. The work is bounded by the motion's length
+    /// over `limits.smallest`, for each watch.
     ///
     /// # Errors
     /// Limits that are not greater than 0.
@@ -122,21 +121,21 @@ impl Scene {
     }
 }
 
-/// A place looked at.
+/// A sample of the motion.
 #[derive(Debug, Clone, Copy)]
 struct Sample {
     s: f64,
     found: Evaluation,
 }
 
-/// The walk of one watch.
+/// Adaptive sampling of one watch.
 struct Walk<'a, M> {
     scene: &'a Scene,
     motion: &'a M,
     watch: usize,
     limits: &'a Limits,
     edges: &'a [f64],
-    /// Distances from here on are not told apart.
+    /// Cut-off of evaluated distances, mm.
     limit: f64,
     frames: Vec<DAffine3>,
     memory: Memory,
@@ -154,7 +153,7 @@ impl<'a, M: Motion> Walk<'a, M> {
             watch,
             limits,
             edges,
-            // Beyond what is required with room to prove it, or every place would look as near as the limit.
+            // Above the required distance with a margin for the proof; otherwise every sample would be at the limit.
             limit: limits.cutoff_mm.max(2.0 * scene.watches()[watch].least_mm() + limits.precision_mm),
             frames: vec![DAffine3::IDENTITY; scene.groups().len()],
             memory: Memory::default(),
@@ -183,25 +182,26 @@ impl<'a, M: Motion> Walk<'a, M> {
         sample
     }
 
-    /// What two places and the speed alone say of the least distance between them; it may be below 0.
+    /// Lower bound of the distance between two samples, from the samples and the speed alone; it may be below 0.
     fn bound(&self, u: &Sample, v: &Sample) -> f64 {
         let (a, b) = self.scene.watches()[self.watch].groups();
         let speed = self.motion.greatest_speed(a, b, u.s, v.s);
         let bound = (u.found.distance + v.found.distance - speed * (v.s - u.s).abs()) / 2.0;
-        // Nothing is known from a speed that is not a number.
+        // A NaN speed gives no bound.
         if bound.is_nan() { f64::NEG_INFINITY } else { bound.min(u.found.distance).min(v.found.distance) }
     }
 
-    /// Settles what lies between two places: the ends of `cells`, or both in the one cell.
+    /// Settles the range between two samples: the ends of `cells`, or both in the one cell.
     fn between(&mut self, cells: std::ops::Range<usize>, u: &Sample, v: &Sample) {
         let bound = self.bound(u, v);
         let required = self.scene.watches()[self.watch].least_mm();
         let (d0, d1) = (u.found.distance, v.found.distance);
-        // Over many cells the bound must be near all of their distances: as much above the mean as it is below.
+        // Over many cells the bound must be close to all distances, which reach as far above the mean as the bound lies
+        // below.
         let known = if cells.len() == 1 { d0.min(d1) } else { d0 + d1 - bound }.min(self.limits.cutoff_mm);
         let near_enough = bound >= known - self.limits.precision_mm - SHARE * known.abs();
         let decided = bound >= required || (cells.len() == 1 && d0.max(d1) < required);
-        // Never so short that the middle would be an end; a range that is no number ends here too.
+        // Never so short that the middle would equal an end; a NaN range also ends here.
         let smallest = self.limits.smallest.max(4.0 * f64::EPSILON * u.s.abs().max(v.s.abs()));
         let width = (v.s - u.s).abs();
         if (near_enough && decided) || (cells.len() == 1 && (width.is_nan() || width <= smallest)) {
@@ -221,7 +221,7 @@ impl<'a, M: Motion> Walk<'a, M> {
     }
 
     fn settle(&mut self, cells: std::ops::Range<usize>, bound: f64, u: &Sample, v: &Sample) {
-        // Two bodies are never nearer than 0.
+        // The distance of two bodies is never below 0.
         let apart = matches!(self.scene.watches()[self.watch], Watch::Apart { .. });
         let bound = if apart { bound.max(0.0) } else { bound };
         let nearer = if u.found.distance <= v.found.distance { u } else { v };

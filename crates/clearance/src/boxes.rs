@@ -1,8 +1,8 @@
-//! Boxes along the axes in a tree, for meshes.
+//! Axis-aligned bounding boxes in a tree, for meshes.
 
 use glam::DVec3;
 
-/// A box along the axes.
+/// An axis-aligned bounding box.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bounds {
     pub(crate) low: DVec3,
@@ -33,7 +33,7 @@ impl Bounds {
         (self.low - other.high).max(other.low - self.high).max(DVec3::ZERO).length_squared()
     }
 
-    /// The greatest component along `direction` of any point inside.
+    /// Maximum component along `direction` of the points inside.
     pub(crate) fn reach(&self, direction: DVec3) -> f64 {
         self.centre().dot(direction) + self.half().dot(direction.abs())
     }
@@ -47,7 +47,7 @@ pub(crate) struct Node {
     pub(crate) count: u32,
 }
 
-/// Items in a leaf at most.
+/// Maximum number of items in a leaf.
 const LEAF: usize = 4;
 
 /// The tree over items with these boxes, root first, and the order of the items in its leaves. Halved at the median of

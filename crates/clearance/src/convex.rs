@@ -1,5 +1,5 @@
-//! The distance of two convex bodies: parry's iteration finds a direction, a plane across it proves the distance.
-//! The only module that knows parry.
+//! The distance of two convex bodies: parry's iteration finds a direction, a plane across it proves the distance. Only
+//! this module uses parry.
 
 use crate::Shape;
 use glam::{DAffine3, DVec3};
@@ -27,7 +27,8 @@ enum Core {
     Ellipsoid(DVec3),
 }
 
-/// A direction whose part across a round body's axis is less is along it: the radius divided by it could overflow.
+/// A direction with a smaller part across a round body's axis counts as along it: dividing the radius by it could
+/// overflow.
 const ALONG: f64 = 1e-290;
 
 /// A convex shape in a pose.
@@ -113,7 +114,7 @@ impl Convex for [DVec3; 3] {
     }
 }
 
-/// How near two bodies are: `distance` is proven, the points are as good as the iteration was.
+/// Distance of two bodies: `distance` is proven, the points are as accurate as the iteration.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Gap {
     pub(crate) distance: f64,
@@ -121,16 +122,16 @@ pub(crate) struct Gap {
     pub(crate) on_b: DVec3,
 }
 
-/// What rounding may add to a difference of projections, as a share of the points' sizes: about fifty roundings.
+/// Bound of the rounding error of a difference of projections, as a share of the points' sizes: about fifty roundings.
 const ROUNDING: f64 = 1e-14;
 
-/// Distance of the cores' planes across the unit direction `n` from a to b: never more than the cores' distance.
+/// Distance of the cores' planes across the unit direction `n` from a to b: a lower bound of the cores' distance.
 fn between_planes(a: &impl Convex, b: &impl Convex, n: DVec3) -> f64 {
     let (p, q) = (a.support(n), b.support(-n));
     (q - p).dot(n) - ROUNDING * (p.abs().max_element() + q.abs().max_element())
 }
 
-/// The parry side of a convex body, already in the common frame: poses are not looked at.
+/// Adapter of a convex body for parry, already in the common frame: poses are ignored.
 struct Map<'a, C>(&'a C);
 
 impl<C: Convex> SupportMap for Map<'_, C> {
@@ -145,13 +146,13 @@ impl<C: Convex> SupportMap for Map<'_, C> {
     }
 }
 
-/// The distance of two convex bodies in a common frame, or none if it is proven to be `limit` or more.
-/// `towards` is a guess of the direction from a to b. 0 if they touch or overlap, the points being the same then.
+/// The distance of two convex bodies in a common frame, or none if it is proven to be `limit` or more. `towards` is a
+/// guess of the direction from a to b. If they touch or overlap, the distance is 0 and both points are equal.
 pub(crate) fn nearest(a: &impl Convex, b: &impl Convex, towards: DVec3, limit: f64) -> Option<Gap> {
     let around = a.radius() + b.radius();
     let mut simplex = VoronoiSimplex::new();
     simplex.reset(CsoPoint::new(a.support(towards), b.support(-towards)));
-    // A negative limit would let parry stop before it has looked.
+    // A negative limit would stop parry before its first iteration.
     let far = (limit + around).max(0.0);
     let (p, q, mut proven) = match closest_points(&Pose::IDENTITY, &Map(a), &Map(b), far, true, &mut simplex) {
         GJKResult::Intersection => {
@@ -164,7 +165,7 @@ pub(crate) fn nearest(a: &impl Convex, b: &impl Convex, towards: DVec3, limit: f
             if proven - around >= limit {
                 return None;
             }
-            // Out of iterations: what it had in hand.
+            // Out of iterations: use its current simplex.
             let (p, q) = witnesses(&simplex);
             (p, q, proven)
         }
@@ -182,14 +183,14 @@ pub(crate) fn nearest(a: &impl Convex, b: &impl Convex, towards: DVec3, limit: f
     let (from_a, from_b) = if length >= around {
         (a.radius(), length - b.radius())
     } else {
-        // Overlap: the middle of what both have.
+        // Overlap: the middle of the common range.
         let middle = ((length - b.radius()).max(0.0) + a.radius().min(length)) / 2.0;
         (middle, middle)
     };
     Some(Gap { distance, on_a: p + n * from_a, on_b: p + n * from_b })
 }
 
-/// The points of both bodies that the simplex stands for.
+/// The points of both bodies represented by the simplex.
 fn witnesses(simplex: &VoronoiSimplex) -> (DVec3, DVec3) {
     (0..=simplex.dimension()).fold((DVec3::ZERO, DVec3::ZERO), |(p, q), i| {
         let (weight, point) = (simplex.proj_coord(i), simplex.point(i));

@@ -6,25 +6,25 @@ use crate::mesh::Last;
 use crate::{Mesh, Shape, Solid};
 use glam::{DAffine3, DVec3};
 
-/// Where two solids are nearest, in their common frame.
+/// Nearest points of two solids, in their common frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Near {
-    /// Distance, mm: never more than there is, and hardly less; 0 where they touch or overlap.
+    /// Distance, mm: a tight lower bound; 0 if they touch or overlap.
     pub distance: f64,
-    /// Nearest point of the first solid; a point of both (or near one) where they overlap.
+    /// Nearest point of the first solid; if they overlap, a point of both (or near one).
     pub on_a: DVec3,
     /// Nearest point of the second solid.
     pub on_b: DVec3,
 }
 
-/// How near two solids are, or none if they are `limit` (mm) or more apart. `frame_a` and `frame_b` map the frames
-/// the solids are given in to a common one.
+/// Computes the distance of two solids; none if they are `limit` (mm) or more apart. `frame_a` and `frame_b` map the
+/// frames of the solids to a common one.
 ///
-/// Guarantee: the distance is proven by planes between the solids (for a mesh, one for each triangle), less what
-/// rounding may add. It is 0 too where one lies wholly inside a mesh, and where the frames are not finite or farther
-/// than 1e9 mm from each other.
+/// Guarantee: the distance is proven by planes between the solids (for a mesh, one for each triangle), less the
+/// rounding error. It is also 0 if one lies wholly inside a mesh, or if the frames are not finite or more than 1e9 mm
+/// apart.
 pub fn nearest(a: &Solid, frame_a: &DAffine3, b: &Solid, frame_b: &DAffine3, limit: f64) -> Option<Near> {
-    // In a frame at the first solid: far from the common origin nothing is lost.
+    // In a frame at the first solid, to keep precision far from the common origin.
     let to_a = frame_a.inverse() * *frame_b;
     if !is_usable(&to_a) {
         return (limit > 0.0).then_some(Near { distance: 0.0, on_a: DVec3::ZERO, on_b: DVec3::ZERO });
@@ -34,18 +34,18 @@ pub fn nearest(a: &Solid, frame_a: &DAffine3, b: &Solid, frame_b: &DAffine3, lim
     Some(Near { distance: gap.distance, on_a, on_b })
 }
 
-/// True for frames that distances can be computed with: finite, and not absurdly far.
+/// True for frames valid for distances: finite, and at most 1e9 mm away.
 pub(crate) fn is_usable(frame: &DAffine3) -> bool {
     frame.is_finite() && frame.translation.abs().max_element() <= 1e9
 }
 
 type Posed<'a> = (&'a Shape, DAffine3);
 
-/// What rounding may add to a height over a plane, as a share of the coordinates.
+/// Bound of the rounding error of a height over a plane, as a share of the coordinates.
 const ROUNDING: f64 = 1e-14;
 
-/// Distance of two shapes in a common frame, or none if it is `limit` or more. `last` is where the nearest triangle
-/// of a mesh was last time.
+/// Distance of two shapes in a common frame, or none if it is `limit` or more. `last` is the index of the last nearest
+/// triangle of a mesh.
 pub(crate) fn of_shapes(a: Posed, b: Posed, limit: f64, last: &mut Last) -> Option<Gap> {
     if limit <= 0.0 {
         return None;
@@ -73,7 +73,7 @@ fn moved(gap: Gap, pose: &DAffine3) -> Gap {
     Gap { distance: gap.distance, on_a, on_b }
 }
 
-/// The farthest point of a shape that ends, in a unit direction of the frame `pose` maps to.
+/// The farthest point of a bounded shape, in a unit direction of the frame that `pose` maps to.
 pub(crate) fn extreme((shape, pose): Posed, direction: DVec3) -> DVec3 {
     match shape {
         Shape::Mesh(mesh) => pose.transform_point3(mesh.extreme(pose.matrix3.transpose() * direction)),
@@ -82,7 +82,7 @@ pub(crate) fn extreme((shape, pose): Posed, direction: DVec3) -> DVec3 {
     }
 }
 
-/// Half-spaces meet unless they face each other (to 1e-12 rad).
+/// Distance of two half-spaces: 0 unless they face each other (to 1e-12 rad).
 fn half_spaces(a: &DAffine3, b: &DAffine3, limit: f64) -> Option<Gap> {
     let n = a.matrix3.z_axis;
     let facing = (n + b.matrix3.z_axis).length() < 1e-12;
@@ -90,7 +90,7 @@ fn half_spaces(a: &DAffine3, b: &DAffine3, limit: f64) -> Option<Gap> {
     (distance < limit).then(|| Gap { distance, on_a: a.translation, on_b: a.translation + n * distance })
 }
 
-/// A half-space `a` and something that ends.
+/// Distance of a half-space and a bounded body; `a` is the half-space.
 fn over_plane(plane: &DAffine3, body: Posed, limit: f64) -> Option<Gap> {
     let n = plane.matrix3.z_axis;
     let lowest = extreme(body, -n);
@@ -101,7 +101,7 @@ fn over_plane(plane: &DAffine3, body: Posed, limit: f64) -> Option<Gap> {
     (distance < limit).then_some(gap)
 }
 
-/// `a` is the convex one.
+/// Distance of a mesh and a convex body; `a` is the convex one.
 fn mesh_and_convex(mesh: &Mesh, pose: &DAffine3, body: Posed, limit: f64, last: &mut Last) -> Option<Gap> {
     let body = Placed::new(body.0, pose.inverse() * body.1)?;
     let high = DVec3::AXES.map(|n| body.extreme(n).dot(n));
@@ -117,7 +117,7 @@ fn mesh_and_convex(mesh: &Mesh, pose: &DAffine3, body: Posed, limit: f64, last: 
     Some(moved(gap, pose))
 }
 
-/// A little larger, so that rounding culls nothing.
+/// The box enlarged by the rounding error, so that culling stays safe.
 fn padded(b: Bounds) -> Bounds {
     let more = DVec3::splat(ROUNDING) * (b.low.abs() + b.high.abs());
     Bounds { low: b.low - more, high: b.high + more }

@@ -1,12 +1,12 @@
 use glam::DVec3;
 
-/// What can be wrong with shapes, meshes and scenes.
+/// Error of shapes, meshes and scenes.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ClearanceError {
     /// A size is not a finite number in its range.
     #[error("{what} of {value} mm is not possible here")]
     Size {
-        /// Which size.
+        /// Name of the size.
         what: &'static str,
         /// The value, mm.
         value: f64,
@@ -23,18 +23,18 @@ pub enum ClearanceError {
     /// A corner's coordinate is not a finite number.
     #[error("triangle {triangle} has a corner that is not a finite number")]
     NotFinite {
-        /// Which triangle, from 1.
+        /// Number of the triangle, from 1.
         triangle: usize,
     },
-    /// A corner is out of this world.
+    /// A corner is too far from the origin.
     #[error("triangle {triangle} has a corner {farthest_mm:.3e} mm from the origin")]
     TooLarge {
-        /// Which triangle, from 1.
+        /// Number of the triangle, from 1.
         triangle: usize,
-        /// How far, mm.
+        /// Its largest coordinate, mm.
         farthest_mm: f64,
     },
-    /// No triangle is left.
+    /// The mesh has no triangle with an area.
     #[error("the mesh has no triangles")]
     NoTriangles,
     /// The surface has holes or walls without thickness.
@@ -43,7 +43,7 @@ pub enum ClearanceError {
          ({:.3}, {:.3}, {:.3}) mm", at.x, at.y, at.z
     )]
     Open {
-        /// How many edges do not belong to exactly two triangles.
+        /// Number of edges that do not belong to exactly two triangles.
         edges: usize,
         /// Middle of the first of them, mm.
         at: DVec3,
@@ -56,7 +56,7 @@ pub enum ClearanceError {
         /// Index of the group.
         group: usize,
     },
-    /// A watch that could never say anything true: both groups reach to infinity.
+    /// A watch without a meaningful distance: a group that must be bounded has a half-space.
     #[error("watch {watch}: group `{group}` has a half-space, and needs an end here")]
     Endless {
         /// Index of the watch.
@@ -64,7 +64,7 @@ pub enum ClearanceError {
         /// Name of the group.
         group: String,
     },
-    /// A permitted zone of a shape that is none.
+    /// A permitted zone of an invalid shape.
     #[error("watch {watch}: a permitted zone is a box, a cylinder, a sphere or a half-space")]
     ZoneShape {
         /// Index of the watch.
@@ -76,16 +76,16 @@ pub enum ClearanceError {
         /// Index of the watch.
         watch: usize,
     },
-    /// A watch's least distance that says nothing: bodies that overlap are at 0.
+    /// An invalid minimum of a watch: a distance must be above 0 (overlapping bodies have 0), a margin finite.
     #[error("watch {watch}: the least distance of two groups must be greater than 0, and the least room finite")]
     Least {
         /// Index of the watch.
         watch: usize,
     },
-    /// A number of the walk's limits is not greater than 0.
+    /// A limit of the sampling is not greater than 0.
     #[error("{what} must be greater than 0")]
     Limit {
-        /// Which.
+        /// Name of the limit.
         what: &'static str,
     },
 }

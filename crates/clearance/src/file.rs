@@ -81,7 +81,7 @@ pub enum ShapeFile {
 }
 
 fn one() -> Positive {
-    // Positive has no constant for it, and half of ten fifths is no clearer.
+    // `Positive` has no constant for 1; the fallback is never used.
     Positive::new(1.0).unwrap_or(Positive::HALF)
 }
 
@@ -90,12 +90,11 @@ fn is_one(v: &Positive) -> bool {
 }
 
 impl SolidFile {
-    /// The solid. `path` is this value's key in `document` (like `tool[2].solid[0]`), `load` gets the bytes of an STL
-    /// file by the name given there.
+    /// The solid. `path` is this value's key in `document` (like `tool[2].solid[0]`), `load` reads the bytes of an STL
+    /// file by its name.
     ///
     /// # Errors
-    /// With the key's address: sizes that do not fit together or are above 1e7 mm, and everything that can be wrong
-    /// with an STL file.
+    /// With the key's address: inconsistent sizes or sizes above 1e7 mm, and all errors of an STL file.
     pub fn build<T>(
         &self,
         document: &Document<T>,
@@ -147,7 +146,7 @@ impl SolidFile {
     }
 }
 
-/// The mesh of an STL file, or what is wrong and the cure.
+/// The mesh of an STL file, or the error and its cure.
 fn mesh(
     file: &str,
     scale: f64,

@@ -1,14 +1,14 @@
-//! How far solids keep from each other: at one place, and all along a motion.
+//! Clearance of solids: in one configuration, and along a whole motion.
 //!
 //! A [`Solid`] is a [`Shape`] in a pose. A [`Scene`] holds groups of solids that move rigidly (links, torch, part,
-//! fixtures) and what must hold between them: each [`Watch`] keeps two groups apart, or a group inside permitted
-//! zones. [`Scene::along`] follows a [`Motion`] and gives lower bounds that hold *between* the places looked at, so
-//! nothing thin is jumped over.
+//! fixtures) and their conditions: each [`Watch`] keeps two groups apart, or a group inside permitted zones.
+//! [`Scene::along`] follows a [`Motion`] and computes lower bounds that hold also *between* samples, so thin obstacles
+//! are never skipped.
 //!
-//! One promise holds everywhere: no more distance or room is reported than there is. Every distance is proven by a
-//! plane between the solids, whatever the iteration that found the plane did.
+//! Reported distances and margins are lower bounds. Every distance is proven by a plane between the solids, independent
+//! of the iteration that found the plane.
 //!
-//! mm throughout; no machine, no welding, no time and no files in here: STL bytes come in through a closure.
+//! mm throughout; this crate has no machine, welding, time or file access: a closure provides STL bytes.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

@@ -7,10 +7,10 @@ use crate::boxes::{Bounds, Node, tree};
 use crate::convex::{Convex, Gap, nearest};
 use glam::{DAffine3, DVec3};
 
-/// A closed surface of triangles, mm, with a tree of boxes over them. What is inside is solid.
+/// A closed surface of triangles, mm, with a tree of boxes over them. The inside is solid.
 ///
-/// A place is inside if the surface goes around it, so bodies may overlap and may have cavities; only where two
-/// bodies of opposite orientation overlap is the inside missed.
+/// A point is inside if the surface winds around it, so bodies may overlap and may have cavities. The overlap of two
+/// bodies of opposite orientation counts as outside.
 #[derive(Debug, Clone)]
 pub struct Mesh {
     /// In the order of the tree's leaves.
@@ -22,12 +22,12 @@ pub struct Mesh {
     reach: f64,
 }
 
-/// Index of the triangle that was nearest last time: a good first guess the next time.
+/// Index of the last nearest triangle, the initial guess of the next search.
 pub(crate) type Last = usize;
 
 impl Mesh {
-    /// A mesh from the corners of its triangles, mm. Triangles without area are dropped where the rest is closed
-    /// without them; triangles turned the wrong way round are turned.
+    /// A mesh from the corners of its triangles, mm. Triangles without area are dropped if the rest is closed without
+    /// them; triangles of the wrong orientation are reversed.
     ///
     /// # Errors
     /// Corners that are not finite or beyond 1e7 mm, no triangles, edges that do not belong to exactly two triangles.
@@ -60,10 +60,10 @@ impl Mesh {
         &self.pieces
     }
 
-    /// True if the surface goes around the point.
+    /// True if the surface winds around the point.
     ///
     /// Counts crossings of the ray along +z. The point counts as moved by an infinitesimal step in x and a smaller one
-    /// in y, so that no ray meets an edge or a corner, and neighbours always agree on who is crossed.
+    /// in y. So rays never meet an edge or a corner, and exactly one of two neighbours is crossed.
     pub fn contains(&self, p: DVec3) -> bool {
         let mut winding = 0;
         let mut open = vec![0];
@@ -84,7 +84,7 @@ impl Mesh {
         self.greatest(|b| b.reach(direction), |p| p.dot(direction))
     }
 
-    /// The corner with the greatest `value`, where `most` is at least the greatest value in a box.
+    /// The corner with the maximum `value`; `most` is an upper bound of the value in a box.
     pub(crate) fn greatest(&self, most: impl Fn(&Bounds) -> f64, value: impl Fn(DVec3) -> f64) -> DVec3 {
         let mut best = (f64::NEG_INFINITY, self.triangles[0][0]);
         let mut open = vec![0];
@@ -104,7 +104,7 @@ impl Mesh {
         best.1
     }
 
-    /// The triangles of a leaf, none of a fork.
+    /// The triangles of a leaf; empty for a fork.
     fn leaf(&self, node: &Node) -> &[[DVec3; 3]] {
         let first = if node.count == 0 { 0 } else { node.first as usize };
         &self.triangles[first..first + node.count as usize]
@@ -120,7 +120,7 @@ impl Mesh {
     }
 
     /// Distance of a convex body (in the mesh's frame, within `around`) to the surface, or none if it is `limit` or
-    /// more; `a` is the body. Whether the body is inside is another question.
+    /// more; `a` is the body. It does not check if the body is inside.
     pub(crate) fn nearest_to(&self, body: &impl Convex, around: &Bounds, limit: f64, last: &mut Last) -> Option<Gap> {
         let mut search = Search { body, limit, best: None, towards: DVec3::ZERO, body_reach: f64::INFINITY };
         if let Some(triangle) = self.triangles.get(*last) {
@@ -172,7 +172,7 @@ impl Mesh {
                     }
                 }
             }
-            // The larger one is opened; leaves are not.
+            // Descend into the larger node unless it is a leaf.
             let open_a = b.count > 0 || (a.count == 0 && a.bounds.half().length() > b.bounds.half().length());
             let mut pairs = Vec::with_capacity(2);
             match (open_a, a.count, b.count) {
@@ -193,19 +193,19 @@ struct Search<'a, C> {
     body: &'a C,
     limit: f64,
     best: Option<Gap>,
-    /// Unit direction from the body to the nearest triangle yet, and how far the body reaches along it.
+    /// Unit direction from the body to the nearest triangle so far, and the body's extent along it, mm.
     towards: DVec3,
     body_reach: f64,
 }
 
 impl<C: Convex> Search<'_, C> {
-    /// True if nothing in the box can be nearer than the best yet.
+    /// True if the whole box is at least as far as the best distance so far.
     fn is_beyond(&self, around: &Bounds, part: &Bounds) -> bool {
         around.distance_squared(part) >= self.limit * self.limit
             || -part.reach(-self.towards) - self.body_reach >= self.limit
     }
 
-    /// Looks at one triangle; true if it is nearer than all before.
+    /// Checks one triangle; true if it is nearer than all before.
     fn look_at(&mut self, triangle: &[DVec3; 3]) -> bool {
         let middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
         let towards = if self.towards == DVec3::ZERO { middle - self.body.support(DVec3::X) } else { self.towards };
@@ -227,7 +227,7 @@ fn bounds(triangle: &[DVec3; 3]) -> Bounds {
 /// +1 or -1 if the ray from `p` along +z crosses the triangle upwards or downwards, else 0.
 fn crossing(triangle: &[DVec3; 3], p: DVec3) -> i32 {
     let [a, b, c] = triangle.map(|v| v - p);
-    // Twice the areas that the point makes with the edges, seen along z; the same number for both triangles of an edge.
+    // Twice the areas of the point with each edge, seen along z; equal for both triangles of an edge.
     let area = |u: DVec3, v: DVec3| u.x * v.y - u.y * v.x;
     let areas = [area(b, c), area(c, a), area(a, b)];
     // On an edge, the sign after the infinitesimal step.

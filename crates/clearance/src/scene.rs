@@ -1,4 +1,4 @@
-//! Groups of solids and what must hold between them.
+//! Groups of solids and the conditions between them.
 
 use crate::distance::{is_usable, of_shapes};
 use crate::mesh::Last;
@@ -15,7 +15,7 @@ pub struct Group {
     pub solids: Vec<Solid>,
 }
 
-/// What must hold between two groups.
+/// Condition between two groups.
 #[derive(Debug, Clone)]
 pub enum Watch {
     /// Two groups keep clear of each other. A forbidden zone is the group `b` with the zone's solids.
@@ -24,24 +24,24 @@ pub enum Watch {
         a: usize,
         /// The other.
         b: usize,
-        /// Least distance, mm; above 0, as bodies that overlap are at 0.
+        /// Minimum distance, mm; above 0, since overlapping bodies have distance 0.
         least_mm: f64,
     },
     /// A group stays inside permitted zones: all of it inside at least one of them.
     Inside {
         /// The group, by its index.
         group: usize,
-        /// The group whose frame the zones are given in.
+        /// Index of the group in whose frame the zones are given.
         of: usize,
         /// The zones: boxes, cylinders, spheres, half-spaces.
         zones: Vec<Solid>,
-        /// Least room to the zone's surface, mm.
+        /// Minimum margin to the zone's surface, mm.
         least_mm: f64,
     },
 }
 
 impl Watch {
-    /// The two groups: the one that is watched, and the one it is seen from.
+    /// The watched group and the reference group, by index.
     pub fn groups(&self) -> (usize, usize) {
         match *self {
             Self::Apart { a, b, .. } => (a, b),
@@ -49,7 +49,7 @@ impl Watch {
         }
     }
 
-    /// Least distance or room, mm.
+    /// Minimum distance or margin, mm.
     pub fn least_mm(&self) -> f64 {
         match *self {
             Self::Apart { least_mm, .. } | Self::Inside { least_mm, .. } => least_mm,
@@ -57,18 +57,18 @@ impl Watch {
     }
 }
 
-/// A distance or room at one place.
+/// A distance or margin in one configuration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Evaluation {
-    /// Distance of two groups or room in a zone, mm; never more than there is. Room is negative outside: a box's is
-    /// then its least, over the faces.
+    /// Lower bound of the distance of two groups or the margin in a zone, mm. The margin is negative outside a zone:
+    /// for a box the minimum over its faces.
     pub distance: f64,
-    /// Where that is; none if the distance is only known to be at least this, or the frames are not finite (then it
-    /// counts as 0, and room as minus infinity).
+    /// The nearest points; none if the distance is only a bound at the limit, or the frames are not finite. With such
+    /// frames the distance is 0, and the margin minus infinity.
     pub place: Option<Place>,
 }
 
-/// Where two groups are nearest.
+/// Nearest points of two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
     /// Index of the solid of the first group, and of the solid of the second or of the permitted zone.
@@ -86,7 +86,8 @@ pub struct Scene {
     watches: Vec<Watch>,
 }
 
-/// What a watch found last time: the first to look at the next time. One for each watch; it grows once.
+/// Warm start of a watch: the nearest pair of the last evaluation, checked first. One for each watch; it allocates
+/// once.
 #[derive(Debug, Default)]
 pub struct Memory {
     nearest: usize,
@@ -95,11 +96,11 @@ pub struct Memory {
 }
 
 impl Scene {
-    /// A scene. A watch whose first group has a half-space is turned round, so that the first group always ends.
+    /// A scene. A watch whose first group has a half-space is swapped, so that the first group is always bounded.
     ///
     /// # Errors
-    /// Groups that are not there, watches between groups without end, least distances that are not above 0, zones that
-    /// are none.
+    /// Missing groups, watches between unbounded groups, minimum distances that are not above 0, missing or invalid
+    /// zones.
     pub fn new(groups: Vec<Group>, mut watches: Vec<Watch>) -> Result<Self, ClearanceError> {
         let ends = |group: usize| groups[group].solids.iter().all(Solid::ends);
         for (watch, w) in watches.iter_mut().enumerate() {
@@ -130,18 +131,18 @@ impl Scene {
         &self.groups
     }
 
-    /// The watches, turned round where a first group had a half-space.
+    /// The watches, swapped where a first group had a half-space.
     pub fn watches(&self) -> &[Watch] {
         &self.watches
     }
 
-    /// One watch at one place: `frames` maps each group's frame to a common one. Distances of `limit` (mm) or more are
-    /// only given as at least that.
+    /// Evaluates one watch in one configuration: `frames` maps each group's frame to a common one. Distances of `limit`
+    /// (mm) or more are only reported as at least that.
     pub fn evaluate(&self, watch: usize, frames: &[DAffine3], limit: f64) -> Evaluation {
         self.evaluate_near(watch, frames, limit, &mut Memory::default())
     }
 
-    /// The watch with the least distance (or room) at one place, by its index. None without watches.
+    /// The index and evaluation of the watch with the minimum distance or margin. None without watches.
     pub fn nearest(&self, frames: &[DAffine3], limit: f64) -> Option<(usize, Evaluation)> {
         let mut least: Option<(usize, Evaluation)> = None;
         for watch in 0..self.watches.len() {
@@ -153,8 +154,8 @@ impl Scene {
         least
     }
 
-    /// As [`Scene::evaluate`], faster where little has moved since `memory` was used last for this watch. Once `memory`
-    /// has been used with an infinite limit this costs no allocation, except on meshes.
+    /// As [`Scene::evaluate`], but faster after small motions since the last use of `memory` for this watch. After one
+    /// use of `memory` with an infinite limit it does not allocate, except on meshes.
     pub fn evaluate_near(&self, watch: usize, frames: &[DAffine3], limit: f64, memory: &mut Memory) -> Evaluation {
         match &self.watches[watch] {
             Watch::Apart { a, b, .. } => self.apart(*a, *b, frames, limit, memory),
@@ -198,7 +199,7 @@ impl Scene {
         moved(best, &frames[a])
     }
 
-    /// Room of a group in the zone that has the most of it.
+    /// Margin of a group in the zone with the largest margin.
     fn inside(&self, group: usize, of: usize, zones: &[Solid], frames: &[DAffine3]) -> Evaluation {
         let to_zone = frames[of].inverse() * frames[group];
         let mut most = Evaluation { distance: f64::NEG_INFINITY, place: None };

@@ -97,7 +97,7 @@ impl Shape {
     }
 }
 
-/// Farthest anything may reach from its origin, mm: 10 km.
+/// Maximum extent of a shape from its origin, mm: 10 km.
 pub(crate) const FARTHEST_MM: f64 = 1e7;
 
 /// A shape in a pose, with a name for reports.
@@ -112,7 +112,7 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// A solid; `pose` maps the shape's frame to the frame the solid is given in (its group's).
+    /// A solid; `pose` maps the shape's frame to the solid's frame (its group's).
     ///
     /// # Errors
     /// Sizes that are not finite or not positive, a capsule shorter than its ends, a pose that is not rigid or
@@ -121,7 +121,7 @@ impl Solid {
         shape.check()?;
         check_rigid(&pose)?;
         let (centre, reach) = shape.sphere();
-        // A sphere a little larger than needed, so that rounding never culls what touches.
+        // The sphere is slightly enlarged, so that rounding never culls touching solids.
         let (centre, reach) = (pose.transform_point3(centre), reach * (1.0 + 1e-12) + 1e-9);
         Ok(Self { name: name.into(), shape, pose, centre, reach })
     }
@@ -157,7 +157,7 @@ impl Solid {
     }
 }
 
-/// Refuses poses that are not a turn and a displacement, to a part in a billion.
+/// Refuses poses that are not a rotation and a translation, to 1e-9.
 fn check_rigid(pose: &DAffine3) -> Result<(), ClearanceError> {
     let m: DMat3 = pose.matrix3;
     let skew = m.transpose() * m - DMat3::IDENTITY;

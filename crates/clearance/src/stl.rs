@@ -3,18 +3,17 @@
 use crate::ClearanceError;
 use glam::DVec3;
 
-/// Bytes before the first triangle of a binary file: 80 of any text and the number of triangles.
+/// Bytes before the first triangle of a binary file: 80 of arbitrary text and the number of triangles.
 const HEADER: usize = 84;
-/// Bytes of a triangle in a binary file: a normal and three corners of three numbers, and two bytes of anything.
+/// Bytes of a triangle in a binary file: a normal and three corners of three numbers, and two arbitrary bytes.
 const RECORD: usize = 50;
 
-/// Reads the triangles of an STL file, ASCII or binary, their coordinates multiplied by `scale`. Normals are not
-/// looked at.
+/// Reads the triangles of an STL file, ASCII or binary, their coordinates multiplied by `scale`. Normals are ignored.
 ///
 /// # Errors
-/// Bytes that are no STL file, a file cut short, coordinates that are not finite, no triangles.
+/// Bytes that are not an STL file, a truncated file, coordinates that are not finite, no triangles.
 pub fn read_stl(bytes: &[u8], scale: f64) -> Result<Vec<[DVec3; 3]>, ClearanceError> {
-    // Binary headers may begin with `solid` too: the length decides.
+    // Binary headers may also start with `solid`: the length decides.
     let triangles = match binary_count(bytes) {
         Some(count) if HEADER + RECORD * count == bytes.len() => binary(bytes, scale),
         _ if starts_like_text(bytes) => ascii(bytes, scale)?,
@@ -44,8 +43,8 @@ fn binary_count(bytes: &[u8]) -> Option<usize> {
     usize::try_from(u32::from_le_bytes(count)).ok()
 }
 
-/// A count that a file cut short could have: its size as a whole is below 10 GB, and zero bytes are among the first,
-/// as in any binary file of numbers.
+/// True for a plausible count of a truncated file: its full size is below 10 GB, and zero bytes are among the first, as
+/// in any binary file of numbers.
 fn plausible(bytes: &[u8], count: usize) -> bool {
     count < 200_000_000 && bytes.iter().take(400).any(|b| *b == 0)
 }
@@ -57,7 +56,7 @@ fn binary(bytes: &[u8], scale: f64) -> Vec<[DVec3; 3]> {
     bytes[HEADER..].chunks_exact(RECORD).take(count).map(|r| [&r[12..24], &r[24..36], &r[36..48]].map(point)).collect()
 }
 
-/// An ASCII file, line by line. Whatever is wrong with its last line is put down to its being cut short.
+/// Reads an ASCII file, line by line. An error in its last line counts as a truncated file.
 fn ascii(bytes: &[u8], scale: f64) -> Result<Vec<[DVec3; 3]>, ClearanceError> {
     let text = String::from_utf8_lossy(bytes);
     let mut triangles = Vec::new();

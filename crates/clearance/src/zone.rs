@@ -1,4 +1,4 @@
-//! Room inside permitted zones.
+//! Margins inside permitted zones.
 
 use crate::boxes::Bounds;
 use crate::distance::extreme;
@@ -6,20 +6,20 @@ use crate::{Shape, Solid};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
 
-/// Room of a body in a zone: how far it is from the zone's surface everywhere, negative where it is outside.
+/// Margin of a body in a zone: its minimum distance from the zone's surface, negative outside.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Room {
     pub(crate) distance: f64,
-    /// The body's point with the least room.
+    /// The body's point with the minimum margin.
     pub(crate) on_body: DVec3,
-    /// The zone's surface next to it.
+    /// The zone's surface point next to it.
     pub(crate) on_zone: DVec3,
 }
 
-/// What rounding may add, as a share of the coordinates.
+/// Bound of the rounding error, as a share of the coordinates.
 const ROUNDING: f64 = 1e-14;
 
-/// Corners that stand for a round rim; they stand around it, 0.12 % of its radius outside at most.
+/// Number of corners of the polygon around a round rim, at most 0.12 % of its radius outside.
 const RIM: usize = 64;
 
 /// True for the shapes that a permitted zone may have.
@@ -27,11 +27,11 @@ pub(crate) fn is_zone(shape: &Shape) -> bool {
     matches!(shape, Shape::Box { .. } | Shape::Sphere { .. } | Shape::Cylinder { .. } | Shape::HalfSpace)
 }
 
-/// Room of a body, `to_zone` mapping its group's frame to the zone's group's; in the latter.
+/// Margin of a body, with `to_zone` mapping its group's frame to the zone's group's; points in the latter frame.
 ///
-/// Boxes and half-spaces: exact (the body's farthest point in each face's direction). Round zones: exact for
-/// boxes, meshes, spheres and capsules; up to 0.12 % of the radius too little for the rims of cylinders and cones, up
-/// to the difference of the semi-axes too little for ellipsoids.
+/// Exact for boxes and half-spaces as zones (the body's farthest point in each face's direction). In round zones exact
+/// for boxes, meshes, spheres and capsules; up to 0.12 % of the radius too small for cylinders and cones, and up to the
+/// difference of the semi-axes for ellipsoids.
 pub(crate) fn room(body: &Solid, to_zone: &DAffine3, zone: &Solid) -> Room {
     let pose = zone.pose().inverse() * *to_zone * *body.pose();
     let body = (body.shape(), pose);
@@ -54,7 +54,7 @@ pub(crate) fn room(body: &Solid, to_zone: &DAffine3, zone: &Solid) -> Room {
             let faces = DVec3::AXES.into_iter().flat_map(|n| [n, -n]);
             faces.map(|n| over_face(n, size.dot(n.abs()) / 2.0)).collect()
         }
-        // Refused when the scene was made.
+        // `Scene::new` refuses other shapes.
         _ => Vec::new(),
     };
     let outside = (f64::NEG_INFINITY, DVec3::ZERO, DVec3::X);
@@ -63,8 +63,8 @@ pub(crate) fn room(body: &Solid, to_zone: &DAffine3, zone: &Solid) -> Room {
     Room { distance, on_body, on_zone }
 }
 
-/// The greatest length that `mask` leaves of any point of the body (its distance from the origin, or from z), or a
-/// little more, and where that is.
+/// Upper bound of the length of the body's points after `mask` (the distance from the origin, or from z), and its
+/// point.
 fn farthest((shape, pose): (&Shape, DAffine3), mask: DVec3) -> (f64, DVec3) {
     let at = |p: DVec3| pose.transform_point3(p);
     let length = |p: DVec3| (p * mask).length();
@@ -94,7 +94,7 @@ fn farthest((shape, pose): (&Shape, DAffine3), mask: DVec3) -> (f64, DVec3) {
     }
 }
 
-/// The farther of two rims, each a radius and a height: by corners around it, or by a ball if that is less.
+/// The farther of two rims, each a radius and a height: bounded by corners around it, or by a ball if that is tighter.
 fn rims(
     rims: [(f64, f64); 2],
     best: impl Fn(&[DVec3]) -> (f64, DVec3),

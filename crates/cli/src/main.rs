@@ -70,7 +70,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
 /// Writes the failure to standard error; its exit code.
 fn report(failure: &Failure) -> ExitCode {
     let mut err = std::io::stderr().lock();
-    // Nothing can be done if standard error itself is closed.
+    // Errors are ignored: standard error itself may be closed.
     let _ = match failure {
         Failure::Findings(findings) => failure::write_findings(&mut err, findings),
         Failure::Printed | Failure::ReaderGone => Ok(()),

@@ -84,7 +84,7 @@ impl Rows {
         Ok(())
     }
 
-    /// What was written so far is seen.
+    /// Makes all rows so far visible to readers.
     pub(crate) fn flush(&mut self) -> Result<(), Failure> {
         Ok(self.out.flush()?)
     }

@@ -1,21 +1,21 @@
-//! Bounds on what a number in a file can be, by the unit that its key ends in.
+//! Bounds of numbers in a file, by the unit at the end of their key.
 //!
-//! A slip of the keyboard (8000 for 8, a key held down) must be refused where it stands, before anything is computed from
-//! it: counts of beads, cells, triangles and set-points are quotients of such numbers. The bounds are wider than any
+//! A typing mistake (8000 for 8, a key held down) must be refused at its key, before anything is computed from it:
+//! counts of beads, cells, triangles and set-points are quotients of such numbers. The bounds are wider than any
 //! machine or part that is welded, so that no sensible file meets them.
 
 use crate::{Document, DocumentError};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What a number with a unit can be.
+/// Bounds of a number with a unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
     /// Ending of the key.
     pub suffix: &'static str,
     /// The unit in words.
     pub unit: &'static str,
-    /// Smallest magnitude but 0; 0 if there is none.
+    /// Smallest magnitude other than 0; 0 if unbounded.
     pub min: f64,
     /// Largest magnitude.
     pub max: f64,
@@ -52,8 +52,8 @@ pub static BOUNDS: [Bound; 21] = [
     bound("_v", "V", [0.0, 1e6], "the largest beam generator"),
 ];
 
-/// Tables whose keys are names that the user chooses, of axes and of variables: such a name may end like a unit, and its
-/// number is no quantity in it. Positions are held against the axis' range, variables where they are used.
+/// Tables whose keys are names chosen by the user, of axes and of variables: such a name may end like a unit without
+/// being one. Positions are checked against the axis' range, variables where they are used.
 const NAMED: [&str; 2] = ["hold", "variables"];
 
 /// Largest coordinate of a point, mm: parts may stand far from an origin, as in a plant's coordinates.
@@ -95,7 +95,7 @@ impl Bound {
 /// # Errors
 /// With the number's address.
 pub(crate) fn check<T>(document: &Document<T>) -> Result<(), DocumentError> {
-    // What cannot be parsed has been refused before.
+    // Text with wrong syntax has been refused before.
     let Ok(table) = DeTable::parse(document.text()) else { return Ok(()) };
     Check { document, path: String::new() }.table(table.get_ref(), None)
 }
@@ -108,7 +108,7 @@ struct Check<'a, T> {
 }
 
 impl<T> Check<'_, T> {
-    /// Checks what is in a table, whose own key has the bound `above`.
+    /// Checks the content of a table, whose own key has the bound `above`.
     fn table(&mut self, table: &DeTable, above: Option<&'static Bound>) -> Result<(), DocumentError> {
         for (key, value) in table {
             let (key, length): (&str, usize) = (key.get_ref(), self.path.len());

@@ -10,7 +10,7 @@ const QUOTED: usize = 60;
 /// A document read into `T`, together with its text, so that later checks can point at a key.
 #[derive(Debug, Clone)]
 pub struct Document<T> {
-    /// What was read.
+    /// The value read.
     pub value: T,
     file: String,
     text: String,
@@ -162,7 +162,7 @@ fn quoted<'a>(message: &'a str, prefix: &str) -> Option<&'a str> {
     message.strip_prefix(prefix)?.strip_prefix('`')?.split('`').next()
 }
 
-/// The names in backquotes in serde's list of what it expected.
+/// The names in backquotes in serde's list of expected values.
 fn names(expected: &str) -> Vec<&str> {
     expected.split('`').skip(1).step_by(2).collect()
 }

@@ -1,9 +1,10 @@
 use std::fmt;
 use std::ops::Range;
 
-/// Something wrong with a document, and where.
+/// An error in a document, with its address.
 ///
-/// Its `Display` fits a screen: the address, what is wrong, the line with the place marked, what is allowed, and help.
+/// Its `Display` fits a screen: the address, the fault, the line with the position marked, the allowed values, and
+/// help.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DocumentError {
     /// File name as the user gave it.
@@ -16,9 +17,9 @@ pub struct DocumentError {
     pub key: String,
     /// The value found, as written.
     pub value: String,
-    /// What is wrong with it.
+    /// Description of the fault.
     pub message: String,
-    /// What would be right.
+    /// Allowed values.
     pub allowed: Option<String>,
     /// A suggestion.
     pub help: Option<String>,

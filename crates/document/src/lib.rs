@@ -1,13 +1,13 @@
 //! TOML documents whose errors have an address.
 //!
-//! Every Seamwright file (job, machine, program) is TOML with `schema = 1` and keys that carry their unit. This room
-//! reads one into a type and turns whatever is wrong into one [`DocumentError`] that names file, line, key, the
-//! value found and the values allowed. Checks that need more than one key are made by the caller, who asks
-//! [`Document::error_at`] for an error at a key's address.
+//! Every Seamwright file (job, machine, program) is TOML with `schema = 1` and keys that carry their unit. This crate
+//! reads one into a type. It converts every fault into a [`DocumentError`] that names file, line, key, the value found
+//! and the values allowed. Checks that need more than one key are made by the caller, with [`Document::error_at`] for
+//! an error at a key's address.
 //!
-//! The number types ([`Positive`], [`NonNegative`], [`Finite`]) refuse bad values while reading, so that the address
-//! is exact, and describe themselves in the JSON Schema. Then every number is held against the bound of the unit that
-//! its key ends in ([`BOUNDS`]): a key that is added to a format is bounded without a further line.
+//! The number types ([`Positive`], [`NonNegative`], [`Finite`]) refuse bad values while reading, so that the address is
+//! exact, and describe themselves in the JSON Schema. Then every number is checked against the bound of its key's unit
+//! ([`BOUNDS`]): a new key of a format is bounded without further code.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

@@ -1,4 +1,4 @@
-//! Every kind of mistake gives its address, the value and what is allowed.
+//! Every kind of mistake gives its address, the value and the allowed values.
 
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, SchemaVersion};
 use serde::Deserialize;
@@ -177,7 +177,7 @@ fn later_checks_point_at_their_key() {
 
 proptest::proptest! {
     #![proptest_config(proptest::prelude::ProptestConfig { failure_persistence: None, ..Default::default() })]
-    /// No text, however broken, makes the reader panic.
+    /// The reader never panics, for any text.
     #[test]
     fn any_text_is_read_or_refused(text in "(schema = 1\n)?(\\[nozzle\\]\n)?[\\PC\n]{0,60}") {
         if let Err(e) = Document::<File>::read("job.toml", &text) {

@@ -35,7 +35,7 @@ impl Arc {
         if normal.length() <= 1e-9 * a.length() * b.length() || a.length() == 0.0 || b.length() == 0.0 {
             return Err(Error::Parallel { first: "the way to the via point", second: "the way to the end" });
         }
-        // The centre is as far from all three points.
+        // The centre is equidistant from all three points.
         let centre = start
             + (a.length_squared() * b.cross(normal) - b.length_squared() * a.cross(normal))
                 / (2.0 * normal.length_squared());

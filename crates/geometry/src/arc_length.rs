@@ -15,10 +15,9 @@ const SMALLEST_PANEL: f64 = 1e-9;
 /// integral is the arc length, and the inverse, parameter by arc length, is a second series obtained by Newton's method
 /// at the nodes. Panels are halved until both hold the accuracy at check points between the nodes.
 ///
-/// Guarantee, for `accuracy_mm` not below the rounding of the curve's own evaluation:
-/// `|length(u) - true arc length| <= accuracy_mm` over the whole curve, and `|length(parameter(s)) - s| <=
-/// accuracy_mm`. Lengths count from the start of the curve's domain. On a closed curve any `s` and `u` may be asked
-/// for; they repeat with the curve.
+/// Guarantee, for `accuracy_mm` not below the rounding of the curve's own evaluation: `|length(u) - true arc length| <=
+/// accuracy_mm` over the whole curve, and `|length(parameter(s)) - s| <= accuracy_mm`. Lengths count from the start of
+/// the curve's domain. On a closed curve `s` and `u` may take any value; they repeat with the curve.
 #[derive(Debug, Clone)]
 pub struct ByLength<C> {
     curve: C,
@@ -46,7 +45,7 @@ impl<C: Curve> ByLength<C> {
     /// that.
     ///
     /// # Errors
-    /// [`Error::ArcLength`] if the curve has a corner that is no break, or its derivative is not finite.
+    /// [`Error::ArcLength`] if the curve has a corner outside its breaks, or its derivative is not finite.
     pub fn new(curve: C, accuracy_mm: f64) -> Result<Self, Error> {
         let (start, end) = curve.domain();
         let rough: f64 = (0..64).map(|i| curve.speed(start + (end - start) * (f64::from(i) + 0.5) / 64.0)).sum();
@@ -140,7 +139,7 @@ impl Panel {
         let length = speed.integral();
         let total = length.at(1.0);
         let s_half = 0.5 * total;
-        // Newton on length(x) = s at the nodes, from a straight line.
+        // Newton's method for length(x) = s at the nodes, starting from the linear estimate.
         let invert = |s: f64| {
             let mut x = s / s_half - 1.0;
             for _ in 0..12 {

@@ -1,11 +1,11 @@
 use crate::{Arc, Curve, Error, Jet, Line};
 use glam::DVec3;
 
-/// Lines and arcs one after the other, each beginning where the one before ends; `u` is the length from the start, mm.
+/// Lines and arcs joined end to start; `u` is the length from the start, mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
     pieces: Vec<Piece>,
-    /// Where each piece begins, and the end of the last, mm.
+    /// Start of each piece, and the end of the last, mm.
     starts: Vec<f64>,
     closed: bool,
 }
@@ -19,7 +19,7 @@ pub enum Piece {
     Arc(Arc),
 }
 
-/// Ends of two pieces that are farther apart than this do not join, mm and as a part of the chain's length.
+/// Maximum gap between joined pieces, mm and as a fraction of the chain's length.
 const GAP: f64 = 1e-9;
 
 impl Piece {
@@ -47,7 +47,7 @@ impl Chain {
     /// The chain of `pieces`; if `closed`, the first follows on the last.
     ///
     /// # Errors
-    /// [`Error::TooFewPoints`] without pieces, [`Error::Gap`] if one does not begin where the one before ends.
+    /// [`Error::TooFewPoints`] without pieces, [`Error::Gap`] if a piece does not start at the end of the one before.
     pub fn new(pieces: Vec<Piece>, closed: bool) -> Result<Self, Error> {
         let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else {
             return Err(Error::TooFewPoints { what: "the chain", given: 0, least: 1 });
@@ -100,7 +100,7 @@ impl Curve for Chain {
     }
 
     fn breaks(&self) -> Vec<f64> {
-        // Where it closes is a break like the others.
+        // The closing point is also a break.
         self.starts[usize::from(!self.closed)..self.pieces.len()].to_vec()
     }
 }

@@ -58,21 +58,21 @@ impl Series {
         even + x * odd
     }
 
-    /// The series of a polynomial of lower degree, without the last coefficients that are nothing but rounding: they
-    /// would show in derivatives.
+    /// The series of a polynomial of lower degree, without its trailing coefficients of pure rounding, which would show
+    /// in derivatives.
     pub fn without_rounding(self) -> Self {
         let rounding = 8.0 * f64::EPSILON * self.c.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
         self.without_tail(rounding)
     }
 
-    /// The series without the last coefficients that are all no greater than `least`.
+    /// The series without its trailing coefficients of size up to `least`.
     pub fn without_tail(mut self, least: f64) -> Self {
         let last = self.c.iter().rposition(|c| c.abs() > least).unwrap_or(0);
         self.c[last + 1..].fill(0.0);
         self
     }
 
-    /// Size of the last three coefficients: an estimate of what the series leaves out.
+    /// Size of the last three coefficients: an estimate of the truncation error.
     pub fn tail(&self) -> f64 {
         self.c[NODES - 3..].iter().map(|c| c.abs()).sum()
     }

@@ -47,7 +47,7 @@ impl CubicSpline {
         Ok(Self { slope: periodic_slopes(&x, &y), x, y, period: Some(period) })
     }
 
-    /// The greatest slope anywhere, up or down.
+    /// Maximum absolute slope.
     pub fn steepest(&self) -> f64 {
         let piece = |i: usize| {
             let h = self.x[i] - self.x[i - 1];

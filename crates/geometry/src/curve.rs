@@ -11,7 +11,7 @@ pub struct Jet {
     pub d2: DVec3,
 }
 
-/// A parametrised curve in space, twice continuously differentiable but for its [`breaks`](Curve::breaks), with a
+/// A parametrised curve in space, twice continuously differentiable except at its [`breaks`](Curve::breaks), with a
 /// non-zero first derivative.
 pub trait Curve {
     /// First and last parameter, increasing.

@@ -11,10 +11,10 @@ pub struct Foot {
     pub normal: DVec3,
 }
 
-/// A surface whose distance from any point is known.
+/// A surface with a signed distance at any point.
 pub trait SignedDistance {
-    /// Distance and normal at `p`. Where several points of the surface are equally near (on an axis, at a centre), one
-    /// of them.
+    /// Distance and normal at `p`. If several points of the surface are equally near (on an axis, at a centre), uses
+    /// one of them.
     fn foot(&self, p: DVec3) -> Foot;
 }
 
@@ -53,11 +53,11 @@ enum Kind {
     },
 }
 
-/// Nearer to a centre, mm, a point is put this far from it: the foot is then one of the nearest points.
+/// A point closer to a centre, mm, is moved to this distance: the foot is then one of the nearest points.
 const AT_CENTRE_MM: f64 = 1e-10;
 
-/// Most Newton steps: each at least takes a third off what is left.
-const MOST_STEPS: usize = 100;
+/// Maximum number of Newton steps: each reduces the error by at least a third.
+const MAX_NEWTON_STEPS: usize = 100;
 
 impl QuadricDistance {
     /// The distance from `body`.
@@ -116,13 +116,13 @@ fn round_foot(mut q: DVec3, a: DVec3, size: f64) -> Foot {
     }
     let part = a / a.x;
     let divisor = |v: f64| DVec3::ONE - part + v * part;
-    // Each term alone is smaller than the sum: where one of them reaches `size` the root is not passed yet.
+    // Each term alone is smaller than the sum: a point where one term reaches `size` lies before the root.
     let reach = |i: usize| match part[i] {
         part if part > 0.0 => (1.0 - 1.0 / part) + (a[i] / size).sqrt() * q[i].abs() / part,
         _ => f64::NEG_INFINITY,
     };
     let mut v = reach(0).max(reach(1)).max(reach(2));
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_NEWTON_STEPS {
         let below = divisor(v);
         let x = q / below;
         let value = (a * x).dot(x) - size;

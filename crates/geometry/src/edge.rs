@@ -1,7 +1,7 @@
 use crate::{Curve, Jet};
 use glam::{DQuat, DVec3};
 
-/// A point of an edge: where it is, where it runs, and the outward unit normals of the two faces that meet there.
+/// A point of an edge: position, first derivative, and the outward unit normals of the two faces that meet there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgePoint {
     /// Position, mm.
@@ -19,14 +19,14 @@ pub trait Edge: Curve {
     /// Point, first derivative and both faces' outward unit normals at parameter `u`.
     fn edge(&self, u: f64) -> EdgePoint;
 
-    /// Unit direction square to both faces at parameter `u`, where the edge is `at`: the tangent, or a smoother one near
-    /// it if the tangent's second derivative jumps.
+    /// Unit direction square to both faces at parameter `u`, at the edge point `at`: the tangent, or a smoother one
+    /// near it if the tangent's second derivative jumps.
     fn along(&self, _u: f64, at: &EdgePoint) -> DVec3 {
         at.d1.normalize()
     }
 }
 
-/// How the faces' normals follow from a curve that lies in a plane or is straight.
+/// Rule for the faces' normals of a curve that lies in a plane, on a cylinder or is straight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FaceRule {
     /// The curve lies in a plate with this outward unit normal and a wall rises from it along that normal: first

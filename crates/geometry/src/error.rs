@@ -1,12 +1,12 @@
 use thiserror::Error;
 
-/// Why a geometric object cannot be made. Angles are in rad, lengths in mm.
+/// Error in the construction of a geometric object. Angles are in rad, lengths in mm.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Error {
     /// A size must be finite and greater than zero.
     #[error("{what} must be a finite number greater than 0, not {value}")]
     Size {
-        /// Which size.
+        /// Name of the size.
         what: &'static str,
         /// The value given.
         value: f64,
@@ -14,7 +14,7 @@ pub enum Error {
     /// A size must lie between two others.
     #[error("{what} must be more than {least} and less than {most} mm, not {value}")]
     Range {
-        /// Which size.
+        /// Name of the size.
         what: &'static str,
         /// The value given, mm.
         value: f64,
@@ -26,7 +26,7 @@ pub enum Error {
     /// A direction has no length or is not finite.
     #[error("{what} must be a finite vector with a length greater than 0")]
     Direction {
-        /// Which direction.
+        /// Name of the direction.
         what: &'static str,
     },
     /// Two directions that span a plane are parallel.
@@ -85,10 +85,10 @@ pub enum Error {
     /// The tube's direction points into the body and never leaves it.
     #[error("the tube's direction points into the body: it never leaves it along +direction")]
     NeverLeaves,
-    /// A curve cannot be measured to the accuracy asked for.
+    /// The length of a curve cannot be measured to the requested accuracy.
     #[error("the curve's length cannot be found to {accuracy_mm} mm near parameter {at}")]
     ArcLength {
-        /// Accuracy asked for, mm.
+        /// Requested accuracy, mm.
         accuracy_mm: f64,
         /// Parameter where subdivision stopped.
         at: f64,
@@ -96,22 +96,22 @@ pub enum Error {
     /// Fewer points than a fit needs.
     #[error("too few points of {what}: {given}, and at least {least} are needed")]
     TooFewPoints {
-        /// Points of what.
+        /// Name of the set of points.
         what: &'static str,
         /// Number of points given.
         given: usize,
         /// Number needed.
         least: usize,
     },
-    /// Points that lie too nearly in one place or on one line to define what they should.
+    /// Points too close to one position or one line to define the result.
     #[error("the points of {what} lie nearly {on}: they do not define it")]
     Gathered {
-        /// Points of what.
+        /// Name of the set of points.
         what: &'static str,
-        /// On what they lie.
+        /// The position or line on which they lie.
         on: &'static str,
     },
-    /// Attitudes from which a point was touched that tell nothing of it.
+    /// Attitudes too similar to determine the touched point.
     #[error(
         "the attitudes are {:.1} degrees apart at most: they do not tell where the tip is",
         apart.to_degrees()
@@ -120,25 +120,25 @@ pub enum Error {
         /// Largest angle between two of them, rad.
         apart: f64,
     },
-    /// A search for a rigid motion came to no end.
+    /// A search for a rigid motion did not converge.
     #[error("no place was found at which the part fits the points")]
     NoFit,
-    /// A point that is not finite or out of all proportion.
+    /// A point that is not finite or too large.
     #[error("point {index} has a value that is not finite or too large")]
     Place {
         /// Its index.
         index: usize,
     },
-    /// A piece of a chain does not begin where the one before ends.
+    /// A piece of a chain does not start at the end of the one before.
     #[error("piece {piece} of the chain does not begin where the one before it ends")]
     Gap {
-        /// Which piece, counted from 0.
+        /// Index of the piece, counted from 0.
         piece: usize,
     },
-    /// Something turns too sharply along points.
+    /// A direction turns too sharply between neighbouring points.
     #[error("{what} turns by 90 degrees or more from one point to the next")]
     Turn {
-        /// What turns.
+        /// Name of the direction.
         what: &'static str,
     },
     /// Knots of a spline must increase strictly.

@@ -2,11 +2,11 @@ use crate::{Error, Foot, Quadric, QuadricDistance, SignedDistance, Torus, error:
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 
-/// The head of a vessel: a convex body of revolution whose meridian is a chain of arcs and lines that go over into
-/// each other without a corner, from the crown through a knuckle into a cylindrical flange.
+/// The head of a vessel: a convex body of revolution. Its meridian is a chain of arcs and lines joined without corners,
+/// from the crown through a knuckle into a cylindrical flange.
 ///
 /// Heights count along the axis, out of the vessel, from the end of the knuckle, where the flange begins. The flange
-/// ends `flange` mm below; as a distance it goes on without end.
+/// ends `flange` mm below; for distances it is infinite.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Head {
     centre: DVec3,
@@ -59,8 +59,8 @@ struct Border {
     normal: f64,
 }
 
-/// Most Newton steps for a line's way out.
-const MOST_STEPS: usize = 100;
+/// Maximum number of Newton steps to find the exit of a line.
+const MAX_NEWTON_STEPS: usize = 100;
 
 impl Head {
     /// A spherical crown of radius `crown`, a knuckle of radius `knuckle` and a flange of radius `radius`; all of the
@@ -195,7 +195,7 @@ impl Head {
         ((d - height * self.axis).length(), height)
     }
 
-    /// How far (mm) `p` lies beyond the end of each zone, towards the flange; the last is the flange's own end.
+    /// Distance (mm) of `p` beyond the end of each zone, towards the flange; the last is the flange's own end.
     pub(crate) fn beyond(&self, p: DVec3) -> impl Iterator<Item = f64> {
         let (rho, height) = self.meridional(p);
         self.zones.iter().map(move |zone| {
@@ -204,14 +204,14 @@ impl Head {
         })
     }
 
-    /// How far (mm) `p` is from the axis of a cone, which has a tip there; from that of other heads infinity.
+    /// Distance (mm) of `p` from the axis of a cone, where its tip is; infinity for other heads.
     pub(crate) fn off_tip(&self, p: DVec3) -> f64 {
         let pointed = matches!(self.zones[0].meridian, Meridian::Cone { .. });
         if pointed { self.meridional(p).0 } else { f64::INFINITY }
     }
 
-    /// Height over `foot` at which the line along the unit vector `d` leaves the head, if it meets it. Where it is
-    /// still within the flange's continuation beyond the head, a height there.
+    /// Height over `foot` at which the line along the unit vector `d` leaves the head, if it meets it. If the exit lies
+    /// on the flange's continuation beyond the head, returns its height there.
     ///
     /// The distance from a convex body is convex along a line, so Newton's method from outside goes to the last zero
     /// without passing it.
@@ -220,7 +220,7 @@ impl Head {
         let q = foot - (self.centre + (self.top - half) * self.axis);
         let (b, ball) = (q.dot(d), 1.001 * self.radius.hypot(half));
         let mut h = (b * b - q.length_squared() + ball * ball).sqrt() - b;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let Foot { distance, normal } = self.foot(foot + h * d);
             let next = h - distance / normal.dot(d);
             if next < h {
@@ -263,7 +263,7 @@ impl Head {
 }
 
 impl SignedDistance for Head {
-    /// Exact outside; inside as deep as the head's least radius of curvature.
+    /// Exact outside; inside down to the head's minimum radius of curvature.
     fn foot(&self, p: DVec3) -> Foot {
         let last = self.zones.len() - 1;
         let zone = self.beyond(p).take(last).take_while(|b| *b > 0.0).count();
@@ -275,7 +275,7 @@ impl SignedDistance for Head {
 }
 
 impl Meridian {
-    /// The surface it makes on a head with a flange of `radius`.
+    /// The surface of this meridian on a head with a flange of `radius`.
     fn face(self, centre: DVec3, axis: DVec3, radius: f64) -> Result<Face, Error> {
         let at = |height: f64| centre + height * axis;
         let quadric = match self {
@@ -293,8 +293,8 @@ impl Meridian {
         Ok(Face::Quadric(Box::new((quadric, distance))))
     }
 
-    /// A curved one as an ellipse: semi-axes across and along the head's axis, and the middle's distance from the axis
-    /// and height.
+    /// A curved meridian as an ellipse: semi-axes across and along the head's axis, and the middle's distance from the
+    /// axis and height.
     fn arc(self) -> Option<(f64, f64, f64, f64)> {
         match self {
             Self::Ball { height, radius } => Some((radius, radius, 0.0, height)),
@@ -306,7 +306,7 @@ impl Meridian {
 }
 
 impl Border {
-    /// Where the normal of an arc about (`ring`, `height`) has this angle.
+    /// The border at which the normal of an arc about (`ring`, `height`) has this angle.
     fn on(ring: f64, height: f64, radius: f64, normal: f64) -> Self {
         let (sin, cos) = normal.sin_cos();
         Self { radius: ring + radius * sin, height: height + radius * cos, normal }

@@ -59,7 +59,7 @@ impl HeadIntersection {
         &self.head
     }
 
-    /// The point at which the wall's line at `phi` leaves the head, whatever the zone.
+    /// The point at which the wall's line at `phi` leaves the head, in any zone.
     fn leaving(&self, phi: f64) -> Option<DVec3> {
         let foot = self.tube.wall(phi).0;
         self.head.way_out(foot, self.tube.e3).map(|h| foot + h * self.tube.e3)
@@ -82,7 +82,7 @@ impl HeadIntersection {
         })
     }
 
-    /// How far the curve is beyond each border between zones at `phi`, mm.
+    /// Distance of the curve beyond each border between zones at `phi`, mm.
     fn beyond(&self, phi: f64) -> Vec<f64> {
         let borders = self.walls.len() - 1;
         self.leaving(phi).map_or(vec![f64::NAN; borders], |p| self.head.beyond(p).take(borders).collect())

@@ -2,16 +2,16 @@ use crate::{MapError, PlaneMap};
 use glam::{DVec2, DVec3};
 use thiserror::Error;
 
-/// What goes wrong between pixels and space.
+/// Error of a map between pixels and space.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum HeightError {
-    /// No row.
+    /// An empty table.
     #[error("a table of heights without a row")]
     Empty,
     /// Heights that do not increase.
     #[error("row {row}: the height {height} mm is not above the one before")]
     Order {
-        /// Counted from 0.
+        /// Index, counted from 0.
         row: usize,
         /// Its height, mm.
         height: f64,
@@ -19,28 +19,28 @@ pub enum HeightError {
     /// Rows of frames of different sizes.
     #[error("row {row}: a frame of another size than in the first row")]
     Size {
-        /// Counted from 0.
+        /// Index, counted from 0.
         row: usize,
     },
-    /// The maps between two rows are none: they are too different.
+    /// Two rows too different for a valid map between them.
     #[error("between rows {row} and {}: {why}", row + 1)]
     Between {
         /// The lower row.
         row: usize,
-        /// Why.
+        /// The cause.
         why: MapError,
     },
-    /// The work is nearer or farther than the table knows.
+    /// A height outside the table.
     #[error("a height of {height:.3} mm: the camera's table goes from {low} to {high} mm")]
     Outside {
-        /// What was asked, mm.
+        /// The requested height, mm.
         height: f64,
         /// The lowest row, mm.
         low: f64,
         /// The highest, mm.
         high: f64,
     },
-    /// A pixel that the distortion folds away.
+    /// A pixel beyond the fold of the distortion.
     #[error("the pixel ({x:.1}, {y:.1}) is beyond the picture's distortion")]
     Folded {
         /// Pixels to the right.
@@ -58,7 +58,7 @@ pub struct HeightTable {
 }
 
 impl HeightTable {
-    /// One map whatever the height: a telecentric lens.
+    /// One map for every height: a telecentric lens.
     pub fn telecentric(map: PlaneMap) -> Self {
         Self { rows: vec![(0.0, map)] }
     }
@@ -103,7 +103,7 @@ impl HeightTable {
     /// The map on the plane at `height`, mm.
     ///
     /// # Errors
-    /// [`HeightError::Outside`]: the table does not go that far.
+    /// [`HeightError::Outside`]: the height is outside the table.
     pub fn at(&self, height: f64) -> Result<PlaneMap, HeightError> {
         let (low, high) = self.range();
         if !(low..=high).contains(&height) || height.is_nan() {
@@ -126,7 +126,7 @@ impl HeightTable {
         map.to_px(point.truncate()).ok_or(HeightError::Folded { x: point.x, y: point.y })
     }
 
-    /// The point in the camera's frame, mm, at which a pixel looks on the plane at `height`.
+    /// The point in the camera's frame, mm, seen by a pixel on the plane at `height`.
     ///
     /// # Errors
     /// A height outside the table, a pixel beyond the distortion's fold.

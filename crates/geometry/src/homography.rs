@@ -1,6 +1,6 @@
 use glam::{DMat3, DVec2, DVec3};
 
-/// A projective map of one plane to another, as a pinhole camera makes it: straight lines stay straight.
+/// A projective map of one plane to another, as produced by a pinhole camera: straight lines stay straight.
 ///
 /// `(x, y)` goes to `(X / w, Y / w)` with `(X, Y, w) = H (x, y, 1)`. Only points where `w` is positive have an image;
 /// the others are beyond the horizon.
@@ -24,13 +24,13 @@ impl Homography {
         Self::new(DMat3::from_cols_array(&[h[0], h[3], h[6], h[1], h[4], h[7], h[2], h[5], 1.0]))
     }
 
-    /// The image of `p`, if `p` is before the horizon.
+    /// The image of `p`; none beyond the horizon.
     pub fn map(&self, p: DVec2) -> Option<DVec2> {
         let image = self.matrix * DVec3::new(p.x, p.y, 1.0);
         (image.z > 0.0).then(|| DVec2::new(image.x, image.y) / image.z)
     }
 
-    /// The map back.
+    /// The inverse map.
     #[must_use]
     pub fn inverse(&self) -> Self {
         Self { matrix: self.matrix.inverse() }

@@ -6,14 +6,13 @@
 //!   [`RoundedRectangle`], [`Ellipse`], [`Helix`], [`Spline`], [`TubeIntersection`], [`TrimmedIntersection`],
 //!   [`TorusIntersection`] and [`HeadIntersection`] implement it.
 //! - [`fit_spline`] finds a spline with few knots near given points.
-//! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
+//! - [`Edge`] is a curve where two faces meet; it also provides their outward normals.
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
-//! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from
-//!   it.
-//! - [`Head`] is the head of a vessel: quadrics and a [`Torus`] that go over into each other.
+//! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] is the signed distance from it.
+//! - [`Head`] is the head of a vessel: quadrics and a [`Torus`] joined without a corner.
 //! - [`fit`] finds the rigid motion that brings nominal geometry to measured points.
-//! - [`PlaneMap`] joins the pixels of a camera with mm on a plane, [`HeightTable`] with mm in space.
-//! - [`reduce`] makes lines and arcs of polylines.
+//! - [`PlaneMap`] maps the pixels of a camera to mm on a plane, [`HeightTable`] to mm in space.
+//! - [`reduce`] converts polylines to lines and arcs.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

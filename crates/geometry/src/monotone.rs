@@ -6,8 +6,8 @@ use crate::knots::knots;
 /// 1984), at most twice the smaller one beside. Either level at its ends and constant beyond them, or repeating with a
 /// period. Twice continuously differentiable, so that an axis that follows it needs no jump in its acceleration.
 ///
-/// Used for what an operator gives at a few places along a path: an overshoot between the places would be an angle that
-/// nobody asked for.
+/// Used for values that an operator gives at a few stations of a path: an overshoot between them would be an
+/// unrequested angle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MonotoneCurve {
     x: Vec<f64>,
@@ -63,9 +63,8 @@ impl MonotoneCurve {
         let i = self.x.partition_point(|k| *k <= x).clamp(1, self.x.len() - 1);
         let h = self.x[i] - self.x[i - 1];
         let (a, b) = ((self.x[i] - x) / h, (x - self.x[i - 1]) / h);
-        // Quintic Hermite form with second derivatives zero. Its slope is a weighted sum of the mean slope and those
-        // at the ends, whose weights are negative by less than the mean's is positive if they are at most twice the
-        // mean.
+        // Quintic Hermite form with second derivatives zero. Its slope is a weighted sum of the mean slope and those at
+        // the ends. The mean's positive weight dominates while the end slopes are at most twice the mean.
         let step = |x: f64| x * x * x * (10.0 + x * (6.0 * x - 15.0));
         let lean = |x: f64| x * (1.0 + x * x * (x * (8.0 - 3.0 * x) - 6.0));
         self.y[i - 1] * step(a) + self.y[i] * step(b) + h * (self.slope[i - 1] * lean(b) - self.slope[i] * lean(a))

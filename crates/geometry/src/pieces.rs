@@ -1,4 +1,4 @@
-//! Closed curves in pieces: where they cross borders, found once and for all.
+//! Closed curves cut into pieces at their crossings of borders, computed once.
 
 use crate::tube_intersection::{SAMPLES, minimum};
 use std::f64::consts::TAU;
@@ -7,10 +7,9 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Pieces(Vec<(f64, usize)>);
 
-/// Nearer to a border than this, mm, a curve does not go beyond it.
+/// A curve within this distance of a border, mm, does not cross it.
 pub(crate) const AT_BORDER_MM: f64 = 1e-9;
-/// Pieces shorter than this, rad, within another zone are left out: beyond the border by less than a part in 1e11 of
-/// their radius.
+/// Shorter pieces, rad, within another zone are dropped: they pass the border by less than 1e-11 of their radius.
 const SHORTEST: f64 = 1e-5;
 
 impl Pieces {
@@ -19,8 +18,8 @@ impl Pieces {
         Self(vec![(0.0, zone)])
     }
 
-    /// The pieces between places where the curve crosses one of so many `borders`; `beyond` tells how far it is beyond
-    /// each of them at an angle, `zone` its zone.
+    /// The pieces between crossings of the `borders`; `beyond` returns the distance beyond each border at an angle,
+    /// `zone` the zone there.
     pub(crate) fn new(borders: usize, beyond: &dyn Fn(f64) -> Vec<f64>, zone: &dyn Fn(f64) -> usize) -> Self {
         let step = TAU / SAMPLES as f64;
         let samples: Vec<(f64, Vec<f64>)> =
@@ -53,7 +52,7 @@ impl Pieces {
         if kept.is_empty() { Self::whole(zone(0.0)) } else { Self(kept) }
     }
 
-    /// Where the zone changes, rad in [0, 2 pi), increasing.
+    /// Angles of zone changes, rad in [0, 2 pi), increasing.
     pub(crate) fn breaks(&self) -> Vec<f64> {
         if self.0.len() > 1 { self.0.iter().map(|piece| piece.0).collect() } else { Vec::new() }
     }
@@ -62,7 +61,7 @@ impl Pieces {
     pub(crate) fn zone(&self, phi: f64) -> usize {
         let phi = phi.rem_euclid(TAU);
         let after = self.0.partition_point(|piece| piece.0 <= phi);
-        // Before the first piece begins, the last goes on.
+        // Before the start of the first piece, the last one continues.
         let piece = if after == 0 { self.0.len() - 1 } else { after - 1 };
         self.0[piece].1
     }
@@ -74,7 +73,7 @@ impl Pieces {
     }
 }
 
-/// Places between samples `step` apart at which a function turns back towards 0 and may cross it, with its values.
+/// Local extrema nearest to 0 between samples `step` apart, where a function may cross 0, with its values.
 fn turns(places: &[(f64, f64)], step: f64, f: &dyn Fn(f64) -> f64) -> Vec<(f64, f64)> {
     let count = places.len() - 1;
     let turn = |i: usize| {
@@ -88,13 +87,13 @@ fn turns(places: &[(f64, f64)], step: f64, f: &dyn Fn(f64) -> f64) -> Vec<(f64, 
     (0..count).filter_map(turn).collect()
 }
 
-/// Where between two places a function crosses 0, to full precision.
+/// Zero crossing of a function between two samples, to full precision.
 fn crossing(from: (f64, f64), to: (f64, f64), f: &dyn Fn(f64) -> f64) -> Option<f64> {
     if (from.1 > AT_BORDER_MM) == (to.1 > AT_BORDER_MM) {
         return None;
     }
     let (mut below, mut above) = if to.1 > AT_BORDER_MM { (from, to.0) } else { (to, from.0) };
-    // Where the curve lies along the border for a while, 0 is no place.
+    // A curve that runs along the border has no single zero: use the threshold instead.
     let level = if below.1 <= 0.0 { 0.0 } else { AT_BORDER_MM };
     for _ in 0..60 {
         let middle = 0.5 * (below.0 + above);

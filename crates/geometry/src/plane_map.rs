@@ -1,43 +1,42 @@
 use glam::{DMat2, DVec2};
 use thiserror::Error;
 
-/// Greatest and least mm per pixel.
+/// Minimum and maximum mm per pixel.
 const SCALES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
-/// Greatest shear.
-const MOST_SHEAR: f64 = 0.9;
-/// Greatest part by which a radius may change at the rim: beyond it the picture folds or is not one of a work plane.
-const MOST_BARREL: f64 = 0.25;
-/// The share of the fold's radius that a frame may reach: there the slope is still above a third.
+/// Maximum shear.
+const MAX_SHEAR: f64 = 0.9;
+/// Maximum relative change of a radius at the rim: beyond it the image folds or does not show a work plane.
+const MAX_BARREL: f64 = 0.25;
+/// Maximum radius of a frame as a share of the fold's radius: the slope there is still above a third.
 const BEFORE_FOLD: f64 = 0.95;
 
-/// What a map is made of, as people say it.
+/// Parameters of a map, as a user states them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MapParameters {
     /// Size of the frame, pixels.
     pub size_px: (usize, usize),
-    /// The pixel where the optical axis meets the plane, and about which the picture is barrelled.
+    /// The pixel where the optical axis meets the plane; centre of the distortion.
     pub centre_px: DVec2,
     /// mm a pixel along the picture's x and y.
     pub mm_per_px: DVec2,
     /// Turn of the picture's x on the plane, from the camera's x to its y, rad.
     pub rotation: f64,
-    /// By how many mm a step of 1 mm down the picture also goes along its x.
+    /// Shift along the picture's x per mm down the picture, mm.
     pub shear: f64,
-    /// The part by which half a width away from the centre a pixel lies further out than without distortion: negative in a
-    /// barrel, positive in a cushion.
+    /// Relative radial distortion at half a width from the centre: negative for a barrel, positive for a pincushion.
     pub barrel: f64,
 }
 
-/// Why parameters make no map.
+/// Error for invalid map parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum MapError {
-    /// A scale is no number of mm a pixel.
+    /// A scale outside the allowed range of mm per pixel.
     #[error("{0} mm a pixel: allowed are {start} to {end}", start = SCALES.start(), end = SCALES.end())]
     Scale(f64),
-    /// The picture's rows and columns lie too near to each other.
-    #[error("a shear of {0}: allowed is -{MOST_SHEAR} to {MOST_SHEAR}")]
+    /// A shear beyond the limit: the picture's rows and columns are nearly parallel.
+    #[error("a shear of {0}: allowed is -{MAX_SHEAR} to {MAX_SHEAR}")]
     Shear(f64),
-    /// The rotation is no number.
+    /// A rotation that is not finite or exceeds half a turn.
     #[error("a rotation of {0} rad: a finite number within half a turn")]
     Rotation(f64),
     /// The centre is far outside of the frame.
@@ -48,17 +47,17 @@ pub enum MapError {
         /// Pixels down.
         y: f64,
     },
-    /// Distortion beyond what has an inverse all over the frame.
-    #[error("a barrel of {0}: allowed is what keeps the frame's corners in order, and at most {MOST_BARREL}")]
+    /// Distortion without an inverse over the whole frame.
+    #[error("a barrel of {0}: allowed is what keeps the frame's corners in order, and at most {MAX_BARREL}")]
     Barrel(f64),
 }
 
 /// Pixels to mm on one plane square to the optical axis, and back.
 ///
-/// A place m (mm) is first brought to the undistorted pixel offset n = M m, then n (1 + b |n|^2 / R^2) away from the
-/// centre, R half the frame's width. The way back solves that cubic by Newton's method, which comes to the root from one
-/// side; both ways together are good to 1e-9 px. Where the distortion folds (a barrel far outside of the frame) there is
-/// nothing.
+/// A position m (mm) maps to the undistorted pixel offset n = M m. The pixel is n (1 + b |n|^2 / R^2) from the centre,
+/// with R half the frame's width. The inverse solves that cubic by Newton's method, which approaches the root from one
+/// side; both ways together are good to 1e-9 px. Beyond the fold of the distortion (a barrel far outside of the frame)
+/// both maps return `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaneMap {
     parameters: MapParameters,
@@ -79,7 +78,7 @@ impl PlaneMap {
         if !(..=std::f64::consts::PI).contains(&rotation.abs()) {
             return Err(MapError::Rotation(rotation));
         }
-        if !(..=MOST_SHEAR).contains(&shear.abs()) {
+        if !(..=MAX_SHEAR).contains(&shear.abs()) {
             return Err(MapError::Shear(shear));
         }
         let size = DVec2::new(size_px.0 as f64, size_px.1 as f64);
@@ -93,13 +92,13 @@ impl PlaneMap {
         let map = Self { parameters, to_mm, to_px: to_mm.inverse() };
         let corners = [DVec2::ZERO, size, DVec2::new(size.x, 0.0), DVec2::new(0.0, size.y)];
         let folds = |corner: &DVec2| (*corner - centre_px).length() / map.radius() > BEFORE_FOLD * map.greatest();
-        if !(..=MOST_BARREL).contains(&barrel.abs()) || corners.iter().any(folds) {
+        if !(..=MAX_BARREL).contains(&barrel.abs()) || corners.iter().any(folds) {
             return Err(MapError::Barrel(barrel));
         }
         Ok(map)
     }
 
-    /// What it is made of.
+    /// The parameters of the map.
     pub fn parameters(&self) -> &MapParameters {
         &self.parameters
     }
@@ -109,20 +108,20 @@ impl PlaneMap {
         0.5 * self.parameters.size_px.0 as f64
     }
 
-    /// The greatest distorted radius there is, over [`PlaneMap::radius`].
+    /// Maximum distorted radius, in units of [`PlaneMap::radius`].
     fn greatest(&self) -> f64 {
         let b = self.parameters.barrel;
         if b < 0.0 { 2.0 / 3.0 / (-3.0 * b).sqrt() } else { f64::INFINITY }
     }
 
-    /// The pixel of a place on the plane (mm in the camera's x and y); none beyond the fold.
+    /// The pixel of a position on the plane (mm in the camera's x and y); none beyond the fold.
     pub fn to_px(&self, mm: DVec2) -> Option<DVec2> {
         let n = self.to_px * mm;
         let bend = self.parameters.barrel * n.length_squared() / self.radius().powi(2);
         (1.0 + 3.0 * bend > 0.0).then(|| self.parameters.centre_px + (1.0 + bend) * n)
     }
 
-    /// The place on the plane of a pixel, mm; none beyond the fold.
+    /// The position of a pixel on the plane, mm; none beyond the fold.
     pub fn to_mm(&self, px: DVec2) -> Option<DVec2> {
         let n = px - self.parameters.centre_px;
         let (b, rho) = (self.parameters.barrel, n.length() / self.radius());
@@ -148,7 +147,7 @@ impl PlaneMap {
         Some((x - here).perp_dot(y - here).abs().sqrt())
     }
 
-    /// The map between this one and `other`, of which it has the part `part`.
+    /// Linear interpolation from this map to `other` by the fraction `part`.
     pub(crate) fn mixed(&self, other: &Self, part: f64) -> Result<Self, MapError> {
         let (a, b) = (&self.parameters, &other.parameters);
         let mix = |from: f64, to: f64| from + part * (to - from);
@@ -189,7 +188,7 @@ mod tests {
 
         #[test]
         fn there_and_back(p in parameters(), at in (0.0f64..1.0, 0.0f64..1.0)) {
-            // A frame much higher than wide reaches far beyond the radius that the distortion is told at.
+            // A frame much higher than wide reaches far beyond the radius at which the distortion is given.
             let Ok(map) = PlaneMap::new(p) else {
                 prop_assert!(p.barrel < 0.0 && p.size_px.1 > p.size_px.0);
                 return Ok(());

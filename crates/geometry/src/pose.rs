@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-/// A point and a direction: where something is and where it points, without its turn about that direction.
+/// A point and a direction; the rotation about that direction is not included.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose {
     /// Position, mm.

@@ -30,7 +30,7 @@ pub struct Quadric {
     pub(crate) nappe: Option<DVec3>,
 }
 
-/// Lines of one direction through a quadric: half the second derivative along them, and how the gradient changes.
+/// Lines of one direction through a quadric: half the second derivative along them, and the change of the gradient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LineAlong {
     /// Half the change of the gradient per mm along the line.
@@ -136,7 +136,7 @@ impl Quadric {
         if self.centre.is_finite() { Ok(self) } else { Err(Error::Direction { what: "the body's position" }) }
     }
 
-    /// What lines along `d` have in common.
+    /// Terms common to all lines along `d`.
     pub(crate) fn line_along(&self, d: DVec3) -> LineAlong {
         let ad = self.a * d;
         LineAlong { ad, k2: d.dot(ad), bd: self.b.dot(d) }
@@ -149,7 +149,7 @@ impl Quadric {
         (q.dot(line.ad) + line.bd, q.dot(half + self.b) + self.c, half)
     }
 
-    /// For a cone: how far (mm) `p` lies beyond the apex on its own nappe; for other bodies infinity.
+    /// Distance (mm) of `p` beyond a cone's apex on its own nappe; infinity for other bodies.
     pub fn beyond_apex(&self, p: DVec3) -> f64 {
         self.nappe.map_or(f64::INFINITY, |e| (p - self.centre).dot(e))
     }

@@ -2,7 +2,7 @@ use crate::{Arc, Chain, Curve, Error, Jet, Line, Piece, error::positive, error::
 use glam::{DVec2, DVec3, Vec2Swizzles};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Straight sides and corner radii shorter than this part of the size are left out: they would be rounding.
+/// Straight sides and corner radii below this fraction of the size are rounding and left out.
 const NOTHING: f64 = 1e-9;
 
 /// A rectangle in space whose corners are rounded, or sharp: `u` is the length in mm from the middle of the side that
@@ -66,7 +66,7 @@ impl RoundedRectangle {
         let turns = (u / self.chain.domain().1).floor();
         let p = self.chain.point(u) - self.centre;
         let angle = p.dot(self.e2).atan2(p.dot(self.e1)).rem_euclid(TAU);
-        // Where a turn begins and ends rounding may give an angle on the other side.
+        // At the start and end of a turn, rounding may put the angle on the other side.
         let part = u / self.chain.domain().1 - turns;
         let beyond = if (part - angle / TAU).abs() > 0.5 { (part - angle / TAU).signum() } else { 0.0 };
         (turns + beyond) * TAU + angle
@@ -77,7 +77,7 @@ impl RoundedRectangle {
         let turns = (angle / TAU).floor();
         let (sin, cos) = angle.sin_cos();
         let ray = DVec2::new(cos, sin);
-        // Where the ray meets the sharp rectangle; in a corner, where it meets the arc.
+        // Intersection of the ray with the sharp rectangle; in a corner, with the arc.
         let out = self.half / ray.abs();
         let mut p = ray * out.min_element();
         let middle = self.half - self.corner;
@@ -95,8 +95,7 @@ impl RoundedRectangle {
         let quarter = FRAC_PI_2 * self.corner + straight.x + straight.y;
         let quadrant = (angle / FRAC_PI_2).floor().clamp(0.0, 3.0);
         // Within a quadrant: from the middle of one side to that of the next. One sum of the way along the first side,
-        // the turn of the arc and the way along the second, each at its end or start elsewhere: no side has to be
-        // chosen.
+        // the turn of the arc and the way along the second, each clamped to its ends: no case distinction is needed.
         let even = (quadrant as u8).is_multiple_of(2);
         let (p, straight) = if even { (p.abs(), straight) } else { (p.abs().yx(), straight.yx()) };
         let off = (p - straight).max(DVec2::ZERO);
@@ -124,7 +123,7 @@ impl Curve for RoundedRectangle {
     }
     fn breaks(&self) -> Vec<f64> {
         let mut breaks = self.chain.breaks();
-        // It begins in the middle of a side.
+        // The start is in the middle of a side.
         if self.half.y - self.corner > NOTHING * self.half.min_element() {
             breaks.remove(0);
         }

@@ -1,9 +1,9 @@
 use glam::DVec2;
 
-/// A simple polygon sliced by parallel lines: its area below a height, the height below which there is a given area,
-/// and its edges at a height.
+/// A simple polygon sliced by parallel lines: its area below a height, the height for a given area, and its edges at a
+/// height.
 ///
-/// Heights are along `up`, places across it along `up` turned clockwise by a right angle. Between the heights of two
+/// Heights are along `up`, lateral positions along `up` turned clockwise by a right angle. Between the heights of two
 /// corners all edges are straight, so area is exactly quadratic in height there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slices {
@@ -16,7 +16,7 @@ pub struct Slices {
 struct Slab {
     low: f64,
     high: f64,
-    /// Leftmost and rightmost place, and sum of widths, at `low` and `high`.
+    /// Leftmost and rightmost position, and sum of widths, at `low` and `high`.
     left: [f64; 2],
     right: [f64; 2],
     width: [f64; 2],
@@ -78,7 +78,7 @@ impl Slices {
         slab.below + h * (slab.width[0] + 0.5 * h * slab.slope())
     }
 
-    /// The height below which there is `area`; the lowest or highest if there is less or more.
+    /// The height with `area` below it, clamped to the lowest and highest.
     pub fn height_of(&self, area: f64) -> f64 {
         let slab = &self.slabs[self.slabs.partition_point(|s| s.below < area).saturating_sub(1)];
         let (a, w, slope) = ((area - slab.below).max(0.0), slab.width[0].max(0.0), slab.slope());
@@ -88,7 +88,7 @@ impl Slices {
         slab.low + h.min(slab.high - slab.low)
     }
 
-    /// Leftmost and rightmost place of the polygon at `height`, from the slice above it where it jumps.
+    /// Leftmost and rightmost position of the polygon at `height`; at a jump, of the slice above.
     pub fn edges(&self, height: f64) -> (f64, f64) {
         let slab = &self.slabs[self.slab(height)];
         let part = ((height - slab.low) / (slab.high - slab.low)).clamp(0.0, 1.0);
@@ -152,7 +152,7 @@ mod tests {
             let area = below(&points, up, h);
             prop_assert!((slices.area_below(h) - area).abs() < 1e-9, "{} {area}", slices.area_below(h));
             prop_assert!((slices.area_below(slices.height_of(area)) - area).abs() < 1e-9);
-            // Edges: no corner at that height is beyond them, and a little inside both the polygon goes on.
+            // The left edge is not right of the right one.
             let (left, right) = slices.edges(h);
             prop_assert!(left <= right + 1e-9);
         }

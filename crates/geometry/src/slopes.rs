@@ -2,18 +2,18 @@
 
 use std::ops::{Add, Mul, Sub};
 
-/// What a spline has for values: numbers or vectors.
+/// Value of a spline: a number or a vector.
 pub(crate) trait Value: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Value for T {}
 
-/// How a cubic spline ends.
+/// End condition of a cubic spline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum End<V> {
     /// Without a second derivative.
     Natural,
     /// With this first derivative.
     Slope(V),
-    /// With this first and second derivative: an extra knot in the middle of the interval makes room for both.
+    /// With this first and second derivative: an extra knot in the middle of the interval adds the degree of freedom.
     Jet(V, V),
 }
 
@@ -34,7 +34,7 @@ fn inner<V: Value>((h, rise): (f64, V), (m, a): (V, V)) -> (f64, V) {
     (3.0 / h, a * 0.5 - left * (6.0 / (h * h)) - (m + a * h) * (3.0 / h))
 }
 
-/// The same for a row: with an end that is a jet the interval at that side is none that a plain cubic fills.
+/// The same condition at a knot beside an end interval with a jet, which two cubics fill instead of one.
 fn row_beside_jet<V: Value>(jet: (f64, V), (m, a): (V, V), other: (f64, V), last: bool) -> Row<V> {
     let (h1, rise1) = other;
     // Half the second derivative on the other side: (3 rise / h^2 - (2 m1 + m2) / h), seen away from the knot.

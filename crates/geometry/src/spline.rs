@@ -14,12 +14,12 @@ pub struct Spline {
     closed: bool,
 }
 
-/// How a spline begins and ends.
+/// End conditions of a spline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Ends {
     /// Open, with these ends.
     Open(End<DVec3>, End<DVec3>),
-    /// Its end joins its start as smoothly as everywhere.
+    /// Closed, as smooth at the joint as elsewhere.
     Closed,
 }
 
@@ -27,8 +27,8 @@ pub enum Ends {
 /// around at the end.
 ///
 /// # Errors
-/// [`Error::Knots`] at a point that is where the one before is, or not finite; [`Error::TooFewPoints`] for fewer than
-/// two, or three of a closed curve.
+/// [`Error::Knots`] at a point equal to the one before, or not finite; [`Error::TooFewPoints`] for fewer than two, or
+/// three of a closed curve.
 pub fn chord_lengths(points: &[DVec3], closed: bool) -> Result<Vec<f64>, Error> {
     let least = if closed { 3 } else { 2 };
     if points.len() < least {
@@ -56,7 +56,7 @@ impl Spline {
         Self::new(chord_lengths(points, ends == Ends::Closed)?, points.to_vec(), ends)
     }
 
-    /// The spline through `points` at these parameters; a closed one has one parameter more, where it is back at the
+    /// The spline through `points` at these parameters; a closed one has one parameter more, for the return to the
     /// first point.
     ///
     /// # Errors
@@ -148,7 +148,7 @@ impl Spline {
         for _ in 0..8 {
             let jet = self.jet(best);
             let off = jet.point - point;
-            // Gauss-Newton where Newton would look for the farthest point.
+            // Gauss-Newton, where Newton's method would search the farthest point.
             let curved = jet.d1.length_squared() + off.dot(jet.d2);
             let step = off.dot(jet.d1) / curved.max(0.25 * jet.d1.length_squared());
             let next = clamp(best - step);
@@ -183,7 +183,7 @@ impl Curve for Spline {
     }
 
     fn breaks(&self) -> Vec<f64> {
-        // Where it closes is a knot like the others.
+        // The closing point is also a knot.
         self.knots[usize::from(!self.closed)..self.knots.len() - 1].to_vec()
     }
 }

@@ -4,20 +4,21 @@ use crate::slopes::End;
 use crate::{Curve, Edge, EdgePoint, Ends, Error, Jet, Spline, chord_lengths};
 use glam::DVec3;
 
-/// Places of an interval of a spline through whose tangents [`Along`] goes: more would turn a frame more sharply at the
-/// knots, fewer let it leave the tangent farther.
+/// Tangents of [`Along`] per interval of a spline: more would turn a frame more sharply at the knots, fewer would
+/// deviate more from the tangent.
 const PARTS: u32 = 4;
 
 /// The direction along a spline as a frame of faces needs it: twice continuously differentiable.
 ///
-/// The tangent of a cubic spline is that only once, since the third derivative jumps at the knots: a face square to it
-/// would turn with a jump in its acceleration. This is the cubic spline through the tangents at the knots and at three
-/// places between them, made unit: equal to the tangent there, and near it elsewhere.
+/// The tangent of a cubic spline is differentiable only once, since the third derivative jumps at the knots: a face
+/// square to it would turn with a jump in its acceleration. This is the cubic spline through the tangents at the knots
+/// and at three places between them, made unit: equal to the tangent there, and near it elsewhere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Along(Spline);
 
 impl Along {
-    /// Along `curve`, which turns at its ends as given (by the curve's parameter); not used if it is closed.
+    /// The direction along `curve` with the end conditions `ends` (by the curve's parameter), which a closed curve
+    /// ignores.
     ///
     /// # Errors
     /// [`Error::Turn`] if the curve turns by 90 degrees or more from one knot to the next.
@@ -63,7 +64,7 @@ pub enum SplineFaces {
     },
     /// Both faces have these normals (a butt joint).
     Flat(Normals),
-    /// Each face has its own.
+    /// Each face has its own normals.
     Both(Normals, Normals),
 }
 
@@ -77,7 +78,7 @@ pub enum Normals {
 }
 
 impl Normals {
-    /// The smooth way through `normals` (unit) at the parameters of `points` by chord length.
+    /// Smooth interpolation of `normals` (unit) at the parameters of `points` by chord length.
     ///
     /// # Errors
     /// As [`chord_lengths`]; [`Error::Turn`] if a normal turns by 90 degrees or more from one point to the next.
@@ -120,8 +121,8 @@ pub struct SplineEdge {
     faces: SplineFaces,
 }
 
-/// A normal nearer to the curve's direction than this, as a sine, is none (6 degrees).
-const LEAST_SINE: f64 = 0.1;
+/// Minimum sine of the angle between a normal and the curve (6 degrees).
+const MIN_SINE: f64 = 0.1;
 
 impl SplineEdge {
     /// The edge along `curve` with these faces.
@@ -144,8 +145,8 @@ impl SplineEdge {
             Normals::Through(spline) => spline.point(u).cross(edge.along.at(u)).length(),
         };
         let lies = |u: f64| match &edge.faces {
-            SplineFaces::Wall { plate: n, .. } | SplineFaces::Flat(n) => sine(u, n) < LEAST_SINE,
-            SplineFaces::Both(a, b) => sine(u, a).min(sine(u, b)) < LEAST_SINE,
+            SplineFaces::Wall { plate: n, .. } | SplineFaces::Flat(n) => sine(u, n) < MIN_SINE,
+            SplineFaces::Both(a, b) => sine(u, a).min(sine(u, b)) < MIN_SINE,
         };
         if places.chain([edge.curve.domain().1]).any(lies) {
             return Err(Error::Parallel { first: "a face's normal", second: "the curve" });

@@ -4,30 +4,30 @@ use crate::slopes::End;
 use crate::{Curve, Ends, Error, Spline, chord_lengths};
 use glam::DVec3;
 
-/// Weight of the second differences of the coefficients: enough to decide those that no point does, and no more.
+/// Weight of the second differences of the coefficients: just enough to determine coefficients without points.
 const STIFFNESS: f64 = 1e-9;
 
-/// Fewest intervals of a closed spline: its coefficients are then told apart.
-const LEAST_CLOSED: usize = 4;
+/// Minimum number of intervals of a closed spline, for which its coefficients are distinct.
+const MIN_CLOSED_INTERVALS: usize = 4;
 
 /// A cubic spline with every one of `points` within `tolerance` (mm) of it, by chord length, with the fewest knots
-/// found; it begins and ends at the first and the last point. Tolerance 0: the spline through the points.
+/// found; it starts at the first and ends at the last point. Tolerance 0: the spline through the points.
 ///
-/// Knots are places of points. They are added in the middle of intervals that hold a point too far away, each time with
-/// the spline of least squares, until none does; then each is left out again if that may be, the one with the smallest
-/// jump of the third derivative first, until none can be. So no single knot is superfluous; that no other set has fewer
-/// is not promised. Of an end that is a jet the first derivative counts.
+/// Knots are parameters of points. They are added in the middle of intervals with a point outside the tolerance of the
+/// least-squares spline, until all points are within it. Then knots are removed again while the tolerance holds, the
+/// one with the smallest jump of the third derivative first. So no single knot is superfluous; another set may still
+/// have fewer. For an end with a jet only the first derivative counts.
 ///
 /// # Errors
 /// As [`Spline::through`].
 pub fn fit_spline(points: &[DVec3], ends: Ends, tolerance: f64) -> Result<Spline, Error> {
     let fit = Fit { u: chord_lengths(points, ends == Ends::Closed)?, points, ends, tolerance };
-    // Not if not a number.
-    if tolerance > 0.0 && points.len() > LEAST_CLOSED { fit.with_few_knots() } else { fit.through_all() }
+    // False for NaN.
+    if tolerance > 0.0 && points.len() > MIN_CLOSED_INTERVALS { fit.with_few_knots() } else { fit.through_all() }
 }
 
 struct Fit<'a> {
-    /// Parameters of the points; of a closed spline also where it is back.
+    /// Parameters of the points; for a closed spline also that of the return to the first.
     u: Vec<f64>,
     points: &'a [DVec3],
     ends: Ends,
@@ -45,7 +45,7 @@ impl Fit<'_> {
 
     fn with_few_knots(&self) -> Result<Spline, Error> {
         let last = self.u.len() - 1;
-        let intervals = if self.closed() { LEAST_CLOSED } else { 1 };
+        let intervals = if self.closed() { MIN_CLOSED_INTERVALS } else { 1 };
         let mut knots: Vec<usize> = (0..=intervals).map(|i| i * last / intervals).collect();
         let mut best = loop {
             let spline = self.least_squares(&knots)?;
@@ -69,7 +69,7 @@ impl Fit<'_> {
         p.distance(spline.point(u)) > self.tolerance && p.distance(spline.point(spline.foot(p, u))) > self.tolerance
     }
 
-    /// A knot more in every interval that holds one of the points `far`; none if no such interval has room.
+    /// One knot more in every interval with one of the points `far`; none if no such interval has a point inside.
     fn refined(&self, knots: &[usize], far: &[usize]) -> Option<Vec<usize>> {
         let mut more = knots.to_vec();
         for pair in knots.windows(2).filter(|pair| far.iter().any(|i| (pair[0]..=pair[1]).contains(i))) {
@@ -81,9 +81,9 @@ impl Fit<'_> {
         (more.len() > knots.len()).then_some(more)
     }
 
-    /// The first knot that can be left out, those with small jumps tried first.
+    /// The knots without the first one that can be removed, smallest jump tried first.
     fn without_one(&self, knots: &[usize], spline: &Spline) -> Result<Option<(Vec<usize>, Spline)>, Error> {
-        if self.closed() && knots.len() <= LEAST_CLOSED + 1 {
+        if self.closed() && knots.len() <= MIN_CLOSED_INTERVALS + 1 {
             return Ok(None);
         }
         let jump = |i: usize| {
@@ -130,7 +130,7 @@ impl Fit<'_> {
             let (at, [value, _]) = basis.at(*u);
             sum((&at, &value))
         });
-        // The only spline with these knots and values, and slopes at the ends.
+        // These knots, values and end slopes define the spline uniquely.
         let ends = if self.closed() { Ends::Closed } else { Ends::Open(ends[0], ends[1]) };
         Spline::new(basis.knots.clone(), values.collect(), ends)
     }
@@ -155,7 +155,7 @@ impl Fit<'_> {
 struct Basis {
     knots: Vec<f64>,
     closed: bool,
-    /// How many there are.
+    /// Number of splines.
     count: usize,
 }
 
@@ -210,13 +210,13 @@ struct Normal {
 
 impl Normal {
     fn new(count: usize, closed: bool) -> Self {
-        // In a closed spline the last ones meet the first again.
+        // In a closed spline the last splines overlap the first.
         let width = |i: usize| if closed && i + 3 >= count { i + 1 } else { i.min(3) + 1 };
         let rows = (0..count).map(|i| vec![0.0; width(i)]).collect();
         Self { rows, right: vec![DVec3::ZERO; count], fixed: vec![None; count] }
     }
 
-    /// The wish that the sum of the coefficients `at` with `factors` is `value`.
+    /// Adds the equation: the sum of the coefficients `at` times `factors` is `value`.
     fn add(&mut self, at: &[usize], factors: &[f64], value: DVec3, weight: f64) {
         let known: DVec3 = at.iter().zip(factors).filter_map(|(i, f)| Some(*f * self.fixed[*i]?)).sum();
         let free = || at.iter().zip(factors).filter(|(i, _)| self.fixed[**i].is_none());

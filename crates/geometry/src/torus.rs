@@ -14,10 +14,10 @@ pub struct Torus {
     tube: f64,
 }
 
-/// Most Newton steps: even on a line that only touches the torus each step halves what is left.
-const MOST_STEPS: usize = 100;
+/// Maximum number of Newton steps: each step at least halves the error, even on a tangent line.
+const MAX_NEWTON_STEPS: usize = 100;
 
-/// A place seen from the ring: all its parts are unit vectors or mm.
+/// A position relative to the ring, in unit vectors and mm.
 struct Seen {
     /// Distance from the axis.
     rho: f64,
@@ -61,12 +61,13 @@ impl Torus {
         self.tube
     }
 
-    /// Height over `foot`, along the unit vector `d`, of the last place of a line on the torus; NaN where it misses it.
+    /// Height over `foot`, along the unit vector `d`, of the last point of a line on the torus; NaN if the line misses
+    /// it.
     ///
-    /// Along the line the torus is a quartic without a cubic term, `t^4 + c2 t^2 + c1 t + c0`, `t` counted from the
-    /// place nearest to the centre. It is convex beyond both its points of inflection and concave between them, so that
-    /// Newton's method or halving finds the last zero and no other. The torus' own distance then gives back the digits
-    /// that the fourth powers cost.
+    /// Along the line the torus is a quartic `t^4 + c2 t^2 + c1 t + c0`, with `t` from the point nearest to the centre.
+    /// It is convex beyond both its points of inflection and concave between them, so that Newton's method or halving
+    /// finds the last zero and no other. The torus' own distance then gives back the digits that the fourth powers
+    /// cost.
     pub(crate) fn leaves(&self, foot: DVec3, d: DVec3) -> f64 {
         let size = self.ring + self.tube;
         let q = foot - self.centre;
@@ -85,7 +86,7 @@ impl Torus {
         for _ in 0..3 {
             let s = self.seen(foot + h * d);
             let step = (s.distance - self.tube) / (s.sin * s.out + s.cos * self.axis).dot(d);
-            // Where the line only touches the torus there is nothing to gain.
+            // Skip the correction on a tangent line: it would not improve the height.
             if step.abs() < 1e-3 * self.tube {
                 h -= step;
             }
@@ -105,7 +106,7 @@ impl Torus {
         let (across, sideways) = (q - up * self.axis, d - along * self.axis);
         // From the ball around the torus inwards; not a number if the line misses that.
         let mut h = (b * b - q.length_squared() + reach * reach).sqrt() - b;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let (v, z) = (across + h * sideways, up + h * along);
             let rho = v.length();
             let beyond = (rho - self.ring).max(0.0);
@@ -134,7 +135,7 @@ impl Quartic {
         ((t * t + self.c2) * t + self.c1) * t + self.c0
     }
 
-    /// Its greatest zero, or NaN if it has none.
+    /// Its largest zero, or NaN without a real zero.
     fn last_zero(&self) -> f64 {
         let bend = (-self.c2 / 6.0).max(0.0).sqrt();
         let outer = self.descend(1.01, if bend > 0.0 { bend } else { f64::NEG_INFINITY });
@@ -157,7 +158,7 @@ impl Quartic {
     /// Newton's method does not pass it.
     fn descend(&self, from: f64, to: f64) -> f64 {
         let mut t = from;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let (value, slope) = (self.value(t), (4.0 * t * t + 2.0 * self.c2) * t + self.c1);
             if value <= 0.0 {
                 return t;

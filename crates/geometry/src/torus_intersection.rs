@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 /// The curve where a tube's wall leaves a [`Torus`], such as a pipe bend, parametrised by the angle about the tube's
 /// axis (rad).
 ///
-/// At each angle it is the outermost place of the wall's line on the torus, along the tube's direction: the last real
+/// At each angle it is the outermost point of the wall's line on the torus, along the tube's direction: the last real
 /// root of a quartic. Derivatives follow from differentiating `F(p(phi)) = 0`, so they are exact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TorusIntersection {
@@ -28,7 +28,7 @@ impl TorusIntersection {
         Ok(curve)
     }
 
-    /// The same on the outer half, where only a part of the curve is of use.
+    /// The unchecked curve on the outer half, of which only a part is used.
     pub(crate) fn on_outer_half(tube: Tube, torus: Torus) -> Self {
         Self { tube, torus, outer_half: true }
     }
@@ -51,7 +51,7 @@ impl TorusIntersection {
         };
         let axis_meets = !self.torus.leaves(self.tube.origin, e3).is_nan();
         check_margin(&steepness, axis_meets)?;
-        // Where another part of the torus comes into the way, the height jumps by more than it climbs.
+        // If another part of the torus obstructs the line, the height jumps by more than the slope explains.
         let step = TAU / SAMPLES as f64;
         let seen = |i: usize| {
             let e = self.edge(i as f64 * step);

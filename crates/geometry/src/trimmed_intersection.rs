@@ -2,12 +2,12 @@ use crate::pieces::{AT_BORDER_MM, Pieces};
 use crate::{Curve, Edge, EdgePoint, Error, Jet, Quadric, Surface, Tube, TubeIntersection};
 use glam::DVec3;
 
-/// The curve where a tube's wall leaves two quadric bodies that overlap, parametrised by the angle about the tube's axis
+/// The curve where a tube's wall leaves two overlapping quadric bodies, parametrised by the angle about the tube's axis
 /// (rad): the end of a tube that stands on one body and is trimmed by the other.
 ///
-/// At each angle it is on the body that the wall's line leaves last, there exactly the curve of [`TubeIntersection`].
-/// Where it goes over from one to the other, at the [`breaks`](Curve::breaks), the three surfaces meet and the curve has
-/// a corner: its tangent and the second face's normal jump, its point does not.
+/// At each angle it lies on the body that the wall's line leaves last, and there equals the [`TubeIntersection`]. At
+/// the [`breaks`](Curve::breaks) between the two bodies the three surfaces meet and the curve has a corner: its tangent
+/// and the second face's normal jump, its point is continuous.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrimmedIntersection {
     /// On the body, and on the other one.
@@ -15,7 +15,7 @@ pub struct TrimmedIntersection {
     pieces: Pieces,
 }
 
-/// The heights of both parts at a corner differ by no more than this part of the tube's radius.
+/// Maximum height difference of both parts at a corner, as a fraction of the tube's radius.
 const SAME: f64 = 1e-6;
 
 impl TrimmedIntersection {
@@ -28,8 +28,8 @@ impl TrimmedIntersection {
         let first = TubeIntersection::new(tube.clone(), body)?;
         let on = [first, TubeIntersection::unchecked(tube, other)];
         let heights = |phi: f64| [on[0].height(phi), on[1].height(phi)];
-        // Corners are where the curve on the body goes through the other's surface; where lines begin to miss the other
-        // the curve must not lie on it.
+        // Corners are crossings of the curve on the body with the other's surface. At the first line that misses the
+        // other body, the curve must not lie on it.
         let [body_curve, other_curve] = &on;
         let within = |phi: f64| other_curve.body().value(body_curve.point(phi));
         let beyond = |phi: f64| vec![within(phi), other_curve.discriminant(phi)];

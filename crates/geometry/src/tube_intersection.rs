@@ -32,7 +32,7 @@ impl TubeIntersection {
         Ok(curve)
     }
 
-    /// The same where only a part of the curve is of use.
+    /// The unchecked curve, of which only a part is used.
     pub(crate) fn unchecked(tube: Tube, body: Quadric) -> Self {
         let line = body.line_along(tube.e3);
         Self { tube, body, line }
@@ -73,7 +73,7 @@ impl TubeIntersection {
         self.outermost(self.tube.wall(phi).0).height
     }
 
-    /// How far the wall's point lies on the body's own side of a cone's apex, mm (infinite for other bodies).
+    /// Distance of the wall's point beyond a cone's apex on its own nappe, mm (infinite for other bodies).
     fn nappe_margin(&self, phi: f64) -> f64 {
         let foot = self.tube.wall(phi).0;
         self.body.beyond_apex(foot + self.outermost(foot).height * self.tube.e3)
@@ -116,7 +116,7 @@ pub(crate) fn check_margin(margin: &dyn Fn(f64) -> f64, axis_meets: bool) -> Res
             Error::NotClosed { from, to }
         });
     }
-    // No sample is bad; look between samples at each local minimum.
+    // No sample is bad: check each local minimum between samples.
     let values: Vec<f64> = samples().map(margin).collect();
     for i in 0..SAMPLES {
         let (l, m, r) = (values[(i + SAMPLES - 1) % SAMPLES], values[i], values[(i + 1) % SAMPLES]);
@@ -164,7 +164,7 @@ struct Outermost {
     half_along: f64,
 }
 
-/// Everything of first order at one angle.
+/// Point and first-order terms at one angle.
 struct Tangency {
     point: DVec3,
     d1: DVec3,

@@ -28,7 +28,7 @@ fn inverse(c: &mut Criterion) {
     }
 }
 
-/// An arm of seven rotary axes, each across the one before it; the pose is asked for from 0.01 rad away, as along a
+/// An arm of seven rotary axes, each perpendicular to the one before it; the inverse starts 0.01 rad away, as along a
 /// path.
 fn numeric(c: &mut Criterion) {
     let mut text = String::from("schema = 1\nname = \"arm\"\ntitle = \"7R arm\"\n");

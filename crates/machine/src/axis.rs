@@ -23,11 +23,11 @@ pub struct Axis {
     pub range: Option<(f64, f64)>,
     /// Position after homing.
     pub home: f64,
-    /// Highest speed.
+    /// Maximum speed.
     pub max_speed: f64,
-    /// Highest acceleration.
+    /// Maximum acceleration.
     pub max_acceleration: f64,
-    /// Highest jerk, infinite if not given: motion is planned with [`Axis::jerk`].
+    /// Maximum jerk, infinite if not given: motion is planned with [`Axis::jerk`].
     pub max_jerk: f64,
     /// Measured pitch error, if the file has one.
     pub pitch_error: Option<PitchError>,
@@ -40,7 +40,7 @@ pub struct Axis {
 /// A drive with its load and position loop, in the units of the file (N, kg, N m, kg m^2, counts per mm or rad).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
-    /// What it moves.
+    /// The moved load.
     pub load: Load,
     /// Encoder counts per mm or rad.
     pub encoder_counts_per_unit: f64,
@@ -50,17 +50,17 @@ pub struct Drive {
     pub current_time_constant_s: f64,
     /// Dead time of the current loop, s.
     pub current_delay_s: f64,
-    /// Force or torque that it is limited to; none: its peak.
+    /// Limit of force or torque; none: its peak.
     pub force_limit: Option<f64>,
-    /// What is between motor and load; none: they are one.
+    /// Transmission between motor and load; none: a rigid connection.
     pub transmission: Option<Transmission>,
-    /// Gains of the position loop; none: to follow from the velocity loop.
+    /// Gains of the position loop; none: derived from the velocity loop.
     pub gains: Option<Gains>,
-    /// Notch filters of the position loop, two at most.
+    /// Notch filters of the position loop, at most two.
     pub notches: Vec<Notch>,
-    /// Friction fed forward.
+    /// Friction feed-forward.
     pub friction_compensation: Option<FrictionCompensation>,
-    /// Lost motion made up for.
+    /// Backlash compensation.
     pub backlash_compensation: Option<BacklashCompensation>,
 }
 
@@ -70,7 +70,7 @@ impl Drive {
 }
 
 impl FrictionCompensation {
-    /// [`FrictionCompensation::smoothing`] as a part of the axis' highest speed, if none is given.
+    /// [`FrictionCompensation::smoothing`] as a fraction of the axis' maximum speed, if none is given.
     pub const SMOOTHING: f64 = 0.002;
 }
 
@@ -82,17 +82,17 @@ impl BacklashCompensation {
 /// An elastic transmission with a gap; mm or rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transmission {
-    /// Frequency at which motor and load swing against each other, Hz.
+    /// Frequency at which motor and load oscillate against each other, Hz.
     pub resonance_hz: f64,
-    /// Damping of that swing, a part of the critical one.
+    /// Damping of that oscillation, as a fraction of the critical damping.
     pub damping: f64,
     /// Inertia of the load over that of the motor.
     pub load_ratio: f64,
     /// Whole width of the gap.
     pub backlash: f64,
-    /// Part of the friction that is at the motor.
+    /// Fraction of the friction at the motor.
     pub motor_friction: f64,
-    /// Which side the encoder measures.
+    /// Side measured by the encoder.
     pub encoder_on: EncoderSide,
 }
 
@@ -107,21 +107,21 @@ pub struct Notch {
     pub width_hz: f64,
 }
 
-/// Coulomb friction fed forward.
+/// Coulomb friction feed-forward.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionCompensation {
     /// Force or torque, N or N m.
     pub force: f64,
-    /// Set speed at which it has risen to 76 %; mm/s or rad/s.
+    /// Set speed at which the force reaches 76 %, mm/s or rad/s.
     pub smoothing: f64,
 }
 
-/// Lost motion made up for on reversal.
+/// Backlash compensation on reversal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BacklashCompensation {
     /// Whole lost motion, mm or rad.
     pub width: f64,
-    /// Time that a reversal is spread over, s.
+    /// Duration of the compensation of a reversal, s.
     pub time_s: f64,
 }
 
@@ -140,7 +140,7 @@ pub struct Gains {
     pub kaff: f64,
 }
 
-/// What a drive moves: mass and forces in kg, N and N s/m, or inertia and torques in kg m^2, N m and N m s/rad.
+/// Load of a drive: mass and forces in kg, N and N s/m, or inertia and torques in kg m^2, N m and N m s/rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load {
     /// Mass or inertia.
@@ -153,51 +153,51 @@ pub struct Load {
     pub viscous: f64,
 }
 
-/// An axis would have to leave its range.
+/// An axis position outside its range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RangeViolation {
     /// Index of the axis.
     pub axis: usize,
-    /// Position asked for, mm or rad.
+    /// Requested position, mm or rad.
     pub value: f64,
-    /// The end of the range that it passes.
+    /// The exceeded limit of the range.
     pub limit: f64,
 }
 
 impl RangeViolation {
-    /// By how much the limit is passed, mm or rad.
+    /// Excess over the limit, mm or rad.
     pub fn by(&self) -> f64 {
         (self.value - self.limit).abs()
     }
 }
 
 impl Axis {
-    /// The jerk that motion is planned with: the highest one, or, where the file gives none, the one that builds up the
-    /// full acceleration in 20 ms. No drive's torque jumps, so no set-points ask for that.
+    /// The jerk for motion planning: the maximum jerk or, if the file has none, the jerk that reaches the full
+    /// acceleration in 20 ms. A drive's torque cannot jump, so set-points never require it.
     pub fn jerk(&self) -> f64 {
         const WITHOUT_LIMIT_PER_S: f64 = 50.0;
         if self.max_jerk.is_finite() { self.max_jerk } else { WITHOUT_LIMIT_PER_S * self.max_acceleration }
     }
 
-    /// How far `value` is outside the range (0 inside), and the limit it passes.
+    /// The limit that `value` exceeds; none inside the range.
     pub fn outside(&self, value: f64) -> Option<f64> {
         let (low, high) = self.range?;
         if value >= low && value <= high {
             return None;
         }
-        // A value that is no number is outside too.
+        // NaN counts as outside too.
         Some(if value < low { low } else { high })
     }
 
-    /// Whole turns, as near as can be to `wanted`, that bring positions from `low` to `high` into the range; none if it
-    /// has no room for them. An axis without ends has room for all.
+    /// The number of whole turns nearest to `wanted` that brings positions from `low` to `high` into the range; none if
+    /// they do not fit. A continuous axis fits all.
     pub fn turns_within(&self, (low, high): (f64, f64), wanted: f64) -> Option<f64> {
         let Some((least, most)) = self.range else { return Some(wanted) };
         let (first, last) = (((least - low) / TAU).ceil(), ((most - high) / TAU).floor());
         (first <= last).then(|| wanted.clamp(first, last))
     }
 
-    /// The position equal to `value` up to whole turns that is nearest to `near`; linear axes have no turns.
+    /// The position nearest to `near` that differs from `value` by whole turns; linear axes return `value`.
     pub fn turn_near(&self, value: f64, near: f64) -> f64 {
         match self.kind {
             AxisKind::Linear => value,
@@ -207,7 +207,7 @@ impl Axis {
         }
     }
 
-    /// The indicated position `turns` whole turns on: an axis with a pitch error truly turns whole turns there.
+    /// The indicated position `turns` whole turns further: with a pitch error, whole turns of the true position.
     pub fn turned(&self, value: f64, turns: f64) -> f64 {
         match &self.pitch_error {
             Some(error) if turns != 0.0 => error.indicated_at(error.true_at(value).0 + TAU * turns),

@@ -1,4 +1,4 @@
-//! What the running cell needs to know of a machine beside its motion: conditions and the process source.
+//! Data of a machine for the running cell besides its motion: interlocks and the process source.
 
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
@@ -67,22 +67,22 @@ pub struct SourceFile {
     pub within_s: Option<Positive>,
 }
 
-/// How the process source is started and watched; s.
+/// Start and supervision of the process source; s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
-    /// Longest time from switching on until it burns.
+    /// Maximum time from switching on until it burns.
     pub strike_s: f64,
-    /// Tries.
+    /// Maximum number of strikes.
     pub tries: u8,
-    /// Time off between tries.
+    /// Time off between strikes.
     pub pause_s: f64,
-    /// How long it may be out.
+    /// Maximum interruption before it counts as lost.
     pub out_s: f64,
-    /// Longest time from switching off until it is out.
+    /// Maximum time from switching off until it is out.
     pub off_s: f64,
-    /// Greatest part by which a value may differ.
+    /// Maximum relative deviation of a process value.
     pub within: f64,
-    /// For how long.
+    /// Maximum duration of a larger deviation.
     pub within_s: f64,
 }
 

@@ -3,7 +3,7 @@ use arrayvec::ArrayVec;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use seamwright_geometry::Pose;
 
-/// Most axes a machine may have.
+/// Maximum number of axes of a machine.
 pub const MAX_AXES: usize = 12;
 
 /// Axis positions in machine-file order, mm or rad; entries beyond the machine's axes are 0.
@@ -14,7 +14,7 @@ pub type Joints = [f64; MAX_AXES];
 pub struct AxisSet(u16);
 
 impl AxisSet {
-    /// The set with `axis` in it too.
+    /// The set with `axis` added.
     pub fn with(self, axis: usize) -> Self {
         Self(self.0 | 1 << axis)
     }
@@ -24,7 +24,7 @@ impl AxisSet {
         self.0 >> axis & 1 == 1
     }
 
-    /// True if no axis is in the set.
+    /// True if the set is empty.
     pub fn is_empty(self) -> bool {
         self.0 == 0
     }
@@ -70,16 +70,16 @@ pub(crate) struct Screw {
 
 /// The chain from the clamped work to the torch: a product of exponentials (Brockett 1984).
 ///
-/// With all fixed displacements folded into where each axis lies at zero, the torch in the work frame is
-/// `e^(S1 q1) e^(S2 q2) ... pose_at_zero`, the first screw being the one next to the work. A work-side axis enters
-/// with its sense turned round, because it moves the work and not the torch.
+/// With all fixed displacements included in each axis' position at zero, the torch in the work frame is `e^(S1 q1)
+/// e^(S2 q2) ... pose_at_zero`, the first screw being the one next to the work. A work-side axis enters with its sense
+/// reversed, because it moves the work and not the torch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
     pub(crate) screws: ArrayVec<Screw, MAX_AXES>,
     pub(crate) zero: Pose,
 }
 
-/// A turn by an angle that is known by its sine and cosine: the inverse finds these first, and the angle last.
+/// A turn given by the sine and cosine of its angle: the inverse finds these first, and the angle last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Turn {
     sin: f64,
@@ -95,7 +95,7 @@ impl Turn {
         Self { sin, cos }
     }
 
-    /// The turn whose sine and cosine are as `sin` to `cos`; they must not both be 0.
+    /// The turn with sine and cosine proportional to `sin` and `cos`, which must not both be 0.
     pub(crate) fn along(sin: f64, cos: f64) -> Self {
         let scale = 1.0 / (sin * sin + cos * cos).sqrt();
         Self { sin: sin * scale, cos: cos * scale }
@@ -106,7 +106,7 @@ impl Turn {
         self.sin.atan2(self.cos)
     }
 
-    /// The turn the other way.
+    /// The inverse turn.
     pub(crate) fn back(self) -> Self {
         Self { sin: -self.sin, ..self }
     }
@@ -143,8 +143,8 @@ impl Chain {
         self.screws.iter().map(|s| s.axis).collect()
     }
 
-    /// The chain with the axes of `held` standing where they are in `q`: what they move lies elsewhere at zero, and
-    /// their screws are gone.
+    /// The chain with the axes of `held` fixed at their positions in `q`: their screws are removed, and their
+    /// displacements are included in the zero pose.
     pub(crate) fn holding(&self, held: AxisSet, q: &Joints) -> Self {
         let mut moved = DAffine3::IDENTITY;
         let mut screws = ArrayVec::new();

@@ -1,4 +1,4 @@
-//! The machine file as written, before its steps are put together.
+//! The machine file as written, before its steps are assembled.
 
 use crate::{BeamDeflection, DeviceFile, InterlockFile, SensorFile, SourceFile, TipLimits};
 use glam::DVec3;

@@ -3,12 +3,12 @@ use crate::inverse::Inverse;
 use crate::{Axis, AxisKind};
 use glam::DVec3;
 
-/// A torch, beam or laser head with the axes that carry it.
+/// A torch, beam or laser head with its axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Head {
     /// Name: `torch` on machines with one head.
     pub name: String,
-    /// Where its tip is in the last frame of its steps, mm.
+    /// Position of its tip in the last frame of its steps, mm.
     pub tip: DVec3,
     /// The chain from the clamped work to the head's tip.
     pub chain: Chain,
@@ -18,9 +18,8 @@ pub struct Head {
 }
 
 impl Head {
-    /// Axes of this head's chain that a point and a direction leave free: the machine has more axes than the pose
-    /// needs.
-    /// [`Machine::inverse`](crate::Machine::inverse) holds them where they are in `near`.
+    /// Redundant axes of this head's chain: more than a point and a direction need.
+    /// [`Machine::inverse`](crate::Machine::inverse) holds them at their positions of `near`.
     pub fn free(&self) -> AxisSet {
         self.inverse.held
     }
@@ -30,7 +29,7 @@ impl Head {
         self.inverse.is_numeric()
     }
 
-    /// How positions are found for a pose, in words; `axes` are the machine's.
+    /// Describes the inverse kinematics in words; `axes` are the machine's.
     pub fn structure(&self, axes: &[Axis]) -> String {
         let named = |set: AxisSet| set.iter().map(|axis| axes[axis].name.as_str()).collect::<Vec<_>>().join(", ");
         let decided = self.chain.axes().different(self.free());

@@ -1,18 +1,18 @@
-//! Proofs that a short motion keeps clear, cheap enough for every period of a control.
+//! Collision monitor: proofs of the clearance of a short motion, cheap enough for every period of a control.
 
 use crate::{AxisKind, Course, Joints, MAX_AXES, Surroundings};
 use arrayvec::ArrayVec;
 use glam::DAffine3;
 use seamwright_clearance::Memory;
 
-/// Distances beyond what is asked for are told apart up to this, mm: the farther a proof sees, the longer it holds.
+/// Cut-off of distances above the required one, mm: a proof from a larger distance holds longer.
 const SEEN_MM: f64 = 500.0;
 
-/// Proves of one short motion after another that every watch of [`Surroundings`] holds all along it.
+/// Proves for successive short motions that every watch of [`Surroundings`] holds along them.
 ///
-/// A distance that was found at some positions of the axes is good for a neighbourhood of them: no point moves farther
-/// than the axes' deviations times their levers. So most motions are proven without looking at any solid; where that is
-/// not enough, distances are found at the middle of the motion, and then along it.
+/// A distance at some axis positions bounds the distances in their neighbourhood: points move at most by the axes'
+/// deviations times their levers. So most motions are proven without a distance computation. Otherwise distances are
+/// computed at the middle of the motion, and then along it.
 #[derive(Debug)]
 pub struct Keeper<'a> {
     surroundings: &'a Surroundings<'a>,
@@ -20,32 +20,32 @@ pub struct Keeper<'a> {
     frames: Vec<DAffine3>,
 }
 
-/// What is known of one watch.
+/// State of one watch.
 #[derive(Debug)]
 struct Watched {
     least_mm: f64,
     groups: (usize, usize),
     memory: Memory,
-    /// Where it was last looked at, and the distance found there.
+    /// Axis positions of its last evaluation, and the distance there.
     at: Joints,
     distance: f64,
-    /// The axes between the groups as met from the first: how far a unit of each moves a point of the group at most (a
-    /// rotary one the more, the farther the axes before it have moved the group).
+    /// Levers of the axes between the groups, in order from the first: the maximum displacement of the group's points
+    /// per unit of each axis. That of a rotary axis grows with the displacement by the axes before it.
     levers: ArrayVec<Lever, MAX_AXES>,
 }
 
-/// What an axis does to the points of a group.
+/// Effect of an axis on the points of a group.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lever {
     pub(crate) axis: usize,
     pub(crate) kind: AxisKind,
-    /// Most that a unit of the axis moves a point, mm.
+    /// Maximum displacement of a point per unit of the axis, mm.
     pub(crate) arm: f64,
     /// Factor of pitch errors.
     pub(crate) pitch: f64,
 }
 
-/// The farthest that a point moves while each axis moves by up to `by`.
+/// Maximum displacement of a point while each axis moves by up to `by`, mm.
 pub(crate) fn travel(levers: &[Lever], by: impl Fn(usize) -> f64) -> f64 {
     levers.iter().fold(0.0, |moved, lever| {
         let by = by(lever.axis) * lever.pitch;
@@ -58,7 +58,8 @@ pub(crate) fn travel(levers: &[Lever], by: impl Fn(usize) -> f64) -> f64 {
 }
 
 impl<'a> Keeper<'a> {
-    /// A keeper that knows nothing yet; `at` are any positions of the axes. What it needs is allocated here.
+    /// A collision monitor without any known distance; `at` are any positions of the axes. Allocates all its memory
+    /// here.
     pub fn new(surroundings: &'a Surroundings<'a>, at: &Joints) -> Self {
         let scene = surroundings.scene();
         let mut frames = vec![DAffine3::IDENTITY; scene.groups().len()];
@@ -73,13 +74,14 @@ impl<'a> Keeper<'a> {
         Self { surroundings, watches, frames }
     }
 
-    /// Shows that every watch holds everywhere on `course`, whose positions are all within `low..=high`.
+    /// Proves that every watch holds everywhere on `course`, whose positions are all within `low..=high`.
     ///
-    /// Guarantee: `Ok` only if no distance (or room) is anywhere less than its watch asks for. At most `looks`
-    /// distances are computed for each watch after the first. No allocation, except on meshes.
+    /// Guarantee: `Ok` only if all distances (or margins) on the course meet the minimum of their watch. At most
+    /// `looks` distances are computed for each watch, after those at the middle and both ends. No allocation, except on
+    /// meshes.
     ///
     /// # Errors
-    /// The first watch that does not hold, or cannot be shown to with so many looks.
+    /// The index of the first watch that is violated, or unproven with this number of distances.
     pub fn prove(&mut self, course: &impl Course, low: &Joints, high: &Joints, looks: u32) -> Result<(), usize> {
         for watch in 0..self.watches.len() {
             if self.near_enough(watch, low, high) {
@@ -109,14 +111,14 @@ impl<'a> Keeper<'a> {
         })
     }
 
-    /// True if what was found last shows that the watch holds within `low..=high`.
+    /// True if the last distance proves the watch within `low..=high`.
     fn near_enough(&self, watch: usize, low: &Joints, high: &Joints) -> bool {
         let w = &self.watches[watch];
         let moved = travel(&w.levers, |i| (low[i] - w.at[i]).abs().max((high[i] - w.at[i]).abs()));
         w.distance - moved >= w.least_mm
     }
 
-    /// Finds the distance at `q`, to be good for the neighbourhood.
+    /// Computes the distance at `q` and the levers for its neighbourhood.
     fn look_from(&mut self, watch: usize, q: &Joints) {
         let distance = self.distance(watch, q);
         let w = &mut self.watches[watch];
@@ -136,8 +138,8 @@ impl<'a> Keeper<'a> {
         self.surroundings.scene().evaluate_near(watch, &self.frames, limit, &mut w.memory).distance
     }
 
-    /// True if the watch holds between two places with their distances: none between them is below half the sum less
-    /// half of what can be moved.
+    /// True if the watch is proven between two samples `(s, distance)`: all distances between them are at least half
+    /// their sum less half the possible displacement.
     fn between(&mut self, watch: usize, c: &impl Course, u: (f64, f64), v: (f64, f64), left: &mut u32) -> bool {
         let (least, (a, b)) = (self.watches[watch].least_mm, self.watches[watch].groups);
         if !(u.1 >= least && v.1 >= least) {

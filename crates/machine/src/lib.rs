@@ -1,8 +1,8 @@
 //! Machine files, kinematic chains, forward and inverse kinematics, limits.
 //!
-//! Floor 1: no time, no I/O. A [`Machine`] is read from a machine file and knows its axes and one chain of elementary
-//! motions from the clamped work to the torch. Planner, simulator and posts all use this chain; nothing in the code
-//! knows a particular machine. Inside, lengths are mm and angles rad; files are in degrees.
+//! Floor 1: no time, no I/O. A [`Machine`] is read from a machine file and holds its axes and one chain of elementary
+//! motions from the clamped work to the torch. Planner, simulator and posts all use this chain; the code is independent
+//! of any particular machine. Internal lengths are mm and angles rad; files are in degrees.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

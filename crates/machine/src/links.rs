@@ -2,43 +2,42 @@ use crate::AxisKind;
 use crate::chain::{AxisSet, Joints, MAX_AXES, Screw};
 use glam::{DAffine3, DQuat, DVec3};
 
-/// Most rigid bodies of a machine: the clamped work, and what each axis moves.
+/// Maximum number of rigid bodies of a machine: the clamped work, and one for each axis.
 pub const MAX_LINKS: usize = MAX_AXES + 1;
 
 /// Frames of the links at some axis positions, by link.
 pub type LinkFrames = [DAffine3; MAX_LINKS];
 
-/// A rigid body of the machine: the clamped work, the base, or what an axis moves.
+/// A rigid body of the machine: the clamped work, the base, or the body moved by an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Link {
-    /// The link that this one moves on, seen from the work; none for the work itself.
+    /// The next link towards the work and the joint with it; none for the work itself.
     pub(crate) parent: Option<(usize, Screw)>,
     /// Axes between this link and the work.
     pub(crate) axes: AxisSet,
 }
 
-/// A named place on a link: where shapes are given, and what clearance is reported for.
+/// A named frame on a link, in which shapes are given and clearance is reported.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedFrame {
     /// Name of an axis, `base`, `work`, or a head (`torch` on machines with one).
     pub name: String,
-    /// The link it is fixed to, as an index into [`LinkFrames`].
+    /// Its link, as an index into [`LinkFrames`].
     pub link: usize,
     /// The frame in the work frame with all axes at zero.
     pub zero: DAffine3,
 }
 
-/// How a link moves on another one.
+/// Joint of a link with another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LinkJoint {
-    /// The link that it moves on, next to it towards the work: before it in [`LinkFrames`].
+    /// The next link towards the work, on which it moves: before it in [`LinkFrames`].
     pub on: usize,
     /// The axis that moves it.
     pub axis: usize,
-    /// Unit vector in the work frame with all axes at zero, along which a linear axis moves it or about which a rotary one
-    /// turns it.
+    /// Unit vector in the work frame with all axes at zero: the direction of a linear axis, or the axis of rotation.
     pub direction: DVec3,
-    /// A point on a rotary axis, there, mm.
+    /// A point on a rotary axis, in the same frame, mm.
     pub at: DVec3,
 }
 
@@ -74,23 +73,23 @@ impl Links {
         self.base
     }
 
-    /// The axis that moves link `i` against the one next to it towards the work.
+    /// The axis that moves link `i` on the next one towards the work.
     pub fn axis(&self, i: usize) -> Option<usize> {
         self.links[i].parent.map(|(_, screw)| screw.axis)
     }
 
-    /// How link `i` moves on the next one towards the work; none of the work itself.
+    /// The joint of link `i` with the next one towards the work; none for the work itself.
     pub fn joint(&self, i: usize) -> Option<LinkJoint> {
         let joint = |(on, s): (usize, Screw)| LinkJoint { on, axis: s.axis, direction: s.direction, at: s.at };
         self.links[i].parent.map(joint)
     }
 
-    /// The link that link `i` moves on, seen from the work.
+    /// The next link towards the work from link `i`.
     pub(crate) fn parent(&self, i: usize) -> Option<usize> {
         self.links[i].parent.map(|(parent, _)| parent)
     }
 
-    /// The axes on the way from link `i` to the work.
+    /// The axes from link `i` to the work.
     pub(crate) fn up(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
         let mut link = i;
         std::iter::from_fn(move || {
@@ -105,8 +104,8 @@ impl Links {
         self.links[a].axes.different(self.links[b].axes).iter()
     }
 
-    /// How far each link has moved from where it is with all axes at zero, seen in the work frame, at the true
-    /// positions `q`: a point `p` of a link at zero is at `frames[link] * p`.
+    /// Displacement of each link from its pose with all axes at zero, in the work frame, at the true positions `q`: a
+    /// point `p` of a link at zero moves to `frames[link] * p`.
     pub fn motion(&self, q: &Joints) -> LinkFrames {
         let mut frames = [DAffine3::IDENTITY; MAX_LINKS];
         for (i, link) in self.links.iter().enumerate() {

@@ -12,9 +12,9 @@ use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::Pose;
 use std::f64::consts::TAU;
 
-/// Places of the axes to spare that are tried to reach a pose.
+/// Number of positions of the redundant axes tried to reach a pose.
 const FREE_PLACES: u32 = 500;
-/// Most starts of [`Machine::inverse_from`].
+/// Maximum number of starts of [`Machine::inverse_from`].
 const MAX_STARTS: usize = 16;
 
 /// A machine: its axes, links and heads.
@@ -26,31 +26,31 @@ pub struct Machine {
     pub title: String,
     /// Axes in machine-file order: tool side first, then work side, then the heads' own.
     pub axes: Vec<Axis>,
-    /// Axes that go to their home positions, one after another, once all references are found: by index.
+    /// Indices of the axes that move to their home positions, one after another, after all references are found.
     pub home_order: Vec<usize>,
     /// Period of position loops and set-points, s.
     pub servo_period_s: f64,
-    /// Outputs that drive the process.
+    /// Outputs of the process.
     pub io: Io,
-    /// Conditions that the running cell watches.
+    /// Interlocks of the running cell.
     pub interlocks: Vec<InterlockFile>,
-    /// How the process source is started and watched.
+    /// Start and supervision of the process source.
     pub source: Source,
-    /// Where process source, inputs and outputs are.
+    /// Devices of the process source, inputs and outputs.
     pub devices: MachineDevices,
-    /// What controls call axes and process.
+    /// Names of axes and process values on the controls.
     pub controls: ControlsFile,
     /// Heads, at least one: each with its chain from the work to its tip.
     pub heads: Vec<Head>,
     /// The rigid bodies.
     pub links: Links,
-    /// What is solid on the links, and zones.
+    /// Solids of the links, and zones.
     pub solids: LinkSolids,
-    /// Sensors that see the joint, by name.
+    /// Sensors of the joint, by name.
     pub sensors: Vec<Sensor>,
     /// Limits of the first head's torch tip against the work.
     pub tip: TipLimits,
-    /// Of a machine whose torch is a beam: how it is deflected.
+    /// Beam deflection of a machine whose torch is a beam.
     pub deflection: Option<BeamDeflection>,
     /// Unit vector against gravity in the machine's base frame.
     pub up: DVec3,
@@ -59,25 +59,25 @@ pub struct Machine {
     pub(crate) has_pitch_error: bool,
 }
 
-/// How a beam is deflected on the work, the same to all sides.
+/// Deflection of a beam on the work, equal in all directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamDeflection {
-    /// Greatest deflection, mm.
+    /// Maximum deflection, mm.
     pub range_mm: f64,
-    /// Highest speed, mm/s.
+    /// Maximum speed, mm/s.
     pub speed: f64,
-    /// From the order until it acts, s.
+    /// Latency from the command to the deflection, s.
     pub latency_s: f64,
-    /// From the work to the point about which the beam is deflected, mm.
+    /// Distance from the work to the point about which the beam is deflected, mm.
     pub pivot_mm: f64,
 }
 
-/// Where the torches go: one, or two at once.
+/// Target poses of one torch, or of two at once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
     /// Tip and direction of the first head's torch in the work frame.
     pub first: Pose,
-    /// The same of the second head's, if both weld.
+    /// Tip and direction of the second head's torch, if both weld.
     pub second: Option<Pose>,
 }
 
@@ -97,15 +97,15 @@ impl Machine {
     /// Reads a machine file that names no other files.
     ///
     /// # Errors
-    /// The first thing wrong, with its address.
+    /// The first error, with its address.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
         Self::read_with(file, text, &|_| Err(std::io::ErrorKind::NotFound.into()))
     }
 
-    /// Reads a machine file; `load` gets the bytes of the STL files that it names.
+    /// Reads a machine file; `load` reads the bytes of the STL files that it names.
     ///
     /// # Errors
-    /// The first thing wrong, with its address.
+    /// The first error, with its address.
     pub fn read_with(
         file: &str,
         text: &str,
@@ -114,15 +114,15 @@ impl Machine {
         assemble::machine(&Document::<MachineFile>::read(file, text)?, load)
     }
 
-    /// The same machine with head `head` as the first, the one that poses are for.
+    /// The same machine with head `head` as the first, to which poses refer.
     #[must_use]
     pub fn with_first_head(mut self, head: usize) -> Self {
         self.heads.swap(0, head);
         self
     }
 
-    /// The same machine with every axis' speed, acceleration and jerk less by the part `reserve`: to plan with where
-    /// corrections come on top.
+    /// The same machine with every axis' speed, acceleration and jerk reduced by the fraction `reserve`, which planning
+    /// leaves to corrections.
     #[must_use]
     pub fn with_reserve(&self, reserve: f64) -> Self {
         let mut machine = self.clone();
@@ -174,7 +174,7 @@ impl Machine {
         q
     }
 
-    /// Indicated positions at which the axes truly are at `positions`.
+    /// Replaces the true `positions` by the indicated ones.
     fn indicated(&self, positions: &mut Joints) {
         if self.has_pitch_error {
             for (value, axis) in positions.iter_mut().zip(&self.axes) {
@@ -188,7 +188,7 @@ impl Machine {
         self.forward_of(0, q)
     }
 
-    /// The same of head `head`.
+    /// Torch tip and direction of head `head`.
     pub fn forward_of(&self, head: usize, q: &Joints) -> Pose {
         self.heads[head].chain.forward(&self.true_positions(q))
     }
@@ -203,8 +203,9 @@ impl Machine {
         columns
     }
 
-    /// The farthest that the first head's tip moves against the work while each axis moves by up to `by` (mm or rad, of
-    /// either sign) from indicated positions `q`, mm: levers at `q`, and what the axes between add to them.
+    /// Maximum displacement (mm) of the first head's tip relative to the work. Each axis moves by up to `by` (mm or
+    /// rad, either sign) from indicated positions `q`. It takes the levers at `q`, plus the displacements by the axes
+    /// between.
     pub fn tip_travel(&self, q: &Joints, by: &Joints) -> f64 {
         let chain = &self.heads[0].chain;
         let columns = chain.jacobian(&self.true_positions(q));
@@ -222,15 +223,16 @@ impl Machine {
         self.links.motion(&self.true_positions(q))
     }
 
-    /// The last frame of the steps of head `head` in the work frame at indicated positions `q`: its tip is [`crate::Head::tip`] in it.
+    /// The last frame of the steps of head `head`, with its tip at [`crate::Head::tip`], in the work frame at indicated
+    /// positions `q`.
     pub fn mount_frame(&self, head: usize, q: &Joints) -> DAffine3 {
         let head = &self.heads[head];
         let named = self.links.frames.iter().find(|frame| frame.name == head.name);
         named.map_or(DAffine3::IDENTITY, |frame| self.link_frames(q)[frame.link] * frame.zero)
     }
 
-    /// The frame of `sensor` as a camera, in the work frame at indicated positions `q`: x to the right in the picture, y
-    /// down, z away from the camera.
+    /// The frame of `sensor` as a camera, in the work frame at indicated positions `q`: x to the right in the picture,
+    /// y down, z away from the camera.
     pub fn camera_frame(&self, sensor: &Sensor, q: &Joints) -> DAffine3 {
         self.sensor_frame(sensor, q) * DAffine3::from_rotation_x(std::f64::consts::PI)
     }
@@ -241,13 +243,13 @@ impl Machine {
         base.transform_vector3(self.links.base_zero.transform_vector3(self.up))
     }
 
-    /// Axes that the first head's pose leaves free: the machine has more axes than the pose needs.
+    /// Redundant axes of the first head's pose: the machine has more axes than the pose needs.
     pub fn free(&self) -> AxisSet {
         self.heads[0].free()
     }
 
-    /// The same machine with the axes of `held` among those that the first head's pose leaves free, if the other axes can
-    /// still give every pose: which axes are free beside them is chosen anew.
+    /// The same machine with `held` among the redundant axes of the first head's pose, if the other axes can still
+    /// reach every pose. The other redundant axes are chosen anew.
     pub fn freeing(&self, held: AxisSet) -> Option<Self> {
         let inverse = Inverse::holding(&self.heads[0].chain, &self.axes, held)?;
         let mut machine = self.clone();
@@ -255,11 +257,11 @@ impl Machine {
         Some(machine)
     }
 
-    /// The branches that a solution continues on: as [`Machine::inverse`] where there is a closed form; with Newton's
-    /// method only those that it comes to from `starts`, which takes a hundredth of the time.
+    /// The branches on which a solution continues: as [`Machine::inverse`] with a closed form. Newton's method only
+    /// searches from `starts`, in a hundredth of the time.
     ///
     /// # Errors
-    /// The reason there is none.
+    /// The reason why no branch exists.
     pub fn inverse_from(
         &self,
         target: impl Into<Target>,
@@ -281,8 +283,7 @@ impl Machine {
         Ok(branches)
     }
 
-    /// The branch that continues from `near`: as [`Machine::inverse_near`], but Newton's method does not look elsewhere
-    /// if it comes to none from there.
+    /// The branch that continues from `near`: as [`Machine::inverse_near`], but Newton's method only starts from there.
     ///
     /// # Errors
     /// As [`Machine::inverse`].
@@ -294,12 +295,12 @@ impl Machine {
         self.inverse_from(target, near, &[*near]).map(|branches| branches[0])
     }
 
-    /// All branches of positions that bring the torches to `target`, rotary axes within half a turn of `near`. Axes to
-    /// spare ([`Head::free`]) stay where they are in `near`, which also decides what a singular pose leaves free.
-    /// Ranges are not looked at: see [`Machine::reach`].
+    /// All branches of positions that bring the torches to `target`, rotary axes within half a turn of `near`.
+    /// Redundant axes ([`Head::free`]) keep their positions of `near`, as do the axes that a singular pose leaves free.
+    /// Ranges are ignored: see [`Machine::reach`].
     ///
     /// # Errors
-    /// The reason there is none.
+    /// The reason why no branch exists.
     pub fn inverse(&self, target: impl Into<Target>, near: &Joints) -> Result<Branches, Unreachable> {
         let mut branches = Branches::default();
         self.inverse_into(&target.into(), &self.true_positions(near), Which::All, &mut branches)?;
@@ -325,14 +326,14 @@ impl Machine {
         pair.solve(&self.heads, [&target.first, second], near, branches)
     }
 
-    /// Leaves axes that do not carry the first head where they are in `near`.
+    /// Keeps axes that do not carry the first head at their positions of `near`.
     fn let_idle(&self, branches: &mut Branches, near: &Joints) {
         let idle = (0..self.axes.len()).filter(|&axis| !self.heads[0].chain.axes().has(axis));
         idle.for_each(|axis| branches.iter_mut().for_each(|s| s.joints[axis] = near[axis]));
     }
 
-    /// From true to indicated positions, each within half a true turn of `near`: a table of pitch errors need not come
-    /// round.
+    /// Converts true to indicated positions, each within half a true turn of `near`: a pitch-error table need not be
+    /// periodic.
     fn as_indicated(&self, branches: &mut Branches, near: &Joints) {
         let near = self.true_positions(near);
         for solution in branches.iter_mut() {
@@ -343,7 +344,7 @@ impl Machine {
         }
     }
 
-    /// The branch nearest to `near`, by the angles of the rotary axes where these decide it.
+    /// The branch nearest to `near`, by the angles of the rotary axes if these decide it.
     ///
     /// # Errors
     /// As [`Machine::inverse`].
@@ -368,11 +369,11 @@ impl Machine {
         Ok(branches[best])
     }
 
-    /// The branches within all ranges, nearest to `near` first, rotary axes turned by whole turns as needed. If there
-    /// is none and axes are to spare, other places of these are tried.
+    /// The branches within all ranges, nearest to `near` first, rotary axes turned by whole turns as needed. If no
+    /// branch fits, other positions of the redundant axes are tried.
     ///
     /// # Errors
-    /// The reason there is none: of the branch that comes nearest, the axis and by how far.
+    /// The reason why no branch fits: for the closest branch, the axis and its excess.
     pub fn reach(&self, target: impl Into<Target>, near: &Joints) -> Result<Vec<Solution>, Unreachable> {
         let target = target.into();
         let mut reason = match self.reach_from(&target, near) {
@@ -414,8 +415,8 @@ impl Machine {
         }
     }
 
-    /// Why `q` is out of the ranges: a linear axis that lacks stroke before a rotary one that lacks turn, of each kind
-    /// the axis that lacks most.
+    /// The reason why `q` is out of the ranges: linear axes before rotary ones, and of each kind the axis with the
+    /// largest excess.
     fn beyond(&self, q: &Joints) -> Option<Unreachable> {
         let of_kind = |kind| {
             let axes = self.axes.iter().zip(q).enumerate().filter(move |(_, (axis, _))| axis.kind == kind);

@@ -4,19 +4,19 @@ use crate::{Head, Unreachable};
 use glam::DMat3;
 use seamwright_geometry::Pose;
 
-/// Two heads on one carrier (DUALBEAM-2013): the shared axes carry the frame of both tips, each head's slides take what
-/// the distance of the two points differs from that of the tips with the slides centred.
+/// Two heads on one carrier (DUALBEAM-2013): the shared axes carry the frame of both tips. Each head's slides
+/// compensate the difference of the points' distance from that of the tips with centred slides.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Pair {
     carrier: FrameInverse,
     shared: AxisSet,
 }
 
-/// How far (mm) a tip may be off its point.
+/// Maximum distance (mm) of a tip from its point.
 const MET_MM: f64 = 1e-6;
 
 impl Pair {
-    /// Why two heads cannot be brought to two points at once.
+    /// Reason why two heads cannot reach two points at once.
     pub(crate) const WHY_NOT: &'static str =
         "two heads at once need three linear and three rotary axes that carry both, no two neighbouring ones parallel";
 
@@ -34,7 +34,7 @@ impl Pair {
         near: &Joints,
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
-        // Where the tips are with carrier and slides at zero; other axes of a tail stay.
+        // The tips with carrier and slides at zero; other axes of a tail stay.
         let mut at_zero = *near;
         let slides = heads[0].slides.union(heads[1].slides);
         self.shared.union(slides).iter().for_each(|axis| at_zero[axis] = 0.0);
@@ -61,7 +61,8 @@ impl Pair {
     }
 }
 
-/// Moves the head's slides so that its tip comes as near to the pose's point as they can; what is left, mm.
+/// Moves the head's slides so that its tip is as near to the pose's point as possible; returns the remaining distance,
+/// mm.
 fn slide(head: &Head, pose: &Pose, joints: &mut Joints) -> f64 {
     let shift = pose.point - head.chain.forward(joints).point;
     let columns = head.chain.jacobian(joints);

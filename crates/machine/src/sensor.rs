@@ -1,4 +1,4 @@
-//! Sensors that ride on the machine and see the joint.
+//! Sensors on the machine that detect the joint.
 
 use glam::DAffine3;
 use schemars::JsonSchema;
@@ -111,17 +111,17 @@ pub struct Sensor {
     pub size_px: [usize; 2],
     /// Time from frame to frame, s.
     pub period_s: f64,
-    /// Time from an exposure until what was seen is known, s.
+    /// Latency from the exposure to the result, s.
     pub latency_s: f64,
-    /// Standard deviation of the joint's place as it is seen, mm.
+    /// Standard deviation of the measured joint position, mm.
     pub noise_mm: f64,
-    /// What it sees.
+    /// Kind of measurement.
     pub sight: Sight,
-    /// Host and port at which a camera's frames come.
+    /// Host and port of a camera's stream of frames.
     pub frames: Option<String>,
 }
 
-/// What a sensor sees, by its kind.
+/// Measurement of a sensor, by its kind.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Sight {
     /// A laser stripe across the joint.
@@ -133,14 +133,14 @@ pub enum Sight {
 /// A stripe sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StripeSensor {
-    /// From (column, row) to (y, z) in the sensor's frame, mm. Every pixel of the image has a place.
+    /// Maps (column, row) to (y, z) in the sensor's frame, mm. It is defined for every pixel of the image.
     pub to_mm: Homography,
 }
 
 /// A camera, or a beam that scans the work.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CameraSensor {
-    /// From pixels to the *camera's frame*, mm: x to the right in the picture, y down, z away from the camera; it is the
-    /// sensor's frame turned about x by half a turn.
+    /// Maps pixels to the *camera's frame*, mm: x to the right in the picture, y down, z away from the camera; it is
+    /// the sensor's frame turned about x by half a turn.
     pub table: HeightTable,
 }

@@ -1,13 +1,13 @@
 use crate::ZoneKind;
 use seamwright_clearance::Solid;
 
-/// Everything solid that the machine file describes. Solids are given in the work frame with all axes at zero; a
-/// point of link `l` is then at `link_frames(q)[l] * point`.
+/// Solids of the machine file. Solids are given in the work frame with all axes at zero; a point of link `l` is then at
+/// `link_frames(q)[l] * point`.
 #[derive(Debug, Clone, Default)]
 pub struct LinkSolids {
     /// Each with its link.
     pub solids: Vec<(usize, Solid)>,
-    /// Least distance of two links, mm.
+    /// Minimum distance of two links, mm.
     pub least_mm: f64,
     /// Pairs of links that may touch.
     pub(crate) ignored: Vec<(usize, usize)>,
@@ -15,18 +15,18 @@ pub struct LinkSolids {
     pub zones: Vec<Zone>,
 }
 
-/// A volume to stay in or to keep out of.
+/// A permitted or forbidden volume.
 #[derive(Debug, Clone)]
 pub struct Zone {
-    /// Name, for people.
+    /// Name for reports.
     pub name: String,
-    /// Stay in, or keep out.
+    /// Permitted or forbidden.
     pub kind: ZoneKind,
-    /// The link that it is fixed to.
+    /// Its link.
     pub link: usize,
-    /// Names of links, `part` and `fixtures` that it holds for; none: everything that moves against it.
+    /// Names of the watched links, `part` and `fixtures`; none: all groups that move relative to it.
     pub(crate) watch: Option<Vec<String>>,
-    /// Least distance or room, mm.
+    /// Minimum distance or margin, mm.
     pub least_mm: f64,
     /// Its volume, like [`LinkSolids::solids`].
     pub solids: Vec<Solid>,

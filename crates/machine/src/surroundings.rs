@@ -1,4 +1,4 @@
-//! Machine, part and fixtures as one scene, and how it moves with the axes.
+//! Machine, part and fixtures as one scene that moves with the axes.
 
 use crate::keeper::{Lever, travel};
 use crate::{Axis, AxisKind, Joints, LinkFrames, MAX_AXES, Machine, ZoneKind};
@@ -17,7 +17,7 @@ pub trait Course {
     fn greatest_rates(&self, from: f64, to: f64) -> Joints;
 }
 
-/// Machine, part and fixtures: who must keep clear of whom.
+/// Scene of machine, part and fixtures with the clearances between them.
 #[derive(Debug, Clone)]
 pub struct Surroundings<'a> {
     machine: &'a Machine,
@@ -32,13 +32,13 @@ pub struct Surroundings<'a> {
 pub(crate) const PITCH: f64 = 1.0 + crate::pitch_error::STEEPEST;
 
 impl<'a> Surroundings<'a> {
-    /// The machine with what is clamped in it.
+    /// The machine with its clamped part and fixtures.
     ///
-    /// Watched are: links that are not next to each other (nor allowed to touch), part and fixtures against every link
-    /// that moves against them, and the machine's zones.
+    /// It watches: links that are neither neighbours nor allowed to touch, part and fixtures against every link that
+    /// moves relative to them, and the machine's zones.
     ///
     /// # Errors
-    /// Solids without an end (half-spaces) that would have to keep clear of one another.
+    /// Unbounded solids (half-spaces) that would have to keep clear of one another.
     pub fn new(machine: &'a Machine, clamped: &Clamped) -> Result<Self, ClearanceError> {
         let mut build = Build { machine, groups: Vec::new(), links: Vec::new(), watches: Vec::new() };
         build.links();
@@ -55,12 +55,12 @@ impl<'a> Surroundings<'a> {
         &self.scene
     }
 
-    /// True if nothing is watched: the file has no shapes, or nothing for them to meet.
+    /// True without watches: the file has no shapes, or they have no counterpart.
     pub fn is_empty(&self) -> bool {
         self.scene.watches().is_empty()
     }
 
-    /// Names of everything that is watched: links, part, fixtures and zones.
+    /// Names of all watched groups: links, part, fixtures and zones.
     pub fn watched(&self) -> Vec<String> {
         let mut groups: Vec<usize> = self.scene.watches().iter().flat_map(|w| [w.groups().0, w.groups().1]).collect();
         groups.sort_unstable();
@@ -68,12 +68,12 @@ impl<'a> Surroundings<'a> {
         groups.into_iter().map(|g| self.scene.groups()[g].name.clone()).collect()
     }
 
-    /// The greatest of the least distances that are asked for, mm.
+    /// Maximum of the watches' minimum distances, mm.
     pub fn greatest_least_mm(&self) -> f64 {
         self.scene.watches().iter().map(Watch::least_mm).fold(0.0, f64::max)
     }
 
-    /// Names of what a watch keeps apart.
+    /// Names of the two groups of a watch.
     pub fn names(&self, watch: usize) -> (String, String) {
         let (a, b) = self.scene.watches()[watch].groups();
         match &self.scene.watches()[watch] {
@@ -85,12 +85,12 @@ impl<'a> Surroundings<'a> {
         }
     }
 
-    /// Names of the solids that an evaluation of a watch found nearest, as the files have them.
+    /// Names of the nearest solids of a watch's evaluation, as in the files.
     pub fn solids(&self, watch: usize, found: &Evaluation) -> Option<(String, String)> {
         self.solids_as(watch, found, |_, name| name.to_owned())
     }
 
-    /// The same for sentences: those of the job with whose they are, as a job's nozzle is another thing than a torch's.
+    /// The same for messages: solids of the job carry their group, since a job's nozzle is not a torch's.
     pub fn solids_described(&self, watch: usize, found: &Evaluation) -> Option<(String, String)> {
         self.solids_as(watch, found, |group, name| match group {
             "part" | "fixtures" if name != group => format!("{name} ({group})"),
@@ -118,8 +118,8 @@ impl<'a> Surroundings<'a> {
         Some((first, second))
     }
 
-    /// The watch that is nearest to being broken at positions `q` (least distance less what is asked), by its index; a
-    /// distance of `limit` (mm) or more is only told as at least that. None if nothing is watched.
+    /// The index and evaluation of the watch with the smallest margin (distance less its minimum) at positions `q`. A
+    /// distance of `limit` (mm) or more is only reported as at least that. None without watches.
     pub fn nearest(&self, q: &Joints, limit: f64) -> Option<(usize, Evaluation)> {
         let frames = self.frames(q);
         let margin = |watch: usize, e: &Evaluation| e.distance - self.scene.watches()[watch].least_mm();
@@ -128,7 +128,7 @@ impl<'a> Surroundings<'a> {
             .min_by(|a, b| margin(a.0, &a.1).total_cmp(&margin(b.0, &b.1)))
     }
 
-    /// The least distance of anything watched at positions `q`, up to `limit`, mm.
+    /// Minimum distance over all watches at positions `q`, up to `limit`, mm.
     pub fn least(&self, q: &Joints, limit: f64) -> f64 {
         self.scene.nearest(&self.frames(q), limit).map_or(limit, |(_, e)| e.distance.min(limit))
     }
@@ -142,7 +142,7 @@ impl<'a> Surroundings<'a> {
         })
     }
 
-    /// Distances all along a course, conservative between the places looked at: see [`Scene::along`].
+    /// Distances along a whole course, conservative between samples: see [`Scene::along`].
     ///
     /// # Errors
     /// Limits that are not greater than 0.
@@ -166,15 +166,14 @@ impl<'a> Surroundings<'a> {
     /// An upper bound of the speed of any point of group `a` seen from group `b` while the axes move from `q` at up to
     /// `rates` over a stretch of `length`.
     ///
-    /// Each axis between the two contributes its rate, a rotary one times the greatest distance of the group from the
-    /// axis: that at `q`, and what the axes between group and axis can add over the stretch.
+    /// Each axis between the two contributes its rate, a rotary one times the maximum distance of the group from the
+    /// axis: that at `q`, plus the displacement by the axes between group and axis over the stretch.
     fn greatest_speed(&self, a: usize, b: usize, q: &Joints, rates: &Joints, length: f64) -> f64 {
         let levers = self.levers(a, b, q);
         if length > 0.0 { travel(&levers, |i| rates[i] * length) / length } else { travel(&levers, |i| rates[i]) }
     }
 
-    /// What the axes between two groups do to the points of the first at positions `q`, in the order in which they are
-    /// met on the way from it.
+    /// Levers of the axes between two groups on the points of the first at positions `q`, in their order from it.
     pub(crate) fn levers(&self, a: usize, b: usize, q: &Joints) -> ArrayVec<Lever, MAX_AXES> {
         let motion = self.machine.link_frames(q);
         let (centre, radius) = self.spheres[a];
@@ -188,11 +187,11 @@ impl<'a> Surroundings<'a> {
     }
 
     fn lever(&self, axis: usize, point: DVec3, motion: &LinkFrames) -> f64 {
-        // Every axis of the chain is somewhere in the tree.
+        // The tree contains every axis of the chain.
         self.machine.links.screw_at(axis, motion).map_or(f64::INFINITY, |s| s.direction.cross(point - s.at).length())
     }
 
-    /// The axes between two groups in the order in which they are met on the way from the first.
+    /// The axes between two groups, in their order from the first.
     fn axes_from(&self, a: usize, b: usize) -> impl Iterator<Item = usize> {
         let links = &self.machine.links;
         let (from, to) = (self.links[a], self.links[b]);
@@ -208,7 +207,7 @@ impl<'a> Surroundings<'a> {
     }
 }
 
-/// A course seen by the scene.
+/// A course as the motion of the scene.
 struct Follow<'a, C> {
     surroundings: &'a Surroundings<'a>,
     course: &'a C,
@@ -229,14 +228,14 @@ impl<C: Course> Motion for Follow<'_, C> {
     }
 }
 
-/// A sphere around solids; of radius infinity around a half-space.
+/// A sphere around solids; its radius is infinite around a half-space.
 fn around(solids: &[Solid]) -> (DVec3, f64) {
     let spheres: Vec<(DVec3, f64)> = solids.iter().map(Solid::sphere).collect();
     let centre = spheres.iter().map(|s| s.0).sum::<DVec3>() / spheres.len().max(1) as f64;
     (centre, spheres.iter().map(|s| s.0.distance(centre) + s.1).fold(0.0, f64::max))
 }
 
-/// The scene while it is made.
+/// Builder of the scene.
 struct Build<'a> {
     machine: &'a Machine,
     groups: Vec<Group>,
@@ -251,7 +250,8 @@ impl Build<'_> {
         self.groups.len() - 1
     }
 
-    /// A group a link, named by the frames that have shapes; watches between links that are not neighbours.
+    /// Adds a group for each link, named by the frames that have shapes, and watches between links that are not
+    /// neighbours.
     fn links(&mut self) {
         let mut by_link: BTreeMap<usize, Vec<Solid>> = BTreeMap::new();
         for (link, solid) in &self.machine.solids.solids {
@@ -275,7 +275,7 @@ impl Build<'_> {
         }
     }
 
-    /// Part or fixtures, against every link that moves against the work.
+    /// Adds part or fixtures, watched against every link that moves relative to the work.
     fn clamped(&mut self, name: &str, solids: &[Solid], least_mm: f64) {
         if solids.is_empty() {
             return;
@@ -314,7 +314,7 @@ impl Build<'_> {
                 });
             }
         }
-        // Permitted zones that say the same of the same group count together.
+        // Permitted zones with the same group and minimum form one watch.
         self.join_permitted();
     }
 

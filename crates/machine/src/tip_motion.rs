@@ -1,17 +1,17 @@
-//! How the torch tip moves while the axes move: derivatives up to the third.
+//! Motion of the torch tip from that of the axes: derivatives up to the third.
 
 use crate::chain::Chain;
 use crate::{AxisKind, Joints, Machine};
 use glam::DVec3;
 
-/// Limits of the torch tip's motion against the work along a path. Infinite where the machine file has none.
+/// Limits of the torch tip's motion against the work along a path. Infinite if the machine file has none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TipLimits {
-    /// Highest speed, mm/s.
+    /// Maximum speed, mm/s.
     pub speed: f64,
-    /// Greatest acceleration, mm/s^2, in whatever direction: turning counts as well as speeding up.
+    /// Maximum acceleration in any direction, mm/s^2: centripetal and tangential.
     pub acceleration: f64,
-    /// Greatest jerk, mm/s^3, in whatever direction.
+    /// Maximum jerk in any direction, mm/s^3.
     pub jerk: f64,
 }
 
@@ -24,9 +24,9 @@ impl TipLimits {
 type Series<T> = [T; 4];
 
 impl Machine {
-    /// First, second and third derivative of the first head's tip in the work frame by a parameter, from positions
-    /// (mm or rad) and the same derivatives of the indicated axes. Slopes of pitch errors count, their changes do
-    /// not.
+    /// First, second and third derivative of the first head's tip in the work frame by a parameter, from positions (mm
+    /// or rad) and the same derivatives of the indicated axes. Includes the slopes of pitch errors, but not their
+    /// derivatives.
     pub fn tip_derivatives(&self, motion: &[Joints; 4]) -> [DVec3; 3] {
         let [q, d1, d2, d3] = motion;
         let start = self.true_positions(q);

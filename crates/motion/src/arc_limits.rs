@@ -1,4 +1,4 @@
-//! What the process asks of the motion while the arc is on: no stop on the way, no speed below the procedure's least.
+//! Requirements of the process on the motion while the arc is on: no stop, no speed below the procedure's minimum.
 
 use crate::corners::Left;
 use crate::law::{Bound, Interval};
@@ -7,14 +7,14 @@ use crate::planned::Planned;
 use seamwright_machine::Machine;
 use seamwright_program::{AtCorner, Finding, Pass};
 
-/// A tip as fast as the procedure's least speed but for rounding is not too slow.
+/// Relative tolerance of the comparison with the procedure's minimum speed.
 const ROUNDING: f64 = 1e-9;
 
 /// A stretch of the path on which the tip is too slow.
 struct Slow {
     from: f64,
     to: f64,
-    /// Least speed in it, mm/s, and where that is.
+    /// Minimum speed in it, mm/s, and its path length, mm.
     least: (f64, f64),
 }
 
@@ -53,8 +53,8 @@ pub(crate) fn stop_findings(machine: &Machine, corners: &[Left], pass: &Pass, nu
     corners.iter().map(finding).collect()
 }
 
-/// Where the tip is slower than the procedure lets it be with the arc on: findings between run-up and run-down, notes
-/// in them.
+/// Reports stretches below the procedure's minimum speed with the arc on: findings between acceleration and
+/// deceleration phase, notes within them.
 pub(crate) fn least_speed_findings(planned: Planned, pass: &Pass, number: usize) -> Vec<Finding> {
     let Some(least) = pass.least_speed_mm_s else { return Vec::new() };
     let least = least.get();
@@ -77,7 +77,8 @@ fn too_slow(v: f64, least: f64) -> bool {
     v < least * (1.0 - ROUNDING)
 }
 
-/// The stretches between run-up and run-down on which the tip is slower than `least`, cell by cell of the law.
+/// Stretches between acceleration and deceleration phase with a tip speed below `least`, cell by cell of the speed
+/// profile.
 fn slow_between(planned: Planned, (up, down): (f64, f64), least: f64) -> Vec<Slow> {
     let mut all: Vec<Slow> = Vec::new();
     let (mut open, mut before) = (false, up);
@@ -104,7 +105,8 @@ fn slow_between(planned: Planned, (up, down): (f64, f64), least: f64) -> Vec<Slo
     all
 }
 
-/// Where the speed passes `least` on the way from `slow`, where it is less, to `fast`; `fast` if it is less there too.
+/// Path length at which the speed crosses `least` between `slow`, where it is lower, and `fast`; `fast` if it is lower
+/// there too.
 fn crossing(planned: Planned, mut slow: f64, mut fast: f64, least: f64) -> f64 {
     if too_slow(planned.tip_speed_at(fast), least) {
         return fast;
@@ -116,7 +118,7 @@ fn crossing(planned: Planned, mut slow: f64, mut fast: f64, least: f64) -> f64 {
     slow
 }
 
-/// A finding: a stretch below the procedure's `least` speed, and what binds there.
+/// Finding for a stretch below the procedure's `least` speed, with the limit that binds there.
 fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Finding {
     let (reached, at) = slow.least;
     let Planned { machine, certificate, legs, .. } = planned;
@@ -153,7 +155,7 @@ fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Findin
     }
 }
 
-/// A note: the end of the weld on which the torch, which `does` that with the arc on, is too slow.
+/// Note for the end of the weld at which the torch is too slow; `does` words its motion there.
 fn slow_end(does: &str, (from_mm, to_mm): (f64, f64), least: f64, pass: usize) -> Finding {
     let message = format!(
         "the torch {does} with the arc on: over {:.3} mm it is slower than the procedure's least speed of {least:.3} mm/s",

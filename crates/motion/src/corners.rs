@@ -1,5 +1,5 @@
-//! Corners of a pass: places inside it where the speed or acceleration of an axis would jump. The torch stops there, or
-//! goes round them on a blend.
+//! Corners of a pass: path lengths inside it at which the speed or acceleration of an axis would jump. The torch stops
+//! there, or rounds them on a blend.
 
 use crate::JointPath;
 use crate::follower::Follower;
@@ -11,52 +11,52 @@ use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
 use seamwright_program::{AtCorner, Finding, Pass};
 
-/// Places in a blend that are looked at; the worst of them is then looked for between its neighbours.
+/// Samples of a blend; the maximum is then refined between the neighbours of the worst sample.
 const PLACES: u32 = 64;
 const REFINED: usize = 24;
-/// Blends are made for this part of the tolerances, since places are only looked at so closely.
+/// Fraction of the tolerances that blends use: a margin for the finite sampling.
 const USED: f64 = 0.999;
-/// Part of every limit that is used in a blend wide enough for the asked speed.
+/// Fraction of every limit that is used in a blend wide enough for the requested speed.
 const AT_EASE: f64 = 0.9;
-/// How closely the width of a blend is found.
+/// Relative accuracy of the width of a blend.
 const CLOSE: f64 = 1e-5;
-/// A blend that takes the tip no further from the seam than this (mm), and the torch no further from its direction than
-/// this (degrees), is not worth a note: posts and drives leave more.
+/// Deviation from the seam (mm) and from the torch's direction (degrees) below which a blend gets no note:
+/// post-processors and drives deviate more.
 const RELEVANT_MM: f64 = 5e-3;
 const RELEVANT_DEG: f64 = 0.05;
-/// A blend reaches at least so far to each side (mm, and as a part of the path): shorter ones cost the law digits.
+/// Minimum half width of a blend (mm, and as a fraction of the path): shorter ones cost the speed profile digits.
 const SHORTEST: (f64, f64) = (1e-3, 1e-5);
-/// The tip's way in a blend is at least this part of the seam's: a blend at a turn by more than 168 degrees would stand
-/// nearly still in its middle.
-const LEAST_RATE: f64 = 0.1;
+/// Minimum travel of the tip in a blend, as a fraction of the seam's: a blend at a turn by more than 168 degrees would
+/// nearly stop in its middle.
+const MIN_TIP_RATE: f64 = 0.1;
 
-/// A corner that is left.
+/// A corner without a blend.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Left {
     /// Path length, mm.
     pub(crate) s: f64,
-    /// An axis that would jump there.
+    /// An axis whose speed or acceleration would jump there.
     pub(crate) axis: usize,
-    /// Why there is no blend, if one was asked for.
+    /// Reason for the missing blend, if one was requested.
     pub(crate) why: Option<String>,
 }
 
-/// A blend that fits: what it is, and how far it takes the tip from the seam and the torch from its direction.
+/// A blend within the tolerances, and its deviations from the seam and the torch's direction.
 struct Fitting {
     piece: Piece,
     away: Away,
 }
 
-/// How far the torch is from what is asked.
+/// Deviation of the torch from the seam's pose.
 #[derive(Debug, Clone, Copy, Default)]
 struct Away {
     /// Distance of the tip from the seam, mm.
     tip: f64,
-    /// Angle of the direction from that asked for at the nearest place of the seam, rad.
+    /// Angle between the direction and the one requested at the nearest point of the seam, rad.
     direction: f64,
 }
 
-/// What keeps a blend from being made.
+/// Reason why a blend is rejected.
 enum Unfit {
     /// The tip would (nearly) stand still: the path turns back.
     TurnsBack,
@@ -64,7 +64,7 @@ enum Unfit {
     TooFar,
 }
 
-/// The path with its corners rounded as `pass` wants them, the corners left, and notes of those that are rounded.
+/// Rounds the corners of the path as `pass` requests. Returns the path, the remaining corners, and notes of the blends.
 pub(crate) fn rounded(
     follower: Follower,
     joints: JointPath,
@@ -95,7 +95,7 @@ pub(crate) fn rounded(
     if blends.is_empty() { (joints, left, notes) } else { (joints.blended(&blends), left, notes) }
 }
 
-/// A note of a blend, if it takes the torch so far from what is asked that it matters.
+/// Note of a blend, if its deviation is relevant.
 fn note((piece, away): (&Piece, &Away), s: f64, pass: usize) -> Option<Finding> {
     let turned = away.direction.to_degrees();
     if away.tip < RELEVANT_MM && turned < RELEVANT_DEG {
@@ -111,7 +111,7 @@ fn note((piece, away): (&Piece, &Away), s: f64, pass: usize) -> Option<Finding> 
     Some(Finding::note("blend", message, pass, (piece.from, piece.to)))
 }
 
-/// A corner and what is around it.
+/// A corner and its surroundings on the path.
 struct Corner<'a> {
     follower: Follower<'a>,
     joints: &'a JointPath,
@@ -122,8 +122,8 @@ struct Corner<'a> {
 }
 
 impl Corner<'_> {
-    /// The blend that lets the torch pass fastest within `most` and half the way to what is beside, or why there is
-    /// none: as wide as may be, but no wider than the asked speed needs.
+    /// Finds the fastest blend within `most` and half the distance to the next corner or end: as wide as allowed, but
+    /// no wider than the requested speed needs. Else returns the reason.
     fn blend(&self, most: &Away) -> Result<Fitting, String> {
         let room = 0.5 * (self.s - self.reach.0).min(self.reach.1 - self.s);
         let shortest = SHORTEST.0.max(SHORTEST.1 * self.joints.length());
@@ -152,7 +152,7 @@ impl Corner<'_> {
         })
     }
 
-    /// The blend `half` mm to each side, if it stays within `most`.
+    /// Builds the blend `half` mm to each side, if it stays within `most`.
     fn fitting(&self, half: f64, most: &Away) -> Result<Fitting, Unfit> {
         let (from, to) = (self.s - half, self.s + half);
         let end = |s: f64, before: bool| {
@@ -165,8 +165,8 @@ impl Corner<'_> {
         let mut worst = [(0.0, 0.0); 2];
         for i in 1..PLACES {
             let d = piece.derivatives(at(f64::from(i)));
-            // By time the axes go on evenly, whatever the tip does.
-            if !self.joints.is_timed() && self.follower.machine.tip_derivatives(&d)[0].length() < LEAST_RATE {
+            // On a path by time the axes move evenly at any tip speed.
+            if !self.joints.is_timed() && self.follower.machine.tip_derivatives(&d)[0].length() < MIN_TIP_RATE {
                 return Err(Unfit::TurnsBack);
             }
             let here = self.away(&d[0], half);
@@ -186,8 +186,8 @@ impl Corner<'_> {
         if away.within(most) { Ok(Fitting { piece, away }) } else { Err(Unfit::TooFar) }
     }
 
-    /// True if the torch goes through `blend` at the asked speed with every limit to spare: at constant speed `v` of
-    /// the tip the squared speed by path length is `v^2 / rate^2`, and its derivatives follow from those of the tip.
+    /// True if the torch passes `blend` at the requested speed within [`AT_EASE`] of every limit. At constant tip speed
+    /// `v` the squared speed by path length is `v^2 / rate^2`; its derivatives follow from those of the tip.
     fn at_ease(&self, blend: &Piece) -> bool {
         let asked = self.channels.asked(blend.from).max(self.channels.asked(blend.to));
         let mut rows = vec![[0.0; 3]; self.channels.limits().len()];
@@ -213,14 +213,14 @@ impl Corner<'_> {
         })
     }
 
-    /// How far the torches at `q`, in a blend `half` mm to each side, are from what is asked.
+    /// Deviation of the torches at positions `q`, in a blend `half` mm to each side.
     fn away(&self, q: &Joints, half: f64) -> Away {
         let Follower { machine, path, .. } = self.follower;
         let sides =
             [((self.s - 2.0 * half).max(self.reach.0), self.s), (self.s, (self.s + 2.0 * half).min(self.reach.1))];
         let first = nearest(|s| path.pose(s), machine.forward(q), sides);
         match path.second(self.s) {
-            // The path says which of its places have a second torch: all or none.
+            // A path has a second torch everywhere or nowhere.
             Some(_) => {
                 let pose = |s: f64| path.second(s).unwrap_or_else(|| path.pose(s));
                 first.greater(nearest(pose, machine.forward_of(1, q), sides))
@@ -240,14 +240,14 @@ impl Away {
     }
 }
 
-/// How far `torch` is from the nearest place of the seam, which runs smoothly on both `sides` of a corner.
+/// Deviation of `torch` from the nearest point of the seam, which is smooth on both `sides` of a corner.
 fn nearest(pose: impl Fn(f64) -> Pose, torch: Pose, sides: [(f64, f64); 2]) -> Away {
     let there = pose(foot_at_corner(&pose, torch.point, sides));
     Away { tip: there.point.distance(torch.point), direction: angle(there.direction, torch.direction) }
 }
 
-/// Path length of the place nearest to `point` (mm, near `s`) of the seam that `pose` runs along, if `s` lies in a
-/// blend of the axes' path `joints`: nearest on either side of the corner.
+/// Path length of the point of the seam `pose` nearest to `point` (mm, near `s`), on either side of the corner. None
+/// unless `s` lies in a blend of the axes' path `joints`.
 pub fn foot_in_blend(joints: &JointPath, pose: impl Fn(f64) -> Pose, point: DVec3, s: f64) -> Option<f64> {
     let &(from, to) = joints.blends().iter().find(|(from, to)| *from <= s && s <= *to)?;
     let (corner, half) = (0.5 * (from + to), 0.5 * (to - from));
@@ -255,15 +255,15 @@ pub fn foot_in_blend(joints: &JointPath, pose: impl Fn(f64) -> Pose, point: DVec
     Some(foot_at_corner(pose, point, [(ends.0, corner), (corner, ends.1)]))
 }
 
-/// Path length of the place nearest to `point` of a seam that runs smoothly on both `sides` of a corner.
+/// Path length of the seam's nearest point to `point`; the seam is smooth on both `sides` of a corner.
 fn foot_at_corner(pose: impl Fn(f64) -> Pose, point: DVec3, sides: [(f64, f64); 2]) -> f64 {
     let feet = [foot(&pose, point, sides[0], sides[0].1), foot(&pose, point, sides[1], sides[1].0)];
     let [before, after] = feet.map(|s| pose(s).point.distance(point));
     if before <= after { feet[0] } else { feet[1] }
 }
 
-/// Path length in `side` of the seam's place nearest to `point`, by Newton's method without the curvature: where that
-/// is not at its end yet, the distance found is a little too great, never too small.
+/// Path length of the seam's nearest point to `point` in the given range, by Newton's method without the curvature.
+/// Before convergence the distance found is slightly too large, never too small.
 fn foot(pose: impl Fn(f64) -> Pose, point: DVec3, (from, to): (f64, f64), start: f64) -> f64 {
     let h = 1e-4 * (to - from);
     let mut s = start;
@@ -282,7 +282,7 @@ fn foot(pose: impl Fn(f64) -> Pose, point: DVec3, (from, to): (f64, f64), start:
     s
 }
 
-/// Where between `low` and `high` a value is greatest that rises and then falls.
+/// Argument of the maximum of a unimodal function between `low` and `high`.
 fn greatest((mut low, mut high): (f64, f64), value: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..REFINED {
         let [a, b] = [low + (high - low) * 0.45, low + (high - low) * 0.55];

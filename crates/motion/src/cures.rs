@@ -1,8 +1,8 @@
-//! Cures of findings about ranges, reach and clearance: changes of the job that were tried out.
+//! Cures of findings about ranges, reach and clearance: changes of the job that were tested by planning.
 //!
-//! A change is made to the torch's paths alone, which is what moving the work or another work angle do to them. It is looked
-//! for on the pass that has the findings, which is then planned with it; as such a change is one of the whole job, every
-//! other pass is looked at too. A change that leaves as many findings is not offered.
+//! A change modifies the torch's paths alone, as moving the work or another work angle does. It is searched on the pass
+//! with the findings, which is then planned with it. Every other pass is checked too, since the change affects the
+//! whole job. A change that leaves as many findings is not offered.
 
 use crate::effort::SearchStage;
 use crate::follower::Follower;
@@ -16,21 +16,21 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine, Surroundings, Target};
 use seamwright_program::{AxisPositions, Finding, Groove, Pass, TorchPath};
 
-/// Changes of the work angle that are tried, degrees, the least first.
+/// Changes of the work angle that are tried, degrees, smallest first.
 const LEANS_DEG: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0];
-/// Those that are tried against collisions.
+/// Changes of the work angle that are tried against collisions, degrees.
 const CLEARING_LEANS_DEG: [f64; 3] = [5.0, 10.0, 15.0];
-/// Room beyond what is lacking, mm and degrees.
+/// Margin added to the missing travel, mm and degrees.
 const ROOM: f64 = 0.1;
 /// Units of effort of a survey, and of planning a pass.
 const SURVEY_WORK: u64 = 1440;
 const PLAN_WORK: u64 = 6000;
-/// The cure where no change is known that could be tried.
+/// Cure without any change that could be tried.
 const NOT_TRIED: &str = "not tried: other torch angles or another placement of the work may help";
-/// What may be done about every clearance finding.
+/// Cure that applies to every clearance finding.
 const ALLOW_LESS: &str = "allow less with clearance.least_mm if the shapes are right";
 
-/// What plans a pass.
+/// Inputs for planning a pass.
 #[derive(Clone, Copy)]
 pub(crate) struct Trial<'a> {
     pub(crate) machine: &'a Machine,
@@ -52,7 +52,7 @@ enum Change {
 }
 
 impl Change {
-    /// Says what to do to a job with `pass`.
+    /// Words the change to a job with `pass`.
     fn words(self, pass: &Pass) -> String {
         match self {
             Self::Move(by) => {
@@ -64,7 +64,7 @@ impl Change {
     }
 }
 
-/// What a change was tried on.
+/// Passes on which a change was tested.
 #[derive(Clone, Copy, PartialEq)]
 enum Scope {
     /// Every pass of the weld: with it none has such a finding.
@@ -73,7 +73,7 @@ enum Scope {
     Pass,
 }
 
-/// What came of trying changes one after the other.
+/// Result of trying changes one after the other.
 enum Outcome {
     Cured(Change, Scope),
     /// None of them cures.
@@ -83,8 +83,8 @@ enum Outcome {
 }
 
 impl Trial<'_> {
-    /// Replaces the cures of findings of kind `range` and `reach` by a change that leaves none of them, or by the reason
-    /// why none was found.
+    /// Replaces the cures of findings of kind `range` and `reach` by a change that removes all of them, or by the
+    /// reason why the search failed.
     pub(crate) fn cure_ranges(&self, findings: &mut [Finding]) {
         if !findings.iter().any(is_of_range) || self.path.axes(0.0).is_some() {
             return;
@@ -93,7 +93,7 @@ impl Trial<'_> {
         findings.iter_mut().filter(|f| is_of_range(f)).for_each(|f| f.cure.clone_from(&cure));
     }
 
-    /// A change with which the pass has fewer findings than `count`, in words, or why there is none.
+    /// Words a change with which the pass has fewer findings than `count`, or the reason why the search failed.
     fn range_cure(&self, count: usize) -> String {
         self.before.effort.begin(SearchStage::Cure);
         if self.is_redundant() {
@@ -118,7 +118,7 @@ impl Trial<'_> {
         }
     }
 
-    /// Says which kinds of changes were tried in vain.
+    /// Words the kinds of changes that were tried without success.
     fn no_cure(&self, changes: &[Change], lacks: &[Lack]) -> String {
         let reason = both_ends(self.held, lacks).map_or_else(String::new, |why| format!("; {why}"));
         let moved = changes.iter().any(|change| matches!(change, Change::Move(_)));
@@ -144,7 +144,7 @@ impl Trial<'_> {
         for (tried, &change) in changes.iter().enumerate() {
             effort.resume(SearchStage::Cure);
             let cured = effort.spend(SURVEY_WORK, tried as f64 / changes.len() as f64).then(|| cures(change)).flatten();
-            // What is stopped finds nothing, which says nothing of the change.
+            // A stopped trial gives no result for the change.
             if effort.is_stopped() {
                 return Outcome::Stopped(tried);
             }
@@ -225,7 +225,7 @@ impl Trial<'_> {
         self.path.groove(0.0).is_some() && self.path.second(0.0).is_none()
     }
 
-    /// Changes that are worth trying, the least first.
+    /// Changes worth trying, smallest first.
     fn changes(&self, lacks: &[Lack]) -> Vec<Change> {
         let shifts: Vec<DVec3> = lacks.iter().filter_map(|lack| self.shift_against(lack)).collect();
         let mut changes: Vec<Change> = shifts.iter().copied().map(Change::Move).collect();
@@ -241,8 +241,8 @@ impl Trial<'_> {
         changes
     }
 
-    /// The least shift of the work after which a linear axis lacks nothing at the place where it lacks most, if the tip's
-    /// place decides the axis there: by differences of the inverse.
+    /// Smallest shift of the work after which a linear axis is in range at its worst path length, if the tip's position
+    /// determines the axis there. Uses differences of the inverse kinematics.
     fn shift_against(&self, lack: &Lack) -> Option<DVec3> {
         if self.held.axes[lack.axis].kind == AxisKind::Rotary {
             return None;
@@ -263,7 +263,7 @@ impl Trial<'_> {
         (slope.length() > 1e-3).then(|| DVec3::from_array(shift.to_array().map(away)))
     }
 
-    /// Replaces the cures of clearance findings by a work angle with which nothing comes too near, if there is one.
+    /// Replaces the cures of clearance findings by a work angle that keeps every clearance, if one is found.
     pub(crate) fn cure_clearance(&self, around: &Surroundings, findings: &mut [Finding]) {
         self.before.effort.begin(SearchStage::Cure);
         let leans: Vec<Change> = match self.can_lean() && !self.is_redundant() {
@@ -302,7 +302,7 @@ impl Trial<'_> {
         }
         let scope = self.spares_others(change)?;
         self.planned_with(change).ok().filter(|motion| is_clear(&motion.path))?;
-        // What comes near to other passes is not looked at.
+        // Clearance of other passes is not checked.
         Some(if self.before.weld.len() == 1 { scope } else { Scope::Pass })
     }
 
@@ -314,7 +314,7 @@ impl Trial<'_> {
         if let Some(last) = self.before.last.filter(|_| !follower.is_given()) {
             joints.turn_towards(self.held, last);
         }
-        // Ranges are looked at along the path.
+        // Ranges are checked along the path.
         survey.findings.iter().all(|f| f.allowed || f.kind == "range").then_some(joints)
     }
 }

@@ -1,14 +1,14 @@
 //! The effort that planning may spend on its searches.
 //!
-//! How thoroughly is searched is fixed, so that the same job always gives the same motion. A [`Watch`] only decides how
-//! long the searches may go on: motion has no clock, so the caller brings one. Once stopped, an [`Effort`] stays stopped:
-//! every search ends early, and planning ends with one finding that says how far it came.
+//! The thoroughness of the searches is fixed, so that the same job always gives the same motion. A [`Watch`] only
+//! limits their duration: motion has no clock, so the caller brings one. Once stopped, an [`Effort`] stays stopped:
+//! every search ends early, and planning ends with one finding that reports its progress.
 
 use seamwright_program::Finding;
 use std::cell::Cell;
 use std::fmt;
 
-/// Units of work between two looks at the watch: a unit is about one inverse solution.
+/// Units of work between two calls of the watch: a unit is about one inverse solution.
 const STRIDE: u64 = 64;
 
 /// A search of planning.
@@ -48,7 +48,7 @@ impl fmt::Display for SearchStage {
     }
 }
 
-/// How far planning has come.
+/// Progress of planning.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SearchProgress {
     /// Pass that is planned, counted from 1; 0 before the first.
@@ -57,15 +57,15 @@ pub struct SearchProgress {
     pub passes: usize,
     /// The search under way.
     pub stage: SearchStage,
-    /// Part of the stage that is done, 0 to 1.
+    /// Completed fraction of the stage, 0 to 1.
     pub part: f64,
     /// Inverse solutions and tried moves so far, in all passes.
     pub work: u64,
-    /// True at the beginning of a stage: the time since the look before was spent outside of searches.
+    /// True at the start of a stage: the time since the previous call was spent outside of searches.
     pub begins: bool,
 }
 
-/// Why planning ends early.
+/// Reason why planning ends early.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stop {
     /// The searches took longer than this, s.
@@ -132,20 +132,20 @@ impl<'a> Effort<'a> {
         self.stop.get().is_some()
     }
 
-    /// Why planning is stopped, if it is.
+    /// Reason why planning is stopped, if it is.
     pub fn stop(&self) -> Option<Stop> {
         self.stop.get()
     }
 
-    /// How far planning has come.
+    /// Progress of planning.
     pub fn progress(&self) -> SearchProgress {
         self.progress.get()
     }
 
-    /// Returns the finding of pass `pass`, `length` mm long, that says how far the search came, if it was stopped.
+    /// Checks that planning of pass `pass`, `length` mm long, was not stopped.
     ///
     /// # Errors
-    /// That finding.
+    /// The finding that reports the progress of the stopped search.
     pub(crate) fn check(&self, pass: usize, length: f64) -> Result<(), Vec<Finding>> {
         self.stop.get().map_or(Ok(()), |stop| Err(vec![self.finding(stop, pass, length)]))
     }

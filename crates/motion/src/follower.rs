@@ -2,8 +2,8 @@ use crate::redundancy::FreeAxes;
 use seamwright_machine::{Branches, Joints, Machine, Solution, Target, Unreachable};
 use seamwright_program::TorchPath;
 
-/// A machine that follows a torch path: the one place where motion asks for the axes' positions at a path length. Axes
-/// that the path leaves free stand where [`FreeAxes`] has them.
+/// A machine that follows a torch path: the single source of the axes' positions at a path length. [`FreeAxes`] gives
+/// the positions of the axes that the path leaves free.
 #[derive(Clone, Copy)]
 pub(crate) struct Follower<'a> {
     pub(crate) machine: &'a Machine,
@@ -12,12 +12,12 @@ pub(crate) struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// True if the path is one of the axes themselves: there is nothing to choose.
+    /// True if the path gives the axes' positions itself.
     pub(crate) fn is_given(&self) -> bool {
         self.path.axes(0.0).is_some()
     }
 
-    /// What the torches are to reach at `s`.
+    /// Target poses of the torches at `s`.
     pub(crate) fn target(&self, s: f64) -> Target {
         Target { first: self.path.pose(s), second: self.path.second(s) }
     }
@@ -51,7 +51,7 @@ impl Follower<'_> {
         self.with_free(self.path.knots())
     }
 
-    /// Those of them where the first or second may.
+    /// Path lengths among them at which the first or second derivative may jump.
     pub(crate) fn bends(&self) -> Vec<f64> {
         self.with_free(self.path.bends())
     }

@@ -12,7 +12,7 @@ const LANES: usize = 4;
 /// Coefficients of [`LANES`] axes, by degree.
 type Block = [[f64; LANES]; NODES];
 
-/// How far (mm) the panels' series may be from the exact inverse kinematics of a linear axis.
+/// Maximum deviation (mm) of the panels' series from the exact inverse kinematics of a linear axis.
 const TOLERANCE_MM: f64 = 1e-10;
 /// The same for a rotary axis, rad.
 const TOLERANCE_RAD: f64 = 1e-12;
@@ -20,10 +20,10 @@ const TOLERANCE_RAD: f64 = 1e-12;
 const NARROW_MM: f64 = 0.02;
 /// Panels are not halved below this part of the path: there the inverse is not smooth.
 const SMALLEST_PANEL: f64 = 1e-6;
-/// Ways of the tip by path length nearer to 1 than this are 1.
+/// Travel of the tip by path length nearer to 1 than this counts as 1.
 const SAME_RATE: f64 = 1e-9;
 
-/// Positions and derivatives by path length at one place; mm or rad per mm.
+/// Positions and derivatives by path length at one station; mm or rad per mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointPoint {
     /// Positions, mm or rad.
@@ -39,9 +39,8 @@ pub struct JointPoint {
 /// The axes' positions by path length, `q(s)`, with derivatives.
 ///
 /// Panels of Chebyshev series fitted to the closed-form inverse kinematics at their nodes and halved until they agree
-/// with it between the nodes. Guarantee (checked at 33 places a panel): within 1e-10 mm and 1e-12 rad of the exact
-/// inverse, but for blends round corners. Evaluation allocates nothing and costs the same on any machine with as many
-/// axes.
+/// with it between the nodes. Guarantee (checked at 33 stations a panel): within 1e-10 mm and 1e-12 rad of the exact
+/// inverse, except in blends at corners. Evaluation does not allocate, and its cost depends on the number of axes only.
 #[derive(Debug, Clone)]
 pub struct JointPath {
     panels: Vec<Panel>,
@@ -50,17 +49,17 @@ pub struct JointPath {
     blocks_a_panel: usize,
     length: f64,
     axes: usize,
-    /// Places inside it where the first or second derivative may jump, mm: others do not have to be looked at.
+    /// Inner path lengths at which the first or second derivative may jump, mm.
     bends: Vec<f64>,
-    /// Places at which the path asks for a stop, mm.
+    /// Path lengths at which the path requests a stop, mm.
     stops: Vec<f64>,
-    /// True if path lengths count planned time and not the tip's way.
+    /// True if path lengths count planned time, not the tip's travel.
     timed: bool,
-    /// Stretches that go round corners, in order.
+    /// Blends at corners, in order.
     blends: Vec<(f64, f64)>,
-    /// True if the tip's way by path length is not 1, as beside a seam.
+    /// True if the tip's travel by path length is not 1, as beside a seam.
     beside: bool,
-    /// Where the torch weaves, the way of its line by path length, panel by panel: what is asked of the speed.
+    /// With a weave, the travel of its centre line by path length, panel by panel: the requested speed applies to it.
     line: Option<Vec<Series>>,
 }
 
@@ -70,7 +69,7 @@ struct Panel {
     end: f64,
 }
 
-/// Where the axes do not follow the path smoothly.
+/// Error: the axes cannot follow the path smoothly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct NotSmooth {
     /// Path length, mm.
@@ -78,12 +77,12 @@ pub(crate) struct NotSmooth {
 }
 
 impl JointPath {
-    /// The axes' path as `follower` goes it, beginning at the positions `start` (one branch of the inverse at s = 0).
+    /// Fits the axes' path of `follower`, starting at the positions `start` (one branch of the inverse at s = 0).
     pub(crate) fn new(follower: Follower, start: &Joints) -> Result<Self, NotSmooth> {
         Self::over(follower, start, (0.0, follower.path.length()))
     }
 
-    /// The same of a part of the path alone, in whose range it may be asked for, beginning at the positions `start`.
+    /// Fits a part of the path alone, starting at the positions `start`; valid only in its range.
     pub(crate) fn over(follower: Follower, start: &Joints, (from, to): (f64, f64)) -> Result<Self, NotSmooth> {
         let axes = follower.machine.axes.len();
         let length = follower.path.length();
@@ -141,22 +140,22 @@ impl JointPath {
         self.length
     }
 
-    /// Places where one panel ends and the next begins, with both ends of the path.
+    /// Path lengths at which panels meet, with both ends of the path.
     pub(crate) fn edges(&self) -> Vec<f64> {
         self.panels.iter().map(|p| p.start).chain(std::iter::once(self.length)).collect()
     }
 
-    /// Places at which the path asks for a stop, mm.
+    /// Path lengths at which the path requests a stop, mm.
     pub(crate) fn stops(&self) -> &[f64] {
         &self.stops
     }
 
-    /// True if path lengths count planned time and not the tip's way.
+    /// True if path lengths count planned time, not the tip's travel.
     pub(crate) fn is_timed(&self) -> bool {
         self.timed
     }
 
-    /// Places inside it where the first or second derivative may jump, mm.
+    /// Inner path lengths at which the first or second derivative may jump, mm.
     pub(crate) fn bends(&self) -> &[f64] {
         &self.bends
     }
@@ -196,7 +195,7 @@ impl JointPath {
         Series { c: std::array::from_fn(|k| block[k][axis % LANES]) }
     }
 
-    /// Turns rotary axes by whole turns so that the path begins as near as can be to `before` and stays in their
+    /// Turns rotary axes by whole turns so that the path starts as near as possible to `before` and stays in their
     /// ranges.
     pub(crate) fn turn_towards(&mut self, machine: &Machine, before: &Joints) {
         let start = self.at(0.0);
@@ -204,7 +203,7 @@ impl JointPath {
             let wanted = ((before[i] - start[i]) / TAU).round();
             let turns = match axis.range {
                 None => wanted,
-                // A table of errors does not come round: its turns are not alike.
+                // A table of pitch errors is not periodic: its turns differ.
                 Some(_) if axis.pitch_error.is_some() => 0.0,
                 Some(_) => axis.turns_within(self.extremes(i), wanted).unwrap_or(0.0),
             };
@@ -213,7 +212,7 @@ impl JointPath {
         }
     }
 
-    /// Least and greatest position of axis `i` at many places.
+    /// Minimum and maximum position of axis `i` over [`PLACES`] samples.
     fn extremes(&self, i: usize) -> (f64, f64) {
         let places = (0..=PLACES).map(|k| self.length * k as f64 / PLACES as f64);
         places.map(|s| self.at(s)[i]).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q), h.max(q)))
@@ -264,8 +263,7 @@ fn chebyshev(x: f64) -> [[f64; 4]; NODES] {
     t
 }
 
-/// Where the path goes, and how fast at most: from the middle of each panel touched, and a bound of the second
-/// derivative.
+/// Bounds the rates by the first derivative in the middle of each panel touched and a bound of the second derivative.
 impl Course for JointPath {
     fn range(&self) -> (f64, f64) {
         (0.0, self.length)
@@ -299,7 +297,7 @@ impl Panel {
     }
 }
 
-/// Fits one panel; its coefficients and the positions at its end, or nothing if it is too long.
+/// Fits one panel. Returns its coefficients and the positions at its end, or none if it is too long.
 fn fit(follower: Follower, a: f64, b: f64, near: &Joints, count: usize) -> Option<(Vec<Block>, Joints)> {
     let at = |x: f64| a + 0.5 * (b - a) * (1.0 + x);
     let mut last = *near;
@@ -339,7 +337,7 @@ fn fit(follower: Follower, a: f64, b: f64, near: &Joints, count: usize) -> Optio
     Some((blocks(series.into_iter(), count), end))
 }
 
-/// How far a panel's series may be from an axis' exact position.
+/// Maximum deviation of a panel's series from an axis' exact position.
 fn tolerance(axis: &Axis) -> f64 {
     match axis.kind {
         AxisKind::Linear => TOLERANCE_MM,

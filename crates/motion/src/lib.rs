@@ -1,12 +1,12 @@
-//! From a torch path and a machine to set-points in time.
+//! Turns a torch path and a machine into set-points over time.
 //!
-//! Floor 2. [`JointPath`] is the exact path of the axes by path length; [`SpeedLaw`] the fastest speed along it up to
-//! the asked one within every axis' speed, acceleration and jerk; [`PassMotion`] puts both together with the process
-//! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`pace`] plays a
-//! law under an operator's orders, [`jog`] moves axes without a path, [`taught`] follows points of any number. [`procedure`]
-//! holds the plan against the welding procedure. [`fine`]
-//! makes fine set-points of coarse ones, [`pulses`] step and direction pulses. [`textbook`] has the interpolators of
-//! the papers, for comparison.
+//! Floor 2. [`JointPath`] is the exact path of the axes by path length. [`SpeedLaw`] is the speed profile along it: the
+//! fastest up to the requested speed within every axis' speed, acceleration and jerk. [`PassMotion`] combines both with
+//! the process sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`pace`]
+//! plays a speed profile under an operator's orders, [`jog`] moves axes without a path, [`taught`] follows any number
+//! of points. [`procedure`] compares the plan with the welding procedure specification. [`fine`] makes fine set-points
+//! of coarse ones, [`pulses`] step and direction pulses. [`textbook`] has the interpolators of the papers, for
+//! comparison.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

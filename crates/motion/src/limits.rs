@@ -1,4 +1,4 @@
-//! What the axes allow along a path, and how to say where they do not.
+//! Findings for stretches of a path on which the axes do not allow the requested speed.
 
 use crate::SpeedLaw;
 use crate::law::{Bound, Certificate, Interval, Leg};
@@ -7,16 +7,17 @@ use crate::planned::{Band, Planned};
 use seamwright_machine::{Machine, TipLimits};
 use seamwright_program::{Finding, OnLimit, Pass};
 
-/// An axis asked for exactly its limit falls short by the law's reserve only: that is no finding.
+/// Relative shortfall of speed that is reported: an axis at exactly its limit falls short by the profile's reserve
+/// only.
 const WORTH_SAYING: f64 = 2e-3;
-/// Where the asked speed or the tip's way by path length changes, the law stays a little below it, and by more
-/// in the first and last millimetre between run-up and run-down.
+/// If the requested speed or the tip's travel by path length changes, the profile stays slightly below it, and more in
+/// the first and last millimetre between acceleration and deceleration phase.
 const WORTH_SAYING_CHANGING: f64 = 5e-3;
 const WORTH_SAYING_NEAR_END: f64 = 3e-2;
 const NEAR_END_MM: f64 = 1.0;
-/// A change of the asked speed may be rounded off by this part of it: more stands against the weld.
+/// Maximum fraction by which a change of the requested speed may be rounded off; a larger one is a finding.
 const ROUNDED_OFF: f64 = 3e-2;
-/// Parts of the highest speed in question that are planned until one can be kept.
+/// Fractions of the estimated maximum speed that are planned until one can be kept.
 const LOWER: [f64; 4] = [1.0, 0.98, 0.93, 0.85];
 
 /// A limit that bounds the speed, in the units of files.
@@ -33,7 +34,7 @@ pub struct Binding {
 }
 
 impl Binding {
-    /// What `bound` stands for on a path of `machine`: channels are its axes, then the tip.
+    /// The limit of `machine` that `bound` refers to: channels are its axes, then the tip.
     pub fn new(machine: &Machine, bound: Bound) -> Option<Self> {
         let (channel, what, per) = match bound {
             Bound::Asked | Bound::Change => return None,
@@ -59,7 +60,7 @@ impl Binding {
         self.axis.as_ref().map_or("the torch tip".to_owned(), |name| format!("axis {name}"))
     }
 
-    /// Says that the tip cannot be as fast as `asked`, but `reached`, mm/s.
+    /// Words the difference between the requested and the reached tip speed, mm/s.
     pub(crate) fn cannot_keep(&self, asked: f64, reached: f64) -> String {
         format!("{} cannot keep {asked:.3} mm/s: {} allows {reached:.3} mm/s", self.whose(), self.limit())
     }
@@ -70,17 +71,18 @@ impl Binding {
     }
 }
 
-/// A limit as it stands in the file: without what degrees lose on their way through radians.
+/// A limit as written in the file, without the rounding of degrees converted through radians.
 pub fn plain(limit: f64) -> f64 {
     let scale = 1e12 / 10f64.powf(limit.abs().max(f64::MIN_POSITIVE).log10().ceil());
     if scale.is_finite() { (limit * scale).round() / scale } else { limit }
 }
 
-/// Where the tip is slower than asked between run-up and run-down, and what keeps it from being faster.
+/// Reports stretches between acceleration and deceleration phase that are slower than requested, with the limits that
+/// bind there.
 pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Vec<Finding> {
     let slow = slow_runs(planned, pass, 1.0);
     let bound = slow.iter().any(|run| run.binding.is_some());
-    // The speed of a weave is told with its frequency, see `weave_limits`.
+    // The speed of a weave is reported with its frequency, see `weave_limits`.
     let wanted = pass.on_limit == OnLimit::Refuse && bound && !planned.joints.is_woven();
     let keepable = if wanted { keepable(planned, pass, &slow) } else { None };
     slow.iter().filter_map(|run| speed_finding(planned, run, (pass, number), keepable.as_deref())).collect()
@@ -91,19 +93,20 @@ pub(crate) fn keeps_speed(planned: Planned, pass: &Pass) -> bool {
     slow_runs(planned, pass, 1.0).is_empty()
 }
 
-/// A stretch between run-up and run-down on which the tip is slower than asked.
+/// A stretch between acceleration and deceleration phase that is slower than requested.
 struct SlowRun {
     from: f64,
     to: f64,
-    /// Where it is slowest, mm, and the asked and the reached speed there, mm/s.
+    /// Path length of the slowest point, mm, and the requested and reached speed there, mm/s.
     at: f64,
     asked: f64,
     reached: f64,
-    /// The limit that is used up there; none if it is the law that rounds off a change of the asked speed.
+    /// The limit that is used up there; none if the profile rounds off a change of the requested speed.
     binding: Option<Binding>,
 }
 
-/// The stretches on which the law, planned for `times` the speeds of `pass`, is slower than these by a part worth saying.
+/// Stretches on which the profile, planned for `times` the speeds of `pass`, falls short of these by a reportable
+/// fraction.
 fn slow_runs(planned: Planned, pass: &Pass, times: f64) -> Vec<SlowRun> {
     let mut runs: Vec<Vec<Interval>> = vec![Vec::new()];
     let asked = |s: f64| times * pass.speed_at(s);
@@ -120,7 +123,7 @@ fn slow_runs(planned: Planned, pass: &Pass, times: f64) -> Vec<SlowRun> {
         run.last().is_some_and(|last| reached <= 1.0 - worth_saying(planned, (run[0].from, last.to), changes))
     });
     if planned.joints.is_woven() {
-        // At every swing there is one: they are told as one.
+        // Every swing has such a stretch: they are reported as one.
         runs = vec![runs.concat()];
     }
     let slow = |run: &Vec<Interval>| {
@@ -133,9 +136,10 @@ fn slow_runs(planned: Planned, pass: &Pass, times: f64) -> Vec<SlowRun> {
     runs.iter().filter_map(slow).collect()
 }
 
-/// The part of the asked speed that the tip may fall short of between two places without a word; more where speeds change.
+/// Fraction of the requested speed by which the tip may fall short between two stations unreported; larger if speeds
+/// change.
 fn worth_saying(planned: Planned, (from, to): (f64, f64), changes: bool) -> f64 {
-    // A run-up that goes over smoothly into a speed that changes has no clear end.
+    // An acceleration phase that passes smoothly into a changing speed has no clear end.
     let near = |leg: &Leg| {
         let inside = leg.from <= from && to <= leg.to;
         inside && (to < leg.run_up_end + NEAR_END_MM || from > leg.run_down_start - NEAR_END_MM)
@@ -179,16 +183,16 @@ fn speed_finding(
     Some(Finding { kind: "speed", message, pass: number, from_mm: *from, to_mm: *to, cure, allowed: false })
 }
 
-/// Asks, in words, for a speed lower than that of `pass`, with which nothing is left of the `slow` stretches: it was
-/// planned, so it is true. None if no lower speed helps.
+/// Words a lower speed than that of `pass` that removes all `slow` stretches, as verified by planning. None if no lower
+/// speed helps.
 fn keepable(planned: Planned, pass: &Pass, slow: &[SlowRun]) -> Option<String> {
     let (least, fastest) = pass.speeds();
     let steady = (fastest - least).abs() <= f64::EPSILON * fastest;
     let reached = slow.iter().map(|run| run.reached / run.asked).fold(1.0, f64::min);
     let everywhere = planned.certificate.everywhere / fastest;
-    // What can be held steadily; if that is no less, the limits are used up where the speed changes.
+    // The speed that can be held everywhere; if it is not lower, the limits are used up at changes of speed.
     let most = if steady && everywhere < 1.0 { everywhere } else { reached };
-    // Rounded down, so that the number printed can be asked for.
+    // Rounded down, so that the printed speed is feasible.
     let rounded = |part: f64| match steady {
         true => (1e3 * part * fastest).floor() * 1e-3 / fastest,
         false => (1e3 * part).floor() * 1e-3,
@@ -207,7 +211,7 @@ fn keepable(planned: Planned, pass: &Pass, slow: &[SlowRun]) -> Option<String> {
     })
 }
 
-/// The certificate's stretches without the run-up and run-down of each leg.
+/// The certificate's stretches without the acceleration and deceleration phase of each leg.
 fn between(planned: Planned, asked: &dyn Fn(f64) -> f64) -> Vec<Interval> {
     let mut all = Vec::new();
     let rounding = 1e-9 * planned.joints.length();
@@ -227,7 +231,7 @@ fn between(planned: Planned, asked: &dyn Fn(f64) -> f64) -> Vec<Interval> {
     all
 }
 
-/// Legs too short to reach the speed of any span at all.
+/// Reports legs too short to reach the requested speed.
 pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pass: usize) -> Vec<Finding> {
     let finding = |leg: &Leg| {
         let reached = planned.tip_speed_at(leg.run_up_end);
@@ -248,7 +252,7 @@ pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pas
     planned.legs.iter().filter_map(finding).collect()
 }
 
-/// Joins neighbouring places with the same complaint into runs, keeping the worst message of each.
+/// Joins neighbouring stations with the same complaint into runs and keeps the worst message of each.
 #[derive(Default)]
 pub(crate) struct Runs {
     runs: Vec<Run>,
@@ -265,7 +269,7 @@ pub(crate) struct Run {
 }
 
 impl Runs {
-    /// Adds the next place: nothing, or a complaint as (key, how bad, message).
+    /// Adds the next station: none, or a complaint as (key, severity, message).
     pub(crate) fn add(&mut self, s: f64, complaint: Option<(usize, f64, String)>) {
         let Some((key, worst, message)) = complaint else {
             self.open = false;
@@ -283,7 +287,7 @@ impl Runs {
         self.open = true;
     }
 
-    /// True if the last place added had a complaint.
+    /// True if the last station added had a complaint.
     pub(crate) fn is_open(&self) -> bool {
         self.open
     }

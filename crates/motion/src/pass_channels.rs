@@ -5,29 +5,30 @@ use glam::DVec3;
 use seamwright_machine::{Joints, Machine};
 use seamwright_program::{Pass, Span};
 
-/// Part of an axis' acceleration by which it may jump between two panels of a path: more is a corner.
+/// Maximum jump of an axis' acceleration between two panels of a path, as a fraction of its limit; a larger one is a
+/// corner.
 const JUMP: f64 = 1e-3;
-/// Part of the asked speed by which a spline with even stations may stay below one of its bends: with stations that grow
-/// away from it and limits looked at in five places of a cell it is up to four times as much, over a thousand valleys on the
-/// saddle (`tests/it/asked_speed.rs`),
+/// Fraction of the requested speed by which a spline with even stations may stay below one of its bends. With stations
+/// that grow away from it and limits sampled at five points of a cell it is up to four times as much, over a thousand
+/// valleys on the saddle (`tests/it/asked_speed.rs`),
 const ROUNDED: f64 = 4e-4;
-/// and the shortest time, s, in which a bend is passed.
+/// and the minimum time, s, in which a bend is passed.
 const BRIEF: f64 = 4e-3;
-/// Places nearer to each other than this part of the path are one.
+/// Path lengths closer than this fraction of the path are equal.
 const SAME: f64 = 1e-9;
 
-/// The axes along a pass, by path length, as a speed law sees them; after them the tip if it has limits of its own.
+/// Channels of a pass for its speed profile, by path length: the axes, then the tip if it has its own limits.
 pub(crate) struct PassChannels<'a> {
     machine: &'a Machine,
     path: &'a JointPath,
     pass: &'a Pass,
-    /// How many times the pass' speeds are asked for.
+    /// Factor of the pass' requested speeds.
     times: f64,
     limits: Vec<Limits>,
-    /// Where spans but the last end, exactly at one of the breaks.
+    /// Ends of all spans but the last, each exactly at one of the breaks.
     borders: Vec<f64>,
     breaks: Vec<f64>,
-    /// Places at which the torch has to stop, and an axis that would jump there otherwise.
+    /// Path lengths at which the torch must stop, and an axis that would jump there otherwise.
     corners: Vec<(f64, usize)>,
 }
 
@@ -38,7 +39,7 @@ impl<'a> PassChannels<'a> {
         let mut breaks = path.edges();
         let last = pass.spans.len().saturating_sub(1);
         let ends = pass.spans[..last].iter().map(|span| span.to_mm.get());
-        // A border next to a panel's end is there: which span a place is in and which panel must go together.
+        // A border next to a panel's end is moved to it, so that span and panel of a path length agree.
         let there = |s: f64| breaks.iter().copied().find(|e| (e - s).abs() < SAME * length).unwrap_or(s);
         let borders: Vec<f64> = ends.map(there).collect();
         breaks.extend(&borders);
@@ -46,7 +47,7 @@ impl<'a> PassChannels<'a> {
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|a, b| *a - *b < SAME * length);
         let mut built = Self { machine, path, pass, times, limits, borders, breaks, corners: Vec::new() };
-        // A bend next to a break is there.
+        // A bend next to a break counts as at the break.
         let bend = |s: &f64| {
             let i = path.bends().partition_point(|bend| *bend < s - SAME * length);
             path.bends().get(i).is_some_and(|bend| *bend <= s + SAME * length)
@@ -57,7 +58,7 @@ impl<'a> PassChannels<'a> {
         built
     }
 
-    /// Places at which the torch has to stop, and an axis that would jump there otherwise.
+    /// Path lengths at which the torch must stop, and an axis that would jump there otherwise.
     pub(crate) fn corners(&self) -> &[(f64, usize)] {
         &self.corners
     }
@@ -67,8 +68,8 @@ impl<'a> PassChannels<'a> {
         self.path.stops().iter().any(|stop| (stop - s).abs() <= SAME * self.path.length())
     }
 
-    /// Derivatives of all channels where the axes have the positions and derivatives `d`, into `out`; and those of the
-    /// tip.
+    /// Writes the derivatives of all channels to `out`, from the positions and derivatives `d` of the axes. Returns
+    /// those of the tip.
     pub(crate) fn along(&self, d: &[Joints; 4], out: &mut [[f64; 3]]) -> [DVec3; 3] {
         let (axes, tip) = out.split_at_mut(self.machine.axes.len());
         axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
@@ -79,16 +80,16 @@ impl<'a> PassChannels<'a> {
         motion
     }
 
-    /// An axis whose speed or acceleration would jump at `s` at the asked speed.
+    /// An axis whose speed or acceleration would jump at `s` at the requested speed.
     fn corner(&self, s: f64) -> Option<usize> {
         let (before, after) = (self.path.point(s, true), self.path.point(s, false));
-        // No faster than the axes' speeds allow: however much is asked for, rounding is no corner.
+        // Limited to the axes' speeds, so that rounding at a high requested speed is not a corner.
         let axes = &self.limits[..self.machine.axes.len()];
         let held = axes.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
         let speed = held.fold(self.asked(s) / self.path.speed_rate(self.machine, s), f64::min);
         let jumps = |(i, limits): (usize, &Limits)| {
             let jump = ((after.d1[i] - before.d1[i]).abs(), (after.d2[i] - before.d2[i]).abs());
-            // A jump of the speed within one ms is one of the acceleration.
+            // A jump of the speed counts as an acceleration over one ms.
             (jump.0 * speed * 1e3).max(jump.1 * speed * speed) > JUMP * limits.acceleration
         };
         axes.iter().enumerate().position(jumps)

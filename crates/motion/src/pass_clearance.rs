@@ -4,28 +4,29 @@ use seamwright_clearance::Limits;
 use seamwright_machine::Surroundings;
 use seamwright_program::Finding;
 
-/// How near things come along a pass.
+/// Clearance along a pass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PassClearance {
-    /// The least distance (mm) of anything watched at places along the pass (mm), up to the cut-off.
+    /// Minimum distance (mm) of everything watched at path lengths of the pass (mm), up to the cut-off.
     pub found: Vec<(f64, f64)>,
-    /// For each stretch of the pass: where it ends (mm), and a distance (mm) that nothing watched falls below
-    /// anywhere in it, up to the cut-off: proven, and so up to a tenth less than what is found.
+    /// For each stretch of the pass: its end (mm), and a proven lower bound (mm) of all watched distances in it, up to
+    /// the cut-off. The bound is up to a tenth less than the distances found.
     pub at_least: Vec<(f64, f64)>,
-    /// The least distance found: mm, path length, and who is near to whom, in words as in findings.
+    /// The minimum distance found: mm, path length, and the two solids, worded as in findings.
     pub nearest: Option<(f64, f64, String)>,
     /// Everything that is watched.
     pub watched: Vec<String>,
-    /// Distances are only told up to this, mm.
+    /// Maximum distance that is reported, mm.
     pub cutoff_mm: f64,
 }
 
-/// Stretches that a pass is looked at in.
+/// Number of stretches of a pass.
 const STATIONS: usize = 400;
-/// Beyond this no distance is told, mm.
+/// Maximum distance that is reported, mm.
 const CUTOFF_MM: f64 = 60.0;
 
-/// Distances along the path of pass `pass`, and findings where something comes too near. None if nothing is watched.
+/// Computes distances along the path of pass `pass`, and findings for stretches below a minimum clearance. None if
+/// nothing is watched.
 pub(crate) fn pass_clearance(
     around: &Surroundings,
     path: &JointPath,
@@ -47,7 +48,7 @@ pub(crate) fn pass_clearance(
     };
     let profile = match around.along(path, STATIONS, &limits) {
         Ok(profile) => profile,
-        // What cannot be looked at is not clear.
+        // A pass that cannot be checked counts as not clear.
         Err(e) => return (None, vec![finding(e.to_string(), 0.0, path.length())]),
     };
     let findings = profile.stretches.iter().map(|s| finding(too_near(around, s.watch, &s.nearest), s.from, s.to));

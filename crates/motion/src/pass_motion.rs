@@ -19,42 +19,42 @@ use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
 use std::borrow::Cow;
 
-/// Places at which the tip's way by path length is looked at before there are axes.
+/// Number of samples of the tip's travel by path length before the axes are known.
 const RATES: u32 = 60;
 
-/// One pass as motion: the axes' path, the speed law and the process sequence around it.
+/// One pass as motion: the axes' path, the speed profile and the process sequence.
 #[derive(Debug, Clone)]
 pub struct PassMotion {
     /// The axes' positions by path length.
     pub path: JointPath,
-    /// The speed along it.
+    /// The speed profile along it.
     pub law: SpeedLaw,
-    /// What the law reaches, and what bounds it where; channels are the machine's axes.
+    /// Reached speeds and binding limits of the profile; channels are the machine's axes.
     pub certificate: Certificate,
     /// Times before and after the travel.
     pub sequence: Sequence,
-    /// Whether arc or beam is on.
+    /// True if arc or beam is on.
     pub arc: bool,
-    /// Largest angle (rad) between the torch attitude asked for and the one reached, and where (mm).
+    /// Maximum angle (rad) between requested and reached torch attitude, and its path length (mm).
     pub attitude_error: (f64, f64),
-    /// What is to be said although the weld can be made.
+    /// Notes on a feasible weld.
     pub findings: Vec<Finding>,
 }
 
-/// What a pass has to heed beside itself.
+/// Context of a pass in planning.
 #[derive(Clone, Copy)]
 pub(crate) struct Before<'a> {
-    /// What its searches may take.
+    /// Effort of its searches.
     pub(crate) effort: &'a Effort<'a>,
-    /// Procedure whose welding positions come before those preferred.
+    /// Procedure whose welding positions take precedence over the preferred ones.
     pub(crate) procedure: Option<&'a Procedure>,
-    /// Positions at the end of the pass before: rotary axes begin on the turn nearest to it.
+    /// Positions at the end of the previous pass: rotary axes start on the turn nearest to it.
     pub(crate) last: Option<&'a Joints>,
-    /// False if only a plan counts, not why there is none.
+    /// False if only a plan is of interest, not the reason for its failure.
     pub(crate) explains: bool,
-    /// All passes of the weld in their order, this one among them; empty if no others are known.
+    /// All passes of the weld in order, including this one; empty if no others are known.
     pub(crate) weld: &'a [(&'a dyn TorchPath, &'a Pass)],
-    /// Obstacles that axes to spare keep clear of.
+    /// Obstacles that redundant axes keep clear of.
     pub(crate) clearance: Option<Clearance<'a>>,
 }
 
@@ -62,8 +62,8 @@ impl PassMotion {
     /// Plans `pass` (the `number`-th, from 1) along `path` on `machine`.
     ///
     /// # Errors
-    /// Every finding that stands against it: out of reach, out of an axis' range, too fast for an axis (if the pass
-    /// refuses to slow down), not smooth.
+    /// Every finding against it: out of reach, out of an axis' range, too fast for an axis (if the pass refuses to slow
+    /// down), not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(None);
         let before =
@@ -71,7 +71,7 @@ impl PassMotion {
         Self::plan_after(machine, path, pass, number, before)
     }
 
-    /// The same, after another pass or with obstacles.
+    /// Plans a pass as [`PassMotion::plan`], after another pass or with obstacles.
     ///
     /// # Errors
     /// As [`PassMotion::plan`].
@@ -120,7 +120,7 @@ impl PassMotion {
         let follower = Follower { machine, path, free: &free };
         let mut findings = with(&jumps, survey.findings);
         if !jumps.is_empty() {
-            // No axes follow a jump: whatever else they did there would follow from it.
+            // No axes follow a jump of the torch: other findings there would be its consequences.
             return Err(findings);
         }
         before.effort.begin(SearchStage::Weave);
@@ -138,7 +138,7 @@ impl PassMotion {
         };
         if let Some(last) = before.last.filter(|_| !follower.is_given()) {
             joints.turn_towards(machine, last);
-            // The survey looked at the path before it was turned.
+            // The survey checked the path before it was turned.
             findings.retain(|f| f.kind != "range");
             findings.extend(range_on_path(machine, &joints, number));
         }
@@ -199,14 +199,14 @@ impl PassMotion {
         self.sequence.travel_delay_s.get() + self.law.duration() + self.sequence.crater_s.get()
     }
 
-    /// Speed of the torch tip of `machine`, whose motion this is, where the law is at `p`, mm/s: that of the path
-    /// length but beside the seam and in blends.
+    /// Speed of the torch tip of `machine`, whose motion this is, at the point `p` of the profile, mm/s: that of the
+    /// path length, except beside the seam and in blends.
     pub fn tip_speed(&self, machine: &Machine, p: LawPoint) -> f64 {
         p.v * self.path.tip_rate(machine, p.s)
     }
 
-    /// Least and greatest planned speed of the tip of `machine`, whose motion this is, between run-up and run-down, mm/s;
-    /// of a law without anything between the speed where it turns.
+    /// Minimum and maximum planned speed of the tip of `machine`, whose motion this is, between acceleration and
+    /// deceleration phase, mm/s; if these meet, the speed at their border.
     pub fn tip_band(&self, machine: &Machine) -> (f64, f64) {
         self.certificate.band().unwrap_or_else(|| {
             let band = self.law.report();
@@ -215,21 +215,21 @@ impl PassMotion {
         })
     }
 
-    /// The motion of `machine` in time, to be played at another pace.
+    /// The motion of `machine` in time, to be played with a feed override.
     pub fn timed<'a>(&'a self, machine: &'a Machine) -> PassTimed<'a> {
         PassTimed::new(machine, &self.path, &self.law)
     }
 
-    /// The law along the same path for `factor` times the speeds that `pass` asks for, slower where `machine` cannot
-    /// keep them: overrides above 1 play it.
+    /// Plans the profile along the same path for `factor` times the speeds of `pass`, slower where `machine` cannot
+    /// keep them. Overrides above 1 play it.
     ///
     /// # Errors
-    /// A factor that is not finite and above zero; none else, since the path has a law already.
+    /// A factor that is not finite and above zero; no others, since the path already has a profile.
     pub fn faster(&self, machine: &Machine, pass: &Pass, factor: f64) -> Result<SpeedLaw, LawError> {
         SpeedLaw::new(&PassChannels::new(machine, &self.path, pass, factor))
     }
 
-    /// Time since the arc went on and until it goes off, s, at `t` s after the first set-point.
+    /// Times since arc start and until arc end, s, at `t` s after the first set-point.
     pub fn arc_clock(&self, t: f64) -> (f64, f64) {
         let since_on = t - self.sequence.preflow_s.get();
         (since_on, self.arc_on_s() - since_on)
@@ -241,7 +241,7 @@ impl PassMotion {
     }
 }
 
-/// `first` findings and then `others`.
+/// Joins the findings `first` and `others`.
 fn with(first: &[Finding], others: Vec<Finding>) -> Vec<Finding> {
     first.iter().cloned().chain(others).collect()
 }
@@ -255,8 +255,8 @@ struct Chosen<'m> {
 
 /// The free axes along `path` and a survey of it, with the machine that has these axes free.
 ///
-/// Where a six-axis arm passes a place at which the axes that the pose decides are singular, another choice of the free
-/// axis is not: without a closed form each is tried until one leads along the path.
+/// If the axes determined by the pose are singular at some path length of a six-axis arm, another choice of the free
+/// axis may be regular. Without a closed form each choice is tried until one leads along the path.
 fn with_best_freedom<'m>(
     machine: Cow<'m, Machine>,
     path: &dyn TorchPath,
@@ -285,7 +285,7 @@ fn with_best_freedom<'m>(
     first.map(|(free, survey)| Chosen { machine, free, survey })
 }
 
-/// The free axes along `path`, and what a survey of it finds; `machine` has the axes that `pass` holds free.
+/// The free axes along `path`, and a survey of it; `machine` has the axes that `pass` holds free.
 pub(crate) fn along_axes(
     machine: &Machine,
     path: &dyn TorchPath,
@@ -294,7 +294,7 @@ pub(crate) fn along_axes(
     before: Before,
 ) -> Result<(FreeAxes, Survey), Vec<Finding>> {
     let (_, fastest) = pass.speeds();
-    // Axes to spare do not weave.
+    // Redundant axes do not weave.
     let line = path.slower(0.0);
     let line = line.as_deref().unwrap_or(path);
     let aim = Aim {
@@ -310,7 +310,7 @@ pub(crate) fn along_axes(
     Ok((free, survey))
 }
 
-/// About the least way of the tip by path length.
+/// Approximate minimum travel of the tip by path length.
 fn least_rate(path: &dyn TorchPath) -> f64 {
     let places = (0..=RATES).map(|i| path.length() * f64::from(i) / f64::from(RATES));
     places.map(|s| path.rate(s)).fold(f64::INFINITY, f64::min)

@@ -1,12 +1,14 @@
-//! Times that no weld takes: what follows from them (set-points, blocks, rows) would not fit any memory or patience.
+//! Limits of the time of a pass: set-points, blocks and rows of longer ones would exceed memory and acceptable run
+//! time.
 
 use crate::SpeedLaw;
 use seamwright_program::{Finding, Pass};
 
-/// Longest time of a pass or of a part of its sequence, s: more than two days. A slip of the unit or an exponent.
+/// Maximum time of a pass or of a part of its sequence, s: more than two days. Longer times come from a wrong unit or
+/// exponent.
 pub(crate) const MAX_PASS_S: f64 = 2e5;
 
-/// A finding for every time of `pass`, the `number`-th, that is longer than any weld's.
+/// Reports every time of `pass`, the `number`-th, above [`MAX_PASS_S`].
 pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
     let sequence = &pass.sequence;
     let times = [
@@ -42,7 +44,7 @@ pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
     all
 }
 
-/// A finding if the travel takes longer with the limits of the axes than any weld: a law of a pass `length` mm long.
+/// Reports a travel of a pass, `length` mm long, that takes more than [`MAX_PASS_S`] within the limits of the axes.
 pub(crate) fn travels_too_long(law: &SpeedLaw, length: f64, pass: usize) -> Option<Finding> {
     let travel = law.duration();
     is_too_long(travel).then(|| Finding {

@@ -2,7 +2,7 @@ use crate::law::{Certificate, Leg};
 use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::Machine;
 
-/// A speed law along the path of a machine's axes, with what it reaches: what findings are made from.
+/// A speed profile along the path of a machine's axes, with its certificate: the input of findings.
 #[derive(Clone, Copy)]
 pub(crate) struct Planned<'a> {
     pub(crate) machine: &'a Machine,
@@ -13,7 +13,7 @@ pub(crate) struct Planned<'a> {
 }
 
 impl Planned<'_> {
-    /// Speed that counts against the asked one where the law is at `p`, mm/s: that of the tip.
+    /// Speed to compare with the requested one at the point `p` of the profile, mm/s: that of the tip.
     pub(crate) fn tip_speed(&self, p: LawPoint) -> f64 {
         p.v * self.joints.speed_rate(self.machine, p.s)
     }
@@ -23,7 +23,7 @@ impl Planned<'_> {
         self.law.speed(s) * self.joints.speed_rate(self.machine, s)
     }
 
-    /// How fast the tip is between two path lengths, by the places of the law's cells there; none if there are none.
+    /// Range of the tip speed between two path lengths, from samples of the profile's cells there; none without cells.
     pub(crate) fn tip_band(&self, (from, to): (f64, f64), asked: &dyn Fn(f64) -> f64) -> Option<Band> {
         let at = |cell: usize, part: f64| self.law.in_cell(cell, part).s;
         let first = first_where(self.law.cells(), |cell| at(cell, 1.0) >= from);
@@ -42,7 +42,7 @@ impl Planned<'_> {
     }
 }
 
-/// The first of `count` numbers from 0 on that is `good`, as all after it are; `count` if none is.
+/// First of the numbers 0 to `count` - 1 that is `good`, as are all after it; `count` without one. Uses bisection.
 fn first_where(count: usize, good: impl Fn(usize) -> bool) -> usize {
     let (mut low, mut high) = (0, count);
     while low < high {
@@ -52,13 +52,13 @@ fn first_where(count: usize, good: impl Fn(usize) -> bool) -> usize {
     low
 }
 
-/// How fast the tip is on a stretch.
+/// Range of the tip speed on a stretch.
 #[derive(Clone, Copy)]
 pub(crate) struct Band {
-    /// Least speed, mm/s, and where.
+    /// Minimum speed, mm/s, and its path length.
     pub(crate) least: (f64, f64),
-    /// Greatest speed, mm/s.
+    /// Maximum speed, mm/s.
     pub(crate) greatest: f64,
-    /// Least part of the asked speed, and where.
+    /// Minimum ratio of reached to requested speed, and its path length.
     pub(crate) reached: (f64, f64),
 }

@@ -1,10 +1,10 @@
 use crate::{JointPoint, LawPoint, PassMotion};
 use seamwright_machine::Joints;
 
-/// What the process does at an instant.
+/// Phase of the process at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
-    /// Gas flows, nothing else.
+    /// Only gas flows.
     Preflow,
     /// The arc is on and the torch rests before it travels.
     TravelDelay,
@@ -14,7 +14,7 @@ pub enum Phase {
     Crater,
     /// The arc is off, gas still flows.
     Postflow,
-    /// Arc and gas are off, the torch moves from one weld to the next.
+    /// Transfer move: arc and gas are off, the torch moves from one weld to the next.
     Air,
 }
 
@@ -25,12 +25,12 @@ impl Phase {
     }
 }
 
-/// Where the axes shall be at one instant.
+/// Set positions of the axes at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SetPoint {
     /// Time from the first set-point, s.
     pub t: f64,
-    /// What the process does.
+    /// Phase of the process.
     pub phase: Phase,
     /// Path length, speed and acceleration along the path.
     pub law: LawPoint,
@@ -38,8 +38,8 @@ pub struct SetPoint {
     pub q: Joints,
 }
 
-/// The set-points of a pass, one a period: computed when asked for, so that a motion of any length needs the same
-/// memory. The tip's speed by set-points is the law's: positions are those of the exact path at the law's `s(t)`.
+/// The set-points of a pass, one per period: computed on demand, so that memory is independent of the motion's length.
+/// The tip's speed by set-points is the profile's: positions are those of the exact path at the profile's `s(t)`.
 #[derive(Debug, Clone)]
 pub struct SetPoints<'a> {
     motion: &'a PassMotion,
@@ -56,7 +56,7 @@ impl<'a> SetPoints<'a> {
         Self { motion, period, next: 0, count, cursor: 0 }
     }
 
-    /// The law and phase at time `t` from the first set-point.
+    /// Profile point and phase at time `t` from the first set-point.
     fn instant(&mut self, t: f64) -> (Phase, LawPoint) {
         let m = self.motion;
         let travel = t - m.before_s();

@@ -1,4 +1,4 @@
-//! Closeness to attitudes where the rotary axes lose a freedom of the torch's direction.
+//! Distance to singular attitudes, in which the rotary axes lose a degree of freedom of the torch's direction.
 
 use crate::JointPath;
 use crate::limits::Runs;
@@ -6,15 +6,15 @@ use glam::DVec3;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine};
 use seamwright_program::Finding;
 
-/// Places along the path that are looked at.
+/// Number of samples along the path.
 const PLACES: usize = 1440;
-/// Attitudes nearer than this to a singular one are reported, rad, if an axis comes to more than
+/// Attitudes closer than this to a singular one are reported, rad, if an axis uses more than
 const NEAR: f64 = 15.0 * std::f64::consts::PI / 180.0;
-/// this part of its limit.
+/// this fraction of its limit.
 const MUCH: f64 = 0.5;
 
-/// How far the attitude at `q` is from a singular one: the area that the turns of the rotary axes in `of` span on the
-/// sphere of directions, for two axes the sine of the angle between these turns. None with fewer than two such axes.
+/// Distance of the attitude at `q` from a singular one: the area that the rotations of the rotary axes in `of` span on
+/// the sphere of directions, for two axes the sine of the angle between them. None with fewer than two such axes.
 pub(crate) fn distance(machine: &Machine, of: AxisSet, q: &Joints) -> Option<f64> {
     let rotary = |i: usize| of.has(i) && machine.axes[i].kind == AxisKind::Rotary;
     if (0..machine.axes.len()).filter(|&i| rotary(i)).count() < 2 {
@@ -29,8 +29,9 @@ pub(crate) fn distance(machine: &Machine, of: AxisSet, q: &Joints) -> Option<f64
     Some(square.sqrt())
 }
 
-/// Stretches near a singular attitude where an axis needs much of its speed or acceleration at the asked speed, with
-/// the speed that the axes could hold there. The weld can be made: what cannot be kept is said by the speed law.
+/// Reports stretches near a singular attitude in which an axis needs much of its speed or acceleration at the requested
+/// speed, with the speed that the axes could hold there. These are notes: the speed profile reports speeds that cannot
+/// be kept.
 pub(crate) fn margins(
     machine: &Machine,
     path: &JointPath,

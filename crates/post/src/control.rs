@@ -19,7 +19,7 @@ impl Dialect {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Sinumerik, Self::Linuxcnc, Self::Grblhal, Self::Pmac];
 
-    /// As on the command line and in machine files.
+    /// Name of the dialect on the command line and in machine files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sinumerik => "sinumerik",
@@ -30,18 +30,18 @@ impl Dialect {
     }
 }
 
-/// How a machine's control is spoken to.
+/// Language and settings of a machine's control.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Control {
     /// Its language.
     pub dialect: Dialect,
-    /// What the numbers of a row are: the machine's axes, then process values by name.
+    /// Channels of a row: the machine's axes, then process values by name.
     pub channels: Vec<Channel>,
     /// Address of each channel; empty for an analogue output.
     pub addresses: Vec<String>,
-    /// Number of the analogue output of each channel that is one.
+    /// Number of the analogue output of each channel that has one.
     pub outputs: Vec<Option<u8>>,
-    /// Codes of the machine's own with what they do, the longest first.
+    /// Codes of the machine's own with their effect, the longest first.
     pub codes: Vec<(String, Code)>,
     /// Outputs that switch arc, gas and wire.
     pub io: Io,
@@ -55,7 +55,7 @@ pub struct Control {
     pub footer: Option<String>,
 }
 
-/// What a code of the machine's own does.
+/// Effect of a code of the machine's own.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Code {
     /// It switches or calls something.
@@ -135,8 +135,8 @@ impl Control {
         self.outputs.push(output);
     }
 
-    /// Whether a part program switches arc or beam by something of its own: a code or an output. A Sinumerik that
-    /// interpolates process values switches it by these, unless the machine file has a code for it.
+    /// Whether a part program switches arc or beam by a code or an output. A Sinumerik that interpolates process values
+    /// switches it by these, unless the machine file has a code for it.
     pub fn switches_arc(&self) -> bool {
         let interpolates = self.channels.iter().any(|c| c.kind == ChannelKind::Interpolated);
         let coded = self.code(&Code::Event(Event::Arc(true))).is_some();
@@ -154,7 +154,7 @@ impl Control {
     }
 }
 
-/// What the name of an event in a machine file means.
+/// Meaning of an event's name in a machine file.
 fn code_of(does: &str) -> Code {
     Code::Event(match does {
         "exact_stop" => return Code::ExactStop,

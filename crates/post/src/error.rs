@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-/// Why a part program cannot be written.
+/// Reason why a part program cannot be written.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Error {
     /// An axis has no letter that the control knows.
@@ -52,9 +52,9 @@ pub enum Error {
         step: usize,
         /// The pass that it is in, if it is in one.
         pass: String,
-        /// What the control cannot take.
+        /// Feature that the control lacks.
         what: String,
-        /// What to do.
+        /// Operator action.
         cure: &'static str,
     },
 }

@@ -1,7 +1,7 @@
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 
-/// The tip's speed tells nothing where the plan is slower than this part of the pass' fastest: it (nearly) stands still.
+/// Slowest planned speed that is compared, as a part of the pass' fastest: below it the tip (nearly) stands still.
 const SLOWEST: f64 = 0.2;
 /// Most parts of a block whose speed is compared, and the shortest, s: in shorter ones the six decimals would show.
 const MAX_PARTS: f64 = 16.0;
@@ -34,8 +34,8 @@ impl<'a> EvenSpeed<'a> {
         (seconds / PART_S).floor().clamp(1.0, MAX_PARTS) as usize
     }
 
-    /// The deviation of the tip's mean speed from the planned one, as a part of it, if it goes `way` mm straight on
-    /// between two `times` of the travel, s. None in run-up and run-down, or where it (nearly) stands still.
+    /// Relative deviation of the tip's mean speed from the planned one, for a straight way of `way` mm between two
+    /// `times` (s). `None` in the acceleration and deceleration phases, or where it (nearly) stands still.
     pub(crate) fn deviation(&self, times: [f64; 2], way: f64) -> Option<f64> {
         let [begin, end] = times;
         let leg = self.steady.partition_point(|steady| steady[1] < end);

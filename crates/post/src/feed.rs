@@ -1,7 +1,7 @@
-//! How each control takes a feed: the rule by which a block's F becomes a time.
+//! Rules by which each control converts a block's F into a time.
 //!
-//! Inverse time (G93): `60 / F` seconds on all of them; LinuxCNC makes a feed along the way of it and raises that to
-//! [`LEAST_FEED`] without a word. Per minute (G94): the way counted, divided by F. What counts as the way is
+//! Inverse time (G93): `60 / F` seconds on all of them; LinuxCNC converts it into a feed along the way and raises that
+//! to [`MIN_FEED`] without a message. Per minute (G94): the counted way divided by F. The counted way is
 //! - LinuxCNC: X Y Z if they move, else U V W, else A B C in degrees;
 //! - grblHAL: the root of the sum of squares of all axes, degrees as mm;
 //! - Sinumerik: the same of the axes of FGROUP, by default X Y Z; axes beside it arrive with them. A degree of a rotary
@@ -13,12 +13,12 @@ use crate::{Control, Dialect};
 use glam::DVec3;
 
 /// LinuxCNC's interpreter raises any lower feed to this, in mm/min or deg/min, without a word.
-pub(crate) const LEAST_FEED: f64 = 0.1;
+pub(crate) const MIN_FEED: f64 = 0.1;
 
-/// Which axes a feed counts: those of FGROUP or FRAX by channel; none: the control's usual ones.
+/// Axes that a feed counts: those of FGROUP or FRAX by channel; `None`: the control's usual ones.
 pub type Group<'a> = Option<&'a [usize]>;
 
-/// A control's rule for what counts as the way, worked out once for many blocks.
+/// A control's rule for the counted way, computed once for many blocks.
 #[derive(Debug, Clone)]
 pub(crate) struct FeedRule {
     /// Channels that count together: the first of these in which something moves.
@@ -27,7 +27,7 @@ pub(crate) struct FeedRule {
 }
 
 impl FeedRule {
-    /// Channels that count together, a bit for each; none: those of no set move.
+    /// Channels that count together, a bit for each; 0 if the rule has no set.
     pub(crate) fn counted(&self) -> u64 {
         self.sets.first().into_iter().flatten().fold(0, |bits, channel| bits | 1 << channel)
     }
@@ -78,7 +78,7 @@ impl Control {
     /// Time of a block with inverse-time feed `f` (per minute) whose way is `way`, s.
     pub fn inverse_time(&self, f: f64, way: f64) -> f64 {
         match self.dialect {
-            Dialect::Linuxcnc if way > 0.0 => 60.0 * way / (way * f).max(LEAST_FEED),
+            Dialect::Linuxcnc if way > 0.0 => 60.0 * way / (way * f).max(MIN_FEED),
             _ => 60.0 / f,
         }
     }
@@ -86,7 +86,7 @@ impl Control {
     /// Time of a block with feed `f` (mm/min; PMAC: mm/s) whose way is `way`, s.
     pub fn per_minute(&self, f: f64, way: f64) -> f64 {
         match self.dialect {
-            Dialect::Linuxcnc => 60.0 * way / f.max(LEAST_FEED),
+            Dialect::Linuxcnc => 60.0 * way / f.max(MIN_FEED),
             Dialect::Pmac => way / f,
             _ => 60.0 * way / f,
         }

@@ -1,8 +1,7 @@
 use crate::Dialect;
 
 impl Dialect {
-    /// The dialect that a part program is most likely written in, by its file's name and what stands in it: words that
-    /// only one of them has.
+    /// The most likely dialect of a part program, by its file's name and by words that only one dialect has.
     pub fn guess(file: &str, text: &str) -> Self {
         let ends = |endings: &[&str]| endings.iter().any(|ending| file.to_ascii_lowercase().ends_with(ending));
         if ends(&[".mpf", ".spf", ".arc"]) {

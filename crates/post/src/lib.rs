@@ -1,9 +1,10 @@
 //! Weld programs as part programs of real controls.
 //!
-//! Floor 2. [`part_program`] cuts planned passes into blocks (lines, arcs, cubics in time, splines) of the control's own
-//! axes or of the torch tip that stay within a tolerance of the exact path and keep its timing. [`write()`] puts such a
-//! [`PartProgram`], or one from elsewhere, down in the language of Sinumerik, LinuxCNC, grblHAL or PMAC; [`read()`] reads
-//! it back, and [`verify()`] proves that it is what was asked. [`to_program`] makes a weld program of what was read.
+//! Floor 2. [`part_program`] cuts planned passes into blocks (lines, arcs, cubics in time, splines) of the control's
+//! axes or of the torch tip. They stay within a tolerance of the exact path and keep its timing. [`write()`] writes
+//! such a [`PartProgram`], or one from elsewhere, in the language of Sinumerik, LinuxCNC, grblHAL or PMAC. [`read()`]
+//! reads it back, and [`verify()`] proves that it is the requested one. [`to_program`] converts a part program that was
+//! read into a weld program.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

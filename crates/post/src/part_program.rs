@@ -1,20 +1,20 @@
-//! A part program as data: what a control is told, in order, in no dialect. Posts write it, readers make it, the proof
+//! A part program as data: commands to a control, in order, in no dialect. Posts write it, readers make it, the proof
 //! plays it.
 
 use crate::polynomial::{Evenly, POWERS, Polynomial};
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;
 
-/// What one number of a row is.
+/// Meaning of one number of a row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Channel {
     /// Name of the axis (in the machine file) or of the process value.
     pub name: String,
-    /// How the control takes it from one row to the next.
+    /// Change of its value from one row to the next.
     pub kind: ChannelKind,
 }
 
-/// How a control takes a channel from one row to the next.
+/// Change of a channel's value from one row to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChannelKind {
     /// A linear axis, mm, interpolated.
@@ -23,19 +23,19 @@ pub enum ChannelKind {
     Rotary,
     /// A process value that is interpolated like an axis and reaches its value at the block's end.
     Interpolated,
-    /// A process value that has its value from the block's begin on.
+    /// A process value that has its value from the start of the block on.
     Stepped,
 }
 
-/// A part program. Rows are positions of all axes in the machine file's order (mm, degrees), then process values; a row
-/// is complete: what a block does not say stays as it was.
+/// A part program. Rows are positions of all axes in the machine file's order (mm, degrees), then process values. Every
+/// row is complete: channels that a block does not name keep their value.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PartProgram {
     /// Title, for people.
     pub title: String,
-    /// What the numbers of a row are.
+    /// Channels of a row.
     pub channels: Vec<Channel>,
-    /// What is done, in order.
+    /// Steps in the order of execution.
     pub steps: Vec<Step>,
     /// Arcs that moves go along.
     pub arcs: Vec<Arc>,
@@ -51,18 +51,18 @@ pub struct Step {
     pub line: u32,
     /// Block number, if it has one.
     pub number: Option<u32>,
-    /// What it does.
+    /// Effect of the step.
     pub what: What,
 }
 
-/// What a line does.
+/// Effect of a step.
 #[derive(Debug, Clone, PartialEq)]
 pub enum What {
-    /// A pass begins here, with its name: a place to start again from.
+    /// Start of a pass, with its name: the program can be started again from here.
     Pass(Box<str>),
     /// The axes move.
     Move(Move),
-    /// A process value is set: `at_once`, or with the begin of the next move.
+    /// Sets a process value: `at_once`, or with the start of the next move.
     Set {
         /// Index of the channel.
         channel: u16,
@@ -71,20 +71,20 @@ pub enum What {
         /// Whether it is set without waiting for a move.
         at_once: bool,
     },
-    /// Something is switched or said: `at_once`, or with the begin of the next move.
+    /// Switches an output or shows a message: `at_once`, or with the start of the next move.
     Event {
         /// What.
         event: Event,
-        /// Whether it happens without waiting for a move.
+        /// Whether it does not wait for a move.
         at_once: bool,
     },
-    /// Nothing moves for this long, s.
+    /// Dwell without motion, s.
     Dwell(f64),
     /// A remark.
     Comment(Box<str>),
 }
 
-/// What is switched or said.
+/// Output that is switched, or message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Event {
     /// Arc or beam on or off.
@@ -108,20 +108,20 @@ pub struct Move {
     pub path: Path,
     /// Index of the row it ends at.
     pub row: u32,
-    /// How long it takes by the control's own rule for feeds, s; 0 for a rapid move.
+    /// Duration by the control's own rule for feeds, s; 0 for a rapid move.
     pub seconds: f64,
-    /// What is interpolated.
+    /// Level of interpolation.
     pub level: Level,
-    /// Whether the control stops at its end.
+    /// Whether the control stops at the end of the move.
     pub exact_stop: bool,
 }
 
-/// What the control interpolates.
+/// Level at which the control interpolates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     /// The axes themselves.
     Joint,
-    /// The torch tip in the work frame, and the rotary axes: X, Y and Z of a row are the tip's place.
+    /// The torch tip in the work frame, and the rotary axes: X, Y and Z of a row are the tip's position.
     Tip,
 }
 
@@ -134,8 +134,8 @@ pub enum Path {
     Line,
     /// X, Y and Z go along this arc of [`PartProgram::arcs`], evenly by its angle; all else goes evenly.
     Arc(u32),
-    /// Each axis is a cubic in time with given speeds at both ends: this row has those at the end, per s; the speeds at
-    /// the begin are those at the end of the move before if that is one of these, else 0. PMAC's PVT.
+    /// Each axis is a cubic in time with given speeds at both ends. This row has those at the end, per s. The speeds at
+    /// the start are those at the end of the move before if that is one of these, else 0. PMAC's PVT.
     Hermite(u32),
     /// Uniform cubic B-spline: a run of these with equal times has their rows as its control points, the first and last
     /// ones three times. PMAC's SPLINE1.
@@ -144,9 +144,9 @@ pub enum Path {
     Curve(u32),
 }
 
-/// Polynomials of all axes in a block. Of the rows from `row` on the first has the coefficients of the second power of the
-/// parameter (0 at the begin, 1 at the end), the next those of the third, up to the fifth; those below follow from begin
-/// and end. The control goes evenly by the way of the axes that the feed counts.
+/// Polynomials of all axes in a block, by a parameter from 0 at the start to 1 at the end. Of the rows from `row` on
+/// the first has the coefficients of the second power, the next those of the third, up to the fifth. Lower powers
+/// follow from start and end. The control goes evenly by the way of the axes that the feed counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Curve {
     /// Index of the first of its [`POWERS`] rows.
@@ -174,8 +174,8 @@ impl Arc {
         from.cross(to).dot(normal).atan2(from.dot(to)).rem_euclid(TAU)
     }
 
-    /// Place at the part `f` of the way from `start` to `end`, which are both on it: round the axis by that part of the
-    /// angle, along the axis and outwards by that part of what the ends differ by.
+    /// Position at the part `f` of the way from `start` to `end`, which are both on it: by that part of the angle round
+    /// the axis, and by that part of the ends' differences along the axis and outwards.
     pub fn at(&self, start: DVec3, end: DVec3, f: f64) -> DVec3 {
         let across = |p: DVec3| {
             let away = p - self.centre;
@@ -255,12 +255,12 @@ impl PartProgram {
 pub struct Xyz([Option<usize>; 3]);
 
 impl Xyz {
-    /// The place that a row is at, mm.
+    /// The position of a row, mm.
     pub fn of(self, row: &[f64]) -> DVec3 {
         DVec3::from_array(self.0.map(|channel| channel.map_or(0.0, |i| row[i])))
     }
 
-    /// Puts a place into a row.
+    /// Writes a position into a row.
     pub fn put(self, row: &mut [f64], place: DVec3) {
         for (channel, value) in self.0.into_iter().zip(place.to_array()) {
             if let Some(i) = channel {

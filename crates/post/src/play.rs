@@ -6,22 +6,22 @@ use crate::polynomial::{Evenly, Polynomial};
 /// Part of a played program in which one thing goes on.
 #[derive(Debug, Clone)]
 pub struct Segment {
-    /// Time at its begin, s; rapid moves take none.
+    /// Time at its start, s; rapid moves take none.
     pub begin: f64,
-    /// How long it takes, s.
+    /// Duration, s.
     pub seconds: f64,
     /// Index of the step it belongs to.
     pub step: usize,
     /// Whether the arc is on.
     pub arc: bool,
-    /// What is interpolated; none while nothing moves.
+    /// Level of interpolation; `None` at rest.
     pub level: Option<Level>,
     from: Vec<f64>,
     to: Vec<f64>,
     way: Way,
 }
 
-/// How a segment goes from begin to end.
+/// Way of a segment from start to end.
 #[derive(Debug, Clone)]
 enum Way {
     Even,
@@ -74,7 +74,8 @@ impl Segment {
                 Some(begin.iter().zip(end).enumerate().map(speed).collect())
             }
             Way::Curve(axes, evenly) => {
-                // Where all slopes are 0 the way bends back: its direction is that of the place next to it.
+                // At a station where all slopes are 0 the way bends back: its direction is that of the station next to
+                // it.
                 let inward = if f < 0.5 { 1e-7 } else { -1e-7 };
                 let mut u = evenly.parameter(f);
                 if evenly.length() > 0.0 && evenly.speed(u) <= 1e-9 * evenly.length() {
@@ -91,7 +92,7 @@ impl Segment {
         &self.to
     }
 
-    /// Channels at its begin.
+    /// Channels at its start.
     pub fn start(&self) -> &[f64] {
         &self.from
     }
@@ -125,7 +126,7 @@ struct Player<'a> {
     /// Speeds that the last cubic left the axes with.
     speeds: Vec<f64>,
     arc: bool,
-    /// What waits for the next move.
+    /// Settings that wait for the next move.
     pending: Vec<&'a What>,
     segments: Vec<Segment>,
 }
@@ -190,7 +191,7 @@ impl<'a> Player<'a> {
 
     fn add(&mut self, step: usize, seconds: f64, level: Option<Level>, to: Vec<f64>, way: Way) {
         let mut from = std::mem::replace(&mut self.here, to.clone());
-        // Stepped values have theirs from the begin on.
+        // Stepped values change at the start.
         for (k, channel) in self.program.channels.iter().enumerate() {
             if channel.kind == ChannelKind::Stepped {
                 from[k] = to[k];
@@ -203,7 +204,7 @@ impl<'a> Player<'a> {
     /// The run of spline moves from step `i` on, as cubics, and the number of steps that it takes: a uniform B-spline whose first and last control points count
     /// three times, so that it takes two times more than there are moves.
     fn spline(&mut self, i: usize) -> usize {
-        // What is set with a motion does not interrupt it: the rows have it.
+        // Settings made with a motion do not interrupt it: the rows have them.
         let mut moves: Vec<(usize, Move)> = Vec::new();
         let mut steps = 0;
         for (k, step) in self.program.steps.iter().enumerate().skip(i) {
@@ -247,7 +248,7 @@ impl<'a> Player<'a> {
     }
 }
 
-/// Whether a spline goes on with `next`: its times are equal.
+/// Whether a spline continues with `next`: its times are equal.
 fn goes_on(moves: &[(usize, Move)], next: &Move) -> bool {
     moves.first().is_none_or(|(_, first)| (first.seconds - next.seconds).abs() <= 1e-9 * first.seconds)
 }

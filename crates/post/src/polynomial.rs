@@ -16,8 +16,8 @@ const GAUSS: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
 
-/// One axis: where it is at the parameter `u` (0 at the block's begin, 1 at its end), from its places there and the
-/// coefficients of u^2 and up; that of u follows.
+/// Position of one axis by the parameter `u` (0 at the block's start, 1 at its end). Given are its positions there and
+/// the coefficients of u^2 and up; the coefficient of u follows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Polynomial {
     pub(crate) from: f64,

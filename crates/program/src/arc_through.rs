@@ -48,13 +48,13 @@ impl ArcThrough {
         self.axis.dot(self.out.cross(to)).atan2(self.out.dot(to)).rem_euclid(TAU) / self.sweep
     }
 
-    /// The place at the part `f` of the way.
+    /// The position at the part `f` of the way.
     pub fn at(&self, f: f64) -> DVec3 {
         self.centre + f * self.rise * self.axis + DQuat::from_axis_angle(self.axis, f * self.sweep) * self.out
     }
 }
 
-/// Length of a way whose tip is at `tip(f)` at the part `f` of it, mm: by chords, with what they lack taken from half as
+/// Length of a way whose tip is at `tip(f)` at its part `f`, mm: by chords, with their shortfall estimated from half as
 /// many.
 pub fn tip_way(tip: impl Fn(f64) -> DVec3) -> f64 {
     let tips: Vec<DVec3> = (0..=PARTS).map(|k| tip(f64::from(k) / f64::from(PARTS))).collect();

@@ -22,7 +22,7 @@ pub enum AtCorner {
     BlendMm(Positive),
 }
 
-/// By hand, so that whatever else stands there the error says all that may.
+/// By hand, so that the error lists all allowed values for any other content.
 impl<'de> Deserialize<'de> for AtCorner {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Choice;

@@ -44,14 +44,14 @@ impl SeamCopy {
 }
 
 impl Program {
-    /// Where copy `copy` of the seam stands: maps the seam's frame to the machine's work frame, by way of the part's. In
-    /// a program without copies it is the seam itself.
+    /// Frame of copy `copy` of the seam: maps the seam's frame to the machine's work frame, by way of the part's. In a
+    /// program without copies it is the seam itself.
     pub fn copy_in_work(&self, copy: usize) -> DAffine3 {
         let placement = self.copies.get(copy).map_or(&self.placement, |copy| &copy.placement);
         self.work_offset() * placement.affine()
     }
 
-    /// Where the seam stands, or the first of its copies.
+    /// Frame of the seam, or of the first of its copies, in the work frame.
     pub fn seam_in_work(&self) -> DAffine3 {
         self.copy_in_work(0)
     }

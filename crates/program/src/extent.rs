@@ -1,4 +1,4 @@
-//! How much a program can hold. More is a slip, and would take memory or time without end.
+//! Size limits of a program. A larger one is a mistake, and would take excessive memory or time.
 
 use crate::{Pass, Program};
 use seamwright_document::{Document, DocumentError};

@@ -1,15 +1,15 @@
 use serde::Serialize;
 
-/// Something that keeps a weld from being made as asked, or that is worth knowing about it: where on the seam, and what
-/// would cure it.
+/// A fault that keeps a weld from being made as requested, or a note about it, with its position on the seam and the
+/// operator action.
 ///
-/// `allowed` and `cure` together give its [`Severity`]; so a warning always says what to do.
+/// `allowed` and `cure` together give its [`Severity`]; so a warning always has an operator action.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
     /// Short kind, stable for programs: `reach`, `range`, `speed`, `attitude`, `access`, `singular`, `jump`, `hold`,
     /// `pulses`, `steps`, `pace`, `stop`, `blend`, `least_speed`, `time`, `turn`, `bead`, `procedure`.
     pub kind: &'static str,
-    /// What is wrong, with the value found and the value allowed.
+    /// Description of the fault, with the value found and the value allowed.
     pub message: String,
     /// Pass, counted from 1.
     pub pass: usize,
@@ -17,13 +17,13 @@ pub struct Finding {
     pub from_mm: f64,
     /// See `from_mm`.
     pub to_mm: f64,
-    /// What would cure it; empty where nothing has to be done.
+    /// Operator action; empty if none is needed.
     pub cure: String,
     /// True if the weld can be made nevertheless (it was asked to slow down, or the shortcoming is only reported).
     pub allowed: bool,
 }
 
-/// How much a [`Finding`] weighs.
+/// Severity of a [`Finding`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Severity {
@@ -41,7 +41,7 @@ impl Finding {
         Self { kind, message, pass, from_mm, to_mm, cure: String::new(), allowed: true }
     }
 
-    /// How much it weighs: an error stands against the weld, a warning asks for an action, a note for none.
+    /// Severity of the finding: an error forbids the weld, a warning asks for an action, a note informs.
     pub fn severity(&self) -> Severity {
         match (self.allowed, self.cure.is_empty()) {
             (false, _) => Severity::Error,

@@ -10,11 +10,11 @@ const SAME_MM: f64 = 5e-4;
 pub struct FindingGroup<'a> {
     /// The first of them.
     pub finding: &'a Finding,
-    /// What all of them say; a number that differs from one to another is a range, as `1.69–5.60`.
+    /// Message of all of them; a number that differs from one to another is a range, as `1.69–5.60`.
     pub message: String,
-    /// What would cure them, in the same way.
+    /// Operator action, in the same way.
     pub cure: String,
-    /// Where they were found, in their order.
+    /// Positions of the findings, in their order.
     pub places: Vec<FindingPlace>,
 }
 
@@ -25,7 +25,7 @@ pub struct FindingPlace {
     pub first_pass: usize,
     /// The last of them.
     pub last_pass: usize,
-    /// Where on the pass, mm of path length.
+    /// Start on the pass, mm of path length.
     pub from_mm: f64,
     /// See `from_mm`.
     pub to_mm: f64,
@@ -103,7 +103,7 @@ impl<'a> Piece<'a> {
     }
 }
 
-/// Cuts a sentence into numbers and what stands between them.
+/// Splits a sentence into numbers and the text between them.
 fn pieces(sentence: &str) -> impl Iterator<Item = Piece<'_>> {
     let mut rest = sentence;
     let mut before = ' ';
@@ -111,7 +111,7 @@ fn pieces(sentence: &str) -> impl Iterator<Item = Piece<'_>> {
         let first = rest.chars().next()?;
         let number = number_at(rest).filter(|_| !before.is_alphanumeric() && !['_', '-', '.'].contains(&before));
         let length = number.unwrap_or_else(|| {
-            // Up to where the next number could begin.
+            // Up to the next possible start of a number.
             let start = if first.is_ascii_digit() { digits(rest) } else { first.len_utf8() };
             rest[start..].find(|c: char| c.is_ascii_digit()).map_or(rest.len(), |at| start + at)
         });

@@ -58,7 +58,7 @@ impl HeadStandard {
 }
 
 impl TorisphericalHead {
-    /// Inside radii (mm) of crown and knuckle: those given, or the standard's; none if neither is there.
+    /// Inside radii (mm) of crown and knuckle: those given, or the standard's; `None` without either.
     pub fn radii(&self) -> (Option<f64>, Option<f64>) {
         let standard = self.standard.map(|s| s.radii(self.outer_diameter_mm.get(), self.thickness_mm.get()));
         let of = |given: Option<Positive>, standard: Option<f64>| given.map(Positive::get).or(standard);

@@ -345,8 +345,8 @@ impl Joint {
     /// Checks that the sizes at `path` of a file do not contradict each other.
     ///
     /// # Errors
-    /// With the key's address: a root face as high as the part, angles that are none, a radius that does not fit, a
-    /// fillet with none or several sizes, places that do not increase.
+    /// With the key's address: a root face as high as the part, invalid angles, a radius that does not fit. Also a
+    /// fillet without or with several sizes, and positions that do not increase.
     pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         let at = |key: &str| format!("{path}.preparation.{}.{key}", self.preparation.key());
         let wrong = |key: &str, message: &str, allowed: String| Err(file.error_at(&at(key), message, allowed));

@@ -80,7 +80,7 @@ pub use span_value::{Ramp, SpanValue};
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use taught::Taught;
 pub use tolerance::Tolerance;
-pub use torch::{AxisPositions, Groove, MOST_AXES, Torch, TorchAt, TorchPath};
+pub use torch::{AxisPositions, Groove, MAX_AXES, Torch, TorchAt, TorchPath};
 pub use torch_jumps::torch_jumps;
 pub use variables::Variables;
 pub use weave::{Figure, Swing, Weave};

@@ -26,7 +26,7 @@ pub fn check_offset<T>(file: &Document<T>, offset: Option<&str>, offsets: &Offse
     }
 }
 
-/// What a name of a work offset is made of.
+/// Allowed characters of a work offset's name.
 pub const OFFSET_NAMES: &str = "letters, digits, - and _";
 
 /// True if `name` can be the name of a work offset: it stands in a file without quotes.

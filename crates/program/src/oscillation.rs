@@ -26,7 +26,7 @@ impl Oscillation {
     /// Checks the oscillation at `path` of a file.
     ///
     /// # Errors
-    /// With the key's address: a length of a figure that has none.
+    /// With the key's address: a length of a figure that has no length.
     pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         if self.along_mm.is_some() && !self.figure.is_round() {
             let allowed = "no such key, or figure = \"circle\" or \"eight\"";
@@ -42,18 +42,18 @@ impl Oscillation {
         (0.5 * self.across_mm.get() * swing.across, 0.5 * long * swing.along)
     }
 
-    /// How far the beam goes on in a period at `speed` mm/s, mm.
+    /// Advance of the beam in a period at `speed` mm/s, mm.
     pub fn advance(&self, speed: f64) -> f64 {
         speed / self.frequency_hz.get()
     }
 
-    /// Where the beam is on the work after `periods` at `speed` mm/s, mm: across, and along from where it began.
+    /// Position of the beam on the work after `periods` at `speed` mm/s, mm: across, and along from its start.
     pub fn on_work(&self, periods: f64, speed: f64) -> (f64, f64) {
         let (across, along) = self.at(periods);
         (across, along + periods * self.advance(speed))
     }
 
-    /// What stands against the oscillation in `pass`, in words, and what helps.
+    /// Describes gaps that the oscillation leaves in `pass`, with the operator action.
     pub fn gaps(&self, pass: &Pass) -> Option<(String, String)> {
         let (spot, (_, fastest)) = (self.spot_mm?.get(), pass.speeds());
         let advance = self.advance(fastest);

@@ -133,7 +133,7 @@ pub enum OnLimit {
 }
 
 impl Pass {
-    /// What the pass is for: its role, or what the first word of its name says.
+    /// Role of the pass: the given one, or that named by the first word of its name.
     pub fn known_role(&self) -> Option<Role> {
         let word = self.name.split_whitespace().next();
         self.role.or_else(|| Role::ALL.into_iter().find(|role| word == Some(role.name())))
@@ -167,7 +167,7 @@ impl Pass {
         self.span_at(s).map_or(f64::INFINITY, |span| span.speed_mm_s.at(span.part(s)))
     }
 
-    /// Least and greatest asked speed of the torch tip, mm/s.
+    /// Minimum and maximum programmed speed of the torch tip, mm/s.
     pub fn speeds(&self) -> (f64, f64) {
         let ends = self.spans.iter().flat_map(|span| <[f64; 2]>::from(span.speed_mm_s.ends()));
         ends.fold((f64::INFINITY, 0.0), |(least, most), v| (v.min(least), v.max(most)))
@@ -189,8 +189,8 @@ impl Pass {
         Some(value)
     }
 
-    /// Least and greatest of the process value `name` anywhere in the pass, with slopes and sides of the weave: what lies
-    /// between is between these. None if the pass has no such value.
+    /// Minimum and maximum of the process value `name` over the pass, with slopes and sides of the weave; all values
+    /// between are within these. `None` if the pass has no such value.
     pub fn process_range(&self, name: &str) -> Option<(f64, f64)> {
         let spans = self.spans.iter().filter_map(|span| span.process.get(name));
         let sides = self.weave.iter().filter_map(|weave| weave.at_sides.get(name));

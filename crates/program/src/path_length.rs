@@ -1,14 +1,14 @@
 //! Comparison of path lengths.
 //!
-//! A path length is worked out along several ways (arc length of the seam, sums of spans, even divisions of a pass,
-//! numbers of a file), which agree only to rounding. Every comparison of two path lengths that decides something goes
-//! through this module, so that no position is on the weld for one part of the program and beside it for another.
+//! A path length is computed in several ways: arc length of the seam, sums of spans, even divisions of a pass, numbers
+//! of a file. These agree only to rounding. Every comparison of two path lengths that decides something goes through
+//! this module. So all parts of the program agree whether a position is on the weld.
 
 /// Path lengths that differ by no more than this are the same position, mm.
 ///
-/// Arc length is exact to 1e-9 mm, doubles of a kilometre (the longest seam) have a spacing of 1e-10 mm, and a number that
-/// an error prints with six digits is off by half of this: a nanometre is above all rounding and far below what any
-/// machine resolves.
+/// Arc length is exact to 1e-9 mm. Doubles of a kilometre (the longest seam) have a spacing of 1e-10 mm. A number that
+/// an error prints with six digits is off by half of this. A nanometre is above all rounding and far below the
+/// resolution of any machine.
 pub const SAME_POSITION_MM: f64 = 1e-6;
 
 /// True if two path lengths (mm) are the same position.

@@ -4,9 +4,9 @@ use crate::{Pass, ProcessValues, Ramp, SAME_POSITION_MM, Span, SpanValue, is_bey
 use seamwright_document::{Finite, NonNegative, Positive};
 
 impl Pass {
-    /// The part of the pass between two of its own path lengths, mm: at every place its values are those of the pass
-    /// there. On a seam welded all round `turn` is its length, mm, and the part may go on beyond the pass' end: there the
-    /// values are those of a turn before. Anything else ends with the pass.
+    /// The part of the pass between two of its own path lengths, mm, with the values of the pass at every position. On
+    /// a seam welded all round `turn` is its length, mm, and the part may go on beyond the pass' end: there the values
+    /// are those of a turn before. Any other part ends with the pass.
     pub fn piece(&self, (from, to): (f64, f64), turn: Option<f64>) -> Self {
         let end = self.length();
         let again = turn.filter(|turn| to > end && !is_beyond(*turn, end)).into_iter().flat_map(|turn| {
@@ -56,7 +56,7 @@ fn moved(span: Span, by: f64) -> Span {
     }
 }
 
-/// The part of `span`, moved on by `by`, that lies between two path lengths; none if that is nothing.
+/// The part of `span`, moved on by `by`, between two path lengths; `None` if it is empty.
 fn clipped(span: &Span, by: f64, (from, to): (f64, f64)) -> Option<Span> {
     let (from, to) = (from.max(span.from_mm.get() + by), to.min(span.to_mm.get() + by));
     if to - from <= SAME_POSITION_MM {

@@ -79,7 +79,7 @@ pub enum Along {
 }
 
 impl Along {
-    /// As in files.
+    /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rapid => "rapid",
@@ -133,7 +133,7 @@ fn is_yes(value: &bool) -> bool {
     *value
 }
 
-/// What the columns of points are.
+/// Meaning of the columns of points.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Columns {
     /// Number of columns that are tip coordinates: 0 (the points are axis positions), 3 or 6.
@@ -172,7 +172,7 @@ impl Points {
         std::iter::once(&self.start).chain(self.spans.iter().flat_map(|span| &span.points)).map(Vec::as_slice)
     }
 
-    /// What its columns are; they were checked when the program was read.
+    /// Meaning of its columns; they were checked when the program was read.
     pub fn known_columns(&self) -> Columns {
         let at = |name: &str| self.columns.iter().position(|c| c == name);
         let pose = POSE_COLUMNS.iter().take_while(|name| at(name).is_some()).count();
@@ -316,7 +316,7 @@ impl Points {
         }
     }
 
-    /// Checks a point; `along` is none for the start.
+    /// Checks a point; `along` is `None` for the start.
     fn check_row<T>(
         &self,
         file: &Document<T>,

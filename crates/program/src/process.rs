@@ -24,8 +24,8 @@ pub fn check_process_name<T>(file: &Document<T>, path: &str, name: &str) -> Resu
     Ok(())
 }
 
-/// Units that names of process values end in, longest first: dimension, and the greatest value that a welding machine
-/// has. A gun with 300 kV and a laser with 200 kW exist; more is a slip of a digit.
+/// Units at the end of process values' names, longest first: dimension, and the maximum value of welding machines. A
+/// gun with 300 kV and a laser with 200 kW exist; more is a mistaken digit.
 const UNITS: [(&str, &str, f64); 17] = [
     ("cm_min", "speed", 1e4),
     ("in_min", "speed", 4e3),
@@ -50,7 +50,7 @@ const UNITS: [(&str, &str, f64); 17] = [
 /// submerged arc welding, the strongest.
 const ARC: [(&str, f64); 2] = [("current_a", 3000.0), ("voltage_v", 100.0)];
 
-/// What a process value is without its unit, and the dimension of this and its greatest value; none of other units.
+/// A process value's name without its unit, the unit's dimension and its maximum value; `None` for other units.
 fn quantity(name: &str) -> Option<(&str, &'static str, f64)> {
     UNITS.iter().find_map(|(unit, dimension, greatest)| {
         let stem = name.strip_suffix(unit)?.strip_suffix('_')?;
@@ -58,15 +58,15 @@ fn quantity(name: &str) -> Option<(&str, &'static str, f64)> {
     })
 }
 
-/// The greatest value that a process value called `name` may have, among others of these `names`.
+/// The maximum value of a process value called `name`, among others of these `names`.
 fn greatest<'a>(name: &str, mut names: impl Iterator<Item = &'a String>) -> f64 {
     let of_arc = ARC.iter().find(|(known, _)| *known == name).map(|(_, greatest)| *greatest);
     let of_arc = of_arc.filter(|_| names.any(|other| other == ARC[0].0));
     of_arc.or(quantity(name).map(|(_, _, greatest)| greatest)).unwrap_or(f64::INFINITY)
 }
 
-/// Checks that a process value called `name`, at `key` of a file, is one that a welding machine can have; `names` are
-/// those of all process values there.
+/// Checks that a process value called `name`, at `key` of a file, is possible for a welding machine; `names` are those
+/// of all process values there.
 ///
 /// # Errors
 /// With the key's address: a negative value, one that is far too large.
@@ -107,8 +107,8 @@ pub(crate) fn check_process_units<'a, T>(
     Ok(())
 }
 
-/// Checks the process values at `path` of a file: their names, that each is one that a welding machine can have, and
-/// that none is given twice.
+/// Checks the process values at `path` of a file: their names, that each is possible for a welding machine, and that
+/// each is given once.
 ///
 /// # Errors
 /// With the key's address.

@@ -6,21 +6,21 @@ use serde::de::{Error as _, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 
-/// How many times one after the other a pass is welded: a whole number from 1 to 1000.
+/// Number of times that a pass is welded in a row: a whole number from 1 to 1000.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub struct Repeat(u16);
 
 impl Repeat {
-    /// Most times.
-    pub const MOST: u16 = 1000;
+    /// Maximum number of times.
+    pub const MAX: u16 = 1000;
 
-    /// So many times, if that is allowed.
+    /// The number `times`, if it is allowed.
     pub fn new(times: u16) -> Option<Self> {
-        (1..=Self::MOST).contains(&times).then_some(Self(times))
+        (1..=Self::MAX).contains(&times).then_some(Self(times))
     }
 
-    /// How many times.
+    /// Number of times.
     pub fn get(self) -> u16 {
         self.0
     }
@@ -39,7 +39,7 @@ impl Default for Repeat {
 impl<'de> Deserialize<'de> for Repeat {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let times = f64::deserialize(deserializer)?;
-        let whole = times.fract() == 0.0 && (0.0..=f64::from(Self::MOST)).contains(&times);
+        let whole = times.fract() == 0.0 && (0.0..=f64::from(Self::MAX)).contains(&times);
         let wrong = || D::Error::invalid_value(Unexpected::Float(times), &"a whole number from 1 to 1000");
         Some(times as u16).filter(|_| whole).and_then(Self::new).ok_or_else(wrong)
     }
@@ -53,7 +53,7 @@ impl JsonSchema for Repeat {
         true
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "integer", "minimum": 1, "maximum": Self::MOST })
+        json_schema!({ "type": "integer", "minimum": 1, "maximum": Self::MAX })
     }
 }
 

@@ -34,7 +34,7 @@ pub enum Seam {
 }
 
 impl Seam {
-    /// Which kind of seam it is, in words.
+    /// Kind of seam, in words.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Nozzle(_) => "nozzle",

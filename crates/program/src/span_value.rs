@@ -33,7 +33,7 @@ impl<T> SpanValue<T> {
 }
 
 impl<T: Into<f64>> SpanValue<T> {
-    /// Where the span begins, and where it ends.
+    /// Values at the start and at the end of the span.
     pub fn ends(self) -> (f64, f64) {
         match self {
             Self::Steady(value) => {

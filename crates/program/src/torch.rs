@@ -35,7 +35,7 @@ pub struct TorchAt {
     pub travel_angle_deg: Finite,
 }
 
-/// The joint at one place, in the work frame.
+/// The joint at one station, in the work frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Groove {
     /// Unit tangent in the direction of welding.
@@ -46,12 +46,12 @@ pub struct Groove {
     pub dihedral: f64,
 }
 
-/// Most axes of a machine.
-pub const MOST_AXES: usize = 12;
+/// Maximum number of axes of a machine.
+pub const MAX_AXES: usize = 12;
 /// Positions of a machine's axes in its file's order, mm or rad; 0 beyond the last one.
-pub type AxisPositions = [f64; MOST_AXES];
+pub type AxisPositions = [f64; MAX_AXES];
 
-/// A path of the torch in the work frame by path length: what the rooms that know machines and time need of a pass.
+/// A path of the torch in the work frame by path length: the view of a pass for the crates of machines and time.
 pub trait TorchPath: Sync {
     /// Length, mm: `s` runs from 0 to this.
     fn length(&self) -> f64;
@@ -66,7 +66,8 @@ pub trait TorchPath: Sync {
         1.0
     }
 
-    /// True if `s` counts planned time and not the tip's way: speeds along it are those by `s`, whatever the tip does.
+    /// True if `s` counts planned time and not the tip's way: speeds along it are those by `s`, for any motion of the
+    /// tip.
     fn is_timed(&self) -> bool {
         false
     }
@@ -102,19 +103,19 @@ pub trait TorchPath: Sync {
         None
     }
 
-    /// Where the torch weaves: how far its tip is from its line, as a vector. The line is what `rate` and `tangent` speak
-    /// of, and along which speeds count. None if the tip is on its line all along.
+    /// Offset of a weaving tip from its line, as a vector. `rate`, `tangent` and speeds refer to the line. `None`
+    /// without a weave.
     fn swing(&self, _s: f64) -> Option<DVec3> {
         None
     }
 
-    /// Where the torch weaves: the same path with a weave that goes only `factor` times as fast, below 1;
-    /// with 0 without it.
+    /// The same path with its weave slowed down to `factor` times its speed, below 1; 0 removes the weave. `None`
+    /// without a weave.
     fn slower(&self, _factor: f64) -> Option<Box<dyn TorchPath + '_>> {
         None
     }
 
-    /// The place at `s` on the line along which the tip goes, from which it weaves.
+    /// The position at `s` on the line about which the tip weaves.
     fn centre(&self, s: f64) -> DVec3 {
         self.pose(s).point - self.swing(s).unwrap_or_default()
     }
@@ -133,8 +134,8 @@ pub trait TorchPath: Sync {
     }
 
     /// Path length within [`from`, `to`] of the path's point nearest to `point`, which must lie near the path at path
-    /// length `guess`: two Newton steps on the foot of the perpendicular. Where the torch weaves, that of the line's
-    /// point nearest to where `point` would be without the swing that is asked for at `guess`.
+    /// length `guess`. Makes two Newton steps on the foot of the perpendicular. With a weave, the swing at `guess` is
+    /// subtracted from `point`, and the foot is on the line.
     fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
         let point = point - self.swing(guess).unwrap_or_default();
         let along = |s: f64| {
@@ -149,7 +150,7 @@ pub trait TorchPath: Sync {
         Vec::new()
     }
 
-    /// Those of them where the first or the second one may: elsewhere no axis has to stop.
+    /// Knots at which the first or the second derivative may jump: elsewhere no axis has to stop.
     fn bends(&self) -> Vec<f64> {
         self.knots()
     }

@@ -1,4 +1,4 @@
-//! Places at which the torch itself would have to jump: no axes can follow it there, whatever the machine.
+//! Positions at which the torch itself would have to jump: no machine's axes can follow it there.
 
 use crate::{Finding, TorchPath};
 use seamwright_geometry::Pose;
@@ -25,7 +25,7 @@ pub fn torch_jumps(path: &dyn TorchPath, pass: usize) -> Vec<Finding> {
     path.knots().into_iter().filter(inside).flat_map(jumps).collect()
 }
 
-/// What jumps at `s`: direction, tip or both.
+/// Reports jumps at `s`: of direction, tip or both.
 fn jumps(pose: impl Fn(f64) -> Pose, s: f64, pass: usize) -> Vec<Finding> {
     let [far_before, before, after, far_after] = [-3.0, -1.0, 1.0, 3.0].map(|k| pose(s + k * ASIDE_MM));
     let abrupt = |change: fn(&Pose, &Pose) -> f64| {

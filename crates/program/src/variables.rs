@@ -1,7 +1,7 @@
 //! Variables of a program: `[variables]`, and numbers written as `"= expression"` over them.
 //!
-//! Expressions are replaced in the text by their numbers before it is read as a program, each within its line: whatever
-//! is wrong later on has its own line and key. Texts for people (`title`, `name`, `message`) are left alone.
+//! Expressions are replaced in the text by their numbers before it is read as a program, each within its line. So later
+//! errors have their own line and key. Texts for people (`title`, `name`, `message`) are left alone.
 
 use seamwright_document::{Document, DocumentError, Finite};
 use std::borrow::Cow;
@@ -15,9 +15,9 @@ pub type Variables = BTreeMap<String, Finite>;
 
 /// Keys whose texts are for people.
 const WORDS: [&str; 3] = ["title", "name", "message"];
-/// What an expression may look like.
+/// Allowed content of an expression.
 const GRAMMAR: &str = "numbers, names of variables, + - * / and parentheses";
-/// What a name may look like.
+/// Allowed characters of a name.
 const NAMES: &str = "a letter or _, then letters, digits and _";
 /// Most parentheses and signs within each other.
 const DEEPEST: usize = 64;
@@ -25,13 +25,13 @@ const DEEPEST: usize = 64;
 /// `text` with every `"= expression"` replaced by its number.
 ///
 /// # Errors
-/// With the key's address: a bad name, a variable that is no number, and of expressions an unknown name, syntax, a
+/// With the key's address: a bad name, a variable that is not a number; in expressions an unknown name, wrong syntax, a
 /// number that is not finite.
 pub(crate) fn substituted<'a>(file: &str, text: &'a str) -> Result<Cow<'a, str>, DocumentError> {
     if !["\"=", "'=", "variables"].iter().any(|mark| text.contains(mark)) {
         return Ok(text.into());
     }
-    // What is wrong with its syntax is told where it is read as a program.
+    // Syntax errors are reported when the text is read as a program.
     let Ok(table) = DeTable::parse(text) else { return Ok(text.into()) };
     let document = Document::<toml::Table>::read(file, text)?;
     let variables = given(&document)?;
@@ -49,7 +49,7 @@ pub(crate) fn substituted<'a>(file: &str, text: &'a str) -> Result<Cow<'a, str>,
         }
         numbers.push((span, evaluate(&document, &path, &expression, &variables)));
     }
-    // The first thing wrong in the order of the file is the one to tell.
+    // Reports the first error in the order of the file.
     if let Some(i) = numbers.iter().rposition(|(_, number)| number.is_err()) {
         return Err(numbers.swap_remove(i).1.err().unwrap_or_else(|| document.error_at("", "", "")));
     }
@@ -94,7 +94,7 @@ fn given(document: &Document<toml::Table>) -> Result<BTreeMap<String, f64>, Docu
     Ok(variables)
 }
 
-/// Calls `visit` for every expression with its key's path, its text after the equals sign, and its place.
+/// Calls `visit` for every expression with its key's path, its text after the equals sign, and its byte range.
 fn table_values(table: &DeTable, path: &mut String, visit: &mut dyn FnMut(&str, &str, Range<usize>)) {
     for (key, value) in table {
         let name: &str = key.get_ref();
@@ -255,7 +255,7 @@ impl Reader<'_> {
     }
 }
 
-/// How many bytes at the start of `text` are a number, with an exponent if one follows.
+/// Number of bytes at the start of `text` that are a number, with an exponent if one follows.
 fn number_length(text: &str) -> usize {
     let digits = |from: usize| text[from..].find(|c: char| !c.is_ascii_digit()).map_or(text.len(), |n| from + n);
     let mut end = digits(0);

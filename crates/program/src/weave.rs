@@ -6,20 +6,20 @@ use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
-/// How sharp the tips of a triangle are: the sine of half the angle that its sides leave open to rounding.
+/// Sharpness of a triangle's tips: the sine of half the angle that its sides leave open to rounding.
 const SHARP: f64 = 0.97;
 
 /// Largest part of a period that may be spent in dwells.
-const MOST_DWELL: f64 = 0.9;
+const MAX_DWELL: f64 = 0.9;
 
 /// Steepest plane of a weave, degrees: steeper ones go along the torch rather than across.
-const MOST_PLANE_DEG: f64 = 80.0;
+const MAX_PLANE_DEG: f64 = 80.0;
 
-/// More periods in a pass are a slip.
-const MOST_PERIODS: f64 = 2e5;
+/// Maximum number of periods in a pass; more are a mistake.
+const MAX_PERIODS: f64 = 2e5;
 
-/// Least way along the seam for one period, mm: less is a slip, no weave.
-const LEAST_PITCH_MM: f64 = 0.1;
+/// Minimum way along the seam for one period, mm; less is a mistake.
+const MIN_PITCH_MM: f64 = 0.1;
 
 /// Speeds of spans that meet differ by less than this part: rounding.
 const SAME_SPEED: f64 = 1e-9;
@@ -81,7 +81,7 @@ fn fade() -> NonNegative {
     NonNegative::new(5.0).unwrap_or_default()
 }
 
-/// Where a figure is: 1 is the whole way to the side of the first part, or as far ahead as it goes.
+/// Offset of a figure: 1 is the whole way to the side of the first part, or as far ahead as it goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swing {
     /// Across the weld, towards the first part.
@@ -91,8 +91,8 @@ pub struct Swing {
 }
 
 impl Figure {
-    /// Where the figure is at a phase (1 is a period); `dwells` are the parts of the period at the side of the first
-    /// and the second part, of a trapezoid. Twice continuously differentiable, but for [`Figure::knots`] any number of
+    /// Offset of the figure at a phase (1 is a period); `dwells` are the parts of the period at the side of the first
+    /// and the second part, of a trapezoid. Twice continuously differentiable; outside [`Figure::knots`] any number of
     /// times.
     pub fn at(self, phase: f64, dwells: (f64, f64)) -> Swing {
         let phase = phase.rem_euclid(1.0);
@@ -141,12 +141,12 @@ fn trapezoid(phase: f64, (first, second): (f64, f64)) -> f64 {
 }
 
 impl Weave {
-    /// Checks the weave at `path` of a file; `process` are the values of the pass, `corner` is what it does at corners,
-    /// and where in the file that stands.
+    /// Checks the weave at `path` of a file; `process` are the values of the pass. The last argument is the key of the
+    /// pass' corners, and their setting.
     ///
     /// # Errors
     /// With the key's address: neither pitch nor frequency or both, dwells without a trapezoid or longer than the
-    /// period, values at the sides that the pass does not have, corners that are to be blended.
+    /// period. Also values at the sides that the pass does not have, and corners that are to be blended.
     pub fn check<T>(
         &self,
         file: &Document<T>,
@@ -178,8 +178,8 @@ impl Weave {
                         "frequency_hz instead of pitch_mm".to_owned(),
                     );
                 }
-                Some(frequency) if dwell * frequency.get() > MOST_DWELL => {
-                    let most = MOST_DWELL / frequency.get();
+                Some(frequency) if dwell * frequency.get() > MAX_DWELL => {
+                    let most = MAX_DWELL / frequency.get();
                     return wrong(
                         key,
                         "the dwells leave no time to go across",
@@ -189,8 +189,8 @@ impl Weave {
                 _ => {}
             }
         }
-        if self.plane_deg.get().abs() > MOST_PLANE_DEG {
-            let allowed = format!("-{MOST_PLANE_DEG} to {MOST_PLANE_DEG}");
+        if self.plane_deg.get().abs() > MAX_PLANE_DEG {
+            let allowed = format!("-{MAX_PLANE_DEG} to {MAX_PLANE_DEG}");
             return wrong("plane_deg", "the weave would go to and fro along the torch", allowed);
         }
         if self.length_mm.is_some() && !self.figure.is_round() {
@@ -226,19 +226,19 @@ impl Weave {
         let slowest = spans.iter().map(|span| span.speed_mm_s.ends()).fold(f64::INFINITY, |v, (a, b)| v.min(a).min(b));
         let (key, pitch, allowed) = match (self.frequency_hz, self.pitch_mm) {
             (Some(frequency), _) => {
-                let most = slowest / LEAST_PITCH_MM;
+                let most = slowest / MIN_PITCH_MM;
                 ("frequency_hz", slowest / frequency.get(), format!("up to {most:.4} Hz at {slowest} mm/s"))
             }
-            (None, pitch) => ("pitch_mm", pitch.map_or(slowest, Positive::get), format!("{LEAST_PITCH_MM} or more")),
+            (None, pitch) => ("pitch_mm", pitch.map_or(slowest, Positive::get), format!("{MIN_PITCH_MM} or more")),
         };
-        if pitch < LEAST_PITCH_MM {
+        if pitch < MIN_PITCH_MM {
             let message = format!("a period of the weave would take only {pitch:.4} mm of the seam");
             return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
         }
         let periods: f64 = spans.iter().map(|span| self.periods(span, span.to_mm.get())).sum();
-        if periods > MOST_PERIODS {
+        if periods > MAX_PERIODS {
             let message = format!("the weave would have {periods:.0} periods in one pass");
-            return Err(file.error_at(&format!("{path}.{key}"), message, format!("up to {MOST_PERIODS} periods")));
+            return Err(file.error_at(&format!("{path}.{key}"), message, format!("up to {MAX_PERIODS} periods")));
         }
         let jump = (1..spans.len()).find(|&i| {
             let (before, after) = (spans[i - 1].speed_mm_s.ends().1, spans[i].speed_mm_s.ends().0);
@@ -302,7 +302,7 @@ impl Weave {
         (0.5 * width, 0.5 * self.length_mm.map_or(width, Positive::get))
     }
 
-    /// How much of its width the weave has at `s` of a pass of this length: 0 at the ends, 1 between the fades; twice
+    /// Part of the weave's width at `s` of a pass of this length: 0 at the ends, 1 between the fades; twice
     /// continuously differentiable.
     pub fn fade(&self, s: f64, length: f64) -> f64 {
         let fade = self.fade_mm.get().min(0.5 * length);

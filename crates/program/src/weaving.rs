@@ -10,7 +10,7 @@ pub struct Weaving {
 }
 
 impl Weaving {
-    /// The weave of `pass`; none if it has none.
+    /// The weave of `pass`, if it has one.
     pub fn new(pass: &Pass) -> Option<Self> {
         pass.weave.as_ref().map(|weave| Self::over(weave.clone(), pass.spans.clone()))
     }
@@ -35,7 +35,7 @@ impl Weaving {
         self.begun[i] + self.weave.periods(&self.spans[i], s)
     }
 
-    /// How far the torch is from its line, mm: across towards the first part, and along in the direction of travel.
+    /// Offset of the torch from its line, mm: across towards the first part, and along in the direction of travel.
     pub fn offset(&self, s: f64) -> (f64, f64) {
         let Swing { across, along } = self.weave.figure.at(self.phase(s), self.weave.dwells());
         let (wide, long) = self.weave.reach();
@@ -43,14 +43,15 @@ impl Weaving {
         (fade * wide * across, fade * long * along)
     }
 
-    /// Those of the [`Weaving::knots`] at which the second derivative may jump: where spans meet, of a weave by frequency.
+    /// Those of the [`Weaving::knots`] at which the second derivative may jump: borders of spans, for a weave by
+    /// frequency.
     pub fn bends(&self) -> Vec<f64> {
         let borders = self.spans.iter().skip(1).map(|span| span.from_mm.get());
         borders.filter(|_| self.weave.frequency_hz.is_some()).collect()
     }
 
-    /// Path lengths inside the pass that cut every period in `parts`, so that the sides lie in the middle of one where
-    /// that is a multiple of four; and the ends of dwells. Increasing, mm.
+    /// Path lengths inside the pass that cut every period in `parts`, and the ends of dwells. If `parts` is a multiple
+    /// of four, the sides lie in the middle of a part. Increasing, mm.
     pub fn cuts(&self, parts: u32) -> Vec<f64> {
         let mut cuts = self.knots();
         for (span, begun) in self.spans.iter().zip(&self.begun) {
@@ -99,8 +100,8 @@ impl Weaving {
 }
 
 impl Pass {
-    /// How far the weave is out to a side at path length `s`: 0 in the middle, 1 at the side of the first part, -1 at
-    /// that of the second; 0 without a weave. Allocates nothing.
+    /// Offset of the weave at path length `s`: 0 in the middle, 1 at the side of the first part, -1 at that of the
+    /// second; 0 without a weave. Does not allocate.
     pub fn swing_at(&self, s: f64) -> f64 {
         let Some(weave) = &self.weave else { return 0.0 };
         let mut phase = 0.0;

@@ -9,7 +9,7 @@ pub struct CsvReader<R> {
     source: String,
     lines: Lines<R>,
     names: Vec<String>,
-    /// Where each name stands in a line.
+    /// Index of each name in a line.
     places: Vec<usize>,
     values: Vec<f64>,
     line: u64,
@@ -91,7 +91,7 @@ impl<R: BufRead> CsvReader<R> {
         Some(Ok(self.places.iter().map(field).collect()))
     }
 
-    /// What is wrong in a column of the line read last, and what is allowed there.
+    /// Failure for a value in a column of the line read last, with the allowed values.
     pub fn error(&self, column: &str, value: &str, wrong: &str, allowed: &str) -> Failure {
         Failure::Input(format!("{}:{}: {column} = `{value}` {wrong}\n   allowed: {allowed}", self.source, self.line))
     }
@@ -116,7 +116,7 @@ impl<R: BufRead> CsvReader<R> {
     }
 }
 
-/// What to say of a header line without the column `missing`.
+/// Failure for a header line without the column `missing`.
 fn no_column(source: &str, missing: &str, header: &[&str], wanted: &[&[&str]]) -> Failure {
     let allowed: Vec<String> = wanted.iter().map(|names| names.join(",")).collect();
     let apart = if header.len() == 1 && header[0].contains([';', '\t']) { ", apart by commas" } else { "" };

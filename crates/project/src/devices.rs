@@ -22,7 +22,7 @@ pub type Cell = DeviceSet<
     Faulty<Box<dyn Inputs + Send>, InputBits>,
 >;
 
-/// What goes over the lines to devices, by their names.
+/// Traffic on the lines to devices, by their names.
 pub type Lines = Vec<(String, TrafficView)>;
 
 /// Periods at which a cell runs, ms.
@@ -72,7 +72,7 @@ fn drives(machine: &Machine, folder: &Path) -> Result<Option<Box<dyn Drives + Se
 
 /// Tells whoever started the program.
 fn note(text: &str) {
-    // Nothing can be done if standard error is closed.
+    // Errors are ignored: standard error may be closed.
     let _ = writeln!(std::io::stderr(), "note: {text}");
 }
 
@@ -101,10 +101,11 @@ fn put_together(
     }
 }
 
-/// The devices that the machine file names, connected (a HAL file as seen from `folder`); `values` are the names of the job's process values. Says what is simulated.
+/// The devices that the machine file names, connected (a HAL file as seen from `folder`); `values` are the names of the
+/// job's process values. Reports which devices are simulated.
 ///
 /// # Errors
-/// A device that cannot be reached, or has no register for a process value.
+/// An unreachable device, or one that has no register for a process value.
 pub fn of_machine(
     machine: &Machine,
     folder: &Path,

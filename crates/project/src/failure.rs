@@ -46,7 +46,7 @@ pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<
     Ok(())
 }
 
-/// What a finding is called at the command line.
+/// Word for a finding's severity at the command line.
 pub fn severity_word(finding: &Finding) -> &'static str {
     match finding.severity() {
         Severity::Error => "finding",
@@ -55,7 +55,7 @@ pub fn severity_word(finding: &Finding) -> &'static str {
     }
 }
 
-/// Where findings of a group are: `pass 1, s = 3.000 to 5.000 mm; passes 2 to 14, s = 0.000 mm`.
+/// Positions of a group's findings: `pass 1, s = 3.000 to 5.000 mm; passes 2 to 14, s = 0.000 mm`.
 pub fn places_text(group: &FindingGroup<'_>) -> String {
     let text = |place: &FindingPlace| {
         let passes = match (place.first_pass, place.last_pass) {
@@ -137,7 +137,7 @@ impl Failure {
         }
     }
 
-    /// What is wrong, in words.
+    /// Description of the failure.
     pub fn text(&self) -> String {
         match self {
             Self::Findings(findings) => {

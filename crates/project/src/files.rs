@@ -7,8 +7,8 @@ use std::io::{BufWriter, Read as _, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// Most bytes of a file.
-const MOST_BYTES: u64 = 1 << 30;
+/// Maximum size of a file, bytes.
+const MAX_BYTES: u64 = 1 << 30;
 
 /// Maximum number of written files that are named one by one.
 const MAX_NAMES: usize = 6;
@@ -23,12 +23,12 @@ pub fn read_bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
     let unreadable = |e: &std::io::Error| Failure::Input(format!("{source}: cannot be read: {e}"));
     let mut bytes = Vec::new();
     let result = if source == "-" {
-        std::io::stdin().lock().take(MOST_BYTES + 1).read_to_end(&mut bytes)
+        std::io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes)
     } else {
-        fs::File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes))
+        fs::File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
     };
     result.map_err(|e| unreadable(&e))?;
-    if bytes.len() as u64 > MOST_BYTES {
+    if bytes.len() as u64 > MAX_BYTES {
         return Err(Failure::Input(format!("{source}: the file is too large\n   allowed: up to 1 GiB")));
     }
     Ok(bytes)
@@ -94,7 +94,7 @@ pub(crate) fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
 /// Files that are named first where many were written.
 const MAIN: [&str; 3] = ["report.html", "program.toml", "report.json"];
 
-/// What was written, a line a folder: `61 files to out/saddle: report.html, program.toml and 59 more`.
+/// List of the files written, a line a folder: `61 files to out/saddle: report.html, program.toml and 59 more`.
 pub fn written_text(paths: &[PathBuf]) -> Vec<String> {
     let mut folders: Vec<(&Path, Vec<String>)> = Vec::new();
     for path in paths {

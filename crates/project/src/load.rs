@@ -29,8 +29,8 @@ pub struct Loaded {
     pub stl_files: Vec<(String, PathBuf)>,
 }
 
-/// Reads a job or program file and its machine; the name of an example stands for it where there is no such file. A
-/// folder is none: it may be the output of an example's plan.
+/// Reads a job or program file and its machine; without such a file the name may be that of an example. A folder is no
+/// file: it may be the output of an example's plan.
 pub fn load(path: &Path) -> Result<Loaded, Failure> {
     let (found, example) = (std::fs::metadata(path), path.to_str().and_then(example));
     let missing = found.as_ref().is_err_and(|e| e.kind() == std::io::ErrorKind::NotFound);
@@ -38,7 +38,7 @@ pub fn load(path: &Path) -> Result<Loaded, Failure> {
         return Err(no_such_job(path));
     }
     if let Some(example) = example.filter(|_| missing || found.is_ok_and(|found| found.is_dir())) {
-        // What ships stands alone: a machine file that lies here by chance is another machine.
+        // A shipped example uses the shipped machine: a machine file in this folder may be another machine.
         let (name, here) = (format!("{}.toml", example.name), Within::open(Path::new(".")));
         return load_within(&name, example.text, &here, Own::Never);
     }
@@ -141,7 +141,7 @@ impl StlFiles {
     }
 }
 
-/// The machine that was probably meant by a name that is none.
+/// The shipped machine whose name is closest to the unknown `name`.
 fn machine_meant(name: &str) -> Option<String> {
     let known: Vec<&str> = SHIPPED.iter().map(|shipped| shipped.name).collect();
     let stem = Path::new(name).file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
@@ -157,15 +157,15 @@ pub(crate) fn machine_beside(name: &str, within: &Within<'_>) -> Result<Option<M
     Ok(described(name, within, &StlFiles::default(), Own::First)?.map(|found| found.machine))
 }
 
-/// The machine that a job among those in `folder` names; none if there is no such machine.
+/// The machine that a job among those in `folder` names; `None` if it is missing.
 ///
 /// # Errors
-/// A machine file that cannot be read, or one outside the folder.
+/// An unreadable machine file, or one outside the folder.
 pub fn machine_among(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
     machine_beside(name, &Within::fenced(folder))
 }
 
-/// Where a cell keeps its own copy of a machine that ships, seen from its jobs: what it was found to be by calibrating and tuning.
+/// A cell's own copy of a shipped machine, relative to its jobs: it holds the results of calibration and tuning.
 pub(crate) fn own_copy(name: &str) -> String {
     format!("machines/{name}.toml")
 }
@@ -181,7 +181,7 @@ enum Own {
 struct Described {
     machine: Machine,
     document: Document<MachineFile>,
-    /// Where the file is, if it does not ship.
+    /// Path of the file, if it does not ship.
     file: Option<PathBuf>,
 }
 
@@ -248,11 +248,12 @@ pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), 
     })
 }
 
-/// Most set-points of one motion: more are a mistake in a period or a speed. A day of every millisecond is a tenth of them.
-const MOST_SET_POINTS: f64 = 1e9;
+/// Maximum number of set-points of one motion: more are a mistake in a period or a speed. A day of every millisecond is
+/// a tenth of them.
+const MAX_SET_POINTS: f64 = 1e9;
 
 impl Loaded {
-    /// Where the machine file is: files that it names are seen from there.
+    /// Folder of the machine file: files that it names are relative to it.
     pub fn folder(&self) -> &Path {
         self.machine_file.as_ref().and_then(|file| file.parent()).unwrap_or(Path::new("."))
     }
@@ -271,16 +272,16 @@ impl Loaded {
                 travel * 1e3
             )));
         }
-        if count <= MOST_SET_POINTS {
+        if count <= MAX_SET_POINTS {
             return Ok(());
         }
         Err(Failure::Input(format!(
-            "the motion takes {total:.3e} s, {count:.1e} set-points of {:.3e} ms\n   allowed: up to {MOST_SET_POINTS:.0e}; a higher speed, shorter times or a longer period",
+            "the motion takes {total:.3e} s, {count:.1e} set-points of {:.3e} ms\n   allowed: up to {MAX_SET_POINTS:.0e}; a higher speed, shorter times or a longer period",
             period_s * 1e3
         )))
     }
 
-    /// What of the part the collision check does not see, so that no plan is green without saying it.
+    /// Reports the parts that the collision check does not cover, so that every plan mentions them.
     fn part_not_watched(&self) -> Option<Finding> {
         let (message, cure) = if self.clamped.part.is_empty() {
             let message = "no part is watched: collisions are checked against the machine and the fixtures only";
@@ -304,10 +305,10 @@ impl Loaded {
         self.welding.seam.as_ref().ok_or_else(|| program.error_at("", "the program has no seam", allowed).into())
     }
 
-    /// What the machine keeps clear of: itself and what is clamped on it.
+    /// Obstacles of the machine: itself and what is clamped on it.
     ///
     /// # Errors
-    /// Solids that cannot be kept apart.
+    /// Solids whose clearance cannot be checked.
     pub fn surroundings(&self) -> Result<Surroundings<'_>, Failure> {
         Surroundings::new(&self.machine, &self.clamped)
             .map_err(|e| Failure::Input(format!("{}: {e}", self.welding.program.file())))

@@ -43,7 +43,7 @@ fn put(document: &mut DocumentMut, name: &str, offset: &Transform) -> Option<()>
     let mut table = table(offset);
     let offsets = offsets.as_table_like_mut()?;
     match offsets.get_mut(name) {
-        // Where it stands, with the comment over it.
+        // The table keeps its position and the comment over it.
         Some(Item::Table(old)) => {
             *table.decor_mut() = old.decor().clone();
             table.set_position(old.position());

@@ -1,4 +1,4 @@
-//! What a job names beside it: tables of points, and where its machine's axes put the torch.
+//! Data that a job names outside its file: tables of points, and the torch poses of its machine's axes.
 
 use crate::csv::CsvReader;
 use crate::failure::Failure;
@@ -19,8 +19,8 @@ const POINTS: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 const ONE_NORMAL: [&str; 6] = ["x_mm", "y_mm", "z_mm", "n1x", "n1y", "n1z"];
 const NORMALS: [&str; 9] = ["x_mm", "y_mm", "z_mm", "n1x", "n1y", "n1z", "n2x", "n2y", "n2z"];
 
-/// Most rows of a table.
-const MOST: usize = 20_000;
+/// Maximum number of rows of a table.
+const MAX_ROWS: usize = 20_000;
 
 /// Files and machines as a job names them.
 pub(crate) struct Beside<'a> {
@@ -42,8 +42,10 @@ impl<'a> Beside<'a> {
         let (mut reader, _) = CsvReader::open(name, BufReader::new(file), &[&NORMALS, &ONE_NORMAL, &POINTS])?;
         let mut rows = Vec::new();
         while let Some(row) = reader.row() {
-            if rows.len() == MOST {
-                return Err(Failure::Input(format!("{name}: the table is too long\n   allowed: up to {MOST} points")));
+            if rows.len() == MAX_ROWS {
+                return Err(Failure::Input(format!(
+                    "{name}: the table is too long\n   allowed: up to {MAX_ROWS} points"
+                )));
             }
             rows.push(row?.to_vec());
         }
@@ -51,7 +53,7 @@ impl<'a> Beside<'a> {
     }
 }
 
-/// What is wrong and what is allowed, from a message that says both.
+/// The fault and the allowed values, split from a message with both.
 fn wrong(failure: &Failure) -> Wrong {
     let text = match failure {
         Failure::Input(_) | Failure::Document(_) | Failure::Environment(_) => failure.text(),

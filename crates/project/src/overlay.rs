@@ -78,7 +78,7 @@ impl Overlay {
         }
     }
 
-    /// An arrow, two pixels thick; of less than a pixel there is none.
+    /// Draws an arrow, two pixels thick, unless it is shorter than a pixel.
     pub fn arrow(&mut self, from: DVec2, to: DVec2, colour: Colour) {
         let Some(along) = (to - from).try_normalize().filter(|_| from.distance(to) >= 1.0) else { return };
         let barb = (0.2 * from.distance(to)).min(18.0);

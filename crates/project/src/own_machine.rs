@@ -9,13 +9,13 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, Value, value};
 
 /// The machine file of a job, and where a change to it is kept.
 pub struct OwnMachine {
-    /// Where it is kept: the file itself, or the cell's own copy of one that ships.
+    /// Path of the file: the file itself, or the cell's own copy of one that ships.
     pub path: PathBuf,
     /// Its text now.
     pub text: String,
 }
 
-/// What a key is set to; none takes it away.
+/// New value of a key; `None` removes it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Setting {
     /// A number.
@@ -30,7 +30,7 @@ impl OwnMachine {
     /// That of a job among `jobs`.
     ///
     /// # Errors
-    /// A file that cannot be read, or lies elsewhere.
+    /// An unreadable file, or one that is elsewhere.
     pub fn of(loaded: &Loaded, jobs: &Path) -> Result<Self, Failure> {
         let name = &loaded.welding.program.value.machine;
         match (&loaded.machine_file, shipped(name)) {
@@ -53,7 +53,7 @@ impl OwnMachine {
         }
         let at = at.as_table_like_mut().ok_or_else(|| wrong(&"no table"))?;
         for (key, setting) in settings {
-            // What stands on one line stays there: within it nothing else can.
+            // An inline table stays inline: it cannot hold other tables.
             let inline = at.get(key).is_some_and(Item::is_value);
             match (setting.item(inline), at.get_mut(key)) {
                 (None, _) => drop(at.remove(key)),
@@ -128,10 +128,10 @@ impl OwnMachine {
         machine_foreign(&name, text, self.path.parent().unwrap_or(Path::new(".")))
     }
 
-    /// Checks `text` and keeps it, whole; what was there before is kept beside it, with `.before` behind its name.
+    /// Checks `text` and writes it, whole; the previous file stays beside it, with `.before` behind its name.
     ///
     /// # Errors
-    /// What is wrong with it, or a folder that cannot be written.
+    /// Invalid text, or a folder that is not writable.
     pub fn keep(&self, text: &str) -> Result<Machine, Failure> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
         files::make_private(folder).map_err(|e| files::not_writable(folder, &e))?;
@@ -185,7 +185,7 @@ impl Step<'_> {
 }
 
 impl Setting {
-    /// What stands in the document; none: nothing.
+    /// Item of the document; `None` if the key is to be removed.
     fn item(&self, inline: bool) -> Option<Item> {
         match self {
             Self::Number(number) => number.map(value),
@@ -219,7 +219,7 @@ mod tests {
         OwnMachine::of(&load_foreign("job.toml", text, jobs).unwrap(), jobs).unwrap()
     }
 
-    /// What is kept is what the next loading finds; everything else of the file, comments too, stays as it was.
+    /// The next loading finds the new values; everything else of the file, comments too, is unchanged.
     #[test]
     fn what_is_kept_is_found_by_the_next_job() {
         let jobs = tempfile::tempdir().unwrap();

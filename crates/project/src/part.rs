@@ -1,4 +1,4 @@
-//! How a simulated part lies, and whether its passes are tracked.
+//! Position of a simulated part, and whether its passes are tracked.
 
 use crate::Failure;
 use crate::load::Loaded;
@@ -13,9 +13,9 @@ use seamwright_tracking::beam::DeviationRecord;
 /// A simulated part; by default it lies as planned, and nothing is tracked.
 #[derive(Debug, Clone, Default)]
 pub struct Part {
-    /// How it differs from the planned one.
+    /// Deviation from the planned part.
     pub distortion: Option<Distortion>,
-    /// What an earlier weld has found of its seam: passes are corrected by it.
+    /// Deviations that an earlier weld has measured: passes are corrected by them.
     pub replay: Option<DeviationRecord>,
     /// Its passes are tracked.
     pub tracking: bool,

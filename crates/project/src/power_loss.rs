@@ -10,7 +10,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant, SystemTime};
 
-/// How often the place of the weld goes to the disk, s.
+/// Period at which the weld's position is written to the disk, s.
 const JOURNAL_S: f64 = 0.05;
 
 /// When the place of a weld is to be kept.
@@ -27,7 +27,7 @@ impl Default for Watch {
 }
 
 impl Watch {
-    /// Where `weld` is, while it runs or is held, if that is to be kept now.
+    /// Position of `weld`, while it runs or is held, if it is due to be written.
     pub fn position(&mut self, now: &Shown, weld: u64) -> Option<Position> {
         let welds = matches!(now.mode, Mode::Weld | Mode::Hold) && now.place.pass > 0;
         if !welds || now.t - self.last < JOURNAL_S {
@@ -73,13 +73,13 @@ pub fn check(data: Option<&Path>, from: Option<Place>) -> Result<(), Failure> {
     )))
 }
 
-/// What waits to be written: only the newest place matters.
+/// Data that wait to be written: only the newest position is written.
 #[derive(Debug, Default)]
 struct Slot {
     newest: Option<Position>,
     /// Welds that have ended in order.
     over: Vec<u64>,
-    /// What kept a place from being written, the first time.
+    /// First error that kept a position from being written.
     failed: Option<Error>,
     ended: bool,
 }
@@ -123,8 +123,8 @@ pub struct Places {
     thread: Option<JoinHandle<Journal>>,
 }
 
-/// Begins to keep places in `journal`. What is on the disk is older than the weld by 50 ms and the time of one write at
-/// most, however slow the disk is. After a write that fails the next place is tried.
+/// Starts to write positions to `journal`. The disk lags the weld by at most 50 ms plus the time of one write, however
+/// slow the disk is. After a failed write the next position is tried.
 pub fn writer(journal: Journal) -> Places {
     let waiting = Arc::new(Waiting::default());
     let from = Arc::clone(&waiting);
@@ -145,9 +145,9 @@ fn keep(mut journal: Journal, from: &Waiting) -> Journal {
 }
 
 impl Places {
-    /// How often is looked whether the thread lives.
+    /// Period at which the thread is checked to be alive.
     const LOOK: Duration = Duration::from_millis(50);
-    /// How long dropping waits for the journal to be free.
+    /// Maximum wait of a drop for the journal to be free.
     const PATIENCE: Duration = Duration::from_secs(1);
 
     /// The newest place; in the stead of the one before, if that is not being written yet.

@@ -1,4 +1,4 @@
-//! What is recorded of a weld beside its rows.
+//! Data recorded of a weld beside its rows.
 
 use crate::Failure;
 use crate::files;
@@ -14,14 +14,14 @@ use seamwright_record::trace::{Column, Kind};
 /// A part of a trace has an hour.
 const PART_S: f64 = 3600.0;
 
-/// What a trace says of its rows.
+/// Description of a trace's rows.
 #[derive(Debug)]
 pub struct Header<'a> {
     /// Columns with their units.
     pub columns: &'a [(String, &'static str)],
     /// Pairs of (key, value).
     pub about: &'a [(&'static str, String)],
-    /// Where the weld goes on that was begun before, if it does.
+    /// Position at which a weld continues that was started before, if any.
     pub from: Option<Place>,
 }
 
@@ -32,7 +32,7 @@ impl Header<'_> {
     }
 }
 
-/// What is welded, and by whom.
+/// Part and welder of a weld.
 #[derive(Debug, Clone, Default)]
 pub struct Who {
     /// Number of the part, as the shop has it.
@@ -64,10 +64,10 @@ fn kind(name: &str) -> Kind {
     }
 }
 
-/// What is to be recorded of a weld.
+/// Plan of a weld's recording.
 ///
 /// # Errors
-/// A machine file that cannot be read any more.
+/// A machine file that has become unreadable.
 pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, who: Who) -> Result<Plan, Failure> {
     let document = &loaded.welding.program;
     let program = &document.value;
@@ -108,7 +108,8 @@ fn goes_on(program: &Program, at: Place) -> String {
     format!("goes on in pass {} from {:.2} mm", at.pass, (at.s_mm - overlap).max(0.0))
 }
 
-/// What is judged: process values, speed and heat input of each pass between run-up and run-down.
+/// Values that are judged: process values, speed and heat input of each pass between its acceleration and deceleration
+/// phases.
 fn basis(program: &Program, motion: &WeldMotion) -> Basis {
     let procedure = program.procedure.as_ref();
     let mut judged = Vec::new();

@@ -62,7 +62,7 @@ pub fn columns(machine: &Machine, values: &[String], heads: &[String]) -> Vec<(S
     columns
 }
 
-/// Where the torch's tip has been of late, in the work.
+/// Recent positions of the torch tip on the work.
 #[derive(Debug, Default)]
 pub struct Tips {
     /// Times (s), and the tip as it was measured and as it was set, mm.
@@ -143,7 +143,7 @@ pub fn row(tips: &mut Tips, machine: &Machine, c: &Shown, values: usize, heads: 
     row
 }
 
-/// What ends the names of each head's columns; one head needs none.
+/// Suffixes of each head's columns; empty for one head.
 pub fn head_names(loaded: &Loaded) -> Vec<String> {
     let pairs = loaded.paths().iter().any(|path| path.second(0.0).is_some());
     let heads = loaded.machine.heads.iter().take(if pairs { 2 } else { 1 });

@@ -15,7 +15,7 @@ use std::time::Duration;
 
 /// Edges that fit between the cycle and the writer: a second of ten axes at 10 kHz.
 const ROOM: usize = 1 << 18;
-/// How often the writer looks for edges when there are none.
+/// Period at which the writer looks for new edges.
 const LOOK: Duration = Duration::from_millis(5);
 
 /// Drives by pulses, and who writes the pulses.

@@ -1,10 +1,10 @@
-//! What happens in a weld beside alarms, as the library keeps it.
+//! Events of a weld beside alarms, as the library records them.
 
 use seamwright_cell::executive::{Ask, Note, Place};
 use seamwright_record::Moment;
 use seamwright_record::library::{Event, Place as Recorded};
 
-/// The event that `note` is, told at time `t` (s) with the torch at `here`; none for what is no event of a weld.
+/// The event of `note` at time `t` (s) with the torch at `here`; `None` for notes that are no event of a weld.
 pub fn event(t: f64, note: &Note, here: Place) -> Option<Event> {
     let (text, place) = match note {
         Note::Mode(from, to) => (format!("{from} -> {to}"), here),
@@ -22,7 +22,8 @@ pub fn event(t: f64, note: &Note, here: Place) -> Option<Event> {
     Some(Event { at: Moment::now(), text, place })
 }
 
-/// Where a weld of these events was left at last, as [`event`] has told it: pass from 1, and the path length up to which it is welded (mm).
+/// Position at which a weld of these events was left last, as reported by [`event`]: pass from 1, and the path length
+/// up to which it is welded (mm).
 pub fn left(events: &[Event]) -> Option<(u32, f64)> {
     let left = events.iter().rfind(|event| event.text.contains(" was left, welded up to "))?;
     left.place.pass.zip(left.place.s_mm)

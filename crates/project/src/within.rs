@@ -2,15 +2,15 @@ use std::borrow::Cow;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
-/// Most bytes of a file that a text from elsewhere names.
-const MOST: u64 = 64 << 20;
+/// Maximum size of a file that a text from elsewhere names, bytes.
+const MAX_BYTES: u64 = 64 << 20;
 
-/// Where the files are that a job or a machine file names.
+/// Location of the files that a job or a machine file names.
 #[derive(Debug, Clone)]
 pub(crate) struct Within<'a> {
     /// Names are seen from here.
     folder: Cow<'a, Path>,
-    /// Nothing outside of this is looked at; none: the text is of whoever may read the files anyway.
+    /// Files outside this folder are refused; `None`: the author of the text may read all files anyway.
     fence: Option<&'a Path>,
 }
 
@@ -55,7 +55,7 @@ impl<'a> Within<'a> {
         let about = real.metadata()?;
         match about.len() {
             _ if !about.is_file() => refused("it is no plain file"),
-            size if size > MOST => refused("it is larger than 64 MiB"),
+            size if size > MAX_BYTES => refused("it is larger than 64 MiB"),
             _ => Ok(real),
         }
     }
@@ -74,7 +74,7 @@ mod tests {
         for file in ["jobs/a.csv", "jobs/machines/b.stl", "users.json"] {
             fs::write(scratch.path().join(file), "x").unwrap();
         }
-        fs::File::create(jobs.join("large.stl")).unwrap().set_len(MOST + 1).unwrap();
+        fs::File::create(jobs.join("large.stl")).unwrap().set_len(MAX_BYTES + 1).unwrap();
         let within = Within::fenced(&jobs);
         for good in ["a.csv", "./a.csv", "machines/b.stl"] {
             assert!(within.file(good).unwrap().is_file(), "{good}");
@@ -95,10 +95,10 @@ mod tests {
         let beside = within.beside(&jobs.join("machines/m.toml"));
         assert!(beside.file("b.stl").is_ok() && beside.file("../a.csv").is_err());
         assert!(beside.file("../../users.json").is_err());
-        // What is there outside, and what is not, is told alike.
+        // Existing and missing files outside give the same message.
         let (there, not) = (within.file("../users.json").unwrap_err(), within.file("../nobody.json").unwrap_err());
         assert_eq!(there.to_string(), not.to_string());
-        // Whoever may read all names all.
+        // Without a fence all files can be named.
         assert!(Within::open(&jobs).file("../users.json").unwrap().is_file());
     }
 }

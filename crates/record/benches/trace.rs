@@ -1,4 +1,4 @@
-//! What recording costs: a row of the raw trace, and bytes a second of weld.
+//! Cost of recording: a row of the raw trace, and bytes a second of weld.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use seamwright_record::trace::{Column, Kind, TraceWriter};

@@ -118,7 +118,7 @@ pub fn restore(archive: &Path, folder: &Path) -> Result<(), Error> {
     let inside = scratch.path().join("data");
     unpack(file, &inside).map_err(|e| Error::io(archive, "is no whole archive", e))?;
     let is_listed = check_manifest(archive, &inside)?;
-    // Nothing but rows comes from elsewhere: no triggers, views or damage of its pages.
+    // Only rows are copied from the archive: its triggers, views and damaged pages are not.
     let foreign = scratch.path().join("foreign.sqlite");
     fs::rename(inside.join(LIBRARY), &foreign).map_err(|e| Error::io(&foreign, "cannot be made", e))?;
     let has_manifests = Library::rebuild(&foreign, &inside.join(LIBRARY)).map_err(|e| in_archive(archive, e))?;
@@ -148,7 +148,7 @@ fn relative(text: &str, folder: &Path) -> String {
     text.replace(&format!("{}/", folder.display()), "")
 }
 
-/// What is wrong with the library, of the archive that it came in.
+/// Names the archive as the source of an error of the library inside it.
 fn in_archive(archive: &Path, e: Error) -> Error {
     match e {
         Error::Damaged { why, allowed, .. } => Error::Damaged { path: archive.to_owned(), why, allowed },
@@ -161,7 +161,8 @@ fn in_archive(archive: &Path, e: Error) -> Error {
     }
 }
 
-/// Holds every file against the manifest, and removes that. False: there is none, as in archives of older versions.
+/// Verifies every file against the manifest, and removes the manifest. False if it is missing, as in archives of older
+/// versions.
 fn check_manifest(archive: &Path, inside: &Path) -> Result<bool, Error> {
     let path = inside.join(MANIFEST);
     let size = match fs::metadata(&path) {
@@ -214,7 +215,7 @@ fn unpack(mut file: impl Read + Seek, folder: &Path) -> std::io::Result<()> {
         if !known || !(kind.is_file() || kind.is_dir()) {
             return Err(wrong(format!("{} does not belong into it", path.display())));
         }
-        // Nobody else's to write, users nobody else's to read, whatever the archive says.
+        // Regardless of the archive only the owner may write the files, and only the owner may read users.
         entry.set_mask(if path == Path::new(USERS) { 0o7177 } else { 0o7022 });
         end = entry.raw_file_position() + entry.size().next_multiple_of(BLOCK);
         if !entry.unpack_in(folder)? {
@@ -271,7 +272,7 @@ mod tests {
             assert_eq!(sha256_of_file(&from.join(file)).unwrap(), sha256_of_file(&to.join(file)).unwrap());
         }
         assert!(!to.join("tls").exists() && !to.join(MANIFEST).exists());
-        // Nothing is overwritten.
+        // Existing data are never overwritten.
         assert!(restore(&archive, &to).is_err());
         // Cut off anywhere it is refused, and nothing is left behind.
         let bytes = fs::read(&archive).unwrap();
@@ -284,7 +285,7 @@ mod tests {
         }
     }
 
-    /// Whatever an archive says, users are their owner's alone.
+    /// Users are readable by their owner only, regardless of the archive.
     #[cfg(unix)]
     #[test]
     fn an_archive_opens_no_file_to_others() {
@@ -364,7 +365,7 @@ mod tests {
             BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;";
         let changed = copy("changed", changed).unwrap_err();
         assert!(changed.contains("audit entry 1"), "{changed}");
-        // Nobody gets past the hashes by leaving them out.
+        // Archives without hashes are refused.
         let stripped = copy("stripped", "PRAGMA user_version = 3").unwrap_err();
         assert!(stripped.contains("manifest.sha256: missing") && stripped.contains("stripped.tar"), "{stripped}");
     }
@@ -380,7 +381,7 @@ mod tests {
         assert!(refused.contains("manifest.sha256: of 65 MiB"), "{refused}");
     }
 
-    /// Whoever gets a backup without users gets no password to try; restored, users stay as they are.
+    /// A backup without users holds no password hashes; after a restore the users stay unchanged.
     #[test]
     fn a_backup_without_users_has_none() {
         let scratch = tempfile::tempdir().unwrap();

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// Room that must be left on the disk beside the trace, bytes.
 const SPARE: u64 = 64 << 20;
 
-/// What nobody but the owner of the folder reads, whatever it was made with.
+/// Files that only the owner of the folder may read, regardless of the permissions that they were made with.
 const PRIVATE: [&str; 6] =
     ["library.sqlite", "library.sqlite-wal", "library.sqlite-shm", "welds", "position.a", "position.b"];
 
@@ -32,7 +32,7 @@ pub struct Recovered {
     pub unread_bytes: u64,
 }
 
-/// What [`DataFolder::verify`] found.
+/// Result of [`DataFolder::verify`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Verified {
     /// Welds looked at.
@@ -65,13 +65,13 @@ impl DataFolder {
     /// Opens the folder only to read it.
     ///
     /// # Errors
-    /// If it has no library, or that cannot be read.
+    /// If its library is missing or unreadable.
     pub fn open_to_read(path: &Path) -> Result<Self, Error> {
         let library = Library::open_to_read(&path.join("library.sqlite"))?;
         Ok(Self { path: path.to_owned(), library })
     }
 
-    /// Where it is.
+    /// Path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -86,7 +86,7 @@ impl DataFolder {
         &mut self.library
     }
 
-    /// Where a weld's files are.
+    /// Folder of a weld's files.
     pub fn weld_folder(&self, weld: i64) -> PathBuf {
         self.path.join("welds").join(format!("{weld:06}"))
     }
@@ -140,7 +140,7 @@ impl DataFolder {
         recording.inspect_err(|_| self.take_back(id, &folder))
     }
 
-    /// Removes what there is of a weld that could not be begun. What cannot be removed either, [`DataFolder::recover`] settles.
+    /// Removes the remains of a weld that failed to start. If that fails too, [`DataFolder::recover`] settles them.
     fn take_back(&self, id: i64, folder: &Path) {
         // No weld had this number, so nothing of another one is there.
         drop(fs::remove_file(folder.join("trace.raw")));

@@ -15,12 +15,12 @@ pub enum Error {
         /// That it is full, or how much is missing.
         why: String,
     },
-    /// Nothing may be written there.
+    /// The folder or file is read-only.
     #[error("{}: cannot be written: {why}\n   allowed: a folder that you may write", path.display())]
     ReadOnly {
         /// The file or folder.
         path: PathBuf,
-        /// What the system says.
+        /// Message of the system.
         why: String,
     },
     /// The system refuses for another reason.
@@ -28,9 +28,9 @@ pub enum Error {
     Io {
         /// The file.
         path: PathBuf,
-        /// What was tried.
+        /// Action that failed.
         doing: &'static str,
-        /// What the system says.
+        /// Error of the system.
         cause: io::Error,
     },
     /// A file is not what it should be.
@@ -38,9 +38,9 @@ pub enum Error {
     Damaged {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// Description of the damage.
         why: String,
-        /// What would do.
+        /// Operator action.
         allowed: String,
     },
     /// A library of a later version.
@@ -62,12 +62,12 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
-    /// What was asked for is not there, or not allowed.
+    /// The request is invalid: its object is missing, or it is not allowed.
     #[error("{what}\n   allowed: {allowed}")]
     Wrong {
-        /// What is wrong.
+        /// Description of the fault.
         what: String,
-        /// What would do.
+        /// Operator action.
         allowed: String,
     },
     /// The database refuses for another reason.
@@ -75,7 +75,7 @@ pub enum Error {
     Database {
         /// The library.
         path: PathBuf,
-        /// What SQLite says.
+        /// Error of SQLite.
         cause: rusqlite::Error,
     },
 }

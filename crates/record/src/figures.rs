@@ -1,8 +1,9 @@
-//! What a trace comes to: heat input and deviations along the seam, values against their windows.
+//! Figures of a trace: heat input and deviations along the seam, values against their windows.
 //!
-//! Worked out from the columns `t_s`, `pass`, `s_mm`, `arc`, where there is one `tip_s_mm`, and those that the [`Basis`]
-//! names. Each row holds until the next. The same for a weld that ended well and for what a crash left of one. Where there is a
-//! column `steady`, values count only where it is 1: what lies in a hold, a ramp, a start or an end is no travel.
+//! They are computed from the columns `t_s`, `pass`, `s_mm`, `arc`, `tip_s_mm` if it exists, and those that the
+//! [`Basis`] names. Each row holds until the next. The same for a weld that ended well and for the remains of one after
+//! a crash. If there is a column `steady`, values count only while it is 1: holds, ramps, starts and ends are no
+//! travel.
 
 mod tally;
 
@@ -14,10 +15,10 @@ use tally::Tally;
 /// Name of the value that is worked out and in no column.
 pub const HEAT_INPUT: &str = "heat_input_kj_mm";
 
-/// What figures are worked out from.
+/// Inputs of the figures.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Basis {
-    /// How power is made, if that is known.
+    /// Sources of power, if known.
     pub power: Option<Power>,
     /// Values to be judged.
     pub judged: Vec<Judged>,
@@ -45,7 +46,7 @@ pub struct Judged {
     pub along: Vec<(f64, f64)>,
 }
 
-/// What a value was while the pass was travelled with the arc on.
+/// Range of a value while the pass was travelled with the arc on.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Value {
     /// The pass, counted from 1.
@@ -60,7 +61,7 @@ pub struct Value {
     pub greatest: f64,
     /// Least and greatest value allowed.
     pub allowed: Option<(f64, f64)>,
-    /// How long it was outside, s.
+    /// Time outside the window, s.
     pub outside_s: f64,
     /// Over how much of the way it was outside, mm.
     pub outside_mm: f64,
@@ -74,7 +75,7 @@ pub struct Value {
 pub struct Curve {
     /// The pass, counted from 1.
     pub pass: u32,
-    /// What it shows; the column's name.
+    /// Quantity; the column's name.
     pub name: String,
     /// Path length, and the value there.
     pub points: Vec<(f64, f64)>,

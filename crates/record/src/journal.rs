@@ -1,7 +1,7 @@
-//! Where the weld was, for the day the power fails.
+//! Journal of the weld's position, for a power failure.
 //!
-//! Two files of one disk block each are written by turns, in place, and synced: whatever happens to the one that is
-//! being written, the other has the entry before. They never grow.
+//! Two files of one disk block each are written by turns, in place, and synced. If writing one of them fails, the other
+//! has the entry before. They never grow.
 //!
 //! | bytes | an entry, little-endian |
 //! |---|---|
@@ -25,7 +25,7 @@ const ENTRY: usize = 92;
 const BLOCK: usize = 4096;
 const NAMES: [&str; 2] = ["position.a", "position.b"];
 
-/// Where a weld was.
+/// Position of a weld.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Position {
     /// Time, s since 1970 UTC.
@@ -34,7 +34,7 @@ pub struct Position {
     pub weld: u64,
     /// The pass, counted from 1; 0 in the air.
     pub pass: u32,
-    /// What the process does, as the executive counts it.
+    /// Phase of the process, as the executive counts it.
     pub phase: u8,
     /// Place of the torch by path length, mm.
     pub s: f64,

@@ -34,18 +34,18 @@ pub struct Plan {
     pub most_rows: u64,
     /// Rows that are expected: the weld is refused if there is no room for them.
     pub rows: u64,
-    /// What figures are worked out from.
+    /// Inputs of the figures.
     pub basis: Basis,
-    /// What is to be noted of it from its begin on, if anything.
+    /// Note made at the start of the weld; may be empty.
     pub note: String,
 }
 
-/// How a weld ended.
+/// End of a weld.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// With what result.
     pub result: WeldResult,
-    /// What else there is to say; may be empty.
+    /// Further remarks; may be empty.
     pub note: String,
     /// Files to keep with it: name and text.
     pub files: Vec<(String, String)>,
@@ -100,11 +100,11 @@ impl Recording {
         self.trouble.as_deref()
     }
 
-    /// Ends the weld: makes the trace Parquet, works out the figures and puts all of it into the library.
+    /// Ends the weld: converts the trace to Parquet, computes the figures and puts all of it into the library.
     ///
     /// # Errors
-    /// If the library cannot be written: the trace is kept, and [`DataFolder::recover`] puts it into the library later.
-    /// A trace that cannot be finished is no error; the weld's note says so.
+    /// If the library cannot be written: the trace stays, and [`DataFolder::recover`] puts it into the library later.
+    /// An unfinished trace is no error; the weld's note reports it.
     pub fn finish(self, data: &mut DataFolder, outcome: &Outcome) -> Result<WeldRecord, Error> {
         let Self { id, begun, folder, writer, note, trouble } = self;
         let mut notes: Vec<String> = vec![note, outcome.note.clone()];

@@ -11,7 +11,7 @@ const BEGUN: &str = "restore-begun";
 /// The same once the old data are out of the way: its `new` is moved into their place.
 const MOVED: &str = "restore-moved";
 
-/// What goes out of the way and comes: an archive has some of it. Keys of encrypted connections (`tls`) stay.
+/// Files that a restore replaces: an archive has some of them. Keys of encrypted connections (`tls`) stay.
 const REPLACED: [&str; 9] = [
     LIBRARY,
     "library.sqlite-wal",
@@ -25,7 +25,7 @@ const REPLACED: [&str; 9] = [
     "position.b",
 ];
 
-/// What an archive has in it.
+/// Contents of an archive.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Contents {
     /// Welds.
@@ -38,9 +38,9 @@ pub struct Contents {
     pub audit: u64,
 }
 
-/// Unpacks an archive of [`DataFolder::back_up`] inside the data folder and checks all of it: the library and its version, the audit
-/// log's chain, the hash of every file that the library names. Nothing is replaced. Gives what is in it, and where it lies
-/// until [`discard_checked`], [`replace_by_checked`] or the next check.
+/// Unpacks an archive of [`DataFolder::back_up`] inside the data folder and checks all of it: the library and its
+/// version, the audit log's chain, the hash of every file that the library names. Data are not replaced. Returns the
+/// contents, and their folder until [`discard_checked`], [`replace_by_checked`] or the next check.
 ///
 /// # Errors
 /// An archive that is foreign, not whole, of a later version or changed since; a disk that is full.
@@ -113,8 +113,8 @@ fn keep_users(data: &Path, new: &Path) -> Result<(), Error> {
     synced(new)
 }
 
-/// Goes on where a restore was broken off: at every step its folder's name tells how far it is, and each step can be done again.
-/// Gives where the old data are kept, if there was something to do.
+/// Continues an interrupted restore: its folder's name shows the step reached, and each step can be repeated. Returns
+/// the folder of the old data, or `None` if no restore was interrupted.
 ///
 /// # Errors
 /// If files cannot be moved.
@@ -228,7 +228,7 @@ mod tests {
         assert_eq!(name_in(&data), "old");
         let kept = replace_by_checked(&data).unwrap();
         assert_eq!((name_in(&data).as_str(), name_in(&kept).as_str()), ("new", "old"));
-        // The journal tells of welds of the old data; keys stay.
+        // The journal refers to welds of the old data; keys stay.
         assert!(kept.join("position.a").is_file() && data.join("tls").is_dir() && !has_checked(&data));
         assert!(replace_by_checked(&data).is_err());
         assert_eq!(finish_replacing(&data).unwrap(), None);
@@ -279,7 +279,7 @@ mod tests {
         }
     }
 
-    /// Nothing is left behind of what is refused, and nothing has changed.
+    /// A refused archive leaves no files behind and changes no data.
     #[test]
     fn foreign_changed_and_newer_archives_are_refused() {
         let scratch = tempfile::tempdir().unwrap();

@@ -7,7 +7,7 @@ use std::io::{self, Write};
 pub struct VcdWriter<W: Write> {
     out: W,
     now: u64,
-    /// What each wire says, step and direction by turns.
+    /// Levels of the wires, step and direction by turns.
     wires: Vec<bool>,
 }
 
@@ -16,7 +16,7 @@ pub struct VcdWriter<W: Write> {
 pub struct VcdAxis {
     /// Name of its scope: letters, digits and `_`.
     pub name: String,
-    /// What the direction line says at the start.
+    /// Level of the direction line at the start.
     pub positive: bool,
     /// A remark for the head of the file.
     pub about: String,

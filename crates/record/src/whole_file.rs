@@ -37,7 +37,7 @@ pub struct ClosedFile {
     destination: Destination,
 }
 
-/// Where a finished file goes.
+/// Destination of a finished file.
 #[derive(Debug)]
 enum Destination {
     /// Takes this name, which is no link, and replaces the file that has it.
@@ -110,7 +110,7 @@ impl ClosedFile {
         match self.destination {
             Destination::Replace(path) => self.file.persist(path).map_err(|e| e.error),
             Destination::Stream(path) => {
-                // What is open already, such as standard output in a file, goes on at its end.
+                // Appends to a stream that is open already, such as standard output in a file.
                 let mut stream = OpenOptions::new().append(true).open(path)?;
                 io::copy(&mut File::open(&self.file)?, &mut stream)?;
                 stream.flush()
@@ -148,7 +148,7 @@ fn resolve(path: &Path) -> io::Result<(Destination, Option<Metadata>)> {
     Err(io::Error::other("too many symbolic links lead to it"))
 }
 
-/// Where a file goes whose name something has that is no link.
+/// Destination of a file whose name is in use by something other than a link.
 fn destination(path: PathBuf, there: Metadata) -> io::Result<(Destination, Option<Metadata>)> {
     if there.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
@@ -199,7 +199,7 @@ fn is_stream(_: &Metadata) -> bool {
 #[cfg(unix)]
 fn temporary_like(path: &Path, replaced: &Metadata, mode: u32) -> io::Result<NamedTempFile> {
     use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _, fchown};
-    // Nobody else reads it before it has its mode.
+    // The file has its final mode before others can read it.
     let file = temporary(folder_of(path), PRIVATE_MODE)?;
     let ours = file.as_file().metadata()?;
     if (ours.uid(), ours.gid()) != (replaced.uid(), replaced.gid()) {

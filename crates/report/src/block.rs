@@ -21,14 +21,14 @@ pub enum Block {
     Figure {
         /// Markup from `to_svg` of a drawing of this crate; put into the page as it is.
         svg: String,
-        /// What it shows.
+        /// Caption of the figure.
         caption: String,
     },
-    /// What a check found. An empty list says so.
+    /// Findings of a check; an empty list is reported as such.
     Findings(Vec<Finding>),
     /// A listing with line numbers, such as a job file.
     Code {
-        /// What it is.
+        /// Caption of the listing.
         caption: String,
         /// The text; it may hold anything.
         text: String,
@@ -38,26 +38,26 @@ pub enum Block {
 /// A key figure.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Tile {
-    /// What it is.
+    /// Name of the figure.
     pub label: String,
     /// The number, ready to print.
     pub value: String,
     /// Its unit; may be empty.
     pub unit: String,
-    /// A remark below; may be empty.
+    /// Remark below; may be empty.
     pub note: String,
-    /// Set if the figure is not as it should be.
+    /// Severity if the figure is out of order.
     pub severity: Option<Severity>,
 }
 
-/// How much a finding matters.
+/// Severity of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Good to know.
+    /// For information.
     Note,
-    /// Needs a look.
+    /// To be reviewed.
     Warning,
-    /// Must be cured.
+    /// To be corrected.
     Error,
 }
 
@@ -79,23 +79,23 @@ impl Severity {
     }
 }
 
-/// Something a check found.
+/// Result of a check.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
-    /// How much it matters.
+    /// Severity.
     pub severity: Severity,
-    /// What is the matter.
+    /// Description.
     pub text: String,
-    /// Where; may be empty.
+    /// Location; may be empty.
     pub place: String,
-    /// What cures it; may be empty.
+    /// Remedy; may be empty.
     pub cure: String,
 }
 
 /// A table. Rows are filled up or cut off to the columns of the head.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Table {
-    /// What it shows.
+    /// Caption of the table.
     pub caption: String,
     /// Column headings.
     pub head: Vec<String>,

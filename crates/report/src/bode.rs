@@ -2,16 +2,16 @@
 
 use crate::{Axis, Chart, ChartGrid, LimitLine, Series, Style, format_number};
 
-/// Magnitude and phase of an open loop, and where its margins are.
+/// Magnitude and phase of an open loop, with its margins.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Bode {
     /// Heading.
     pub title: String,
     /// Frequency (Hz), magnitude (dB) and phase (degrees), in order of frequency.
     pub lines: Vec<(f64, f64, f64)>,
-    /// Gain margin (dB) and the frequency (Hz) where the phase crosses -180 degrees; not finite if there is none.
+    /// Gain margin (dB) and the frequency (Hz) where the phase crosses -180 degrees; not finite without a crossing.
     pub gain_margin: (f64, f64),
-    /// Phase margin (degrees) and the frequency (Hz) where the magnitude crosses 1; not finite if there is none.
+    /// Phase margin (degrees) and the frequency (Hz) where the magnitude crosses 1; not finite without a crossing.
     pub phase_margin: (f64, f64),
 }
 
@@ -19,13 +19,13 @@ pub struct Bode {
 const HIGH: f64 = 200.0;
 /// Colours of response, gain margin and phase margin.
 const COLOURS: [usize; 3] = [0, 1, 2];
-/// What is lower than this (dB) tells nothing about the loop and would squash the rest.
+/// Minimum magnitude shown, dB; lower values do not describe the loop and would squash the rest.
 const LOWEST_DB: f64 = -60.0;
 
 impl Bode {
-    /// The two plots, on one axis of frequency.
+    /// Returns the two plots, on one axis of frequency.
     pub fn grid(&self) -> ChartGrid {
-        // Beyond the last line that tells something there is noise alone.
+        // Beyond the last magnitude above the minimum there is only noise.
         let count = self.lines.iter().rposition(|l| l.1 >= LOWEST_DB).map_or(0, |i| i + 1);
         Self { lines: self.lines[..count].to_vec(), ..self.clone() }.shown()
     }
@@ -58,7 +58,7 @@ impl Bode {
         ChartGrid { title: self.title.clone(), columns: 1, charts: vec![magnitude, phase] }
     }
 
-    /// A dashed line up or down at a frequency, if there is one.
+    /// Returns a dashed vertical line at a frequency, empty unless all values are finite.
     fn marker(name: String, colour: usize, at_hz: f64, ends: (f64, f64)) -> Series {
         let finite = at_hz.is_finite() && ends.0.is_finite() && ends.1.is_finite();
         let points = if finite { vec![(at_hz, ends.0), (at_hz, ends.1)] } else { Vec::new() };
@@ -79,7 +79,7 @@ impl Bode {
         vec![
             Series::line("open loop", self.lines.iter().map(|l| (l.0, l.1)).collect()).coloured(COLOURS[0]),
             Self::marker(gain, COLOURS[1], at, (-margin, 0.0)),
-            // Named in both plots, drawn in the other one.
+            // Named in both plots, drawn in the other plot.
             Self::marker(phase, COLOURS[2], f64::NAN, (0.0, 0.0)),
         ]
     }
@@ -87,7 +87,7 @@ impl Bode {
     fn phases(&self) -> Vec<Series> {
         let [gain, phase] = self.names();
         let (margin, at) = self.phase_margin;
-        // The phase of the curve there: from the side of -180 degrees, or of the turn before, that it is on.
+        // Phase of the curve there; the margin counts from -180 degrees, or from its equivalent whole turns away.
         let reached = self.lines.windows(2).find(|w| w[0].0 <= at && at <= w[1].0).map_or(f64::NAN, |w| {
             let part = (at / w[0].0).ln() / (w[1].0 / w[0].0).ln();
             w[0].2 + part * (w[1].2 - w[0].2)

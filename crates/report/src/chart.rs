@@ -9,17 +9,17 @@ use crate::series::Series;
 use crate::svg::{Anchor, Rect, Svg, WIDTH};
 use crate::text::{fit, width};
 
-/// What an axis shows, and in which unit.
+/// Quantity and unit of an axis.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Axis {
     /// Name of the quantity.
     pub label: String,
-    /// Its unit; empty if it has none.
+    /// Unit; empty without one.
     pub unit: String,
 }
 
 impl Axis {
-    /// An axis for `label` in `unit`.
+    /// Creates an axis for `label` in `unit`.
     pub fn new(label: impl Into<String>, unit: impl Into<String>) -> Self {
         Self { label: label.into(), unit: unit.into() }
     }
@@ -29,13 +29,13 @@ impl Axis {
     }
 }
 
-/// `label, unit`, or the one that is not empty.
+/// Returns `label, unit`, or the one that is not empty.
 pub(crate) fn with_unit(label: &str, unit: &str) -> String {
     let comma = if label.is_empty() || unit.is_empty() { "" } else { ", " };
     format!("{label}{comma}{unit}")
 }
 
-/// A shaded range of x, for example a run-up.
+/// A shaded range of x, for example an acceleration phase.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Band {
     /// Name, written above the plot.
@@ -49,26 +49,26 @@ pub struct Band {
 /// A named range of x in the strip above a plot, for example a welding position.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Stretch {
-    /// Name, written in it where there is room.
+    /// Name, written inside if it fits.
     pub label: String,
     /// One end.
     pub from: f64,
     /// The other end.
     pub to: f64,
-    /// Its place in the palette, from 0.
+    /// Index in the palette, from 0.
     pub colour: usize,
-    /// It is not allowed: drawn in the colour of limits.
+    /// Not allowed: drawn in the colour of limits.
     pub fault: bool,
 }
 
-/// Series over a common x axis. Fill what is needed and take the rest from [`Chart::default`].
+/// Series over a common x axis. Set the needed fields and take the rest from [`Chart::default`].
 ///
-/// The y axis fits the data and those limits that do not squash them: a limit further away than
-/// about three times the range of the data is named above the plot instead. Data that differ by
-/// less than a millionth of their magnitude count as constant.
+/// The y axis fits the data and those limits that do not squash them. A limit farther away than about three times the
+/// range of the data is named above the plot instead. Data that differ by less than a millionth of their magnitude
+/// count as constant.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Chart {
-    /// The language of what it says by itself; texts are given in it.
+    /// Language of built-in texts; given texts are already in it.
     pub language: Language,
     /// Heading; may be empty.
     pub title: String,
@@ -84,26 +84,25 @@ pub struct Chart {
     pub bands: Vec<Band>,
     /// Ranges of x in a strip of their own above the plot. Not drawn in a [`ChartGrid`](crate::ChartGrid).
     pub strip: Vec<Stretch>,
-    /// One unit of x is as long as one of y, as for a path in a plane. Ignored in a
-    /// [`ChartGrid`](crate::ChartGrid).
+    /// Equal scales of x and y, as for a path in a plane. Ignored in a [`ChartGrid`](crate::ChartGrid).
     pub equal_aspect: bool,
-    /// The x axis is logarithmic: what is not above zero is a gap. In a [`ChartGrid`](crate::ChartGrid) that of the
-    /// first chart counts.
+    /// Logarithmic x axis; values not above zero are gaps. In a [`ChartGrid`](crate::ChartGrid) the first chart
+    /// decides.
     pub log_x: bool,
-    /// Lowest and highest y shown, instead of a range that fits.
+    /// Minimum and maximum y shown; fitted to the data if `None`.
     pub y_range: Option<(f64, f64)>,
-    /// Height of the plot area in px at a width of 920 px; 220 (with equal aspect: what the data
-    /// need) if `None`.
+    /// Height of the plot area in px at a width of 920 px. If `None`: 220, or with equal aspect the height that fits
+    /// the data.
     pub height: Option<f64>,
 }
 
-/// Most room for the label of a limit, px.
+/// Maximum width of a limit's label, px.
 const ASIDE: f64 = 150.0;
 
 /// Height of the strip, px.
 pub(crate) const STRIP: f64 = 17.0;
 
-/// Least room left of a plot, px, so that plots below each other align.
+/// Minimum room left of a plot, px, so that plots below each other align.
 const LEFT: f64 = 58.0;
 
 crate::svg::both_forms!(Chart);
@@ -118,7 +117,7 @@ impl Chart {
         self.series.iter().flat_map(|s| &s.points).copied().filter(visible)
     }
 
-    /// Range of x, of its decimal logarithm if the axis is logarithmic.
+    /// Returns the range of x, of its decimal logarithm on a logarithmic axis.
     pub(crate) fn x_extent(&self) -> Option<Domain> {
         Domain::of(self.drawn().map(|p| if self.log_x { p.0.log10() } else { p.0 }))
     }
@@ -127,7 +126,7 @@ impl Chart {
         Domain::of(self.drawn().map(|p| p.1))
     }
 
-    /// Names of the curves, if they say more than the headings, and notes on limits not in the plot.
+    /// Returns names of the curves that differ from the headings, and notes on limits outside the plot.
     pub(crate) fn entries(&self, y: &Scale) -> Vec<Entry> {
         let told = |s: &Series| s.name.is_empty() || s.name == self.y.label || s.name == self.title;
         let curves = self.series.iter().enumerate();
@@ -141,12 +140,12 @@ impl Chart {
         self.bands.iter().any(|b| !b.label.is_empty())
     }
 
-    /// Room for the strip above the plot, px.
+    /// Returns the height of the strip above the plot, px.
     pub(crate) fn strip_height(&self) -> f64 {
         if self.strip.is_empty() { 0.0 } else { STRIP + 5.0 }
     }
 
-    /// Scales and size of the plot area.
+    /// Returns scales and size of the plot area.
     fn measure(&self) -> (Scale, Scale, Rect) {
         let height = self.height.filter(|h| h.is_finite()).map(|h| h.clamp(40.0, 2000.0));
         let high = height.unwrap_or(220.0);
@@ -165,7 +164,7 @@ impl Chart {
         (Scale::across(x, w), Scale::upward(y, h), Rect { x: LEFT, w, h, ..Rect::default() })
     }
 
-    /// The drawing and its height, px.
+    /// Returns the drawing and its height, px.
     pub(crate) fn draw(&self) -> (Svg, f64) {
         let mut svg = Svg::default();
         let (x, y, mut frame) = self.measure();

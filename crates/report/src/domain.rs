@@ -1,12 +1,12 @@
 //! A range of values along one axis.
 
-/// Values beyond this magnitude, and those that are not finite, are taken as missing.
+/// Magnitude from which values, like non-finite ones, count as missing.
 const HUGE: f64 = 1e100;
 
-/// Narrower than this part of its magnitude, a range counts as one constant value.
+/// Fraction of its magnitude below which a range counts as one constant value.
 const NARROW: f64 = 1e-6;
 
-/// Whether `value` can be drawn.
+/// Returns whether `value` can be drawn.
 pub(crate) fn usable(value: f64) -> bool {
     value.abs() < HUGE
 }
@@ -19,7 +19,7 @@ pub(crate) struct Domain {
 }
 
 impl Domain {
-    /// The extent of the usable ones among `values`; `None` if there are none.
+    /// Returns the extent of the usable `values`; `None` without any.
     pub(crate) fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         values
             .into_iter()
@@ -47,7 +47,7 @@ impl Domain {
         (self.lo..=self.hi).contains(&value)
     }
 
-    /// A range wide enough to divide by: a constant `c` becomes `c ± |c|/2`, zero becomes ±1.
+    /// Returns a range wide enough to divide by: a constant `c` becomes `c ± |c|/2`, zero becomes ±1.
     pub(crate) fn settled(self) -> Self {
         let magnitude = self.lo.abs().max(self.hi.abs());
         if self.span() > (NARROW * magnitude).max(1e-200) {
@@ -59,13 +59,13 @@ impl Domain {
         }
     }
 
-    /// The same centre, at least `span` wide.
+    /// Returns a range with the same centre, at least `span` wide.
     pub(crate) fn widened_to(self, span: f64) -> Self {
         let half = 0.5 * span.max(self.span());
         Self { lo: self.centre() - half, hi: self.centre() + half }
     }
 
-    /// Wider by `part` of the span at each end.
+    /// Returns a range wider by `part` of the span at each end.
     pub(crate) fn padded(self, part: f64) -> Self {
         self.widened_to(self.span() * (1.0 + 2.0 * part))
     }

@@ -6,15 +6,15 @@ use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
 const HEAD: f64 = 72.0;
 /// Room between sections, px.
 const GAP: f64 = 14.0;
-/// Room around what is drawn, px.
+/// Margin around a drawing, px.
 const ROOM: f64 = 10.0;
-/// Height of a section's drawing as a part of its width.
+/// Ratio of height to width of a section's drawing.
 const TALL: f64 = 0.72;
 
 /// Cross-sections side by side, at one scale, as macro-sections in a welding handbook.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gallery {
-    /// The language of what it says by itself; texts are given in it.
+    /// Language of built-in texts; given texts are already in it.
     pub language: Language,
     /// Heading; may be empty.
     pub title: String,
@@ -25,7 +25,7 @@ pub struct Gallery {
 /// One cross-section, mm, y up.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SectionDrawing {
-    /// What it is: where on the seam.
+    /// Title: the position along the seam.
     pub title: String,
     /// A line below the title.
     pub note: String,
@@ -35,16 +35,16 @@ pub struct SectionDrawing {
     pub parts: Vec<Vec<[f64; 2]>>,
     /// The groove, from toe to toe around.
     pub groove: Vec<[f64; 2]>,
-    /// Beads in the order of welding: outline, and a colour from 1.
+    /// Beads in the order of welding: outline, and colour number from 1.
     pub beads: Vec<(Vec<[f64; 2]>, usize)>,
-    /// Where the wire points to in each bead, or at the seam, and the direction back to the torch.
+    /// Wire target in each bead, or at the seam, and the direction back to the torch.
     pub torches: Vec<([f64; 2], [f64; 2])>,
 }
 
 both_forms!(Gallery);
 
 impl SectionDrawing {
-    /// Least and greatest place of the groove and the beads, with room for the parts beside them.
+    /// Returns the bounds of the groove and the beads, with room for the parts beside them.
     fn extent(&self) -> ([f64; 2], [f64; 2]) {
         let points = self.groove.iter().chain(self.beads.iter().flat_map(|b| &b.0));
         let grow = |(low, high): ([f64; 2], [f64; 2]), p: &[f64; 2]| {
@@ -79,7 +79,7 @@ impl Gallery {
         let columns = self.columns();
         let w = (WIDTH - GAP * (columns as f64 - 1.0)) / columns as f64;
         let h = if columns == 1 { 0.5 * w } else { TALL * w };
-        // One scale for all, px a mm.
+        // One scale for all sections, px per mm.
         let scale = self.sections.iter().map(SectionDrawing::extent).fold(f64::INFINITY, |scale, (low, high)| {
             let fits = ((w - 2.0 * ROOM) / (high[0] - low[0])).min((h - 2.0 * ROOM) / (high[1] - low[1]));
             scale.min(fits)
@@ -142,7 +142,7 @@ impl SectionDrawing {
     }
 }
 
-/// Centroid of a polygon's area; of its corners if it has none.
+/// Returns the centroid of a polygon's area, or of its corners if the area is zero.
 fn centroid(points: &[[f64; 2]]) -> [f64; 2] {
     let (mut area, mut sum, mut plain) = (0.0, [0.0; 2], [0.0; 2]);
     let from = points.first().copied().unwrap_or_default();

@@ -6,12 +6,12 @@ use crate::plot::{Plot, Scale};
 use crate::svg::{Anchor, Rect, Svg, WIDTH};
 use crate::text::{fit, width};
 
-/// Small multiples: charts that share an x axis, for example one row an axis of the machine, and
-/// in it position, speed and acceleration.
+/// Small multiples: charts that share an x axis. For example one row per machine axis, with position, speed and
+/// acceleration.
 ///
-/// The x range covers all charts. Each keeps its own y range, limits and bands; the names of the
-/// series are written once, from the chart with most of them, so equal series should stand in
-/// equal order. Up to some eight rows fit on a page of paper.
+/// The x range covers all charts. Each keeps its own y range, limits and bands. The names of the series are written
+/// once, from the chart with the largest number, so equal series should have equal order. About eight rows fit on a
+/// page of paper.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ChartGrid {
     /// Heading; may be empty.
@@ -25,10 +25,10 @@ pub struct ChartGrid {
 /// Height of a plot area unless the chart sets it, px.
 const HIGH: f64 = 84.0;
 
-/// Most room for the label of a limit, as a part of the width of a column.
+/// Maximum width of a limit's label, as a fraction of the width of a column.
 const ASIDE: f64 = 0.25;
 
-/// Between columns, px.
+/// Gap between columns, px.
 const GUTTER: f64 = 20.0;
 
 crate::svg::both_forms!(ChartGrid);
@@ -73,7 +73,8 @@ impl ChartGrid {
         (svg, bottom.max(1.0))
     }
 
-    /// Names of the series, if a chart has several, of the first with the most; returns the height it took.
+    /// Draws the names of the series of the first chart with the largest number, if it has several; returns their
+    /// height.
     fn draw_legend(&self, svg: &mut Svg, top: f64) -> f64 {
         let Some(fullest) = self.charts.iter().rev().max_by_key(|c| c.series.len()).filter(|c| c.series.len() > 1)
         else {
@@ -123,7 +124,7 @@ impl<'a> Cell<'a> {
         Legend::new(notes.collect(), width(&self.heading(), 13.5), self.room())
     }
 
-    /// Height above the plot area. Names of bands are written in the first row only.
+    /// Returns the height above the plot area. Names of bands are written in the first row only.
     fn head(&self, first: bool) -> f64 {
         let bands = if first && self.chart.has_band_labels() { 16.0 } else { 2.0 };
         ROW + self.notes().height() + bands

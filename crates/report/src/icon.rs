@@ -1,4 +1,4 @@
-//! Signs that say with their shape what their colour says.
+//! Icons whose shape carries the same meaning as their colour.
 
 use crate::block::Severity;
 
@@ -20,7 +20,7 @@ const WARNING: &str = "<svg class=\"icon warning\" viewBox=\"0 0 24 24\" aria-hi
 const NOTE: &str = "<svg class=\"icon note\" viewBox=\"0 0 24 24\" aria-hidden=\"true\">\
     <path d=\"M3 3h18v18H3zM12 11v6M12 7v.1\"/></svg>";
 
-/// The sign of a severity.
+/// Returns the icon of a severity.
 pub(crate) fn of(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => ERROR,

@@ -1,6 +1,6 @@
-//! Languages of a page and their words, which are data: `words/` at the root of the sources. What the panel says too is in a
-//! file for each language, which it sends; sentences about plans are in `findings.json`, those about welds in `notes.json`;
-//! what only reports say is in `report.json`, and in `plan.json` if only those of plans say it.
+//! Languages of a page and their words, which are data in `words/` at the root of the sources. Texts shared with the
+//! panel are in a file for each language, which the panel sends. Sentences about plans are in `findings.json`, those
+//! about welds in `notes.json`. Texts only of reports are in `report.json`, those only of plan reports in `plan.json`.
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 /// A language that a page can be in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Language {
-    /// `en`, in which everything is written.
+    /// `en`, the source language.
     #[default]
     English,
     /// `uk`.
@@ -25,10 +25,10 @@ pub enum Language {
 }
 
 impl Language {
-    /// All of them, in the order of the columns of `words/report.json`.
+    /// All languages, in the order of the columns of `words/report.json`.
     pub const ALL: [Self; 5] = [Self::English, Self::Ukrainian, Self::Chinese, Self::German, Self::Russian];
 
-    /// Its code (ISO 639).
+    /// Returns the code (ISO 639).
     pub fn code(self) -> &'static str {
         match self {
             Self::English => "en",
@@ -49,17 +49,17 @@ impl FromStr for Language {
     }
 }
 
-/// A phrase in each language, with holes `{0}`, `{1}` .. for what stands in it.
+/// A phrase in each language, with placeholders `{0}`, `{1}` ..
 pub(crate) type Row = [String; 5];
 
-/// What the panel and reports say of an alarm of the catalogue.
+/// Texts of an alarm of the catalogue, for the panel and reports.
 #[derive(Deserialize)]
 pub(crate) struct AlarmWords {
     pub(crate) title: String,
     pub(crate) cause: String,
 }
 
-/// What the panel and reports say in a language; English alarms are the catalogue's own.
+/// Texts of a language, for the panel and reports; English alarms are the catalogue's own.
 #[derive(Default, Deserialize)]
 struct Tongue {
     words: HashMap<String, String>,
@@ -69,15 +69,15 @@ struct Tongue {
 
 struct Words {
     tongues: [Tongue; 5],
-    /// By their English.
+    /// Phrases by their English text.
     phrases: HashMap<String, Row>,
-    /// Patterns of sentences; those that say most come first, as a pattern of few words fits much.
+    /// Patterns of sentences, longest first, because a short pattern matches many texts.
     sentences: Vec<Row>,
-    /// Units by what names of values end in.
+    /// Units by the suffixes of value names.
     units: HashMap<String, String>,
 }
 
-/// Of the folder of words; what is not to be read has no words, and a test reads all of it.
+/// Parses a file of the folder of words; an invalid file gives no words, and a test reads all of them.
 fn read<T: DeserializeOwned + Default>(text: &str) -> T {
     serde_json::from_str(text).unwrap_or_default()
 }
@@ -96,10 +96,10 @@ static WORDS: LazyLock<Words> = LazyLock::new(|| {
     let of_welds: Vec<Row> = read(include_str!("../../../words/notes.json"));
     let phrases = of_report.iter().chain(&of_plan).chain(&of_welds).map(|row| (row[0].clone(), row.clone())).collect();
     let mut sentences: Vec<Row> = read(include_str!("../../../words/findings.json"));
-    // Where the sources part a sentence, for a test of the panel.
+    // `|` separates the pieces of which the sources compose a sentence, for a test of the panel.
     sentences.iter_mut().for_each(|row| row[0] = row[0].replace('|', ""));
     sentences.extend(of_welds);
-    // The one event that the panel's list of events tells in the same words.
+    // The only event with the same words in the panel's list of events.
     sentences.push(std::array::from_fn(|i| tongues[i].words.get("said.left").cloned().unwrap_or_default()));
     sentences.sort_by_key(|row| {
         let (said, holes) = measure(&row[0]);
@@ -108,7 +108,8 @@ static WORDS: LazyLock<Words> = LazyLock::new(|| {
     Words { tongues, phrases, sentences, units: read(include_str!("../../../words/units.json")) }
 });
 
-/// The first hole of a pattern: what stands before it, its number, what stands behind it. Other braces are text.
+/// Returns the first placeholder of a pattern: the text before it, its number, the text behind it. Other braces are
+/// text.
 fn hole(pattern: &str) -> Option<(&str, usize, &str)> {
     pattern.match_indices('{').find_map(|(i, _)| {
         let (number, behind) = pattern[i + 1..].split_once('}')?;
@@ -116,14 +117,14 @@ fn hole(pattern: &str) -> Option<(&str, usize, &str)> {
     })
 }
 
-/// How much a pattern says besides its holes, and how many they are.
+/// Returns the length of a pattern without its placeholders, and their number.
 fn measure(pattern: &str) -> (usize, usize) {
     let Some((before, _, behind)) = hole(pattern) else { return (pattern.len(), 0) };
     let (said, holes) = measure(behind);
     (before.len() + said, holes + 1)
 }
 
-/// What stands in the holes of `pattern`, with their numbers, if `text` is such a sentence.
+/// Returns the arguments in the placeholders of `pattern`, with their numbers, if `text` matches it.
 fn holes<'a>(pattern: &str, text: &'a str) -> Option<Vec<(usize, &'a str)>> {
     let Some((before, mut number, mut behind)) = hole(pattern) else { return (pattern == text).then(Vec::new) };
     let mut rest = text.strip_prefix(before)?;
@@ -137,7 +138,7 @@ fn holes<'a>(pattern: &str, text: &'a str) -> Option<Vec<(usize, &'a str)>> {
     Some(found)
 }
 
-/// The words with `of` in their holes, in one go: what looks like a hole in what is filled in is none.
+/// Fills the placeholders of `words` with `of` in one pass, so that placeholders inside arguments stay text.
 fn filled(words: &str, of: &[&str]) -> String {
     let (mut text, mut rest) = (String::new(), words);
     while let Some((before, number, behind)) = hole(rest) {
@@ -149,45 +150,45 @@ fn filled(words: &str, of: &[&str]) -> String {
 }
 
 impl Language {
-    /// What it says for an English phrase, or for a key of the panel's words; nothing if neither has words.
+    /// Returns the text of an English phrase or of a key of the panel's words; `None` if both are unknown.
     pub(crate) fn known(self, text: &str) -> Option<&'static str> {
         let phrase = WORDS.phrases.get(text).map(|row| &row[self as usize]);
         phrase.or_else(|| WORDS.tongues[self as usize].words.get(text)).map(String::as_str)
     }
 
-    /// What it says for an English phrase, or for a key of the panel's words.
+    /// Returns the text of an English phrase or of a key of the panel's words.
     pub(crate) fn say(self, text: &'static str) -> &'static str {
         let words = self.known(text);
         debug_assert!(words.is_some() || text.is_empty(), "`{text}` has no words");
         words.unwrap_or(text)
     }
 
-    /// The same with `of` in the holes.
+    /// Returns the text with `of` in the placeholders.
     pub(crate) fn fill(self, text: &'static str, of: &[&str]) -> String {
         filled(self.say(text), of)
     }
 
-    /// A unit, or what else may have words; what has none stays.
+    /// Translates a unit or another known text; an unknown one is returned unchanged.
     pub(crate) fn unit(self, text: &str) -> &str {
         self.known(text).unwrap_or(text)
     }
 
-    /// What stands between two sentences: Chinese full stops have their room in them.
+    /// Returns the separator of two sentences: Chinese full stops include their space.
     pub(crate) fn between_sentences(self) -> &'static str {
         if self == Self::Chinese { "" } else { " " }
     }
 
-    /// What it calls something by the panel's words, if it has some for it.
+    /// Returns the name of `name` in the panel's words for `kind`, if known.
     pub(crate) fn named(self, kind: &str, name: &str) -> Option<&'static str> {
         self.known(&format!("{kind}.{}", name.replace(' ', "_")))
     }
 
-    /// What it says of an alarm of the catalogue; in English that says it itself.
+    /// Returns the texts of an alarm of the catalogue; `None` in English, whose texts are the catalogue's.
     pub(crate) fn alarm(self, name: &str) -> Option<&'static AlarmWords> {
         WORDS.tongues[self as usize].alarms.get(name)
     }
 
-    /// A sentence about a plan or a weld, found again by its pattern; `word` says what stands in its holes.
+    /// Translates a sentence about a plan or a weld by its pattern; `word` translates its arguments.
     pub(crate) fn sentence(self, text: &str, word: impl Fn(&str) -> String) -> Option<String> {
         WORDS.sentences.iter().find_map(|row| {
             let mut of: Vec<(usize, String)> =
@@ -198,7 +199,7 @@ impl Language {
     }
 }
 
-/// The name of a value without the unit that it ends in, and the unit.
+/// Splits the name of a value into title and unit.
 pub(crate) fn value_name(name: &str) -> (&str, Option<&'static str>) {
     let ends = WORDS
         .units

@@ -1,4 +1,4 @@
-//! Where three views and a pictorial one stand, and how space maps to them.
+//! Layout of three views and a pictorial one, and the mapping from space to them.
 
 use crate::domain::{Domain, usable};
 use crate::language::Language;
@@ -6,35 +6,35 @@ use crate::projection::Projection::{self, Front, Pictorial, Side, Top};
 use crate::svg::{Anchor, EDGE, Rect, Svg, WIDTH};
 use crate::ticks::Ticks;
 
-/// Above a view, for its name, px.
+/// Height above a view for its name, px.
 pub(crate) const HEAD: f64 = 20.0;
 
-/// Below a view, for tick labels and the name of the axis, px.
+/// Height below a view for tick labels and the name of the axis, px.
 const FOOT: f64 = 36.0;
 
 const LEFT: f64 = 58.0;
 const GUTTER: f64 = 28.0;
 
-/// Most height of the views together, px.
+/// Maximum height of the views together, px.
 const HIGH: f64 = 580.0;
 
-/// Least width and height of a view, px.
-const LEAST: [f64; 2] = [190.0, 110.0];
+/// Minimum width and height of a view, px.
+const MIN_SIZE: [f64; 2] = [190.0, 110.0];
 
-/// Least distance of ticks, px.
+/// Minimum distance of ticks, px.
 const TICK: f64 = 42.0;
 
-/// Whether the point can be drawn.
+/// Returns whether the point can be drawn.
 pub(crate) fn whole(p: &[f64; 3]) -> bool {
     p.iter().all(|v| usable(*v))
 }
 
-/// From space to px in one view.
+/// Maps space to px in one view.
 pub(crate) struct Map {
     pub(crate) view: Projection,
-    /// Px for one mm.
+    /// Scale, px per mm.
     scale: f64,
-    /// What is drawn in the middle of the frame, right and up.
+    /// Point in the middle of the frame, right and up.
     centre: (f64, f64),
     /// The middle of the frame, px.
     middle: (f64, f64),
@@ -83,15 +83,15 @@ impl Layout {
         let room = WIDTH - LEFT - GUTTER - EDGE;
         let pair =
             |room: f64, a: f64, b: f64, least: f64| (room / (a + b)).min((room - least) / a).min((room - least) / b);
-        let scale = pair(room, dx, dy, LEAST[0]).min(pair(HIGH, dz, dy, LEAST[1]));
-        let mut widths = [dx, dy].map(|d| (d * scale).max(LEAST[0]));
+        let scale = pair(room, dx, dy, MIN_SIZE[0]).min(pair(HIGH, dz, dy, MIN_SIZE[1]));
+        let mut widths = [dx, dy].map(|d| (d * scale).max(MIN_SIZE[0]));
         let spare = room - widths[0] - widths[1];
         widths = widths.map(|w| w + 0.5 * spare);
         Self {
             centre: extents.map(Domain::centre),
             scale,
             widths,
-            heights: [dz, dy].map(|d| (d * scale).max(LEAST[1])),
+            heights: [dz, dy].map(|d| (d * scale).max(MIN_SIZE[1])),
             top,
         }
     }

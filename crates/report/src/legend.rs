@@ -1,4 +1,4 @@
-//! Names of curves, set beside or below a heading and never over the data.
+//! Names of curves, beside or below a heading and outside the data.
 
 use crate::series::{self, Series, Style};
 use crate::svg::{Anchor, Svg};
@@ -11,14 +11,14 @@ const SWATCH: f64 = 22.0;
 const DASH: f64 = 18.0;
 const GAP: f64 = 18.0;
 
-/// Rounding of the sums that set the last name at the right edge, px.
+/// Tolerance for rounding of the sums that place the last name at the right edge, px.
 const HAIR: f64 = 0.01;
 
 /// One name in a legend.
 pub(crate) enum Entry {
     /// A curve, with the class of its stroke.
     Curve { class: String, dots: bool, name: String },
-    /// A remark about a limit that is not in the plot, and a shorter one.
+    /// A remark about a limit outside the plot, and a shorter form of it.
     Note([String; 2]),
 }
 
@@ -69,18 +69,18 @@ impl Entry {
     }
 }
 
-/// Entries broken into rows: the first stands right of a heading if all of them fit there.
+/// Entries in rows: a single row right of the heading if all of them fit there.
 pub(crate) struct Legend {
     entries: Vec<Entry>,
     beside: bool,
-    /// For each entry its row and its x from the left of the row.
+    /// Row of each entry, and its x from the left of the row.
     places: Vec<(usize, f64)>,
     rows: usize,
     room: f64,
 }
 
 impl Legend {
-    /// Sets `entries` beside a heading `heading` px wide, or in rows `room` px wide below it.
+    /// Places `entries` beside a heading `heading` px wide, or in rows `room` px wide below it.
     pub(crate) fn new(entries: Vec<Entry>, heading: f64, room: f64) -> Self {
         let total: f64 = entries.iter().map(|e| e.width() + GAP).sum::<f64>() - GAP;
         let beside = heading + 2.0 * GAP + total <= room;
@@ -97,12 +97,12 @@ impl Legend {
         Self { entries, beside, places, rows, room }
     }
 
-    /// Height needed below the row of the heading, px.
+    /// Returns the height needed below the row of the heading, px.
     pub(crate) fn height(&self) -> f64 {
         self.rows as f64 * ROW
     }
 
-    /// Draws it; `baseline` is that of the heading.
+    /// Draws the legend; `baseline` is that of the heading.
     pub(crate) fn draw(&self, svg: &mut Svg, left: f64, baseline: f64) {
         let first = if self.beside { baseline } else { baseline + ROW };
         for (entry, (row, x)) in self.entries.iter().zip(&self.places) {

@@ -1,14 +1,14 @@
 //! Reports: plots as SVG and one self-contained HTML page.
 //!
-//! Pure data in, `String` out: numbers and curves set so that an engineer can judge them at a glance, on a screen
-//! (light or dark), on a telephone and on A4 paper. Nothing it writes loads a script, a font or an image from
-//! elsewhere. Only the folders `weld`, `record` and `machine` know of welding and machines: they fill
-//! the page with a planned weld, a recorded one, a machine.
+//! Pure data in, `String` out: numbers and curves that an engineer can judge at a glance. They suit screens (light or
+//! dark), telephones and A4 paper. The output loads no script, font or image from elsewhere. Only the folders `weld`,
+//! `record` and `machine` depend on welding and machines: they fill the page with a planned weld, a recorded one, a
+//! machine.
 //!
 //! - [`Chart`] plots series over one axis, against limits; [`ChartGrid`] sets several on one x axis.
-//! - [`Bode`] makes them a frequency response with its margins.
+//! - [`Bode`] plots a frequency response with its margins.
 //! - [`ThreeViews`] draws a curve in space in first-angle projection.
-//! - [`Page`] gathers figures, tables, findings and listings into one HTML file.
+//! - [`Page`] combines figures, tables, findings and listings in one HTML file.
 //!
 //! Each drawing comes in two forms: `to_svg` for a [`Page`], which carries the styles, and
 //! `to_svg_standalone` for a file of its own.

@@ -4,41 +4,40 @@ use crate::domain::{Domain, usable};
 use crate::language::Language;
 use crate::number::format_number;
 
-/// A value that the data should keep on one side of.
+/// A value that the data should not cross.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LimitLine {
-    /// What limits, for example `limit`; the value is written behind it.
+    /// Name, for example `limit`; the value is written behind it.
     pub label: String,
     /// The value, in the unit of the y axis.
     pub value: f64,
 }
 
 impl LimitLine {
-    /// A limit of that name and value.
+    /// Creates a limit.
     pub fn new(label: impl Into<String>, value: f64) -> Self {
         Self { label: label.into(), value }
     }
 
-    /// The label with the value.
+    /// Returns the label with the value.
     pub(crate) fn text(&self) -> String {
         format!("{} {}", self.label, format_number(self.value, 5)).trim().into()
     }
 }
 
-/// With its limits an axis may become this many times as long as the data need.
+/// Maximum ratio of an axis with its limits to the range of the data.
 const STRETCH: f64 = 4.0;
 
-/// Beside a limit, data that differ from zero by less than this part of it are rounding noise.
+/// Fraction of a limit below which data about zero are rounding noise.
 const NOISE: f64 = 1e-6;
 
-/// The range of the data; if they are nothing but noise about zero, the range of the limits.
+/// Returns the range of the data, or of the limits if the data are only noise about zero.
 pub(crate) fn significant(data: Domain, limits: &[LimitLine]) -> Domain {
     let largest = limits.iter().map(|l| l.value.abs()).filter(|v| usable(*v)).fold(0.0, f64::max);
     if data.lo.abs().max(data.hi.abs()) < NOISE * largest { Domain { lo: -largest, hi: largest } } else { data }
 }
 
-/// Extends the range of the data to the limits, nearest first, as long as the data keep a quarter
-/// of the axis.
+/// Extends the range of the data to the limits, nearest first, while the data keep a quarter of the axis.
 pub(crate) fn stretch(data: Domain, limits: &[LimitLine]) -> Domain {
     let room = STRETCH * data.settled().span();
     let mut values: Vec<f64> = limits.iter().map(|l| l.value).filter(|v| usable(*v)).collect();
@@ -50,8 +49,8 @@ pub(crate) fn stretch(data: Domain, limits: &[LimitLine]) -> Domain {
     })
 }
 
-/// What is said of limits outside `shown`: one note each, or one for a pair of `±` limits; each with what it is where
-/// there is no room for where it lies.
+/// Returns notes on limits outside `shown`, one each, or one for a pair of `±` limits. Each has a shorter form without
+/// the side, for narrow places.
 pub(crate) fn notes(limits: &[LimitLine], shown: Domain, unit: &str, language: Language) -> Vec<[String; 2]> {
     let mut outside: Vec<&LimitLine> = limits.iter().filter(|l| usable(l.value) && !shown.contains(l.value)).collect();
     let mut notes = Vec::new();

@@ -30,7 +30,7 @@ pub fn format_number(value: f64, digits: usize) -> String {
     }
 }
 
-/// Writes `value` with exactly `decimals` places; never `-0`.
+/// Writes `value` with exactly `decimals` places and without a negative zero.
 pub(crate) fn format_fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
@@ -39,7 +39,7 @@ pub(crate) fn format_fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// A drawing coordinate: tenths of a pixel.
+/// Writes a drawing coordinate in tenths of a pixel.
 pub(crate) fn px(value: f64) -> String {
     trim_zeros(&format_fixed(value, 1)).into()
 }

@@ -4,21 +4,21 @@ use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
 
 /// Height of title and key above the drawing, px.
 const HEAD: f64 = 44.0;
-/// Room around what is drawn, px.
+/// Margin around the drawing, px.
 const ROOM: f64 = 34.0;
-/// Greatest height of what is drawn, px.
+/// Maximum height of the drawing, px.
 const TALLEST: f64 = 620.0;
 /// Distance of a number from its line, px.
 const BESIDE: f64 = 12.0;
-/// Ways shorter than this are not seen, px.
+/// Minimum length of a drawn transfer move, px.
 const SHORTEST: f64 = 4.0;
-/// Ends nearer than this part of a line's length to each other: it is closed.
+/// Maximum gap of a closed line, as a fraction of its length.
 const CLOSED: f64 = 0.1;
 
-/// Lines in a plane in the order in which they are followed: numbered, with arrows, and the ways between them dashed.
+/// Lines in a plane in the order of travel: numbered, with arrows, and dashed transfer moves between them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct OrderDrawing {
-    /// The language of what it says by itself; texts are given in it.
+    /// Language of built-in texts; given texts are already in it.
     pub language: Language,
     /// Heading.
     pub title: String,
@@ -33,11 +33,11 @@ pub struct OrderDrawing {
 pub struct OrderedLine {
     /// Its points, mm to the right and up.
     pub points: Vec<[f64; 2]>,
-    /// The middle of what it goes around or stands at, mm.
+    /// Centre of the shape that the line goes around or belongs to, mm.
     pub middle: [f64; 2],
-    /// Its number stands on the other side than the middle, and the line above all that are not so.
+    /// The number is on the side away from the middle, and the line is drawn above the others.
     pub outside: bool,
-    /// Its colour, from 1 to 3.
+    /// Colour number, from 1 to 3.
     pub colour: usize,
 }
 
@@ -82,7 +82,7 @@ impl OrderDrawing {
     }
 }
 
-/// The way from each line's end to the next one's start.
+/// Draws the transfer move from each line's end to the next one's start.
 fn ways(svg: &mut Svg, lines: &[Vec<Point>]) {
     for pair in lines.windows(2) {
         let (Some(&from), Some(&to)) = (pair[0].last(), pair[1].first()) else { continue };
@@ -94,7 +94,7 @@ fn ways(svg: &mut Svg, lines: &[Vec<Point>]) {
     }
 }
 
-/// A line with a dot at its start and an arrow in its middle.
+/// Draws a line with a dot at its start and an arrow in its middle.
 fn followed(svg: &mut Svg, points: &[Point], colour: usize) {
     let (Some(first), true) = (points.first(), points.len() > 1) else { return };
     let corners: Vec<String> = points.iter().map(|(x, y)| format!("{},{}", px(*x), px(*y))).collect();
@@ -106,7 +106,7 @@ fn followed(svg: &mut Svg, points: &[Point], colour: usize) {
     svg.circle(&format!("f{colour}"), first.0, first.1, 3.2);
 }
 
-/// A triangle about a point.
+/// Returns a triangle around a point, as path data.
 fn arrow((x, y): Point, along: Point, size: f64) -> String {
     let length = along.0.hypot(along.1);
     if length < 1e-9 {
@@ -117,7 +117,7 @@ fn arrow((x, y): Point, along: Point, size: f64) -> String {
     format!("M{}Z", corners.map(|(x, y)| format!("{},{}", px(x), px(y))).join(" "))
 }
 
-/// Where a line's number stands: in the middle of a closed one, else beside its middle.
+/// Returns the position of a line's number: the middle of a closed line, or beside the middle of an open one.
 fn beside(points: &[Point], middle: Point, outside: bool) -> Point {
     let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return middle };
     if distance(first, last) < CLOSED * long(points) {
@@ -125,7 +125,7 @@ fn beside(points: &[Point], middle: Point, outside: bool) -> Point {
     }
     let at = points[points.len() / 2];
     let away = distance(at, middle);
-    // On a line that goes around nothing, to its left.
+    // Through its own middle, the line has the number to its left.
     let (x, y) = if away > BESIDE {
         ((middle.0 - at.0) / away, (middle.1 - at.1) / away)
     } else {
@@ -136,7 +136,7 @@ fn beside(points: &[Point], middle: Point, outside: bool) -> Point {
     (at.0 + away * x, at.1 + away * y)
 }
 
-/// Numbers from 1, those of one place together.
+/// Draws numbers from 1, with those of one position together.
 fn numbers(svg: &mut Svg, places: impl Iterator<Item = Point>) {
     let mut together: Vec<(Point, Vec<String>)> = Vec::new();
     for (place, number) in places.zip(1..) {
@@ -151,7 +151,7 @@ fn numbers(svg: &mut Svg, places: impl Iterator<Item = Point>) {
     }
 }
 
-/// Length of a line.
+/// Returns the length of a line.
 fn long(points: &[Point]) -> f64 {
     points.windows(2).map(|w| distance(w[0], w[1])).sum()
 }

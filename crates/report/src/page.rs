@@ -8,23 +8,23 @@ use crate::language::Language;
 use crate::style::page_sheet;
 use crate::text::{escape, fit};
 
-/// What the report comes to.
+/// Result of the report.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Verdict {
-    /// Whether all is in order.
+    /// Whether everything is in order.
     pub ok: bool,
-    /// One sentence that says so, or what is not.
+    /// Summary, or the reasons against it.
     pub text: String,
 }
 
-/// A self-contained HTML page: no script, no file besides it; light, dark and for A4 paper.
+/// A self-contained HTML page: without scripts or other files, for light and dark screens and A4 paper.
 ///
-/// All text is escaped; only the markup of figures is taken as it is.
+/// All text is escaped; only the markup of figures is inserted unchanged.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Page {
-    /// The language of what the page says by itself; texts are given in it.
+    /// Language of built-in texts; given texts are already in it.
     pub language: Language,
-    /// Title of the document, also at the foot of printed pages.
+    /// Title of the document, repeated at the foot of printed pages.
     pub title: String,
     /// Line below the title; may be empty.
     pub subtitle: String,
@@ -37,7 +37,7 @@ pub struct Page {
 }
 
 impl Page {
-    /// The HTML text, UTF-8; well-formed as XML too.
+    /// Returns the HTML text, UTF-8; well-formed as XML too.
     pub fn render(&self) -> String {
         let title = escape(&self.title);
         let mut out = String::new();
@@ -72,7 +72,7 @@ impl Page {
         out
     }
 
-    /// A4 with the title and page numbers at the foot.
+    /// Returns the print style: A4 with the title and page numbers at the foot.
     fn paper(&self) -> String {
         format!(
             "@page{{size:A4;margin:15mm 14mm 17mm;\
@@ -92,8 +92,7 @@ impl Verdict {
     }
 }
 
-/// A CSS string in which every character that could end it, the rule or the style element is
-/// written by its number.
+/// Returns a CSS string with numeric escapes for every character that could end it, the rule or the style element.
 fn css_string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

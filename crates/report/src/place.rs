@@ -1,11 +1,11 @@
-//! Places for labels where they cover nothing.
+//! Label placement without overlaps.
 
 use crate::svg::Rect;
 
-/// Moves labels along a line as little as needed so that none overlaps its neighbour.
+/// Moves labels along a line as little as needed to separate neighbours.
 ///
-/// `wanted` are the middles and `sizes` the lengths; the result, in the same order, keeps the
-/// labels inside `lo..hi` as long as they fit there.
+/// `wanted` are the middles and `sizes` the lengths. The result, in the same order, keeps the labels inside `lo..hi` as
+/// long as they fit there.
 pub(crate) fn spread(wanted: &[f64], sizes: &[f64], lo: f64, hi: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by(|a, b| wanted[*a].total_cmp(&wanted[*b]));
@@ -23,8 +23,8 @@ pub(crate) fn spread(wanted: &[f64], sizes: &[f64], lo: f64, hi: f64) -> Vec<f64
     placed
 }
 
-/// The place for a label of size `w` × `h` beside `point` that lies inside `bounds`, off the
-/// labels in `taken`, and on as few of the `ink` points as can be.
+/// Returns the position of a label of size `w` × `h` beside `point`. It lies inside `bounds`, off the labels in
+/// `taken`, and on as few `ink` points as possible.
 pub(crate) fn beside(point: (f64, f64), (w, h): (f64, f64), bounds: Rect, taken: &[Rect], ink: &[(f64, f64)]) -> Rect {
     let mut best = (f64::INFINITY, Rect { x: point.0, y: point.1, w, h });
     for distance in [10.0, 18.0, 28.0, 42.0, 60.0, 84.0] {

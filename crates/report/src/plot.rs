@@ -15,14 +15,14 @@ const SMALL: f64 = 11.0;
 
 /// A vertical or horizontal scale.
 pub(crate) struct Scale {
-    /// Of decimal logarithms on a logarithmic scale.
+    /// Range of values, of their decimal logarithms on a logarithmic scale.
     pub(crate) domain: Domain,
     ticks: Ticks,
     logarithmic: bool,
 }
 
 impl Scale {
-    /// The x scale shared by `charts`, for a plot `length` px wide.
+    /// Creates the x scale shared by `charts`, for a plot `length` px wide.
     pub(crate) fn x<'a>(charts: impl IntoIterator<Item = &'a Chart> + Clone, length: f64) -> Self {
         let logarithmic = charts.clone().into_iter().next().is_some_and(|c| c.log_x);
         match charts.into_iter().filter_map(Chart::x_extent).reduce(Domain::union) {
@@ -32,18 +32,18 @@ impl Scale {
         }
     }
 
-    /// A logarithmic x scale over `domain`, which is one of decimal logarithms.
+    /// Creates a logarithmic x scale over `domain`, a range of decimal logarithms.
     fn decades(domain: Domain, length: f64) -> Self {
         let most = ((length / 45.0) as usize).clamp(3, 14);
         Self { domain, ticks: Ticks::decades(domain, most), logarithmic: true }
     }
 
-    /// Where `value` is in the domain.
+    /// Returns the coordinate of `value` in the domain.
     fn place(&self, value: f64) -> f64 {
         if self.logarithmic { value.log10() } else { value }
     }
 
-    /// An x scale over `domain`, with ticks as close as their labels allow.
+    /// Creates an x scale over `domain`, with ticks as close as their labels allow.
     pub(crate) fn across(domain: Domain, length: f64) -> Self {
         let most = ((length / 80.0) as usize).clamp(3, 8);
         let fits = |t: &Ticks| {
@@ -54,22 +54,22 @@ impl Scale {
         Self { domain, ticks: ticks.unwrap_or_else(|| Ticks::new(domain, 3)), logarithmic: false }
     }
 
-    /// The y scale of `chart`, for a plot `length` px high.
+    /// Creates the y scale of `chart`, for a plot `length` px high.
     pub(crate) fn y(chart: &Chart, length: f64) -> Self {
         y_domain(chart).map_or_else(Self::blank, |domain| Self::upward(domain, length))
     }
 
-    /// A y scale over `domain`.
+    /// Creates a y scale over `domain`.
     pub(crate) fn upward(domain: Domain, length: f64) -> Self {
         Self { domain, ticks: Ticks::new(domain, ((length / 36.0) as usize).clamp(3, 8)), logarithmic: false }
     }
 
-    /// A scale on which nothing is shown, and so without numbers.
+    /// Creates the scale of an empty plot, without ticks.
     fn blank() -> Self {
         Self { domain: Domain { lo: 0.0, hi: 1.0 }, ticks: Ticks::default(), logarithmic: false }
     }
 
-    /// Room for tick labels left of the plot, px.
+    /// Returns the room for tick labels left of the plot, px.
     pub(crate) fn label_width(&self) -> f64 {
         self.ticks.labels().iter().fold(0.0f64, |w, l| w.max(width(&minus(l), SMALL))) + 10.0
     }
@@ -85,7 +85,7 @@ fn y_domain(chart: &Chart) -> Option<Domain> {
     };
     let data = limit::significant(data, &chart.limits);
     let settled = data.settled();
-    // Zero is worth showing if it is near.
+    // Zero is shown if it is near.
     let near = settled.padded(0.5);
     let based = if near.contains(0.0) { settled.including(0.0) } else { settled };
     let whole = based.union(limit::stretch(data, &chart.limits));
@@ -100,18 +100,18 @@ pub(crate) struct Plot<'a> {
     pub(crate) frame: Rect,
     pub(crate) x: &'a Scale,
     pub(crate) y: &'a Scale,
-    /// Most room for the label of a limit, px.
+    /// Maximum width of a limit's label, px.
     pub(crate) aside: f64,
 }
 
-/// The label with the value, or the value alone if there is no room for both.
+/// Returns the label with the value, or the value alone if both do not fit.
 fn limit_text(limit: &LimitLine, room: f64) -> String {
     let text = minus(&limit.text());
     if width(&text, SMALL) <= room { text } else { fit(&minus(&format_number(limit.value, 5)), SMALL, room) }
 }
 
 impl Plot<'_> {
-    /// Room right of the plot, for its edge and the labels of its limits, which are `aside` at most.
+    /// Returns the room right of the plot, px, for its edge and the labels of its limits, at most `aside`.
     pub(crate) fn limit_width(chart: &Chart, y: &Scale, aside: f64) -> f64 {
         let inside = chart.limits.iter().filter(|l| y.domain.contains(l.value));
         inside.map(|l| width(&limit_text(l, aside), SMALL) + 8.0).fold(EDGE, f64::max)
@@ -122,7 +122,7 @@ impl Plot<'_> {
         if usable(x) && usable(y) { (self.at_x(x), self.at_y(y)) } else { (f64::NAN, f64::NAN) }
     }
 
-    /// Px of a place in the domain of the x scale.
+    /// Returns the px of a coordinate in the domain of the x scale.
     fn at_x(&self, x: f64) -> f64 {
         self.x.domain.map(x, self.frame.x, self.frame.right())
     }
@@ -153,7 +153,7 @@ impl Plot<'_> {
         }
         svg.rect("edge", f);
         self.draw_limits(svg);
-        // A stroke along the edge of the frame is not cut in half.
+        // The wider clip keeps a stroke along the edge of the frame whole.
         svg.open_clip(Rect { x: f.x - 2.0, y: f.y - 2.0, w: f.w + 4.0, h: f.h + 4.0 });
         for (i, s) in self.chart.series.iter().enumerate() {
             series::draw(
@@ -182,13 +182,13 @@ impl Plot<'_> {
         }
     }
 
-    /// The labels of the x ticks below the plot.
+    /// Draws the labels of the x ticks below the plot.
     pub(crate) fn draw_x_labels(&self, svg: &mut Svg) {
         let places = self.x.ticks.values.iter().map(|v| self.at_x(*v));
         svg.ticks(self.frame.bottom() + 14.0, places.zip(self.x.ticks.labels()));
     }
 
-    /// The names of the bands, on one line above the plot; those without room there are left out.
+    /// Draws the names of the bands on one line above the plot; omits names that do not fit.
     pub(crate) fn draw_band_labels(&self, svg: &mut Svg) {
         let f = self.frame;
         let mut bands: Vec<_> =
@@ -206,7 +206,7 @@ impl Plot<'_> {
         }
     }
 
-    /// The strip of named ranges above the plot.
+    /// Draws the strip of named ranges above the plot.
     pub(crate) fn draw_strip(&self, svg: &mut Svg) {
         let y = self.frame.y - self.chart.strip_height();
         let drawn = self.chart.strip.iter().filter_map(|s| Some((s, self.range(s.from, s.to)?)));
@@ -221,7 +221,7 @@ impl Plot<'_> {
         }
     }
 
-    /// Left and right edge of a range of x inside the frame, px.
+    /// Returns left and right edge of a range of x inside the frame, px.
     fn range(&self, from: f64, to: f64) -> Option<(f64, f64)> {
         let (from, to) = (self.x.place(from), self.x.place(to));
         if from.is_nan() || to.is_nan() {

@@ -2,11 +2,11 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// Height of the viewer of the pictorial view, rad.
+/// Elevation of the viewer of the pictorial view, rad.
 const ELEVATION: f64 = 20.0 / 180.0 * std::f64::consts::PI;
 
-/// A direction to look in. Front, side and top are arranged in first-angle projection
-/// (ISO 5456-2, method E): each shows the front view's object rolled over, away from the viewer.
+/// A viewing direction. Front, side and top are arranged in first-angle projection (ISO 5456-2, method E). Each shows
+/// the object of the front view rolled over, away from the viewer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Projection {
     /// Looking along +y: x to the right, z up.
@@ -15,13 +15,13 @@ pub(crate) enum Projection {
     Side,
     /// From above, looking along -z: x to the right, y up.
     Top,
-    /// From the front, the right and 20° above. An isometric view would look along the plane of a
-    /// torch at 45° and lay it on its seam.
+    /// From the front, the right and 20° above. An isometric view would look along the plane of a torch at 45° and draw
+    /// it on top of its seam.
     Pictorial,
 }
 
 impl Projection {
-    /// The point's place in the view, right and up.
+    /// Returns the point's coordinates in the view, right and up.
     pub(crate) fn project(self, [x, y, z]: [f64; 3]) -> (f64, f64) {
         match self {
             Self::Front => (x, z),
@@ -34,7 +34,7 @@ impl Projection {
         }
     }
 
-    /// The unit vector towards the viewer.
+    /// Returns the unit vector towards the viewer.
     pub(crate) fn toward(self) -> [f64; 3] {
         let unit = |i: usize| self.project(std::array::from_fn(|k| if k == i { 1.0 } else { 0.0 }));
         let (right, up): (Vec<f64>, Vec<f64>) = (0..3).map(unit).unzip();
@@ -44,7 +44,7 @@ impl Projection {
         })
     }
 
-    /// Name of the view.
+    /// Returns the name of the view.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Front => "Front",
@@ -54,7 +54,7 @@ impl Projection {
         }
     }
 
-    /// Names of the axes to the right and up, with the sign of the first.
+    /// Returns names of the axes to the right and up, with the sign of the first.
     pub(crate) fn axes(self) -> Option<(&'static str, &'static str, f64)> {
         match self {
             Self::Front => Some(("x", "z", 1.0)),
@@ -74,7 +74,7 @@ mod tests {
         [a, b]
     }
 
-    /// The direction of sight is right × up turned round: a viewer sees right-handed axes.
+    /// The viewing direction is the negative of right × up: a viewer sees right-handed axes.
     #[test]
     fn views_look_where_they_say() {
         let unit = |i: usize| std::array::from_fn::<f64, 3, _>(|k| if k == i { 1.0 } else { 0.0 });

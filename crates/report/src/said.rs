@@ -1,4 +1,4 @@
-//! What the cell and the library say in English, in the language of the page. What has no words there stays as it is.
+//! Translation of the English texts of the cell and the library; unknown texts stay as they are.
 
 use crate::Language;
 use crate::language::value_name;
@@ -6,17 +6,17 @@ use seamwright_cell::executive::{Alarm as Catalogue, Entry};
 use seamwright_record::figures::HEAT_INPUT;
 use seamwright_record::library::Alarm;
 
-/// A process value without its unit: `Current`; in English by its name in files.
+/// Returns a process value without its unit, such as `Current`; in English its name in files.
 pub(crate) fn value_title(language: Language, name: &str) -> String {
     if language == Language::English { name.to_owned() } else { title(language, name) }
 }
 
-/// A process value with its unit: `Strom, A`; in English by its name in files.
+/// Returns a process value with its unit, such as `Strom, A`; in English its name in files.
 pub(crate) fn named_value(language: Language, name: &str) -> String {
     if language == Language::English { name.to_owned() } else { value(language, name) }
 }
 
-/// The same in two: title and unit; in English its name in files.
+/// Returns title and unit of a process value; in English its name in files.
 pub(crate) fn value_parts(language: Language, name: &str) -> [String; 2] {
     match language {
         Language::English => [name.to_owned(), "as named".to_owned()],
@@ -27,7 +27,7 @@ pub(crate) fn value_parts(language: Language, name: &str) -> [String; 2] {
     }
 }
 
-/// What clearance is watched of: links and zones by their names in files.
+/// Translates the object of a clearance check; links and zones keep their names in files.
 pub(crate) fn watched(language: Language, name: &str) -> String {
     let zone = |kind: &str, said| Some(language.fill(said, &[name.strip_prefix(kind)?.trim_start()]));
     let own = match name {
@@ -35,7 +35,7 @@ pub(crate) fn watched(language: Language, name: &str) -> String {
         "fixtures" => Some(language.say("fixtures").to_owned()),
         _ => None,
     };
-    // A solid of the job, with whose it is.
+    // A solid of the job, with its owner.
     let of = |whose: &str, said| Some(language.fill(said, &[name.strip_suffix(whose)?]));
     own.or_else(|| of(" (part)", "{0} (part)"))
         .or_else(|| of(" (fixtures)", "{0} (fixtures)"))
@@ -49,17 +49,17 @@ fn title(language: Language, name: &str) -> String {
     language.named("value", title).map_or_else(|| title.replace('_', " "), str::to_owned)
 }
 
-/// A process value, whose name in files ends in its unit: `Current, A`.
+/// Returns a process value, whose name in files ends in its unit, as `Current, A`.
 pub(crate) fn value(language: Language, name: &str) -> String {
     let title = title(language, name);
     match value_name(name).1 {
-        // A unit is not broken over lines.
+        // A unit must not break over lines.
         Some(unit) => format!("{title}, {}", language.known(unit).unwrap_or(unit).replace('/', "/\u{2060}")),
         None => title,
     }
 }
 
-/// A curve by the name of its column, which ends in the name of the head if there are several.
+/// Translates a curve by the name of its column, which ends in the name of the head if there are several.
 pub(crate) fn curve(language: Language, column: &str) -> String {
     let of = |start: &str, word| Some((language.say(word), column.strip_prefix(start)?));
     let known = of("miss_lateral_mm", "track.lateral")
@@ -73,7 +73,7 @@ pub(crate) fn curve(language: Language, column: &str) -> String {
     }
 }
 
-/// The entry of the catalogue that an alarm of the library is, and what it is about: `NAME`, `NAME (OF)` or `NAME: OF`.
+/// Returns the catalogue entry of a library alarm and its object: `NAME`, `NAME (OF)` or `NAME: OF`.
 fn entry(name: &str) -> Option<(Entry, &str)> {
     Catalogue::ALL.into_iter().find_map(|alarm| {
         let entry = alarm.entry();
@@ -83,7 +83,7 @@ fn entry(name: &str) -> Option<(Entry, &str)> {
     })
 }
 
-/// An alarm's title, with the axis, condition or trouble that it is about.
+/// Returns an alarm's title, with the axis, condition or tracking alarm that it names.
 pub(crate) fn alarm(language: Language, name: &str) -> String {
     let Some((words, about)) = entry(name).and_then(|(entry, about)| Some((language.alarm(entry.name)?, about))) else {
         return name.to_owned();
@@ -97,14 +97,14 @@ pub(crate) fn alarm(language: Language, name: &str) -> String {
     }
 }
 
-/// Why an alarm comes, if it is what the catalogue says.
+/// Translates an alarm's cause if it is that of the catalogue.
 pub(crate) fn cause(language: Language, of: &Alarm) -> String {
     let known = entry(&of.name).filter(|(entry, _)| entry.cause == of.cause);
     let words = known.and_then(|(entry, _)| language.alarm(entry.name));
     words.map_or(&of.cause, |words| &words.cause).clone()
 }
 
-/// A sentence about a plan or a weld, or an alarm in one. What a machine says of itself begins with its name.
+/// Translates a sentence about a plan or a weld, or an alarm in one. A machine's own messages start with its name.
 pub(crate) fn sentence(language: Language, text: &str) -> String {
     if language == Language::English {
         return text.to_owned();
@@ -120,7 +120,7 @@ pub(crate) fn sentence(language: Language, text: &str) -> String {
         .unwrap_or(own)
 }
 
-/// What happened: another mode, an order, or a sentence.
+/// Translates an event: a mode change, an order, or a sentence.
 pub(crate) fn event(language: Language, text: &str) -> String {
     if language == Language::English {
         return text.to_owned();
@@ -132,7 +132,7 @@ pub(crate) fn event(language: Language, text: &str) -> String {
     language.named("do", text).map_or_else(|| sentence(language, text), str::to_owned)
 }
 
-/// What a weld's note says, sentence by sentence.
+/// Translates a weld's note, sentence by sentence.
 pub(crate) fn note(language: Language, text: &str) -> String {
     text.split("; ").map(|one| sentence(language, one)).collect::<Vec<_>>().join("; ")
 }

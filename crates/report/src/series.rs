@@ -6,7 +6,7 @@ use crate::number::px;
 use crate::svg::Svg;
 use crate::thin::thin;
 
-/// How a series is drawn.
+/// Drawing style of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Style {
     /// A solid line.
@@ -22,35 +22,34 @@ pub enum Style {
 
 /// A named sequence of points `(x, y)` in the units of the axes.
 ///
-/// A point with a coordinate that is not finite is a gap. Any number of points may be given: what
-/// cannot be seen is left out of the drawing, peaks never are.
+/// A point with a non-finite coordinate is a gap. The number of points is unlimited: the drawing omits invisible points
+/// and keeps all peaks.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Series {
     /// Name in the legend.
     pub name: String,
     /// Points in drawing order.
     pub points: Vec<(f64, f64)>,
-    /// How it is drawn.
+    /// Drawing style.
     pub style: Style,
-    /// Its place in the palette, from 0, instead of its place in the chart: so that a thing has the same colour in
-    /// several charts.
+    /// Index in the palette, from 0, instead of its position in the chart: equal colours across charts.
     pub colour: Option<usize>,
 }
 
 impl Series {
-    /// A series drawn as a solid line.
+    /// Creates a series drawn as a solid line.
     pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { name: name.into(), points, style: Style::Line, colour: None }
     }
 
-    /// The same series in the palette's colour `place`, from 0.
+    /// Returns the series in the palette's colour `place`, from 0.
     #[must_use]
     pub fn coloured(mut self, place: usize) -> Self {
         self.colour = Some(place);
         self
     }
 
-    /// The same series in another style.
+    /// Returns the series in another style.
     #[must_use]
     pub fn styled(mut self, style: Style) -> Self {
         self.style = style;
@@ -58,7 +57,7 @@ impl Series {
     }
 }
 
-/// The class of the `index`th of several curves, which sets its colour.
+/// Returns the class of the `index`th of several curves, which sets its colour.
 pub(crate) fn class(index: usize, style: Style) -> String {
     let kind = match style {
         Style::Line | Style::Steps => "line",
@@ -68,7 +67,7 @@ pub(crate) fn class(index: usize, style: Style) -> String {
     format!("{kind} c{}", index % 8 + 1)
 }
 
-/// Draws px points, NaN where there is a gap. A point alone between gaps is drawn as a dot.
+/// Draws px points, with NaN for gaps. A single point between gaps is drawn as a dot.
 pub(crate) fn draw(svg: &mut Svg, class: &str, style: Style, points: impl Iterator<Item = (f64, f64)> + Clone) {
     let (mut curve, mut dots) = (String::new(), String::new());
     for run in thin(points) {
@@ -87,7 +86,7 @@ pub(crate) fn draw(svg: &mut Svg, class: &str, style: Style, points: impl Iterat
     }
 }
 
-/// A stroke of no length, which a round cap makes a dot.
+/// Appends a stroke of zero length, which a round cap turns into a dot.
 fn dot(d: &mut String, (x, y): (f64, f64)) {
     let _ = write!(d, "M{},{}h0", px(x), px(y));
 }

@@ -1,10 +1,10 @@
 use crate::Chart;
 use crate::svg::Svg;
 
-/// Room between two charts of a sheet, px.
+/// Gap between two charts of a sheet, px.
 const GAP: f64 = 26.0;
 
-/// Several charts below each other, each with its own axes, as one SVG file called `title`.
+/// Draws several charts below each other, each with its own axes, as one SVG file called `title`.
 pub fn sheet(title: &str, charts: &[Chart]) -> String {
     let mut all = Svg::default();
     let mut top = 0.0;

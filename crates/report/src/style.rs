@@ -1,10 +1,10 @@
 //! The style sheets: colours for light and dark, rules for drawings and for the page.
 //!
-//! The rules name colours as custom properties. The page defines these; a standalone SVG has them
-//! replaced by plain colours, since most drawing programs do not know custom properties.
+//! The rules name colours as custom properties. The page defines these; in a standalone SVG plain colours replace them,
+//! because most drawing programs do not support custom properties.
 //!
-//! Series colours follow Okabe and Ito, "Color Universal Design" (2008), darkened on white and
-//! lightened on black until every one has a contrast of 3 or more to the plot area.
+//! Series colours follow Okabe and Ito, "Color Universal Design" (2008). They are darkened on white and lightened on
+//! black to a contrast of 3 or more to the plot area.
 
 use std::fmt::Write;
 
@@ -38,7 +38,7 @@ const COLOURS: [(&str, &str, &str); 20] = [
     ("--fault", "#c4281c", "#e5483a"),
 ];
 
-/// The warning colour is the same on both grounds: yellow stands out on grey and on black.
+/// The warning colour is equal in both themes: yellow contrasts with grey and with black.
 const WARN: (&str, &str) = ("--warn", "#f0b400");
 
 #[derive(Clone, Copy)]
@@ -62,7 +62,7 @@ impl Theme {
         })
     }
 
-    /// The drawing rules with every custom property replaced by its value.
+    /// Returns the drawing rules with every custom property replaced by its value.
     fn plain_rules(self) -> String {
         COLOURS
             .iter()
@@ -70,7 +70,7 @@ impl Theme {
     }
 }
 
-/// The whole style sheet of a page. Paper is white whatever the screen shows.
+/// Returns the style sheet of a page. Paper is white in both themes.
 pub(crate) fn page_sheet() -> String {
     format!(
         ":root{{color-scheme:light dark;--face:{FACE};--mono:{MONO};{}}}\n\
@@ -81,7 +81,7 @@ pub(crate) fn page_sheet() -> String {
     )
 }
 
-/// The style sheet embedded in a standalone SVG.
+/// Returns the style sheet embedded in a standalone SVG.
 pub(crate) fn svg_sheet() -> String {
     format!(
         "\n{}@media screen and (prefers-color-scheme:dark){{\n{}}}\n",

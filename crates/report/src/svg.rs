@@ -38,17 +38,17 @@ impl Rect {
     }
 }
 
-/// Gives a drawing (a type with `draw` and `label`) its two forms.
+/// Implements both forms of a drawing (a type with `draw` and `label`).
 macro_rules! both_forms {
     ($drawing:ty) => {
         impl $drawing {
-            /// The drawing for a [`Page`](crate::Page), which carries the styles.
+            /// Returns the drawing for a [`Page`](crate::Page), which carries the styles.
             pub fn to_svg(&self) -> String {
                 let (svg, height) = self.draw();
                 svg.inline(height, &self.label())
             }
 
-            /// The drawing as a file of its own: styles for light and dark, and a background.
+            /// Returns the drawing as a file of its own, with styles for light and dark, and a background.
             pub fn to_svg_standalone(&self) -> String {
                 let (svg, height) = self.draw();
                 svg.standalone(height, &self.label())
@@ -58,7 +58,7 @@ macro_rules! both_forms {
 }
 pub(crate) use both_forms;
 
-/// Where text stands relative to its point.
+/// Position of text relative to its point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Anchor {
     Start,
@@ -66,7 +66,7 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// A drawing in the making.
+/// A drawing under construction.
 #[derive(Debug, Default)]
 pub(crate) struct Svg {
     body: String,
@@ -99,7 +99,7 @@ impl Svg {
             writeln!(self.body, "<circle class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", px(x), px(y), px(radius));
     }
 
-    /// Text on a baseline; escaped, and numbers with a true minus.
+    /// Writes text on a baseline; escaped, and numbers with a true minus.
     pub(crate) fn text(&mut self, class: &str, x: f64, y: f64, anchor: Anchor, text: &str) {
         if text.is_empty() {
             return;
@@ -118,8 +118,8 @@ impl Svg {
         );
     }
 
-    /// Tick labels in the middle below their ticks, or as far right as the drawing goes. Labels
-    /// without room beside the one before are left out.
+    /// Writes tick labels centred below their ticks, or as far right as the drawing goes. Omits labels that would
+    /// overlap the previous one.
     pub(crate) fn ticks(&mut self, y: f64, ticks: impl Iterator<Item = (f64, String)>) {
         let mut before: Option<(f64, f64)> = None;
         for (x, label) in ticks {
@@ -132,7 +132,7 @@ impl Svg {
         }
     }
 
-    /// A bar of a round length in the lower left corner of `frame`; `scale` is px a mm, which is called `unit`.
+    /// Draws a bar of a round length in the lower left corner of `frame`; `scale` is px per mm, and `unit` its name.
     pub(crate) fn scale_bar(&mut self, frame: Rect, scale: f64, unit: &str) {
         let wanted = 0.2 * frame.w / scale;
         let power = 10_f64.powf(wanted.log10().floor());
@@ -142,7 +142,7 @@ impl Svg {
         self.text("tick halo", x + mm * scale + 5.0, y + 3.5, Anchor::Start, &format!("{mm} {unit}"));
     }
 
-    /// What follows, up to [`Svg::close_clip`], is cut off outside `r`.
+    /// Clips the following elements to `r`, up to [`Svg::close_clip`].
     pub(crate) fn open_clip(&mut self, r: Rect) {
         let (x, y, w, h) = (px(r.x), px(r.y), px(r.w), px(r.h));
         let _ = writeln!(
@@ -155,12 +155,12 @@ impl Svg {
         self.body.push_str("</svg>\n");
     }
 
-    /// Another drawing, moved down by `y` px.
+    /// Inserts another drawing, moved down by `y` px.
     pub(crate) fn place(&mut self, other: &Self, y: f64) {
         let _ = writeln!(self.body, "<g transform=\"translate(0,{})\">\n{}</g>", px(y), other.body);
     }
 
-    /// The element for a page that carries the styles.
+    /// Returns the element for a page that carries the styles.
     pub(crate) fn inline(self, height: f64, label: &str) -> String {
         let (w, h) = (px(WIDTH), px(height));
         format!(
@@ -171,7 +171,7 @@ impl Svg {
         )
     }
 
-    /// A file of its own, with styles, title and background.
+    /// Returns a file of its own, with styles, title and background.
     pub(crate) fn standalone(self, height: f64, label: &str) -> String {
         let m = MARGIN;
         let sheet = Rect { x: -m, y: -m, w: WIDTH + 2.0 * m, h: height + 2.0 * m };

@@ -1,7 +1,6 @@
 //! Text for markup: escaping, estimated widths, the minus sign.
 
-/// Escapes `text` for element content and for quoted attributes. Characters that XML forbids
-/// become U+FFFD.
+/// Escapes `text` for element content and for quoted attributes. Replaces characters that XML forbids with U+FFFD.
 pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -19,7 +18,7 @@ pub(crate) fn escape(text: &str) -> String {
     out
 }
 
-/// Sets each hyphen that begins a number as a true minus.
+/// Replaces each hyphen at the start of a number with a true minus.
 pub(crate) fn minus(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut chars = text.chars().peekable();
@@ -33,7 +32,7 @@ pub(crate) fn minus(text: &str) -> String {
     out
 }
 
-/// Estimated width of `text` in px at font `size`, on the wide side of common sans-serif faces.
+/// Estimates the width of `text` in px at font `size`, on the wide side of common sans-serif faces.
 pub(crate) fn width(text: &str, size: f64) -> f64 {
     text.chars().map(advance).sum::<f64>() * size
 }

@@ -1,19 +1,18 @@
-//! Thinning of long polylines to what a screen can show.
+//! Thinning of long polylines to screen resolution.
 
 type Point = (f64, f64);
 
-/// Up to this many points a polyline is drawn as it is.
+/// Maximum number of points of a polyline that is drawn unchanged.
 const PLAIN: usize = 2000;
 
-/// A longer polyline that turns back in x is coarsened until it has no more points than this.
-const MOST: usize = 5000;
+/// Maximum number of points of a longer polyline that turns back in x, after coarsening.
+const MAX_POINTS: usize = 5000;
 
 /// Splits px points at gaps (a coordinate that is NaN) and thins long polylines.
 ///
-/// Where x never falls, each pixel column keeps its first, lowest, highest and last point: no
-/// peak is lost, and the number of points is bounded by four times the width. A curve that turns
-/// back drops points closer than a quarter of a pixel, or more if it is still too long. A gap
-/// less than a pixel wide, which could not be seen, is closed.
+/// With non-decreasing x, each pixel column keeps its first, lowest, highest and last point. All peaks remain, and the
+/// number of points is at most four times the width. A curve that turns back drops points closer than a quarter of a
+/// pixel, or more if it is still too long. Invisible gaps, less than a pixel wide, are closed.
 pub(crate) fn thin(points: impl Iterator<Item = Point> + Clone) -> Vec<Vec<Point>> {
     if points.clone().nth(PLAIN).is_none() {
         return split(points);
@@ -30,7 +29,7 @@ pub(crate) fn thin(points: impl Iterator<Item = Point> + Clone) -> Vec<Vec<Point
     let mut tolerance = 0.25;
     loop {
         let runs = apart(points.clone(), tolerance);
-        if runs.iter().map(Vec::len).sum::<usize>() <= MOST || tolerance > 1000.0 {
+        if runs.iter().map(Vec::len).sum::<usize>() <= MAX_POINTS || tolerance > 1000.0 {
             return runs;
         }
         tolerance *= 2.0;
@@ -122,7 +121,7 @@ impl Runs {
     }
 }
 
-/// What is seen of the points in one pixel column; the numbers give their order.
+/// Visible points of one pixel column; the numbers give their order.
 struct Column {
     count: usize,
     first: Point,
@@ -208,11 +207,11 @@ mod tests {
         });
         let runs = thin(circle);
         assert_eq!(runs.len(), 1);
-        assert!(runs[0].len() <= MOST + 1, "{}", runs[0].len());
+        assert!(runs[0].len() <= MAX_POINTS + 1, "{}", runs[0].len());
         for p in &runs[0] {
             assert!(((p.0 - 200.0).hypot(p.1 - 200.0) - 100.0).abs() < 1e-9);
         }
         let noise = (0..n).map(|i| (f64::from(i % 809 * 7919 % 800), f64::from(i % 211 * 7919 % 200)));
-        assert!(thin(noise).iter().map(Vec::len).sum::<usize>() <= MOST + 1);
+        assert!(thin(noise).iter().map(Vec::len).sum::<usize>() <= MAX_POINTS + 1);
     }
 }

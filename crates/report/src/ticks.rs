@@ -8,15 +8,15 @@ use crate::number::{format_fixed, format_number};
 pub(crate) struct Ticks {
     pub(crate) values: Vec<f64>,
     step: f64,
-    /// The values are decimal logarithms of what the labels say.
+    /// The values are decimal logarithms of the labels.
     logarithmic: bool,
 }
 
 impl Ticks {
-    /// Between 3 and 10 ticks inside `domain`, as near to `target` of them as a round step allows.
+    /// Returns between 3 and 10 ticks inside `domain`, as near to `target` as a round step allows.
     ///
-    /// `domain` must be settled. That a step exists: if `n` steps fit into the span, there are `n`
-    /// or `n + 1` ticks, and neighbouring steps differ by 2.5 at most.
+    /// `domain` must be settled. A step always exists: if `n` steps fit into the span, there are `n` or `n + 1` ticks.
+    /// Neighbouring steps differ by a factor of at most 2.5.
     pub(crate) fn new(domain: Domain, target: usize) -> Self {
         let power = domain.span().log10().floor() as i32;
         let mut best: Option<(usize, Self)> = None;
@@ -35,7 +35,7 @@ impl Ticks {
         )
     }
 
-    /// The ticks of step `mantissa * 10^exponent` inside `domain`; possibly none.
+    /// Returns the ticks of step `mantissa * 10^exponent` inside `domain`; may be empty.
     fn stepped(domain: Domain, mantissa: f64, exponent: i32) -> Self {
         // Dividing by a whole power of ten keeps 0.3 from becoming 0.30000000000000004.
         let power = 10f64.powi(exponent.abs());
@@ -48,8 +48,8 @@ impl Ticks {
         Self { values, step, logarithmic: false }
     }
 
-    /// The ticks inside `domain` with the least round step not under `least`, for views that
-    /// share one scale.
+    /// Returns the ticks inside `domain` with the smallest round step of at least `least`, for views that share one
+    /// scale.
     pub(crate) fn spaced(domain: Domain, least: f64) -> Self {
         let power = least.log10().floor() as i32;
         let at_least = |(m, e): &(f64, i32)| m * 10f64.powi(*e) >= least * (1.0 - 1e-9);
@@ -58,8 +58,8 @@ impl Ticks {
         Self::stepped(domain, mantissa, exponent)
     }
 
-    /// Ticks for a domain of decimal logarithms: 1, 2 and 5 times powers of ten, or the powers alone if those are
-    /// `most` or more; the values are logarithms.
+    /// Returns ticks for a domain of decimal logarithms: 1, 2 and 5 times powers of ten. If those are `most` or more,
+    /// returns only the powers. The values are logarithms.
     pub(crate) fn decades(domain: Domain, most: usize) -> Self {
         let powers = domain.lo.floor() as i32..=domain.hi.ceil() as i32;
         let ticks = |mantissas: &[f64]| -> Vec<f64> {
@@ -71,7 +71,7 @@ impl Ticks {
         Self { values, step: 1.0, logarithmic: true }
     }
 
-    /// The labels, all with the same number of decimals; on a logarithmic scale with as many as they need.
+    /// Returns the labels, with equal numbers of decimals; on a logarithmic scale with as many as needed.
     pub(crate) fn labels(&self) -> Vec<String> {
         if self.logarithmic {
             return self.values.iter().map(|v| format_number(10f64.powf(*v), 3)).collect();
@@ -118,7 +118,7 @@ mod tests {
         let mut state = 20_261_120;
         for _ in 0..200_000 {
             let span = 10f64.powf(24.0 * random(&mut state) - 12.0);
-            // Offsets up to where the range is still wider than rounding noise.
+            // Offsets for which the range is still wider than rounding noise.
             let lo = span * (random(&mut state) - 0.5) * 10f64.powf(5.5 * random(&mut state));
             let hi = lo + span;
             let target = 3 + (random(&mut state) * 7.0) as usize;

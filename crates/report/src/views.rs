@@ -10,7 +10,7 @@ use crate::svg::{Anchor, Rect, Svg, WIDTH};
 use crate::text::{fit, width};
 use crate::thin::thin;
 
-/// A point with a name, such as the start of the weld.
+/// A named point, such as the start of the weld.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mark {
     /// Name.
@@ -19,14 +19,13 @@ pub struct Mark {
     pub at: [f64; 3],
 }
 
-/// A path in space with vectors along it, in mm: front (x-z), side (y-z, from the left) and top
-/// (x-y) at one scale, in first-angle projection, and a small pictorial view.
+/// A path in space with vectors along it, in mm. First-angle projection at one scale shows front (x-z), side (y-z, from
+/// the left) and top (x-y), beside a small pictorial view.
 ///
-/// Points with a coordinate that is not finite are gaps. Of more than 400 vectors an even choice
-/// is drawn.
+/// Points with a non-finite coordinate are gaps. Of more than 400 vectors an even selection is drawn.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ThreeViews {
-    /// The language of what it says by itself; texts are given in it.
+    /// Language of built-in texts; given texts are already in it.
     pub language: Language,
     /// Heading; may be empty.
     pub title: String,
@@ -107,7 +106,7 @@ impl ThreeViews {
         shown.map(|(class, name, _)| Entry::Curve { class: class.into(), dots: false, name: name.clone() }).collect()
     }
 
-    /// Draws what is seen in one view; returns points along all its curves, px.
+    /// Draws one view; returns points along all its curves, px.
     fn draw_view(&self, svg: &mut Svg, map: &Map, frame: Rect) -> Vec<(f64, f64)> {
         let polyline = |svg: &mut Svg, class: &str, points: &[[f64; 3]]| {
             series::draw(svg, class, Style::Line, points.iter().map(|p| map.px(*p)));
@@ -146,7 +145,7 @@ impl ThreeViews {
     }
 }
 
-/// Points every 5 px from `a` to `b`.
+/// Adds points every 5 px from `a` to `b`.
 fn sample(ink: &mut Vec<(f64, f64)>, a: (f64, f64), b: (f64, f64)) {
     let length = (b.0 - a.0).hypot(b.1 - a.1);
     if length < 1e4 {
@@ -155,7 +154,7 @@ fn sample(ink: &mut Vec<(f64, f64)>, a: (f64, f64), b: (f64, f64)) {
     }
 }
 
-/// The directions of the axes in the pictorial view, in the emptiest corner.
+/// Draws the directions of the axes in the pictorial view, in the emptiest corner.
 fn draw_triad(svg: &mut Svg, frame: Rect, ink: &[(f64, f64)]) {
     let (left, right) = (frame.x + 26.0, frame.right() - 36.0);
     let (top, bottom) = (frame.y + 40.0, frame.bottom() - 24.0);
@@ -169,7 +168,7 @@ fn draw_triad(svg: &mut Svg, frame: Rect, ink: &[(f64, f64)]) {
     }
 }
 
-/// The symbol of first-angle projection (ISO 5456-2): a cone's frustum, and its view from the left.
+/// Draws the symbol of first-angle projection (ISO 5456-2): a cone's frustum, and its view from the left.
 pub(crate) fn first_angle(svg: &mut Svg, x: f64, y: f64) {
     svg.path("symbol", &format!("M{x},{}l18,-4v16l-18,-4z", y - 4.0));
     svg.circle("symbol", x + 34.0, y, 8.0);

@@ -1,4 +1,4 @@
-//! What the crate writes is well-formed, escaped and holds what it was given.
+//! The output of the crate is well-formed, escaped and contains the given data.
 
 #![allow(clippy::unwrap_used)] // helpers of tests
 
@@ -12,7 +12,7 @@ use seamwright_report::{
 
 const EVIL: &str = "</text></style><script>alert('x')</script> \"a\" & <b> ]]> \u{0}\u{7}";
 
-/// Parses an inline drawing, which gets its name space from the page.
+/// Parses an inline drawing, whose name space is that of the page.
 fn check(svg: &str) -> usize {
     let document = Document::parse(svg).unwrap_or_else(|e| panic!("{e}\n{svg}"));
     for node in document.descendants().filter(Node::is_element) {
@@ -32,7 +32,7 @@ fn check_chart(chart: &Chart) -> String {
     svg
 }
 
-/// The points of all paths of a class, in px.
+/// Returns the points of all paths of a class, in px.
 fn points(svg: &str, class: &str) -> Vec<(f64, f64)> {
     let document = Document::parse(svg).unwrap();
     let paths = document.descendants().filter(|n| n.attribute("class") == Some(class));
@@ -257,7 +257,7 @@ fn a_page_holds_what_it_was_given() {
     }
 }
 
-/// Boxes of the names in a drawing's views, estimated; those in the clipped frames only.
+/// Returns estimated boxes of the names in a drawing's views, only those in the clipped frames.
 fn names_in_views(svg: &str) -> Vec<Vec<(f64, f64, f64, f64)>> {
     let document = Document::parse(svg).unwrap();
     let views = document.root_element().children().filter(|n| n.tag_name().name() == "svg");
@@ -297,7 +297,7 @@ fn machines_are_drawn_with_every_axis_and_no_name_on_another() {
     }
 }
 
-/// Arrow heads of bars point the way that the axis moves what it carries: seen in the page's own numbers.
+/// Arrow heads of bars point in the axis' direction of motion, as measured in the page's coordinates.
 #[test]
 fn arrows_of_a_machine_point_the_positive_way() {
     let file = |moved: &str, branch: &str| {

@@ -1,6 +1,7 @@
 //! Log lines on standard error, each with its time and level.
 //!
-//! A thread of its own writes them: nobody waits for whoever reads them. Where too many wait they are left out, and counted.
+//! A separate thread writes them, so callers never wait for standard error. Lines beyond [`MAX_WAITING`] are dropped
+//! and counted.
 
 use seamwright_record::Moment;
 use std::io::Write as _;
@@ -8,18 +9,18 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 
-/// Maximum number of lines that wait.
+/// Maximum number of queued lines.
 const MAX_WAITING: usize = 256;
 
 static LINES: OnceLock<Option<SyncSender<String>>> = OnceLock::new();
 static LEFT_OUT: AtomicU64 = AtomicU64::new(0);
 
-/// Logs what happens in order: start, end, logins.
+/// Logs a routine event: start, end, login.
 pub(crate) fn info(text: &str) {
     line("INFO", text);
 }
 
-/// Logs what somebody should look at.
+/// Logs a condition that needs attention.
 pub(crate) fn warning(text: &str) {
     line("WARN", text);
 }
@@ -44,7 +45,7 @@ fn write(from: &Receiver<String>) {
         } else {
             String::new()
         };
-        // A log that nobody takes stops nothing.
+        // A failed write is ignored: logging stops nothing.
         let _ = std::io::stderr().lock().write_all(format!("{gap}{line}").as_bytes());
     }
 }

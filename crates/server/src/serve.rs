@@ -17,56 +17,57 @@ use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::runtime::{Handle, Runtime};
 
-/// How long threads may take that still read data, when these are replaced.
+/// Maximum time for threads to stop reading data before the data is replaced.
 const PATIENCE: Duration = Duration::from_secs(30);
-/// Between the answer to who restores and the end of connections.
+/// Delay between the answer to a restore request and the end of connections.
 const LAST_WORDS: Duration = Duration::from_millis(200);
 
-/// What a panel is started with.
+/// Settings of a panel.
 #[derive(Debug, Clone)]
 pub struct Settings {
-    /// Where it listens.
+    /// Listening address.
     pub bind: SocketAddr,
-    /// Names under which it is asked for from elsewhere.
+    /// Names under which other computers reach the panel.
     pub names: Vec<String>,
-    /// Encrypted; always, if it listens to more than this computer.
+    /// Encryption; required if the panel listens to more than this computer.
     pub tls: Option<Tls>,
-    /// Where records, jobs and users are; made if missing.
+    /// Folder of records, jobs and users; created if missing.
     pub data: PathBuf,
     /// The machine of the cell.
     pub machine: Machine,
-    /// Where files that the machine file names are seen from.
+    /// Folder to which paths in the machine file are relative.
     pub folder: PathBuf,
-    /// Process values of the programs that come, for devices that are not simulated.
+    /// Process values of programs to come, for devices that are not simulated.
     pub values: Vec<String>,
-    /// Addresses, as `HOST` or `HOST:PORT`, from which the frames of a machine's camera may come, beside this computer.
+    /// Addresses, `HOST` or `HOST:PORT`, allowed as source of camera frames beside this computer.
     pub cameras: Vec<String>,
-    /// This program, which is started once more for plans and drafts, with bounds of memory and time; none: they are made in this process.
+    /// This program, started as a child process for plans and drafts, with limits of memory and time. `None`: planned
+    /// in this process.
     pub program: Option<PathBuf>,
-    /// Name of a job in `data` or of an example to begin with.
+    /// Name of a job in `data`, or of an example, loaded at the start.
     pub job: Option<String>,
 }
 
-/// What keeps a panel from being served.
+/// Reasons for not serving a panel.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// Settings that cannot be.
+    /// Invalid settings.
     #[error("{0}")]
     Settings(String),
-    /// The system refuses.
+    /// A system call failed.
     #[error("{0}")]
     System(String),
 }
 
-/// How often it is looked whether a signal or a fault ends the panel.
+/// Polling period for a signal or a fault.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// Serves the panel until a signal (SIGINT, SIGTERM, SIGHUP and their like) or a fault of the program ends it: the process is off
-/// within a cycle, everything comes to rest, power goes, records are closed, and it returns. `ready` is given the address once it
-/// answers.
+/// Serves the panel until a signal (SIGINT, SIGTERM, SIGHUP and similar) or a fault of the program.
+/// Then the process is off within a cycle, axes stop, power is switched off, and records are closed before it returns.
+/// Calls `ready` with the address once the panel answers.
 ///
 /// # Errors
-/// See [`Error`]; one of the system too if a device does not confirm that its outputs are safe.
+/// See [`Error`]; also [`Error::System`] if a device does not confirm that its outputs are safe.
 pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error> {
     let shutdown = Shutdown::default();
     shutdown.on_signals().map_err(|e| Error::System(e.to_string()))?;
@@ -74,19 +75,19 @@ pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error>
     until(settings, ready, &shutdown)
 }
 
-/// Serves until `shutdown`: one life of the cell after the other, with restored data between them.
+/// Serves until `shutdown`: one life of the cell after another, with restored data between them.
 pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Shutdown) -> Result<(), Error> {
     let data = &settings.data;
     let jobs = data.join("jobs");
     let record = |e: seamwright_record::Error| Error::System(e.to_string());
     finish_replacing(data).map_err(record)?;
-    // What was checked before the last end is looked at anew.
+    // An archive that was checked before the last end must be checked again.
     discard_checked(data).map_err(record)?;
     let mut ready = Some(ready);
     let mut lives = Lives { settings, shutdown, key: secret().map_err(Error::System)?, listener: None, restored: None };
     loop {
         files::make_private(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
-        // Stops, sockets and signals on the one, everything that handlers do on the other: see `front`.
+        // One runtime for stops, sockets and signals, one for the work of handlers: see `front`.
         let (runtime, work) = (threads("panel-front")?, threads("panel-routes")?);
         let tell = |address: &str| {
             if let Some(ready) = ready.take() {
@@ -94,7 +95,7 @@ pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Sh
             }
         };
         let restores = runtime.block_on(lives.live(tell, work.handle()));
-        // Pages and whatever still reads the data.
+        // Ends pages and all other readers of the data.
         work.shutdown_timeout(PATIENCE);
         runtime.shutdown_timeout(PATIENCE);
         let restores = restores?;
@@ -108,27 +109,27 @@ pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Sh
     }
 }
 
-/// Threads of this name for handlers.
+/// Creates a runtime with threads of this name for handlers.
 fn threads(name: &str) -> Result<Runtime, Error> {
     let runtime = tokio::runtime::Builder::new_multi_thread().thread_name(name).worker_threads(2).enable_all().build();
     runtime.map_err(|e| Error::System(e.to_string()))
 }
 
-/// What outlives a restore.
+/// State that outlives a restore.
 struct Lives<'a> {
     settings: &'a Settings,
-    /// Ends all of them.
+    /// Ends all lives.
     shutdown: &'a Shutdown,
-    /// Opens the panel while there is no administrator.
+    /// Key that opens the panel while there is no administrator.
     key: String,
-    /// Who comes while the cell begins anew waits here.
+    /// Clients that connect while the cell restarts wait here.
     listener: Option<std::net::TcpListener>,
-    /// Who restored the data of this life, and where the old ones are.
+    /// The user who restored the data of this life, and the folder of the old data.
     restored: Option<(String, String)>,
 }
 
 impl Lives<'_> {
-    /// From the start of the cell to its end; who restores data for the next one, if somebody does.
+    /// Runs the cell from its start to its end. Returns the user who restores data for the next life, if any.
     async fn live(&mut self, ready: impl FnOnce(&str), work: &Handle) -> Result<Option<String>, Error> {
         let settings = self.settings;
         let system = |e: &dyn std::fmt::Display| Error::System(e.to_string());
@@ -156,7 +157,7 @@ impl Lives<'_> {
             if self.restored.is_none() {
                 return Err(Error::Settings(e));
             }
-            // The restored data need not have it.
+            // The restored data may lack this job.
             panel.cell.hub.event(0.0, happening("not_loaded", [e]));
         }
         let renewed = tls.clone().filter(|_| matches!(settings.tls, Some(Tls::Own)));
@@ -177,17 +178,17 @@ impl Lives<'_> {
         }
         log::info(if user.is_some() { "all data are restored: the cell begins anew" } else { "the panel ends" });
         if user.is_some() {
-            // Who asked for it is told that it begins.
+            // The client that asked for it gets its answer first.
             tokio::time::sleep(LAST_WORDS).await;
         }
-        // Connections go on meanwhile: they see the end.
+        // Connections stay open meanwhile, so that they see the end.
         let closes = user.is_some();
         let end = move || (panel.cell.end(), !closes || panel.cell.archive.close());
         let (unconfirmed, closed) = tokio::task::spawn_blocking(end).await.map_err(|e| system(&e))?;
         if !closed {
             return Err(Error::System("the library cannot be closed: nothing was restored".to_owned()));
         }
-        // A cell that begins anew connects the same devices, which makes their outputs safe, or ends.
+        // A restarted cell connects the same devices, which makes their outputs safe, or ends.
         if user.is_none() && !unconfirmed.is_empty() {
             let text = unconfirmed.join("\n");
             return Err(Error::System(format!("{text}\n   look at once whether arc and gas are off")));
@@ -219,7 +220,7 @@ impl Lives<'_> {
     }
 }
 
-/// Names and addresses under which the panel is asked for, the one that is printed last.
+/// Returns names and addresses of the panel; the last one is printed.
 fn names(settings: &Settings, accounts: &Accounts) -> Result<Vec<String>, Error> {
     let ip = settings.bind.ip();
     let mut names: Vec<String> = ["localhost", "::1", "127.0.0.1"].map(str::to_owned).to_vec();
@@ -252,19 +253,19 @@ fn names(settings: &Settings, accounts: &Accounts) -> Result<Vec<String>, Error>
     Ok(names)
 }
 
-/// A name as it stands in an address.
+/// Formats a name for use in a URL.
 fn written(name: &str) -> String {
     if name.contains(':') { format!("[{name}]") } else { name.to_owned() }
 }
 
-/// What stands in the header `host` for these names; without the port where it is the usual one.
+/// Returns the valid values of header `host` for these names; without the port also valid if it is a default port.
 fn hosts(names: &[String], port: u16) -> Vec<String> {
     let usual = matches!(port, 80 | 443);
     let written = names.iter().map(|name| written(name));
     written.flat_map(|name| [Some(format!("{name}:{port}")), usual.then_some(name)]).flatten().collect()
 }
 
-/// Waits for a shutdown. The cycle has its own look at the flag: it waits for nobody here.
+/// Waits for a shutdown. The cycle reads the flag itself and does not wait for this task.
 async fn requested(shutdown: &Shutdown) {
     while !shutdown.is_requested() {
         tokio::time::sleep(LOOK).await;

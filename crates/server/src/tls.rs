@@ -1,4 +1,4 @@
-//! Encrypted connections: certificates of the user, or of an authority of the cell's own.
+//! Encrypted connections, with certificates of the user or of the cell's own authority.
 
 use crate::Error;
 use crate::log;
@@ -14,35 +14,36 @@ use std::sync::Arc;
 use std::time::Duration;
 use time::OffsetDateTime;
 
-/// Where the certificate comes from.
+/// Source of the certificate.
 #[derive(Debug, Clone)]
 pub enum Tls {
-    /// From an authority of its own in the data folder: browsers trust it once its `tls/ca.pem` is installed there.
+    /// Own authority in the data folder. Browsers trust it once its `tls/ca.pem` is installed there.
     Own,
-    /// The user's: PEM files of the chain and the key.
+    /// PEM files of the user: chain and key.
     Files {
-        /// The certificate, then those that it hangs on.
+        /// The certificate, followed by its chain.
         cert: PathBuf,
         /// Its private key.
         key: PathBuf,
     },
 }
 
-/// Validity of the authority, days: ten years. It is renewed at a start, with its key, when less than [`RENEWED_DAYS`] are left.
+/// Validity of the authority, days: ten years. A start renews it, with the same key, if less than [`RENEWED_DAYS`] are
+/// left.
 const AUTHORITY_DAYS: i64 = 3652;
 const RENEWED_DAYS: i64 = 420;
-/// Validity of a certificate, days: what browsers take at most, less a day for clocks that differ.
+/// Validity of a certificate, days: the maximum that browsers accept, less a day for clocks that differ.
 const CERTIFICATE_DAYS: i64 = 397;
-/// A running panel gets a new certificate this often.
+/// Renewal period of the certificate of a running panel.
 const ANEW: Duration = Duration::from_secs(30 * 24 * 3600);
 
 fn wrong(e: &impl std::fmt::Display) -> Error {
     Error::System(format!("the certificate cannot be made: {e}"))
 }
 
-/// What connections are encrypted with; `names` are those under which the panel is asked for.
+/// Returns the TLS configuration; `names` are the names of the panel.
 pub(crate) async fn config(tls: &Tls, data: &Path, names: &[String]) -> Result<RustlsConfig, Error> {
-    // A second one is the same: it does not matter.
+    // Installing the same provider twice has no effect.
     drop(rustls::crypto::ring::default_provider().install_default());
     let config = match tls {
         Tls::Files { cert, key } => RustlsConfig::from_pem_file(cert, key).await.map_err(|e| {
@@ -50,20 +51,20 @@ pub(crate) async fn config(tls: &Tls, data: &Path, names: &[String]) -> Result<R
             Error::Settings(format!("{files}: {e}\n   allowed: PEM files of a certificate and its private key"))
         })?,
         Tls::Own => {
-            // Keys and files take their time: nobody who stops waits for them.
+            // Keys and files take time; a blocking thread keeps stops from waiting for them.
             let (data, names) = (data.to_owned(), names.to_vec());
             let made = tokio::task::spawn_blocking(move || own(&data, &names)).await;
             let (cert, key) = made.map_err(|e| wrong(&e))??;
             RustlsConfig::from_pem(cert.into_bytes(), key.into_bytes()).await.map_err(|e| wrong(&e))?
         }
     };
-    // Browsers take HTTP/2 where it is offered, and then neither name the host in a header nor upgrade to a WebSocket.
+    // Browsers use HTTP/2 if it is offered. Then they send no `host` header and do not upgrade to a WebSocket.
     let mut offered = (*config.get_inner()).clone();
     offered.alpn_protocols = vec![b"http/1.1".to_vec()];
     Ok(RustlsConfig::from_config(Arc::new(offered)))
 }
 
-/// Gives connections to come a new certificate of the cell's own, for as long as it is waited for.
+/// Renews the cell's own certificate for new connections, until the task is aborted.
 pub(crate) async fn renew(current: RustlsConfig, data: PathBuf, names: Vec<String>) {
     loop {
         tokio::time::sleep(ANEW).await;
@@ -74,7 +75,7 @@ pub(crate) async fn renew(current: RustlsConfig, data: PathBuf, names: Vec<Strin
     }
 }
 
-/// A new certificate for `names` from the cell's own authority, and its key; both PEM.
+/// Issues a certificate for `names` from the cell's own authority. Returns certificate and key, both PEM.
 fn own(data: &Path, names: &[String]) -> Result<(String, String), Error> {
     let folder = data.join("tls");
     files::make_private(&folder).map_err(|e| Error::System(format!("{}: {e}", folder.display())))?;
@@ -93,7 +94,7 @@ fn own(data: &Path, names: &[String]) -> Result<(String, String), Error> {
     authority.is_ca = IsCa::Ca(BasicConstraints::Constrained(0));
     authority.key_usages = vec![KeyUsagePurpose::KeyCertSign, KeyUsagePurpose::CrlSign];
     (authority.not_before, authority.not_after) = days(now, AUTHORITY_DAYS);
-    // Beside it stands until when it is valid; those of older versions, made for thirty years, have nothing beside them.
+    // The end of validity is stored beside it. Authorities of older versions, valid for thirty years, lack this file.
     let until_file = folder.join("ca.until");
     let known = if cert_file.is_file() { std::fs::read_to_string(&until_file).ok() } else { None };
     if known.as_deref().is_none_or(|until| !is_current(until, now)) {
@@ -118,17 +119,18 @@ fn named(name: &str) -> DistinguishedName {
     distinguished
 }
 
-/// The time, by the system's clock.
+/// Current time by the system's clock.
 fn now() -> Result<OffsetDateTime, Error> {
     OffsetDateTime::from_unix_timestamp(Moment::now().0.div_euclid(1000)).map_err(|e| wrong(&e))
 }
 
-/// From a day ago, as clocks differ, until `days` from now.
+/// Validity from one day ago, since clocks differ, until `days` from now.
 fn days(now: OffsetDateTime, days: i64) -> (OffsetDateTime, OffsetDateTime) {
     (now - time::Duration::days(1), now + time::Duration::days(days))
 }
 
-/// True if an authority that is valid until this date (`YYYY-MM-DD`) is so for long enough, and not for longer than ours are.
+/// Returns true if an authority valid until this date (`YYYY-MM-DD`) lasts long enough, and no longer than
+/// [`AUTHORITY_DAYS`].
 fn is_current(until: &str, now: OffsetDateTime) -> bool {
     let until = until.trim().parse::<Moment>().map(|until| until.0.div_euclid(1000));
     let left = until.map(|until| (until - now.unix_timestamp()) / (24 * 3600));
@@ -139,7 +141,7 @@ fn is_current(until: &str, now: OffsetDateTime) -> bool {
 mod tests {
     use super::*;
 
-    /// The authority stays, certificates are new at every start, and keys are nobody else's to read.
+    /// The authority stays, every start issues a new certificate, and only the owner can read keys.
     #[tokio::test]
     async fn the_cell_is_its_own_authority() {
         let folder = tempfile::tempdir().unwrap();
@@ -163,7 +165,7 @@ mod tests {
         assert!(config(&files, folder.path(), &names).await.unwrap_err().to_string().contains("no.pem"));
     }
 
-    /// The date after which a certificate is not valid, from its DER: the second of two times (UTCTime, X.690 8.26).
+    /// Returns the end of validity of a certificate from its DER: the second of two times (UTCTime, X.690 8.26).
     fn ends(pem: &str) -> String {
         use rustls::pki_types::pem::PemObject as _;
         let der = rustls::pki_types::CertificateDer::from_pem_slice(pem.as_bytes()).unwrap();
@@ -173,7 +175,8 @@ mod tests {
         format!("20{}-{}-{}", &digits[..2], &digits[2..4], &digits[4..])
     }
 
-    /// Authorities that end soon, or that older versions made for thirty years, are renewed at a start; certificates are for a year.
+    /// A start renews authorities that end soon or were made by older versions for thirty years. Certificates last a
+    /// year.
     #[test]
     fn an_authority_is_renewed_in_time_and_keeps_its_key() {
         let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! The position loop part of a cycle: ten loops updated, and for comparison ten simulated axes stepped.
+//! Benchmark of the position loops in a cycle: updates of ten loops and, for comparison, steps of ten simulated axes.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use seamwright_servo::{
@@ -9,7 +9,7 @@ use std::hint::black_box;
 
 const PERIOD: f64 = 1e-3;
 
-/// A loop with everything that it can have.
+/// A loop with all options.
 fn full_loop() -> Result<PositionLoop, seamwright_servo::Error> {
     PositionLoop::new(Gains::suggested(60.0, PERIOD), PERIOD, 60.0)?
         .with_notch(Notch::new(45.0, 0.2, 30.0, PERIOD)?)?

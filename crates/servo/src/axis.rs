@@ -6,7 +6,7 @@ use crate::notch::Notch;
 use crate::parameters::DriveParameters;
 use crate::position_loop::{Gains, PositionLoop, SetPoint};
 
-/// What an axis did in one servo period.
+/// State of an axis over one servo period.
 ///
 /// Position, velocity, measurement and following error are those at the set-point's own instant `t_k`;
 /// command, current and saturation are those of the period that follows, `t_k` to `t_k+1`.
@@ -24,15 +24,14 @@ pub struct AxisState {
     pub command: f64,
     /// Current at `t_k+1`, as a fraction of peak current, -1 to 1.
     pub current: f64,
-    /// Whether the speed command or the current demand was limited between `t_k` and `t_k+1`.
+    /// True if the speed command or the current demand was limited between `t_k` and `t_k+1`.
     pub saturated: bool,
 }
 
 /// A position loop on a simulated drive.
 ///
-/// The set-point for `t_k` is compared with the measurement at `t_k`; the command acts from `t_k` to
-/// `t_k+1`, without a dead period for its computation. At constant speed with `kvff = 1` no error is
-/// left but the encoder's half count.
+/// The set-point for `t_k` is compared with the measurement at `t_k`; the command acts from `t_k` to `t_k+1`, without a
+/// dead time for its computation. At constant speed with `kvff = 1` only the encoder's error of half a count remains.
 ///
 /// ```
 /// use seamwright_servo::{DriveParameters, DriveTuning, Gains, LinearLoad, ServoAxis, SetPoint};
@@ -61,8 +60,8 @@ pub struct ServoAxis {
 }
 
 impl ServoAxis {
-    /// An axis at rest at 0 that is stepped every `period_s` (s), its speed command limited to
-    /// `max_speed` (u/s).
+    /// Creates an axis at rest at 0 with a servo period of `period_s` (s) and a speed command limited to `max_speed`
+    /// (u/s).
     ///
     /// # Errors
     /// Those of [`PositionLoop::new`] and [`Drive::new`].
@@ -70,7 +69,7 @@ impl ServoAxis {
         Self::with_loop(PositionLoop::new(gains, period_s, max_speed)?, parameters)
     }
 
-    /// An axis at rest at 0 with a position loop that has been made before, stepped with that loop's period.
+    /// Creates an axis at rest at 0 with an existing position loop, stepped with that loop's period.
     ///
     /// # Errors
     /// Those of [`Drive::new`].
@@ -78,7 +77,7 @@ impl ServoAxis {
         Ok(Self { position_loop, drive: Drive::new(parameters, position_loop.period_s())? })
     }
 
-    /// The same axis with its speed command sent through `notch`.
+    /// Sends the speed command through `notch`.
     ///
     /// # Errors
     /// That of [`PositionLoop::with_notch`].
@@ -86,10 +85,10 @@ impl ServoAxis {
         Ok(Self { position_loop: self.position_loop.with_notch(notch)?, ..self })
     }
 
-    /// Runs one servo period, from the set-point's instant to the next, with outside forces `disturbance` over all of
-    /// it: a number is a force on the load (N or N m, positive towards positive positions).
+    /// Runs one servo period, from the set-point's instant to the next, under constant outside forces `disturbance`. A
+    /// number is a force on the load (N or N m, positive towards positive positions).
     ///
-    /// Guarantee: `|command| <= max_speed` and `|current| <= 1`, whatever the inputs.
+    /// Guarantee: `|command| <= max_speed` and `|current| <= 1` for any inputs.
     pub fn step(&mut self, set: SetPoint, disturbance: impl Into<Disturbance>) -> AxisState {
         let (position, velocity) = (self.drive.position(), self.drive.velocity());
         let measured = self.drive.measured();
@@ -106,25 +105,25 @@ impl ServoAxis {
         }
     }
 
-    /// Puts the axis at rest with its encoder at `position` (u), with nothing pushing on it and no memory.
+    /// Puts the axis at rest with its encoder at `position` (u), without disturbance and with cleared state.
     pub fn settle_at(&mut self, position: f64) {
         self.settle_loaded_at(position, 0.0);
     }
 
-    /// As [`ServoAxis::settle_at`], the drive already holding against `disturbance` (N or N m), such as the
-    /// weight of a vertical axis: it does not sag when it is stepped with the same disturbance.
+    /// Does the same as [`ServoAxis::settle_at`], with the drive already holding against `disturbance` (N or N m), such
+    /// as the weight of a vertical axis. The axis does not sag when it is stepped with the same disturbance.
     pub fn settle_loaded_at(&mut self, position: f64, disturbance: f64) {
         self.position_loop.reset();
         self.drive.settle_at(position, disturbance);
     }
 
-    /// The drive with its load, as they are now (after the last step).
+    /// Returns the drive with its load, after the last step.
     #[must_use]
     pub fn drive(&self) -> &Drive {
         &self.drive
     }
 
-    /// The position loop.
+    /// Returns the position loop.
     #[must_use]
     pub fn position_loop(&self) -> &PositionLoop {
         &self.position_loop

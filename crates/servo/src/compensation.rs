@@ -1,16 +1,16 @@
-//! What the position loop adds for friction and backlash.
+//! Compensation of friction and backlash in the position loop.
 
 use crate::error::{Error, non_negative, positive, within};
 
 /// Coulomb friction fed forward: a force with the sign of the set speed, `force * tanh(set speed / smoothing)`.
 ///
-/// At a reversal the velocity loop's integrator would have to walk from one sign of the friction to the other, and the
-/// axis stands still meanwhile. The force goes to the drive beside the speed command.
+/// Without it, the velocity loop's integrator must move to the other sign of the friction at a reversal. The axis
+/// stands still meanwhile. The force goes to the drive in addition to the speed command.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionCompensation {
     /// Force (N) or torque (N m) at full speed; 0 or above.
     pub force: f64,
-    /// Set speed (u/s) at which it has risen to 76 %, so that it does not jump at rest; above 0.
+    /// Set speed (u/s) at which the force has risen to 76 %, so that it does not jump at rest; above 0.
     pub smoothing: f64,
 }
 
@@ -26,19 +26,19 @@ impl FrictionCompensation {
     }
 }
 
-/// Lost motion made up for: half of it is added to the set position in the direction of motion.
+/// Compensation of lost motion: half of it is added to the set position in the direction of motion.
 ///
-/// A reversal moves that offset over by the whole width, at a constant rate, whose speed is fed forward too. Only
-/// for an encoder on the motor: one on the load sees the gap itself.
+/// A reversal moves that offset by the whole width at a constant rate; its speed is fed forward too. Use it only with
+/// an encoder on the motor: one on the load measures the gap itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BacklashCompensation {
-    /// Whole lost motion (u): the gap and what the transmission winds up by under friction, both ways; 0 or above.
+    /// Whole lost motion (u): the gap and the wind-up of the transmission under friction, both ways; 0 or above.
     pub width: f64,
-    /// Time (s) that a reversal is spread over.
+    /// Duration of a reversal (s).
     pub time_s: f64,
 }
 
-/// Slower set speeds (u/s) than this have no direction: rounding in a planner's rates must not count as a reversal.
+/// Minimum set speed (u/s) with a direction, so that rounding in a planner's rates does not count as a reversal.
 const STANDSTILL: f64 = 1e-6;
 
 impl BacklashCompensation {
@@ -49,11 +49,11 @@ impl BacklashCompensation {
     }
 }
 
-/// The offset as it is now.
+/// Present offset.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BacklashOffset {
     settings: BacklashCompensation,
-    /// Where the offset is going (u).
+    /// Target of the offset (u).
     target: f64,
     offset: f64,
 }
@@ -63,7 +63,7 @@ impl BacklashOffset {
         Self { settings, target: 0.0, offset: 0.0 }
     }
 
-    /// Offset (u) for the instant of a set-point with this speed, and its rate (u/s) until the next.
+    /// Returns the offset (u) at the instant of a set-point with this speed, and its rate (u/s) until the next.
     pub(crate) fn update(&mut self, set_speed: f64, period_s: f64) -> (f64, f64) {
         let BacklashCompensation { width, time_s } = self.settings;
         if set_speed.abs() > STANDSTILL {
@@ -99,18 +99,18 @@ mod tests {
     fn a_reversal_moves_the_offset_by_the_width_over_its_time() {
         let settings = BacklashCompensation { width: 0.04, time_s: 0.02 }.checked().unwrap();
         let mut backlash = BacklashOffset::new(settings);
-        // Direction not known yet, or no direction at all: nothing to add.
+        // Without a direction the offset is zero.
         assert!(backlash.update(0.0, 1e-3) == (0.0, 0.0));
         assert!(backlash.update(1e-9, 1e-3) == (0.0, 0.0));
         let mut before = 0.0;
         for k in 0..100 {
             let (offset, rate) = backlash.update(3.0, 1e-3);
-            // Each offset is where the one before was led by its rate.
+            // The previous offset and its rate give the present one.
             assert!((offset - before).abs() < 1e-15);
             before = offset + rate * 1e-3;
             assert!((offset - (2e-3 * f64::from(k)).min(0.02)).abs() < 1e-12);
         }
-        // At rest it stays; a reversal takes 20 periods.
+        // It is constant at rest; a reversal takes 20 periods.
         assert!((backlash.update(0.0, 1e-3).0 - 0.02).abs() < 1e-12);
         let offsets: Vec<f64> = (0..30).map(|_| backlash.update(-1.0, 1e-3).0).collect();
         assert!(

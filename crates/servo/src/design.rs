@@ -9,21 +9,21 @@ use crate::margins::phase_crossings;
 use crate::notch::Notch;
 use crate::sweep::Line;
 
-/// Margins that a design aims at (dB, degrees): above those that are required, as the loop's friction, counts and
-/// temperature are not those of the one test.
+/// Margins of a design (dB, degrees). They exceed the required ones, because friction, encoder counts and temperature
+/// differ from those of the test.
 pub(crate) const AIM: (f64, f64) = (8.0, 50.0);
-/// Depths and widths (parts of the frequency) of the notches that are tried, and shifts of their frequency.
+/// Depths and widths (parts of the frequency) of the candidate notches, and shifts of their frequency.
 const DEPTHS: [f64; 4] = [0.5, 0.25, 0.12, 0.06];
 const WIDTHS: [f64; 4] = [0.3, 0.6, 1.0, 1.6];
 const SHIFTS: [f64; 3] = [0.9, 1.0, 1.1];
-/// A notch has to raise the gain by this factor to be worth its place.
+/// Minimum increase of the gain by a notch.
 const WORTH: f64 = 1.15;
-/// Lines that each one measured becomes.
+/// Interpolated lines per measured line.
 const BETWEEN: u32 = 8;
-/// Notches are placed up to this part of half the sampling rate.
+/// Maximum notch frequency, as a part of half the sampling rate.
 const HIGHEST: f64 = 0.8;
 
-/// A notch in numbers.
+/// Parameters of a notch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NotchSettings {
     /// Centre (Hz).
@@ -35,7 +35,7 @@ pub struct NotchSettings {
 }
 
 impl NotchSettings {
-    /// The filter, sampled every `period_s` (s).
+    /// Builds the filter, sampled every `period_s` (s).
     ///
     /// # Errors
     /// Those of [`Notch::new`].
@@ -44,19 +44,18 @@ impl NotchSettings {
     }
 }
 
-/// A proportional gain with the notches that let it be so high.
+/// A proportional gain with the notches that allow it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Design {
     pub(crate) kp: f64,
     pub(crate) notches: Vec<NotchSettings>,
 }
 
-/// The highest gain that has the margins aimed at on `drive`, and where the response binds it (Hz).
+/// Returns the highest gain with the target margins on `drive`, and the frequency that limits it (Hz).
 ///
-/// The Nyquist curve of the loop must stay inside the unit circle as long as it is in the sector of the phase margin
-/// about
-/// -180 degrees, and inside the gain margin where it crosses the real axis. That is enough for both margins and for
-/// stability, and less gain is stable too.
+/// The Nyquist curve of the loop must stay inside the unit circle in the sector of the phase margin about -180 degrees.
+/// It must cross the real axis inside the gain margin. This is sufficient for both margins and for stability, and a
+/// lower gain is stable too.
 fn highest_gain(drive: &[Line]) -> (f64, f64) {
     let sector = AIM.1.to_radians();
     let reserve = 10.0_f64.powf(AIM.0 / 20.0);
@@ -67,8 +66,8 @@ fn highest_gain(drive: &[Line]) -> (f64, f64) {
     (1.0 / size, hz)
 }
 
-/// The same response with lines between those measured, as a resonance may pass through the whole sector between two:
-/// logarithm of magnitude and frequency, and phase, run straight from line to line.
+/// Interpolates lines between the measured ones, as a resonance may pass through the whole sector between two. The
+/// logarithms of magnitude and frequency, and the phase, are linear between lines.
 fn dense(drive: &[Line]) -> Vec<Line> {
     let between = |pair: &[Line]| {
         let (a, b) = (pair[0], pair[1]);
@@ -91,10 +90,10 @@ fn through(drive: &[Line], notch: &Notch, period_s: f64) -> Vec<Line> {
     drive.iter().map(filtered).collect()
 }
 
-/// Gain and notches for a drive with the response `drive` from speed command to encoder, and where they are bound (Hz).
+/// Designs gain and notches for a drive with the response `drive` from speed command to encoder.
 ///
-/// Notches are tried about the frequency that binds the gain, the best is kept if it is worth it, and then a second
-/// one. The gain is infinite if nothing binds it.
+/// Notches are tried about the frequency that limits the gain; the best is kept if it raises the gain enough, then a
+/// second one is tried. The gain is infinite if nothing limits it.
 pub(crate) fn design(drive: &[Line], period_s: f64, places: usize) -> Design {
     let mut response = dense(drive);
     let mut best = Design { kp: highest_gain(&response).0, notches: Vec::new() };
@@ -122,7 +121,7 @@ fn candidates(binding: f64, period_s: f64) -> impl Iterator<Item = NotchSettings
     let all = SHIFTS.iter().flat_map(|s| DEPTHS.iter().flat_map(move |d| WIDTHS.iter().map(move |w| (s, d, w))));
     let rounded = |v: f64| (v * 10.0).round() / 10.0;
     all.map(move |(shift, depth, width)| {
-        // As it will be written down.
+        // Rounded to the values that are written down.
         let frequency_hz = rounded(binding * shift);
         NotchSettings { frequency_hz, depth: *depth, width_hz: rounded((width * frequency_hz).min(most)) }
     })

@@ -6,15 +6,15 @@ use crate::error::{Error, servo_period, within};
 use crate::mechanism::Mechanism;
 use crate::parameters::DriveParameters;
 
-/// Largest product of velocity gain and sub-step chosen by [`Drive::new`].
+/// Maximum product of velocity gain and sub-step chosen by [`Drive::new`].
 ///
 /// The velocity loop then runs at 20 times its bandwidth in rad/s (126 times that in Hz).
 const FINEST: f64 = 0.1;
-/// Largest part of a swing of the transmission (rad) in a sub-step: its frequency is then high by 0.04 % at most.
+/// Maximum angle of the transmission's oscillation in a sub-step (rad): its frequency is then at most 0.04 % high.
 const FINEST_SWING: f64 = 0.1;
-/// Fewest and most sub-steps in a servo period.
+/// Minimum and maximum sub-steps in a servo period.
 const SUB_STEPS: (f64, f64) = (8.0, 20_000.0);
-/// Most sub-steps of dead time, plus one for the part of a sub-step.
+/// Maximum sub-steps of dead time, plus one for the fraction of a sub-step.
 const PENDING: usize = 128;
 
 /// Outside forces on an axis (N or N m), positive towards positive positions. A plain number acts on the load.
@@ -32,25 +32,24 @@ impl From<f64> for Disturbance {
     }
 }
 
-/// A vector-controlled servo drive with its load (DUALBEAM-2013), in simulation.
+/// Simulation of a vector-controlled servo drive with its load (DUALBEAM-2013).
 ///
-/// Speed command -> velocity loop -> current demand, limited -> current loop (dead time and first-order
-/// lag) -> one mass, or motor and load with a spring and a gap between ([`Transmission`](crate::Transmission)), with
-/// friction and an outside force on the load. Current is counted as the acceleration (u/s^2) it gives both together.
+/// The signal path is speed command -> velocity loop -> limited current demand -> current loop (dead time and
+/// first-order lag) -> mechanism. The mechanism is one mass, or motor and load with a spring and a gap between
+/// ([`Transmission`](crate::Transmission)), with friction and an outside force on the load. Current is expressed as the
+/// acceleration (u/s^2) of motor and load together.
 ///
-/// **Velocity loop.** `demand = Kv (r/2 - v) + Kv (w/2) * integral(r - v)` with `w` the bandwidth
-/// (rad/s) and `Kv = 2 w`: a PI controller that weighs its set-point `r` by one half. The weight
-/// puts the zero on one of the two poles at `-w`, so the speed follows its command as the plain
-/// lag `1 / (1 + s/w)`, without overshoot, while a force `d` (u/s^2) is rejected as `s / (s + w)^2`.
-/// The integrator stops while the demand is limited and the error would only push it further.
-/// The speed fed back is the motor's true one: drives interpolate their resolver far below a count.
+/// **Velocity loop.** `demand = Kv (r/2 - v) + Kv (w/2) * integral(r - v)` with the bandwidth `w` (rad/s) and
+/// `Kv = 2 w`: a PI controller with a set-point weight of one half. The weight puts the zero on one of the two poles at
+/// `-w`. So the speed follows its command `r` as the plain lag `1 / (1 + s/w)`, without overshoot; a force `d` (u/s^2)
+/// is rejected as `s / (s + w)^2`. The integrator stops while the demand is limited and the error would only increase
+/// it. The speed fed back is the motor's true one: drives interpolate their resolver far below a count.
 ///
-/// **Accuracy.** Each servo period is cut in a fixed number of sub-steps. The velocity loop runs
-/// once in each, as the loop of a digital drive does, which brings a first-order error in the sub-step
-/// against a continuous loop. Between, the current's lag is exact and a single mass moves in closed form
-/// under the current's exact mean over the sub-step: exact for a steady current, second order
-/// otherwise, stops included to first order. A spring is integrated to second order as well. Of a demand
-/// that changes within a sub-step, as dead time makes it, the mean acts.
+/// **Accuracy.** Each servo period consists of a fixed number of sub-steps. The velocity loop runs once in each, like
+/// that of a digital drive, with a first-order error in the sub-step against a continuous loop. Between, the current's
+/// lag is exact. A single mass moves in closed form under the current's exact mean over the sub-step: exact for a
+/// steady current, second order otherwise, stops included to first order. A spring is integrated to second order as
+/// well. If dead time makes a demand change within a sub-step, its mean acts.
 ///
 /// **Guarantee.** `|current()| <= 1` always; inputs of any physical size give finite states.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,12 +58,12 @@ pub struct Drive {
     mechanism: Mechanism,
     sub_steps: u32,
     step_s: f64,
-    /// Part of the current's distance to its demand left at the end of a sub-step, and on average.
+    /// Part of the current's distance to its demand that remains at the end of a sub-step, and on average.
     lag_end: f64,
     lag_mean: f64,
-    /// Dead time in whole sub-steps and the part of one.
+    /// Dead time in whole sub-steps, and the fraction of one.
     delay: (usize, f64),
-    /// The last demands, newest at `newest`, going back round the array.
+    /// Ring buffer of the last demands, newest at `newest`.
     pending: [f64; PENDING],
     newest: usize,
     current: f64,
@@ -75,11 +74,11 @@ pub struct Drive {
 }
 
 impl Drive {
-    /// A drive at rest at 0, with as many sub-steps per `period_s` (s) as its bandwidth needs.
+    /// Creates a drive at rest at 0, with the sub-steps per `period_s` (s) that its bandwidth needs.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a period outside 1e-6 to 1 s, or so long against bandwidth or resonance that
-    /// it would take more than 20 000 sub-steps; for a dead time of more than 127 sub-steps.
+    /// [`Error::OutOfRange`] for a period outside 1e-6 to 1 s or a dead time of more than 127 sub-steps. Also for a
+    /// period that needs more than 20 000 sub-steps at this bandwidth or resonance.
     pub fn new(parameters: DriveParameters, period_s: f64) -> Result<Self, Error> {
         let swing = parameters.transmission.map_or(0.0, |t| TAU * t.resonance_hz / FINEST_SWING);
         let needed = (servo_period(period_s)? * swing.max(2.0 * parameters.bandwidth / FINEST)).ceil();
@@ -93,9 +92,9 @@ impl Drive {
         Self::with_sub_steps(parameters, period_s, needed.max(SUB_STEPS.0) as u32)
     }
 
-    /// As [`Drive::new`], with the number of sub-steps given: to study convergence.
+    /// Does the same as [`Drive::new`] with a given number of sub-steps, to study convergence.
     ///
-    /// Far below what [`Drive::new`] takes, the sampled velocity loop becomes unstable.
+    /// With far fewer sub-steps than [`Drive::new`] takes, the sampled velocity loop becomes unstable.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a period outside 1e-6 to 1 s, a number of sub-steps outside 1 to 1e6 or a dead time
@@ -131,10 +130,10 @@ impl Drive {
         })
     }
 
-    /// Runs one servo period under a speed `command` (u/s), a force `feed_forward` (N or N m) that the velocity loop
-    /// adds to its own demand, and outside forces `disturbance`, all constant over the period.
+    /// Runs one servo period with constant inputs: a speed `command` (u/s), a force `feed_forward` (N or N m) added to
+    /// the velocity loop's demand, and outside forces `disturbance`.
     ///
-    /// An input that is not a finite number counts as zero.
+    /// An input that is not finite counts as zero.
     pub fn step(&mut self, command: f64, feed_forward: f64, disturbance: impl Into<Disturbance>) {
         let Disturbance { motor, load } = disturbance.into();
         let command = finite_or_zero(command);
@@ -171,7 +170,7 @@ impl Drive {
         demand.clamp(-peak, peak)
     }
 
-    /// Takes the demand of this sub-step and gives the mean of what has come through the dead time.
+    /// Stores the demand of this sub-step and returns the mean of the delayed demand.
     fn delayed(&mut self, demand: f64) -> f64 {
         let (whole, part) = self.delay;
         self.newest = (self.newest + 1) % PENDING;
@@ -181,7 +180,7 @@ impl Drive {
     }
 
     /// Puts the axis at rest with its encoder at `position` (u), the drive holding against `disturbance` (N or N m)
-    /// as far as its limit allows. A value that is not a finite number counts as zero.
+    /// within its limit. A value that is not finite counts as zero.
     pub fn settle_at(&mut self, position: f64, disturbance: f64) {
         let peak = self.parameters.limit;
         let disturbance = finite_or_zero(disturbance);
@@ -192,49 +191,49 @@ impl Drive {
         self.limited = false;
     }
 
-    /// True position of the load (u).
+    /// Returns the true position of the load (u).
     #[must_use]
     pub fn position(&self) -> f64 {
         self.mechanism.load().position
     }
 
-    /// True speed of the load (u/s).
+    /// Returns the true speed of the load (u/s).
     #[must_use]
     pub fn velocity(&self) -> f64 {
         self.mechanism.load().velocity
     }
 
-    /// True speed of the motor, as of the axis (u/s).
+    /// Returns the true speed of the motor, referred to the axis (u/s).
     #[must_use]
     pub fn motor_velocity(&self) -> f64 {
         self.mechanism.motor().velocity
     }
 
-    /// The encoder's reading (u).
+    /// Returns the encoder's reading (u).
     #[must_use]
     pub fn measured(&self) -> f64 {
         self.parameters.encoder.read(self.mechanism.measured().position)
     }
 
-    /// Current as a fraction of peak current, -1 to 1.
+    /// Returns the current as a fraction of peak current, -1 to 1.
     #[must_use]
     pub fn current(&self) -> f64 {
         self.current / self.parameters.peak
     }
 
-    /// Mean of the current over the last period, as a fraction of peak current.
+    /// Returns the mean current over the last period, as a fraction of peak current.
     #[must_use]
     pub fn mean_current(&self) -> f64 {
         self.mean / self.parameters.peak
     }
 
-    /// Whether the current demand was cut to its limit anywhere in the last period.
+    /// Returns true if the current demand was limited in the last period.
     #[must_use]
     pub fn limited(&self) -> bool {
         self.limited
     }
 
-    /// The parameters it was built with.
+    /// Returns the parameters of the drive.
     #[must_use]
     pub fn parameters(&self) -> &DriveParameters {
         &self.parameters

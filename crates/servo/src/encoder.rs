@@ -1,4 +1,4 @@
-//! The position feedback: whole counts only.
+//! Position feedback in whole counts.
 
 use crate::error::{Error, positive};
 
@@ -11,7 +11,7 @@ pub struct Encoder {
 }
 
 impl Encoder {
-    /// An encoder with `counts_per_unit` counts per mm or rad (edges after quadrature decoding).
+    /// Creates an encoder with `counts_per_unit` counts per mm or rad (edges after quadrature decoding).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless `counts_per_unit` is above 0 and at most 1e12.
@@ -19,13 +19,13 @@ impl Encoder {
         Ok(Self { counts_per_unit: positive("encoder_counts_per_unit", counts_per_unit)? })
     }
 
-    /// The reading (u) for a true `position` (u).
+    /// Returns the reading (u) for a true `position` (u).
     #[must_use]
     pub fn read(&self, position: f64) -> f64 {
         (position * self.counts_per_unit).round() / self.counts_per_unit
     }
 
-    /// The length or angle of one count (u).
+    /// Returns the length or angle of one count (u).
     #[must_use]
     pub fn count(&self) -> f64 {
         1.0 / self.counts_per_unit

@@ -1,61 +1,62 @@
-//! What can be wrong with a servo's parameters.
+//! Errors of a servo's parameters and tuning.
 
 use std::fmt;
 
-/// A servo parameter that cannot be used: which one, what was asked, what is allowed.
+/// A servo parameter is invalid, or a drive cannot be tuned: the parameter, its value and the allowed range or the
+/// cause.
 ///
-/// Only constructors return it; the cycle itself cannot fail.
+/// Only constructors, measurements and the tuning return it; a servo cycle always succeeds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
-    /// A number outside its range, or not a number.
+    /// A number is outside its range, or NaN.
     OutOfRange {
-        /// The parameter's name, with its unit as suffix.
+        /// Name of the parameter, with its unit as suffix.
         name: &'static str,
-        /// What was asked.
+        /// Given value.
         value: f64,
-        /// What is allowed, in words.
+        /// Allowed values, in words.
         allowed: &'static str,
     },
-    /// Coulomb friction at or above the peak force: the axis could never move.
+    /// Coulomb friction is at or above the peak force, so the axis could never move.
     FrictionBeyondPeak {
         /// Coulomb friction (N or N m).
         coulomb: f64,
         /// Peak force (N) or torque (N m).
         peak: f64,
     },
-    /// More notches than the loop has places for.
+    /// More notches than the loop supports.
     TooManyNotches {
-        /// How many it has.
+        /// Number of notches that the loop supports.
         places: usize,
     },
-    /// The velocity loop does not settle at any bandwidth that was tried: nothing to build a position loop on.
+    /// The velocity loop does not settle at any bandwidth tried, so no position loop can be tuned on it.
     VelocityLoopSwings {
-        /// The slowest that was tried (Hz).
+        /// Lowest bandwidth tried (Hz).
         bandwidth_hz: f64,
     },
-    /// No frequency response can be measured: limits or standstills are met with every sine.
+    /// No frequency response can be measured, because limits or standstills occur with every sine.
     NotMeasurable {
-        /// The speed (u/s) at which it was tried.
+        /// Speed of the measurement (u/s).
         speed: f64,
     },
-    /// The best loop found does not have the margins that are required.
+    /// The best loop does not reach the required margins.
     MarginsNotReached {
         /// Gain margin (dB).
         gain_db: f64,
         /// Phase margin (degrees).
         phase_deg: f64,
     },
-    /// The tuned loop swings at constant speed.
+    /// The tuned loop oscillates at constant speed.
     Swings {
-        /// Greatest following error (counts of the encoder).
+        /// Maximum following error (encoder counts).
         counts: f64,
     },
-    /// The current loop is too slow for the velocity loop asked: it would ring.
+    /// The current loop is too slow for this velocity loop, which would ring.
     VelocityLoopTooFast {
-        /// What was asked (Hz).
+        /// Given bandwidth (Hz).
         bandwidth_hz: f64,
-        /// The fastest that this current loop carries (Hz).
+        /// Maximum bandwidth with this current loop (Hz).
         limit_hz: f64,
     },
 }
@@ -95,7 +96,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// `value`, if it lies in `low..=high`. NaN does not.
+/// Returns `value` if it lies in `low..=high`; NaN does not.
 pub(crate) fn within(
     name: &'static str,
     value: f64,
@@ -105,17 +106,17 @@ pub(crate) fn within(
     if value >= low && value <= high { Ok(value) } else { Err(Error::OutOfRange { name, value, allowed }) }
 }
 
-/// `value`, if it is above zero and no larger than 1e12.
+/// Returns `value` if it is above zero and at most 1e12.
 pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
     within(name, value, (f64::MIN_POSITIVE, 1e12), "above 0, up to 1e12")
 }
 
-/// `value`, if it is zero or above and no larger than 1e12.
+/// Returns `value` if it is zero or above and at most 1e12.
 pub(crate) fn non_negative(name: &'static str, value: f64) -> Result<f64, Error> {
     within(name, value, (0.0, 1e12), "0 to 1e12")
 }
 
-/// `period_s`, if it is a servo period that makes sense: 1 microsecond to 1 second.
+/// Returns `period_s` if it is a valid servo period: 1 microsecond to 1 second.
 pub(crate) fn servo_period(period_s: f64) -> Result<f64, Error> {
     within("period_s", period_s, (1e-6, 1.0), "1e-6 to 1 s")
 }

@@ -1,4 +1,4 @@
-//! The moving mass: viscous drag, Coulomb friction, and standing still.
+//! The moving mass with viscous drag, Coulomb friction and standstill.
 
 /// A load under a constant push, friction included, advanced in closed form.
 ///
@@ -19,25 +19,25 @@ pub struct Load {
     viscous: f64,
 }
 
-/// How a [`Load`] answers a push.
+/// Response of a [`Load`] to a push.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Mobility {
-    /// 1 if it moves, 0 if it is held.
+    /// 1 if the load moves, 0 if friction holds it.
     pub(crate) part: f64,
     /// Friction (u/s^2), with the sign of the speed.
     pub(crate) drag: f64,
 }
 
 impl Load {
-    /// A load at rest at 0 with Coulomb friction `coulomb` (u/s^2) and viscous rate `viscous` (1/s).
+    /// Creates a load at rest at 0 with Coulomb friction `coulomb` (u/s^2) and viscous rate `viscous` (1/s).
     ///
-    /// Both are taken as not negative; a negative or undefined value counts as no friction.
+    /// A negative value or NaN counts as no friction.
     #[must_use]
     pub fn new(coulomb: f64, viscous: f64) -> Self {
         Self { position: 0.0, velocity: 0.0, coulomb: coulomb.max(0.0), viscous: viscous.max(0.0) }
     }
 
-    /// Lets `push` (u/s^2) act for `duration` (s).
+    /// Applies `push` (u/s^2) for `duration` (s).
     pub fn advance(&mut self, push: f64, duration: f64) {
         let mut left = duration;
         if self.velocity != 0.0 {
@@ -63,8 +63,8 @@ impl Load {
         }
     }
 
-    /// How it answers a push: `part * push - drag` (u/s^2). Held by friction it does not, whether the push is enough
-    /// or not.
+    /// Returns the response to a push: `part * push - drag` (u/s^2). It is zero while friction holds the load, also for
+    /// a push above the friction.
     pub(crate) fn mobility(&self) -> Mobility {
         if self.velocity == 0.0 {
             return Mobility { part: if self.coulomb > 0.0 { 0.0 } else { 1.0 }, drag: 0.0 };
@@ -72,7 +72,7 @@ impl Load {
         Mobility { part: 1.0, drag: self.velocity.signum() * self.coulomb + self.viscous * self.velocity }
     }
 
-    /// Time until the speed is zero, with `net` the acceleration now; `None` if it never is.
+    /// Returns the time until the speed is zero, from the present acceleration `net`; `None` if the load does not stop.
     fn time_to_stop(&self, net: f64) -> Option<f64> {
         if net * self.velocity >= 0.0 {
             return None;
@@ -88,16 +88,16 @@ impl Load {
         }
     }
 
-    /// Speed gained per unit of acceleration after `t`: `(1 - exp(-c t)) / c`, or `t` without drag.
+    /// Returns the speed gained per unit of acceleration after `t`: `(1 - exp(-c t)) / c`, or `t` without drag.
     fn gain(&self, t: f64) -> f64 {
         if self.viscous == 0.0 { t } else { -(-self.viscous * t).exp_m1() / self.viscous }
     }
 
-    /// Way gained per unit of acceleration after `t`: the integral of [`Load::gain`].
+    /// Returns the distance gained per unit of acceleration after `t`: the integral of [`Load::gain`].
     fn travel(&self, t: f64) -> f64 {
         let x = self.viscous * t;
         if x < 0.02 {
-            // The closed form below cancels for small x; the first term left out is 2e-15.
+            // The closed form below cancels for small x; the first omitted term is 2e-15.
             let series = 0.5 - x / 6.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0 * (1.0 - x / 6.0 * (1.0 - x / 7.0))));
             t * t * series
         } else {

@@ -1,4 +1,4 @@
-//! Margins of a loop from its measured open-loop response.
+//! Stability margins of a loop from its measured open-loop response.
 
 use std::f64::consts::{PI, TAU};
 
@@ -6,34 +6,34 @@ use num_complex::Complex64;
 
 use crate::sweep::Line;
 
-/// What a frequency response says about a closed loop.
+/// Stability margins and closed-loop figures from a frequency response.
 ///
-/// Judged by Nyquist's criterion for an open loop that is stable but for integrators. A loop that would become unstable
-/// with *less* gain counts as one without margin.
+/// They follow from Nyquist's criterion for an open loop that is stable except for integrators. A loop that would
+/// become unstable with *less* gain counts as one without margin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
-    /// Least distance of the magnitude from 1 (dB) where the phase crosses -180 degrees; negative if the
-    /// magnitude is above 1 there, infinite if the phase never crosses within the sweep.
+    /// Minimum distance of the magnitude from 1 (dB) where the phase crosses -180 degrees. It is negative if the
+    /// magnitude is above 1 there, and infinite without a crossing in the sweep.
     pub gain_margin_db: f64,
-    /// Where that is (Hz); not a number if it never is.
+    /// Frequency of that crossing (Hz); NaN without a crossing.
     pub phase_crossover_hz: f64,
-    /// Least distance of the phase from -180 degrees where the magnitude crosses 1; infinite if it never does.
+    /// Minimum distance of the phase from -180 degrees where the magnitude crosses 1; infinite without a crossing.
     pub phase_margin_deg: f64,
-    /// Where that is (Hz); not a number if it never is.
+    /// Frequency of that crossing (Hz); NaN without a crossing.
     pub gain_crossover_hz: f64,
-    /// Lowest frequency (Hz) at which the closed loop has fallen to -3 dB; the last one measured if it has not.
+    /// Lowest frequency (Hz) at which the closed loop has fallen to -3 dB, or else the last one measured.
     pub bandwidth_hz: f64,
-    /// Greatest magnitude of the closed loop (dB).
+    /// Maximum magnitude of the closed loop (dB).
     pub peak_db: f64,
 }
 
-/// Decibels of a magnitude.
+/// Converts a magnitude to decibels.
 #[must_use]
 pub fn decibels(magnitude: f64) -> f64 {
     20.0 * magnitude.log10()
 }
 
-/// Phase of each line (rad), without jumps; the first is between -2 pi and 0.
+/// Returns the phase of each line (rad), without jumps; the first is between -2 pi and 0.
 #[must_use]
 pub fn unwrapped(lines: &[Line]) -> Vec<f64> {
     let mut last = -PI;
@@ -45,9 +45,9 @@ pub fn unwrapped(lines: &[Line]) -> Vec<f64> {
     phases.collect()
 }
 
-/// Where the phase crosses an odd multiple of 180 degrees: frequency (Hz) and logarithm of the magnitude.
+/// Finds the crossings of the phase with odd multiples of 180 degrees: frequency (Hz) and logarithm of the magnitude.
 pub(crate) fn phase_crossings(lines: &[Line]) -> impl Iterator<Item = (f64, f64)> {
-    // -1 is where the negated ratio is real and positive, so its angle changes sign.
+    // At -1 the negated ratio is real and positive, so its angle changes sign.
     lines.windows(2).filter_map(|pair| {
         let [a, b] = [pair[0], pair[1]].map(|line| (-line.ratio).arg());
         (a.min(b) <= 0.0 && a.max(b) >= 0.0 && (b - a).abs() < PI).then(|| {
@@ -57,14 +57,14 @@ pub(crate) fn phase_crossings(lines: &[Line]) -> impl Iterator<Item = (f64, f64)
     })
 }
 
-/// Frequency and logarithm of the magnitude the `part` of the way from one line to the next.
+/// Interpolates frequency and logarithm of the magnitude at `part` of the way between two lines.
 fn between(pair: &[Line], part: f64) -> (f64, f64) {
     let mix = |a: f64, b: f64| a + part * (b - a);
     let frequency = mix(pair[0].frequency_hz.ln(), pair[1].frequency_hz.ln()).exp();
     (frequency, mix(pair[0].ratio.norm().ln(), pair[1].ratio.norm().ln()))
 }
 
-/// Where the magnitude crosses 1: frequency (Hz) and distance of the phase from -180 degrees (rad).
+/// Finds the crossings of the magnitude with 1: frequency (Hz) and distance of the phase from -180 degrees (rad).
 fn gain_crossings(lines: &[Line]) -> impl Iterator<Item = (f64, f64)> {
     lines.windows(2).filter_map(|pair| {
         let [a, b] = [pair[0], pair[1]].map(|line| line.ratio.norm().ln());
@@ -78,7 +78,7 @@ fn gain_crossings(lines: &[Line]) -> impl Iterator<Item = (f64, f64)> {
 }
 
 impl Margins {
-    /// Margins of the loop whose open-loop response is `lines`, in order of frequency.
+    /// Computes the margins of the loop with the open-loop response `lines`, in order of frequency.
     #[must_use]
     pub fn of(lines: &[Line]) -> Self {
         let never = (f64::NAN, f64::INFINITY);
@@ -99,7 +99,7 @@ impl Margins {
         }
     }
 
-    /// Whether both margins are at least these (dB, degrees); a loop whose magnitude nowhere crosses 1 has none.
+    /// Returns true if both margins are at least these (dB, degrees); false if the magnitude never crosses 1.
     #[must_use]
     pub fn reach(&self, gain_db: f64, phase_deg: f64) -> bool {
         self.gain_crossover_hz.is_finite() && self.gain_margin_db >= gain_db && self.phase_margin_deg >= phase_deg

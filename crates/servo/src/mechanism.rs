@@ -1,4 +1,4 @@
-//! What the motor turns: one rigid mass, or two masses with a spring and a gap between them.
+//! Mechanism behind the motor: one rigid mass, or two masses with a spring and a gap between them.
 
 use std::f64::consts::TAU;
 
@@ -14,25 +14,24 @@ pub(crate) struct Friction {
     pub(crate) viscous: f64,
 }
 
-/// Motor and load. Forces come divided by the whole inertia, so they are accelerations (u/s^2).
+/// Motor and load. Forces are divided by the whole inertia, so they are accelerations (u/s^2).
 ///
-/// Without a transmission it is one [`Load`], exact for a constant push. With one it is two of them: `xm`, `vm` and
-/// the part `m` of the inertia at the motor, `xl`, `vl` and the part `l = 1 - m` at the load, and between them the
-/// force `k z + c dz/dt` of what the spring is wound up by, `z = xm - xl` less the gap, with `k = w^2 m l`, `c = 2
-/// zeta w m l` for a free swing of `w` (rad/s) and damping `zeta`. In the gap there is no force, and a contact does
-/// not pull.
+/// Without a transmission it is one [`Load`], exact for a constant push. With one, `xm`, `vm` and the part `m` of the
+/// inertia belong to the motor; `xl`, `vl` and the part `l = 1 - m` to the load. The force between them is
+/// `k z + c dz/dt`, with the wind-up `z = xm - xl` less the gap. For a free oscillation of `w` (rad/s) and damping
+/// `zeta`, `k = w^2 m l` and `c = 2 zeta w m l`. There is no force in the gap, and a contact does not pull.
 ///
-/// **Accuracy.** The force of a call is that at half way, the masses then move in closed form under it. For a
-/// spring alone this is the symplectic method of Verlet: second order, no drift of the energy, frequency
-/// high by the part `(w h)^2 / 24`. The damper is taken at half way as well. Coming into contact and sticking cost
-/// first order in the duration of the one call in which they happen.
+/// **Accuracy.** Each call applies the force at its midpoint; the masses then move in closed form under it. For a
+/// spring alone this is the symplectic method of Verlet: second order, no drift of the energy, frequency high by the
+/// part `(w h)^2 / 24`. The damper is evaluated at the midpoint as well. The error of a contact or a stop within a call
+/// is of first order in the call's duration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Mechanism {
     motor: Load,
     far: Option<Far>,
 }
 
-/// The load at the other end of the transmission.
+/// The load at the far end of the transmission.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Far {
     load: Load,
@@ -45,7 +44,7 @@ struct Far {
 }
 
 impl Mechanism {
-    /// At rest at 0, in the middle of its gap.
+    /// Creates a mechanism at rest at 0, in the middle of its gap.
     pub(crate) fn new(friction: Friction, transmission: Option<Transmission>) -> Self {
         let Friction { coulomb, viscous } = friction;
         let Some(t) = transmission else {
@@ -68,7 +67,7 @@ impl Mechanism {
         }
     }
 
-    /// Lets `push` act on the motor and `outside` on the load for `duration` (s).
+    /// Applies `push` to the motor and `outside` to the load for `duration` (s).
     pub(crate) fn advance(&mut self, push: f64, outside: f64, duration: f64) {
         match &mut self.far {
             None => self.motor.advance(push + outside, duration),
@@ -80,7 +79,8 @@ impl Mechanism {
         }
     }
 
-    /// Rest with the encoder at `position` (u), the motor holding with `hold` (u/s^2) against a force on the load.
+    /// Puts it at rest with the encoder at `position` (u), the motor holding with `hold` (u/s^2) against a force on the
+    /// load.
     pub(crate) fn settle_at(&mut self, position: f64, hold: f64) {
         let rest = |load: &mut Load, at: f64| (load.position, load.velocity) = (at, 0.0);
         rest(&mut self.motor, position);
@@ -105,7 +105,7 @@ impl Mechanism {
         self.far.as_ref().map_or(&self.motor, |far| &far.load)
     }
 
-    /// The side that the encoder measures.
+    /// Returns the side measured by the encoder.
     pub(crate) fn measured(&self) -> &Load {
         match &self.far {
             Some(far) if far.encoder_on == EncoderSide::Load => &far.load,
@@ -115,7 +115,7 @@ impl Mechanism {
 }
 
 impl Far {
-    /// Force that the transmission carries from the motor to the load, half way through `duration`.
+    /// Returns the force from the motor to the load through the transmission, half way through `duration`.
     fn force(&self, motor: &Load, push: f64, outside: f64, duration: f64) -> f64 {
         let half = 0.5 * duration;
         let rate = motor.velocity - self.load.velocity;
@@ -124,7 +124,7 @@ impl Far {
         if self.half_gap > 0.0 && pressed == 0.0 {
             return 0.0;
         }
-        // The rate half way follows from the force itself: a linear equation, for masses that slide as they do now.
+        // The rate half way depends on the force itself: a linear equation, for masses that continue to slide or stick.
         let (near, there) = (motor.mobility(), self.load.mobility());
         let share = near.part / self.motor_part + there.part / self.load_part;
         let spring = self.stiffness * pressed;

@@ -1,4 +1,4 @@
-//! Notch filter on the speed command (SADDLE-2020): takes a machine resonance out of the loop.
+//! Notch filter on the speed command (SADDLE-2020), which removes a machine resonance from the loop.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,10 +9,10 @@ use crate::error::{Error, servo_period, within};
 /// A second-order notch, the bilinear image of
 /// `(s^2 + depth * B * s + w0^2) / (s^2 + B * s + w0^2)`.
 ///
-/// Both the centre `w0` and the width `B` are pre-warped, so both are exact in the sampled filter
-/// at any frequency below half the sampling rate. Guarantees: gain exactly `depth` at the
-/// centre, exactly 1 at zero frequency and at half the sampling rate, `sqrt((1 + depth^2) / 2)`
-/// at the two edges, which are `width_hz` apart; stable for every filter that can be built.
+/// The centre `w0` and the width `B` are pre-warped, so both are exact in the sampled filter below half the sampling
+/// rate. Guarantees: the gain is exactly `depth` at the centre, and exactly 1 at zero frequency and at half the
+/// sampling rate. It is `sqrt((1 + depth^2) / 2)` at the two edges, which are `width_hz` apart. Every filter that can
+/// be built is stable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Notch {
     period_s: f64,
@@ -23,8 +23,8 @@ pub struct Notch {
 }
 
 impl Notch {
-    /// A notch at `frequency_hz`, `width_hz` wide, that lets `depth` (0: nothing, 1: everything)
-    /// through at its centre, sampled every `period_s` (s).
+    /// Creates a notch at `frequency_hz`, `width_hz` wide, with the gain `depth` (0 to 1) at its centre, sampled every
+    /// `period_s` (s).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless frequency and width lie between 0.000001 and 0.999999 of half the
@@ -55,33 +55,33 @@ impl Notch {
         output
     }
 
-    /// Forgets the past: as if the input had been zero for ever.
+    /// Clears the state, as after a zero input.
     pub fn reset(&mut self) {
         self.state = [0.0; 2];
     }
 
-    /// Gain at `frequency_hz`: the analytic magnitude of the sampled filter.
+    /// Returns the gain at `frequency_hz`: the analytic magnitude of the sampled filter.
     #[must_use]
     pub fn gain(&self, frequency_hz: f64) -> f64 {
         self.response(Complex64::from_polar(1.0, TAU * frequency_hz * self.period_s)).norm()
     }
 
-    /// Complex response at `z`, the sampled filter's variable: `e^(j w T)` for a frequency `w` (rad/s).
+    /// Returns the complex response at `z`, the sampled filter's variable: `e^(j w T)` for a frequency `w` (rad/s).
     #[must_use]
     pub fn response(&self, z: Complex64) -> Complex64 {
         let of = |c: [f64; 3]| (c[0] * z + c[1]) * z + c[2];
         of(self.b) / of([1.0, self.a[0], self.a[1]])
     }
 
-    /// The sampling period it was built for (s).
+    /// Returns the sampling period (s).
     #[must_use]
     pub fn period_s(&self) -> f64 {
         self.period_s
     }
 
-    /// By how much (s) a slow signal leaves the filter late.
+    /// Returns the delay of a slow signal by the filter (s).
     ///
-    /// Add it to the acceleration feed-forward `kaff`, which is there to make up for lags.
+    /// Add it to the acceleration feed-forward `kaff`, which compensates lags.
     #[must_use]
     pub fn delay_s(&self) -> f64 {
         let sum = 1.0 + self.a[0] + self.a[1];
@@ -133,7 +133,7 @@ mod tests {
                     assert!((notch.gain(0.0) - 1.0).abs() < 1e-8);
                     assert!((notch.gain(500.0) - 1.0).abs() < 1e-8);
                 }
-                // The lower edge: where the gain crosses 1/sqrt(2) below the centre.
+                // Lower edge: the gain crosses 1/sqrt(2) below the centre.
                 let notch = Notch::new(frequency, 0.0, width, PERIOD).unwrap();
                 let (mut low, mut high) = (0.0, frequency);
                 for _ in 0..60 {

@@ -1,4 +1,4 @@
-//! A drive and its load in physical units, reduced to accelerations per axis unit.
+//! Parameters of a drive and its load in physical units, reduced to accelerations in axis units.
 
 use std::f64::consts::TAU;
 
@@ -6,11 +6,11 @@ use crate::encoder::Encoder;
 use crate::error::{Error, non_negative, positive, within};
 use crate::mechanism::Friction;
 
-/// Largest product of velocity bandwidth (rad/s) and the current loop's lag: time constant and dead time (s).
+/// Maximum product of velocity bandwidth (rad/s) and the current loop's lag: time constant and dead time (s).
 ///
-/// With the gains of [`Drive`](crate::Drive) the velocity loop's poles solve
-/// `tau s^3 + s^2 + 2 w s + w^2 = 0`. At `tau w = 1/4` the complex pair has a damping of 0.69 and
-/// at 2 it is unstable; above 1/4 the simulated drive would ring in a way no tuned drive does.
+/// With the gains of [`Drive`](crate::Drive) the velocity loop's poles solve `tau s^3 + s^2 + 2 w s + w^2 = 0`. At
+/// `tau w = 1/4` the complex pair has a damping of 0.69, at 2 it is unstable. Above 1/4 the simulated drive would ring
+/// more than any tuned drive.
 const LARGEST_LAG: f64 = 0.25;
 
 /// The moving part of a linear axis, everything referred to the axis (after screw and gear).
@@ -18,7 +18,7 @@ const LARGEST_LAG: f64 = 0.25;
 pub struct LinearLoad {
     /// Moved mass (kg), with motor and screw inertia reduced to the axis.
     pub mass_kg: f64,
-    /// Largest force of the drive (N), at peak current.
+    /// Maximum force of the drive (N), at peak current.
     pub peak_force_n: f64,
     /// Coulomb friction (N), also the static friction.
     pub coulomb_n: f64,
@@ -31,7 +31,7 @@ pub struct LinearLoad {
 pub struct RotaryLoad {
     /// Moment of inertia (kg m^2), with the motor's times the ratio squared.
     pub inertia_kg_m2: f64,
-    /// Largest torque of the drive (N m), at peak current.
+    /// Maximum torque of the drive (N m), at peak current.
     pub peak_torque_nm: f64,
     /// Coulomb friction (N m), also the static friction.
     pub coulomb_nm: f64,
@@ -44,43 +44,43 @@ pub struct RotaryLoad {
 pub struct DriveTuning {
     /// Frequency (Hz) at which the speed has fallen to -3 dB of its command.
     pub velocity_bandwidth_hz: f64,
-    /// Time constant (s) of the current loop, a first-order lag; 0 for none.
+    /// Time constant (s) of the current loop, a first-order lag; 0 without lag.
     pub current_time_constant_s: f64,
-    /// Dead time (s) from the velocity loop's measurement to the current; 0 for none.
+    /// Dead time (s) from the velocity loop's measurement to the current; 0 without dead time.
     pub current_delay_s: f64,
     /// Counts per mm (linear) or per rad (rotary).
     pub encoder_counts_per_unit: f64,
 }
 
-/// Which side of the transmission the position encoder measures. The velocity loop always has the motor's speed.
+/// Side of the transmission measured by the position encoder. The velocity loop always uses the motor's speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum EncoderSide {
-    /// The motor: what the transmission winds up by is not seen.
+    /// The motor; the wind-up of the transmission is not measured.
     #[default]
     Motor,
     /// The load.
     Load,
 }
 
-/// What is between motor and load: a spring with damping, and a gap.
+/// Transmission between motor and load: a spring with damping, and a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transmission {
-    /// Frequency (Hz) at which motor and load swing against each other, both free. With the motor held, the load swings
-    /// at this over `sqrt(1 + load_ratio)`.
+    /// Frequency (Hz) at which motor and load oscillate against each other, both free. With the motor held, the load
+    /// oscillates at this over `sqrt(1 + load_ratio)`.
     pub resonance_hz: f64,
-    /// Damping of that swing, as a part of the critical one.
+    /// Damping of that oscillation, as a part of critical damping.
     pub damping: f64,
     /// Inertia of the load over that of the motor.
     pub load_ratio: f64,
     /// Whole width of the gap (u).
     pub backlash: f64,
-    /// Part of the friction that is at the motor, 0 to 1; the rest is at the load.
+    /// Part of the friction at the motor, 0 to 1; the rest is at the load.
     pub motor_friction: f64,
-    /// Where the encoder is.
+    /// Side of the encoder.
     pub encoder_on: EncoderSide,
 }
 
-/// What [`Drive`](crate::Drive) needs to know, with forces divided by the inertia.
+/// Parameters of [`Drive`](crate::Drive), with forces divided by the inertia.
 ///
 /// Built by [`DriveParameters::linear`] (unit mm) or [`DriveParameters::rotary`] (unit rad).
 /// Guarantee: every value is finite and in range, friction is below the peak, and the current loop
@@ -94,18 +94,18 @@ pub struct DriveParameters {
     pub(crate) bandwidth: f64,
     pub(crate) current_time_constant: f64,
     pub(crate) current_delay: f64,
-    /// Most acceleration that may be demanded; the peak or less.
+    /// Maximum acceleration demand; the peak or less.
     pub(crate) limit: f64,
     pub(crate) encoder: Encoder,
     pub(crate) transmission: Option<Transmission>,
 }
 
 impl DriveParameters {
-    /// A linear axis: positions in mm, disturbances in N.
+    /// Creates the parameters of a linear axis: positions in mm, disturbances in N.
     ///
     /// # Errors
-    /// [`Error`] for a value out of range, for friction not below the peak force, and for a velocity loop
-    /// that the current loop cannot carry (bandwidth in rad/s times time constant above 1/4).
+    /// [`Error`] for a value out of range and for friction not below the peak force. Also for a velocity loop too fast
+    /// for the current loop (bandwidth in rad/s times time constant above 1/4).
     pub fn linear(load: LinearLoad, tuning: DriveTuning) -> Result<Self, Error> {
         let mass = within("mass_kg", load.mass_kg, (1e-9, 1e9), "1e-9 to 1e9 kg")?;
         let peak = positive("peak_force_n", load.peak_force_n)?;
@@ -115,7 +115,7 @@ impl DriveParameters {
         Self::reduced([peak, coulomb, viscous], mass, 1000.0, tuning)
     }
 
-    /// A rotary axis: positions in rad, disturbances in N m.
+    /// Creates the parameters of a rotary axis: positions in rad, disturbances in N m.
     ///
     /// # Errors
     /// As [`DriveParameters::linear`].
@@ -154,7 +154,7 @@ impl DriveParameters {
         drive.with_velocity_bandwidth(tuning.velocity_bandwidth_hz)
     }
 
-    /// The same drive with its load behind an elastic transmission; inertia and friction are those of both together.
+    /// Puts the load behind an elastic transmission; inertia and friction are those of motor and load together.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the resonance is 0.1 to 10 000 Hz, the damping and the motor's part of the friction
@@ -169,11 +169,11 @@ impl DriveParameters {
         Ok(Self { transmission: Some(transmission), ..self })
     }
 
-    /// The same drive that is allowed no more than `limit` (N or N m) of its peak.
+    /// Limits the force to `limit` (N or N m), at most the peak.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a limit that is not above zero or beyond the peak, [`Error::FrictionBeyondPeak`] for
-    /// one not above the Coulomb friction.
+    /// [`Error::OutOfRange`] for a limit not above zero or beyond the peak, [`Error::FrictionBeyondPeak`] for one not
+    /// above the Coulomb friction.
     pub fn with_force_limit(self, limit: f64) -> Result<Self, Error> {
         let allowed = "above 0, up to the peak force or torque";
         // A limit equal to the peak passes in spite of rounding.
@@ -186,11 +186,11 @@ impl DriveParameters {
         Ok(Self { limit: (limit * self.per_force).min(self.peak), ..self })
     }
 
-    /// The same drive with its velocity loop set to `hz`.
+    /// Sets the bandwidth of the velocity loop to `hz`.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless `hz` is 0.001 to 1e5, [`Error::VelocityLoopTooFast`] if the current loop cannot
-    /// carry it.
+    /// [`Error::OutOfRange`] unless `hz` is 0.001 to 1e5, [`Error::VelocityLoopTooFast`] if the current loop is too
+    /// slow for it.
     pub fn with_velocity_bandwidth(self, hz: f64) -> Result<Self, Error> {
         within("velocity_bandwidth_hz", hz, (1e-3, 1e5), "0.001 to 1e5 Hz")?;
         let lag = self.current_time_constant + self.current_delay;
@@ -200,8 +200,8 @@ impl DriveParameters {
         Ok(Self { bandwidth: TAU * hz, ..self })
     }
 
-    /// The same drive with a velocity loop faster by `factor`, whether the current loop can carry it or not: to see
-    /// how far it is from swinging.
+    /// Multiplies the velocity loop's bandwidth by `factor`, without a check against the current loop, to measure the
+    /// distance from oscillation.
     pub(crate) fn faster(&self, factor: f64) -> Self {
         Self { bandwidth: factor * self.bandwidth, ..*self }
     }
@@ -210,43 +210,43 @@ impl DriveParameters {
         Friction { coulomb: self.coulomb, viscous: self.viscous }
     }
 
-    /// Acceleration at peak current without friction (u/s^2).
+    /// Returns the acceleration at peak current without friction (u/s^2).
     #[must_use]
     pub fn peak_acceleration(&self) -> f64 {
         self.peak
     }
 
-    /// Deceleration by Coulomb friction alone (u/s^2).
+    /// Returns the deceleration by Coulomb friction alone (u/s^2).
     #[must_use]
     pub fn coulomb_deceleration(&self) -> f64 {
         self.coulomb
     }
 
-    /// Viscous friction over inertia (1/s): the rate at which a coasting speed decays.
+    /// Returns viscous friction over inertia (1/s): the decay rate of a coasting speed.
     #[must_use]
     pub fn viscous_rate(&self) -> f64 {
         self.viscous
     }
 
-    /// Acceleration (u/s^2) per N or N m of disturbance.
+    /// Returns the acceleration (u/s^2) per N or N m of disturbance.
     #[must_use]
     pub fn acceleration_per_force(&self) -> f64 {
         self.per_force
     }
 
-    /// Bandwidth of the velocity loop (Hz).
+    /// Returns the bandwidth of the velocity loop (Hz).
     #[must_use]
     pub fn velocity_bandwidth_hz(&self) -> f64 {
         self.bandwidth / TAU
     }
 
-    /// What is between motor and load, if they are not one.
+    /// Returns the transmission; `None` if motor and load are one rigid mass.
     #[must_use]
     pub fn transmission(&self) -> Option<Transmission> {
         self.transmission
     }
 
-    /// The encoder.
+    /// Returns the encoder.
     #[must_use]
     pub fn encoder(&self) -> Encoder {
         self.encoder

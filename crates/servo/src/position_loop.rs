@@ -8,15 +8,15 @@ use crate::notch::Notch;
 
 /// Time constant of the derivative's filter, in servo periods.
 ///
-/// One encoder count then shows in the derivative as a fifth of a count per period instead of a
-/// whole one, at the cost of four periods of lag.
+/// One encoder count then appears in the derivative as a fifth of a count per period, at the cost of four periods of
+/// lag.
 const DERIVATIVE_FILTER_PERIODS: f64 = 4.0;
-/// Notches that a loop has places for.
+/// Maximum number of notches of a loop.
 pub(crate) const NOTCHES: usize = 2;
-/// Position errors are cut to this many units: far beyond any machine, and sums stay finite.
+/// Position errors are clamped to this many units: far beyond any machine, and sums stay finite.
 const LARGEST_ERROR: f64 = 1e9;
 
-/// Where an axis should be at one instant, and how it should be moving.
+/// Set position, speed and acceleration of an axis at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SetPoint {
     /// Position (u).
@@ -27,7 +27,7 @@ pub struct SetPoint {
     pub acceleration: f64,
 }
 
-/// Gains of a [`PositionLoop`], none negative.
+/// Gains of a [`PositionLoop`], all non-negative.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Gains {
     /// Proportional gain (1/s): speed per unit of position error.
@@ -38,12 +38,12 @@ pub struct Gains {
     pub kd: f64,
     /// Velocity feed-forward (-); 1 is the whole set speed.
     pub kvff: f64,
-    /// Acceleration feed-forward (s): the lag of the velocity loop that it makes up for.
+    /// Acceleration feed-forward (s): the lag of the velocity loop that it compensates.
     pub kaff: f64,
 }
 
 impl Gains {
-    /// Gains for a drive with the given velocity bandwidth (Hz), commanded every `period_s` (s).
+    /// Suggests gains for a drive with the given velocity bandwidth (Hz), commanded every `period_s` (s).
     ///
     /// The drive's speed lags its command by `1/w` (`w` in rad/s), holding a command for a period adds
     /// half a period on average: together a lag `L = 1/w + period/2`. Then
@@ -63,10 +63,10 @@ impl Gains {
 /// Discrete position loop of one axis (DUALBEAM-2013), with up to two notches (SADDLE-2020) and compensation of
 /// friction and backlash.
 ///
-/// With `e = set position - measured position` at the same instant and the period `T`,
-/// `command = kp e + ki * sum(e T) + kd * rate(e) + kvff * set speed + kaff * set acceleration`, to be held until the
-/// next update. `rate` is that of the error behind a first-order low-pass of time constant `4 T`
-/// (backward Euler), as differences of whole encoder counts are rough.
+/// `command = kp e + ki * sum(e T) + kd * rate(e) + kvff * set speed + kaff * set acceleration`, held until the next
+/// update. Here `e = set position - measured position` at the same instant and `T` is the period. `rate` is that of the
+/// error behind a first-order low-pass of time constant `4 T` (backward Euler), as differences of whole encoder counts
+/// are rough.
 ///
 /// Anti-windup by conditional integration: while the command is limited, the sum grows only in
 /// the direction that leads out of the limit; it never exceeds the speed limit itself.
@@ -89,7 +89,7 @@ pub struct PositionLoop {
 }
 
 impl PositionLoop {
-    /// A loop that runs every `period_s` (s) and commands at most `max_speed` (u/s).
+    /// Creates a loop that runs every `period_s` (s) and commands at most `max_speed` (u/s).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a gain outside 0 to 1e9, a period outside 1e-6 to 1 s or a
@@ -114,12 +114,12 @@ impl PositionLoop {
         })
     }
 
-    /// The same loop with its speed command sent through `notch` too, after the one it may have.
+    /// Adds `notch` to the path of the speed command, after the one it may have.
     ///
     /// A notch also delays the feed-forward: add [`Notch::delay_s`] to `kaff`.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the notch was built for another period: it would sit at another frequency;
+    /// [`Error::OutOfRange`] if the notch was built for another period, which would shift its frequency;
     /// [`Error::TooManyNotches`] for a third one.
     pub fn with_notch(mut self, notch: Notch) -> Result<Self, Error> {
         let same = (self.period_s * (1.0 - 1e-9), self.period_s * (1.0 + 1e-9));
@@ -129,7 +129,7 @@ impl PositionLoop {
         Ok(self)
     }
 
-    /// The same loop with `friction` fed forward: see [`PositionLoop::force`].
+    /// Adds the feed-forward of `friction`: see [`PositionLoop::force`].
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a negative force or a smoothing speed that is not above 0.
@@ -137,7 +137,7 @@ impl PositionLoop {
         Ok(Self { friction: Some(friction.checked()?), ..self })
     }
 
-    /// The same loop with `backlash` made up for.
+    /// Adds the compensation of `backlash`.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a negative width or a time that is not above 0.
@@ -145,7 +145,7 @@ impl PositionLoop {
         Ok(Self { backlash: Some(BacklashOffset::new(backlash.checked()?)), ..self })
     }
 
-    /// Speed command (u/s) for the set-point and the measurement (u) of one instant.
+    /// Computes the speed command (u/s) for the set-point and the measurement (u) of one instant.
     pub fn update(&mut self, set: SetPoint, measured: f64) -> f64 {
         let error = set.position - measured;
         let feed_forward = self.gains.kvff * set.velocity + self.gains.kaff * set.acceleration;
@@ -169,32 +169,33 @@ impl PositionLoop {
         let command = rest + self.integral;
         self.limited = command.abs() > self.max_speed;
         let limit = |command: f64| command.clamp(-self.max_speed, self.max_speed);
-        // A notch overshoots on a step, so the limit holds on both sides of it.
+        // A notch overshoots on a step, so the limit applies before and after it.
         self.notches.iter_mut().flatten().fold(limit(command), |command, notch| limit(notch.update(command)))
     }
 
-    /// Following error (u) that the last update worked on: set position, with the offset for backlash, less
+    /// Returns the following error (u) of the last update: set position, with the offset for backlash, less
     /// measurement.
     #[must_use]
     pub fn error(&self) -> f64 {
         self.error
     }
 
-    /// Force (N or N m) that the drive is to add to its own demand until the next update: the friction fed forward.
+    /// Returns the force (N or N m) that the drive must add to its demand until the next update: the friction
+    /// feed-forward.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.force
     }
 
     fn error_rate(&mut self, error: f64) -> f64 {
-        // The first error after a reset is no jump, so it has no rate.
+        // The first error after a reset is not a jump, so it has no rate.
         let before = self.filtered.unwrap_or(error);
         let rate = (error - before) / ((DERIVATIVE_FILTER_PERIODS + 1.0) * self.period_s);
         self.filtered = Some(before + rate * self.period_s);
         rate
     }
 
-    /// Forgets the past: integral, derivative filter, notches and direction. Gains and limits stay.
+    /// Clears integral, derivative filter, notches and direction; gains and limits stay.
     pub fn reset(&mut self) {
         self.integral = 0.0;
         self.filtered = None;
@@ -206,24 +207,24 @@ impl PositionLoop {
         }
     }
 
-    /// Whether the last command was cut to the speed limit, or its inputs were not finite.
+    /// Returns true if the last command was clamped to the speed limit, or its inputs were not finite.
     #[must_use]
     pub fn limited(&self) -> bool {
         self.limited
     }
 
-    /// The gains it was built with.
+    /// Returns the gains.
     #[must_use]
     pub fn gains(&self) -> &Gains {
         &self.gains
     }
 
-    /// The notches, in the order in which the command goes through them.
+    /// Returns the notches, in the order in which the command passes them.
     pub fn notches(&self) -> impl Iterator<Item = &Notch> {
         self.notches.iter().flatten()
     }
 
-    /// The servo period (s).
+    /// Returns the servo period (s).
     #[must_use]
     pub fn period_s(&self) -> f64 {
         self.period_s

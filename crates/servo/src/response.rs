@@ -1,6 +1,6 @@
-//! Frequency responses of a simulated axis, measured while it moves.
+//! Frequency responses of a simulated axis, measured in motion.
 //!
-//! The axis runs at a constant speed, as friction does not change its sign then, and a sine is laid over it.
+//! The axis runs at a constant speed, so that friction keeps its sign, with a superimposed sine.
 
 use std::f64::consts::TAU;
 
@@ -11,40 +11,40 @@ use crate::parameters::DriveParameters;
 use crate::position_loop::{Gains, SetPoint};
 use crate::sweep::{Line, Measured, Range, Signals, sweep};
 
-/// Lines in a decade, before those that are added where the response changes fast.
+/// Lines per decade, before refinement where the response changes fast.
 const PER_DECADE: f64 = 20.0;
 /// Highest frequency, as a part of half the sampling rate.
 const HIGHEST: f64 = 0.9;
-/// Lowest frequency, as a part of the velocity loop's bandwidth, and of the loop's gain where that is lower.
+/// Lowest frequency, as a part of the velocity loop's bandwidth or of the loop's gain, whichever is lower.
 const LOWEST: f64 = 0.05;
-/// Differences of the open loop's response that do not matter: under 0.1 dB at the gain margin.
+/// Negligible differences of the open loop's response: under 0.1 dB at the gain margin.
 const FLOOR: f64 = 0.004;
-/// Amplitudes of the speed that the sine asks for, as parts of the constant speed, without and with the position loop.
+/// Speed amplitudes of the sine, as parts of the constant speed, without and with the position loop.
 const OPEN_AMPLITUDE: f64 = 0.3;
 const CLOSED_AMPLITUDE: f64 = 0.2;
-/// A speed further off than this part of the constant one spoils a measurement: the axis nearly stands or turns.
+/// Maximum deviation of the speed, as a part of the constant one; beyond it the axis nearly stands or reverses.
 const SPOILED: f64 = 0.9;
 
-/// Acceleration used to reach a speed: a part of what the drive has beyond friction.
+/// Acceleration for reaching a speed: a part of the drive's reserve beyond friction.
 pub(crate) fn gentle(drive: &DriveParameters) -> f64 {
     0.2 * (drive.limit - drive.coulomb)
 }
 
-/// Longest run-up of a measurement, s.
+/// Maximum acceleration phase of a measurement, s.
 const RUN_UP_S: f64 = 60.0;
 
-/// Refuses to measure a drive with so little force beyond friction that reaching `speed` (u/s) takes too long.
+/// Rejects a drive with too little force beyond friction to reach `speed` (u/s) in time.
 pub(crate) fn check_run_up(drive: &DriveParameters, speed: f64) -> Result<(), Error> {
     if speed.abs() > RUN_UP_S * gentle(drive) { Err(Error::NotMeasurable { speed }) } else { Ok(()) }
 }
 
-/// Whether a drive at `speed` is so far off it that friction may change its sign, or is limited.
+/// Returns true if the drive is limited, or so far off `speed` that friction may change its sign.
 fn spoiled(drive: &Drive, speed: f64) -> bool {
     let off = |v: f64| (v - speed).abs() > SPOILED * speed;
     drive.limited() || off(drive.velocity()) || off(drive.motor_velocity())
 }
 
-/// Lines for a loop of gain `kp` (1/s) on the drive.
+/// Returns the sweep range for a loop of gain `kp` (1/s) on the drive.
 fn range(drive: &DriveParameters, kp: f64, period_s: f64) -> Range {
     Range {
         low: LOWEST * drive.velocity_bandwidth_hz().min(kp),
@@ -56,10 +56,10 @@ fn range(drive: &DriveParameters, kp: f64, period_s: f64) -> Range {
     }
 }
 
-/// The drive alone: from the speed command to the encoder, and from its current to the encoder.
+/// Measures the drive alone: from the speed command to the encoder, and from its current to the encoder.
 ///
 /// # Errors
-/// Those of [`Drive::new`]; [`Error::NotMeasurable`] if the drive does not get along without its limits.
+/// Those of [`Drive::new`]; [`Error::NotMeasurable`] if the drive always meets its limits.
 pub(crate) fn drive_response(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<Vec<Measured>, Error> {
     check_run_up(parameters, speed)?;
     let mut drive = Drive::new(*parameters, period_s)?;
@@ -76,22 +76,22 @@ pub(crate) fn drive_response(parameters: &DriveParameters, period_s: f64, speed:
         drive.step(speed + excitation, 0.0, 0.0);
         Signals { input: excitation, output, effort: drive.mean_current(), spoiled: spoiled(&drive, speed) }
     };
-    // The position loop that will be closed about it has a gain of this order.
+    // The position loop to be closed about it has a gain of this order.
     let kp = Gains::suggested(parameters.velocity_bandwidth_hz(), period_s).kp;
     let range = Range { floor: FLOOR / kp, ..range(parameters, kp, period_s) };
     sweep(system, |_| OPEN_AMPLITUDE * speed, &range).ok_or(Error::NotMeasurable { speed })
 }
 
-/// Open-loop response of a position loop, measured with the loop closed: `axis`, at rest, is brought to `speed` (u/s),
-/// sines are laid over its set position, and the ratio is that of the encoder's reading to the position error.
-/// Feed-forwards know nothing of the sines. In order of frequency, up to 0.9 of half the sampling rate.
+/// Measures the open-loop response of a position loop with the loop closed. `axis`, at rest, is brought to `speed`
+/// (u/s); sines are added to its set position. The ratio is that of the encoder's reading to the position error. The
+/// feed-forwards do not contain the sines. Lines are in order of frequency, up to 0.9 of half the sampling rate.
 ///
-/// Everything is in it: friction, backlash, whole counts, sampling, filters. The sines are made smaller until neither a
-/// limit nor a standstill is met.
+/// The response contains friction, backlash, whole counts, sampling and filters. The sines are reduced until neither a
+/// limit nor a standstill occurs.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a speed that is not above 0, [`Error::NotMeasurable`] if limits or standstills are met
-/// with every sine, as in a loop that is not stable.
+/// [`Error::OutOfRange`] for a speed not above 0, [`Error::NotMeasurable`] if limits or standstills occur with every
+/// sine, as in an unstable loop.
 pub fn loop_response(axis: &ServoAxis, speed: f64) -> Result<Vec<Line>, Error> {
     crate::error::positive("speed", speed)?;
     let mut axis = *axis;
@@ -114,7 +114,7 @@ pub fn loop_response(axis: &ServoAxis, speed: f64) -> Result<Vec<Line>, Error> {
         let spoiled = spoiled(axis.drive(), speed) || axis.position_loop().limited();
         Signals { input: set.position - state.measured, output, effort: axis.drive().mean_current(), spoiled }
     };
-    // Below the crossover the axis follows the sine, above it the loop makes it a speed of kp times the sine.
+    // Below the crossover the axis follows the sine; above it the loop turns it into a speed of kp times the sine.
     let amplitude = |hz: f64| CLOSED_AMPLITUDE * speed / (TAU * hz).min(kp);
     let lines = sweep(system, amplitude, &range(&parameters, kp, period_s)).ok_or(Error::NotMeasurable { speed })?;
     Ok(lines.into_iter().map(|measured| measured.line).collect())

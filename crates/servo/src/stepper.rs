@@ -1,19 +1,19 @@
-//! A stepper motor that loses steps when more is asked of it than its torque curve has.
+//! A stepper motor that loses steps when the demand exceeds its torque curve.
 
 use crate::Error;
 use std::f64::consts::{PI, TAU};
 
-/// Full steps of an electrical period: a rotor that slips, slips by so many.
+/// Full steps of an electrical period, the unit of a rotor's slip.
 const PERIOD: i64 = 4;
-/// Longest time step, as an angle of the rotor's own oscillation, rad.
+/// Maximum time step, as an angle of the rotor's own oscillation, rad.
 const FINEST: f64 = 0.05;
 
-/// What the model of a stepper needs to know; all at the motor's shaft.
+/// Parameters of a stepper motor, all at the motor's shaft.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepperParameters {
-    /// Full steps of a turn, a multiple of 4.
+    /// Full steps per turn, a multiple of 4.
     pub full_steps_per_turn: u32,
-    /// Pulses of a full step.
+    /// Pulses per full step.
     pub microsteps: u32,
     /// Inertia of rotor and load, kg m^2.
     pub inertia: f64,
@@ -21,23 +21,23 @@ pub struct StepperParameters {
     pub coulomb: f64,
     /// Viscous friction, N m s/rad.
     pub viscous: f64,
-    /// Pull-out torque (N m) at speeds (rad/s): increasing, the first 0 with the holding torque.
+    /// Pull-out torque (N m) over speed (rad/s): increasing speeds from 0, which has the holding torque.
     pub torque: Vec<(f64, f64)>,
 }
 
-/// A two-phase hybrid stepper with microstepping driver, in simulation.
+/// Simulation of a two-phase hybrid stepper with a microstepping driver.
 ///
-/// The field stands at the pulses counted so far. It pulls the rotor, with `n` full steps a turn, by
-/// `T(|w|) sin(n/4 (field - rotor))`: a spring that is stiff within a full step, strongest one full step away, and
-/// that pulls to the next tooth beyond two. `T` is the pull-out torque at the rotor's speed `w`: straight between the
-/// points of the curve, nothing beyond its last, so that a curve should go as far as the motor is used. Against it
-/// stand inertia, friction and an outside torque. Detent torque and the currents' own dynamics are not modelled.
+/// The field stands at the position of the counted pulses. It pulls the rotor, with `n` full steps a turn, by
+/// `T(|w|) sin(n/4 (field - rotor))`. This acts as a spring that is stiff within a full step and strongest one full
+/// step away; beyond two it pulls to the next tooth. `T` is the pull-out torque at the rotor's speed `w`, linear
+/// between the points of the curve and zero beyond the last. So a curve should cover all speeds in use. Inertia,
+/// friction and an outside torque act against it. Detent torque and the currents' own dynamics are not modelled.
 ///
-/// **What it shows.** A rotor that is asked for more torque than `T` falls behind by whole electrical periods, 4 full
-/// steps each, and stays behind: [`StepperMotor::lost_full_steps`].
+/// **Lost steps.** A rotor with a demand above `T` falls behind by whole electrical periods, 4 full steps each, and
+/// stays behind: [`StepperMotor::lost_full_steps`].
 ///
-/// **Accuracy.** Time steps of at most a twentieth of a radian of the rotor's own oscillation, by the midpoint's
-/// torque: without friction the oscillation neither grows nor decays; friction is of first order in the step.
+/// **Accuracy.** Time steps of at most a twentieth of a radian of the rotor's own oscillation use the torque at their
+/// midpoint. Without friction the oscillation neither grows nor decays; friction is of first order in the step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepperMotor {
     curve: Vec<(f64, f64)>,
@@ -53,11 +53,11 @@ pub struct StepperMotor {
 }
 
 impl StepperMotor {
-    /// A motor at rest at 0, its rotor in line with the field.
+    /// Creates a motor at rest at 0, its rotor in line with the field.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a value that no motor has: steps that are no multiple of 4, no inertia, negative
-    /// friction or torque, a curve that does not begin at rest with a holding torque and go up in speed.
+    /// [`Error::OutOfRange`] for an invalid value: steps not a multiple of 4, inertia not above 0, negative friction or
+    /// torque. Also for a curve that does not start at rest with a holding torque and increase in speed.
     pub fn new(parameters: &StepperParameters) -> Result<Self, Error> {
         let p = parameters;
         let check = |name, value, good: bool, allowed| {
@@ -94,13 +94,13 @@ impl StepperMotor {
         })
     }
 
-    /// A pulse of the driver: the field moves by a microstep.
+    /// Applies a pulse of the driver: the field moves by a microstep.
     pub fn pulse(&mut self, positive: bool) {
         self.pulses += if positive { 1 } else { -1 };
     }
 
-    /// Lets `duration` (s) pass without a pulse, under a torque from outside (N m, positive towards positive angles).
-    /// What is no finite number counts as zero.
+    /// Advances by `duration` (s) without a pulse, under an outside torque (N m, positive towards positive angles). A
+    /// value that is not finite counts as zero.
     pub fn advance(&mut self, duration: f64, outside: f64) {
         let [duration, outside] = [duration, outside].map(|v| if v.is_finite() { v } else { 0.0 });
         let steps = (duration / self.longest_s).ceil().max(0.0) as u64;
@@ -115,13 +115,13 @@ impl StepperMotor {
         let middle = self.angle + 0.5 * h * self.speed;
         let torque = self.pull_out_torque(self.speed) * (self.teeth * (field - middle)).sin() + outside;
         let free = (self.speed + torque / self.inertia * h) / (1.0 + self.viscous / self.inertia * h);
-        // Friction takes what it can of the speed, and no more than all.
+        // Friction removes speed, but at most all of it.
         let braked = (free.abs() - self.coulomb / self.inertia * h).max(0.0).copysign(free);
         self.angle += 0.5 * h * (self.speed + braked);
         self.speed = braked;
     }
 
-    /// The torque curve at `speed` (rad/s), N m.
+    /// Returns the torque curve at `speed` (rad/s), N m.
     pub fn pull_out_torque(&self, speed: f64) -> f64 {
         let speed = speed.abs();
         let above = self.curve.partition_point(|p| p.0 <= speed);
@@ -129,25 +129,26 @@ impl StepperMotor {
         a.1 + (b.1 - a.1) * (speed - a.0) / (b.0 - a.0)
     }
 
-    /// Angle of the rotor, rad.
+    /// Returns the angle of the rotor, rad.
     #[must_use]
     pub fn angle(&self) -> f64 {
         self.angle
     }
 
-    /// Speed of the rotor, rad/s.
+    /// Returns the speed of the rotor, rad/s.
     #[must_use]
     pub fn speed(&self) -> f64 {
         self.speed
     }
 
-    /// Angle that the pulses ask for, rad.
+    /// Returns the angle commanded by the pulses, rad.
     #[must_use]
     pub fn field_angle(&self) -> f64 {
         self.pulses as f64 / self.microsteps_per_turn * TAU
     }
 
-    /// Full steps that the rotor is behind the pulses for good: a multiple of 4, positive if it stands too low.
+    /// Returns the full steps that the rotor has lost against the pulses: a multiple of 4, positive if its angle is too
+    /// low.
     #[must_use]
     pub fn lost_full_steps(&self) -> i64 {
         let periods = self.teeth * (self.field_angle() - self.angle) / (2.0 * PI);
@@ -177,7 +178,7 @@ mod tests {
         StepperMotor::new(&p).unwrap()
     }
 
-    /// Pulses at `speed(t)` (rad/s of the shaft) for `duration`, under a torque.
+    /// Applies pulses at `speed(t)` (rad/s of the shaft) for `duration`, under a torque.
     fn run(m: &mut StepperMotor, duration: f64, outside: f64, speed: impl Fn(f64) -> f64) {
         let (tick, step) = (5e-6, TAU / m.microsteps_per_turn);
         let (mut way, mut made) = (0.0, 0i64);
@@ -195,7 +196,7 @@ mod tests {
     #[test]
     fn leans_on_its_spring() {
         for part in [0.1, -0.5, 0.9] {
-            // Loaded slowly: by 1000 small parts.
+            // Loaded slowly, in 1000 small parts.
             let mut m = motor(|p| p.viscous = 0.05);
             (1..=1000).for_each(|i| m.advance(1e-3, 2.0 * part * f64::from(i) / 1000.0));
             m.advance(0.5, 2.0 * part);
@@ -208,7 +209,7 @@ mod tests {
     fn swings_at_its_frequency_and_keeps_its_energy() {
         let mut m = motor(|_| ());
         m.pulse(true);
-        // Released a 16th of a step away: a swing of small angles. Half a minute of it.
+        // Released a 16th of a step away: an oscillation of small angles, for half a minute.
         let (amplitude, mut last, mut crossings, mut highest) = (TAU / 3200.0, 0.0, Vec::new(), 0.0f64);
         for k in 0..1_000_000u32 {
             m.advance(3e-5, 0.0);
@@ -226,8 +227,8 @@ mod tests {
         assert!((highest / amplitude - 1.0).abs() < 1e-3, "{highest} {amplitude}");
     }
 
-    /// A torque that comes at once throws the rotor over where the pendulum's energy says: the root m of
-    /// m (pi - asin m) - sqrt(1 - m^2) = 1, 0.7246 of the holding torque; one that comes slowly, at the holding torque.
+    /// A sudden torque makes the rotor slip at the limit from the pendulum's energy: the root m of m (pi - asin m) -
+    /// sqrt(1 - m^2) = 1, 0.7246 of the holding torque. A slowly rising torque makes it slip at the holding torque.
     #[test]
     fn slips_where_energy_says() {
         let excess = |m: f64| m * (PI - m.asin()) - (1.0 - m * m).sqrt() - 1.0;
@@ -243,7 +244,7 @@ mod tests {
             m.lost_full_steps()
         };
         assert_eq!(lost(0.999 * low), 0);
-        // The rotor runs away forwards: too high, so negative.
+        // The rotor runs away forwards: its angle is too high, so the result is negative.
         assert!(lost(1.001 * low) < -100);
         let slowly = |part: f64| {
             let mut m = motor(|p| (p.viscous, p.coulomb) = (0.05, 0.0));
@@ -255,7 +256,7 @@ mod tests {
         assert!(slowly(1.005) > 0);
     }
 
-    /// The ramp goes up until the motor falls out: where its curve meets the load and the friction.
+    /// The speed rises until the motor pulls out: the torque curve meets the load and the friction.
     #[test]
     fn falls_out_where_its_curve_ends() {
         for load in [0.4, 0.8, 1.2] {
@@ -265,7 +266,7 @@ mod tests {
                 p.coulomb = 0.1;
             });
             let expected = 200.0 * (1.0 - (load + 0.1) / 2.0);
-            // 20 rad/s^2: 0.002 N m for the inertia.
+            // An acceleration of 20 rad/s^2 takes 0.002 N m for the inertia.
             let mut at = 0.0;
             while m.lost_full_steps() == 0 && at < 220.0 {
                 let from = at;
@@ -277,8 +278,8 @@ mod tests {
         }
     }
 
-    /// Up, along and back down in time: with 60 % of the torque that the inertia needs to spare nothing is lost; a
-    /// start at once to the same speed loses it all, by multiples of four steps.
+    /// Acceleration, constant speed and deceleration with a torque reserve of about 60 % lose no steps. A sudden start
+    /// at the same speed loses them all, by multiples of four steps.
     #[test]
     fn a_ramp_keeps_what_a_jump_loses() {
         for microsteps in [1, 4, 16, 64] {

@@ -4,22 +4,21 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-/// Two successive windows must agree to this part of the response before a line counts as settled: 0.03 dB, 0.2
-/// degrees.
+/// Maximum difference of two successive windows of a settled line, as a part of the response: 0.03 dB, 0.2 degrees.
 const SETTLED: f64 = 0.003;
-/// Shortest first window, in samples and in cycles.
+/// Minimum first window, in samples and in cycles.
 const FIRST_WINDOW: (usize, f64) = (96, 2.0);
-/// Longest window, in samples, unless the first is longer.
+/// Maximum window, in samples, unless the first is longer.
 const LONGEST_WINDOW: usize = 1 << 13;
-/// Part of the output up to which its resolution may excuse a difference between windows.
+/// Maximum difference between windows attributed to the output's resolution, as a part of the output.
 const NOISE: f64 = 0.03;
-/// How often a sine is halved before a line is given up.
+/// Maximum number of halvings of a sine.
 const HALVINGS: u32 = 6;
-/// Neighbouring lines are refined while they differ by more than this factor or angle (rad) ...
+/// Lines are inserted between neighbours that differ by more than this factor or angle (rad) ...
 const REFINE: (f64, f64) = (1.4, 0.4);
 /// ... and are further apart than this factor in frequency, up to this many lines in all.
 const CLOSEST: f64 = 1.003;
-const MOST_LINES: usize = 160;
+const MAX_LINES: usize = 160;
 
 /// One line of a frequency response.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,34 +29,34 @@ pub struct Line {
     pub ratio: Complex64,
 }
 
-/// What a system did in one servo period.
+/// Signals of a system in one servo period.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Signals {
     pub(crate) input: f64,
     pub(crate) output: f64,
-    /// What drives the mechanism: its current.
+    /// Drive of the mechanism: its current.
     pub(crate) effort: f64,
-    /// Whether a limit or a standstill spoiled it: the sine was too large.
+    /// True if a limit or a standstill invalidated the period, so that the sine was too large.
     pub(crate) spoiled: bool,
 }
 
-/// Which lines to measure, and of what.
+/// Lines to measure, and properties of the system.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Range {
     /// First and last frequency (Hz).
     pub(crate) low: f64,
     pub(crate) high: f64,
-    /// Lines in a decade, before any are added.
+    /// Lines per decade, before refinement.
     pub(crate) per_decade: f64,
     /// Time between samples (s).
     pub(crate) period_s: f64,
-    /// Step of the output.
+    /// Resolution of the output.
     pub(crate) resolution: f64,
-    /// Differences of the ratio that do not matter.
+    /// Negligible differences of the ratio.
     pub(crate) floor: f64,
 }
 
-/// A line with the response to the effort beside it.
+/// A line, with the response to the effort.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Measured {
     pub(crate) line: Line,
@@ -66,8 +65,8 @@ pub(crate) struct Measured {
 }
 
 /// Measures `system`, stepped once a period with the excitation's value, over `range`, with more lines where the
-/// response changes fast. `amplitude` is that of the excitation at a frequency. In order of frequency. `None` if some
-/// frequency could not be measured: limits were met with every sine.
+/// response changes fast. `amplitude` gives the excitation's amplitude at a frequency. Lines are in order of frequency.
+/// Returns `None` if a frequency could not be measured, because limits occurred with every sine.
 pub(crate) fn sweep(
     mut system: impl FnMut(f64) -> Signals,
     amplitude: impl Fn(f64) -> f64,
@@ -86,7 +85,7 @@ pub(crate) fn sweep(
         let (fa, fb) = (a.line.frequency_hz, b.line.frequency_hz);
         let matters = a.line.ratio.norm().max(b.line.ratio.norm()) > range.floor;
         let coarse = matters && (differ(a.line.ratio, b.line.ratio) || differ(a.per_effort, b.per_effort));
-        if coarse && fb > fa * CLOSEST && lines.len() < MOST_LINES {
+        if coarse && fb > fa * CLOSEST && lines.len() < MAX_LINES {
             lines.insert(i + 1, at((fa * fb).sqrt())?);
         } else {
             i += 1;
@@ -101,7 +100,7 @@ fn differ(a: Complex64, b: Complex64) -> bool {
     !(size < REFINE.0 && size > 1.0 / REFINE.0 && ratio.arg().abs() < REFINE.1)
 }
 
-/// One line: windows of doubling length until two agree, the sine halved where it spoils the signals.
+/// Measures one line: windows of doubling length until two agree; the sine is halved if it invalidates the signals.
 fn measure(
     system: &mut impl FnMut(f64) -> Signals,
     amplitude: f64,
@@ -121,13 +120,13 @@ fn measure(
                 fit.add(sine, cosine, &system(size * sine));
                 k += 1;
             }
-            // The first window may still hold what a larger sine before it left behind.
+            // The first window may still contain the effect of a larger sine before it.
             if fit.spoiled && before.is_some() {
                 break;
             }
             let [input, output, effort] = fit.amplitudes();
             let (ratio, per_effort) = (output / input, output / effort);
-            // Rounding to steps is noise of 0.29 steps, of which a fit over n samples keeps sqrt(2 / n).
+            // Rounding to steps is noise of 0.29 steps; a fit over n samples keeps sqrt(2 / n) of it.
             let noise = resolution * 0.29 * (2.0 / length as f64).sqrt();
             let allowed = SETTLED * output.norm() + (2.0 * noise).min(NOISE * output.norm()) + floor * input.norm();
             let agree = before.is_some_and(|b| (ratio - b).norm() * input.norm() <= allowed);
@@ -141,7 +140,7 @@ fn measure(
     None
 }
 
-/// Least squares of `a sin + b cos + c` through three signals over one window.
+/// Least-squares fit of `a sin + b cos + c` to three signals over one window.
 #[derive(Default)]
 struct Fit {
     /// Sums of the products of sine, cosine and one.
@@ -165,11 +164,11 @@ impl Fit {
         self.spoiled |= signals.spoiled;
     }
 
-    /// Complex amplitude of each signal against the sine.
+    /// Returns the complex amplitude of each signal relative to the sine.
     fn amplitudes(&self) -> [Complex64; 3] {
         let [s, c, ss, sc, cc] = self.of;
         let n = self.count;
-        // With the constant eliminated two equations are left.
+        // Two equations remain after the elimination of the constant.
         let (ss, sc, cc) = (ss - s * s / n, sc - s * c / n, cc - c * c / n);
         let determinant = ss * cc - sc * sc;
         self.with.map(|[x, y, one]| {
@@ -189,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_known_filter_is_measured_exactly() {
-        // y_k = 0.9 y_k-1 + 0.1 u_k-1, beside an offset that does not belong to it.
+        // y_k = 0.9 y_k-1 + 0.1 u_k-1, with an unrelated offset.
         let mut y = 0.0;
         let system = |u: f64| {
             let signals = Signals { input: u + 3.0, output: y - 7.0, effort: 2.0 * u, spoiled: false };

@@ -1,4 +1,4 @@
-//! Short trial runs of a drive, as one commissions a machine.
+//! Short trial runs of a drive, as for the commissioning of a machine.
 
 use crate::axis::ServoAxis;
 use crate::drive::Drive;
@@ -7,13 +7,13 @@ use crate::parameters::DriveParameters;
 use crate::position_loop::SetPoint;
 use crate::response::{check_run_up, gentle};
 
-/// How long a swing is watched (s), in windows of this length (s).
+/// Observation time of an oscillation (s), and the length of its windows (s).
 const WATCHED_S: f64 = 10.0;
 const WINDOW_S: f64 = 0.5;
-/// A swing is over when the speed is within this part of the one asked for.
+/// An oscillation has ended when the speed is within this part of the set speed.
 const STILL: f64 = 0.01;
 
-/// Steps `drive` up to `speed` (u/s, either sign) with the gentle acceleration.
+/// Accelerates `drive` to `speed` (u/s, either sign) with the gentle acceleration.
 fn run_up(drive: &mut Drive, period_s: f64, speed: f64) {
     let step = gentle(drive.parameters()) * period_s;
     for k in 0..(speed.abs() / step).ceil() as u64 {
@@ -21,8 +21,8 @@ fn run_up(drive: &mut Drive, period_s: f64, speed: f64) {
     }
 }
 
-/// Whether the velocity loop comes to rest at `speed` (u/s) after a step of a fifth of it: swings of motor and load
-/// die down.
+/// Returns true if the velocity loop settles at `speed` (u/s) after a step of a fifth of it: oscillations of motor and
+/// load decay.
 pub(crate) fn settles(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<bool, Error> {
     check_run_up(parameters, speed)?;
     let mut drive = Drive::new(*parameters, period_s)?;
@@ -35,7 +35,7 @@ pub(crate) fn settles(parameters: &DriveParameters, period_s: f64, speed: f64) -
             worst.max(off(drive.velocity())).max(off(drive.motor_velocity()))
         })
     };
-    // The first window has the step itself in it.
+    // The first window contains the step itself.
     swing();
     let first = swing();
     let mut last = first;
@@ -48,7 +48,7 @@ pub(crate) fn settles(parameters: &DriveParameters, period_s: f64, speed: f64) -
     Ok(last < 0.5 * first)
 }
 
-/// Mean of `value` over the second second at constant `speed` (u/s).
+/// Returns the mean of `value` over the second second at constant `speed` (u/s).
 fn mean_at(
     parameters: &DriveParameters,
     period_s: f64,
@@ -66,30 +66,31 @@ fn mean_at(
     Ok(sum / count as f64)
 }
 
-/// Coulomb friction (N or N m): what two constant speeds, one half of the other, leave of the current at standstill.
+/// Measures Coulomb friction (N or N m): the current at two constant speeds, one half of the other, extrapolated to
+/// standstill.
 pub(crate) fn friction(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<f64, Error> {
     let hold = |speed: f64| -> Result<f64, Error> {
         let current = mean_at(parameters, period_s, speed, Drive::mean_current)?;
         Ok(current * parameters.peak / parameters.per_force)
     };
     let coulomb = 2.0 * hold(0.5 * speed)? - hold(speed)?;
-    // A thousandth of the peak is nothing worth feeding forward.
+    // Less than a thousandth of the peak is not worth a feed-forward.
     Ok(if coulomb > 1e-3 * parameters.peak / parameters.per_force { coulomb } else { 0.0 })
 }
 
-/// Lost motion (u): by how much the load's place at one reading of the encoder differs between both directions, as a
+/// Measures lost motion (u): the difference of the load's position at one encoder reading between both directions. A
 /// dial gauge at the load shows it when the axis creeps at `speed` (u/s).
 pub(crate) fn lost_motion(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<f64, Error> {
     let behind = |speed: f64| mean_at(parameters, period_s, speed, |drive| drive.measured() - drive.position());
     Ok(behind(speed)? - behind(-speed)?)
 }
 
-/// How far an axis is behind at a constant speed.
+/// Following errors of an axis at constant speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Following {
-    /// Greatest following error that the loop sees (counts).
+    /// Maximum following error in the loop (counts).
     pub(crate) counts: f64,
-    /// Greatest distance of the load from the set position (u).
+    /// Maximum distance of the load from the set position (u).
     pub(crate) load: f64,
 }
 
@@ -99,13 +100,13 @@ impl Following {
     }
 }
 
-/// Following over a second at constant `speed` (u/s), after a smooth run-up and as many seconds for swings to die
-/// down as it takes to be within one count, ten at most.
+/// Measures the following error over a second at constant `speed` (u/s). Before it come a smooth acceleration phase and
+/// up to ten seconds until the axis is within one count.
 pub(crate) fn following(axis: &ServoAxis, speed: f64) -> Following {
     let mut axis = *axis;
     let parameters = *axis.drive().parameters();
     let (period_s, count) = (axis.position_loop().period_s(), parameters.encoder().count());
-    // Half a cosine: its greatest acceleration is the gentle one.
+    // Half a cosine, whose maximum acceleration is the gentle one.
     let ramp = std::f64::consts::FRAC_PI_2 * speed / gentle(&parameters);
     let ramp = ramp.max(0.1);
     let w = std::f64::consts::PI / ramp;
@@ -133,7 +134,7 @@ pub(crate) fn following(axis: &ServoAxis, speed: f64) -> Following {
         (0..11).map(|i| (0..second).map(|k| step(up + i * second + k)).fold(Following::default(), Following::worst));
     let mut worst = seconds.next().unwrap_or_default();
     for next in seconds {
-        // The second after the one that settled is the one that counts.
+        // The second after the settled one counts.
         let settled = worst.counts <= 1.0;
         worst = next;
         if settled {

@@ -1,4 +1,4 @@
-//! Automatic tuning: a test on the drive, a design, and a measurement of what came out.
+//! Automatic tuning: a test on the drive, a design, and a measurement of the result.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -13,61 +13,61 @@ use crate::response::{drive_response, loop_response};
 use crate::sweep::{Line, Measured};
 use crate::trial::{following, friction, lost_motion, settles};
 
-/// Margins (dB, degrees) without which a loop is not tuned.
+/// Minimum margins of a tuned loop (dB, degrees).
 pub const REQUIRED: (f64, f64) = (6.0, 35.0);
-/// The test runs at this part of the axis' highest speed.
+/// Speed of the test, as a part of the axis' maximum speed.
 const TEST_SPEED: f64 = 0.2;
-/// Each next slower velocity loop that is tried, and the slowest, as parts of the one before and of the first.
+/// Factor from one velocity loop to the next slower one, and the slowest one as a part of the first.
 const SLOWER: f64 = 0.65;
 const SLOWEST: f64 = 0.05;
-/// The velocity loop must be stable with this much more bandwidth: a gain margin of 3.5 dB of its own.
+/// Factor of bandwidth at which the velocity loop must still be stable: a gain margin of 3.5 dB of its own.
 const VELOCITY_RESERVE: f64 = 1.5;
-/// A gain below this part of that of a rigid axis makes slower velocity loops worth a look: they damp a resonance more.
+/// Gain below which slower velocity loops are tried, as a part of that of a rigid axis: they damp a resonance more.
 const POOR: f64 = 0.6;
 /// A gain below this part of the best one so far ends the search.
 const GONE_DOWN: f64 = 0.8;
-/// Each next lower gain, if the measured margins fall short, and how often.
+/// Factor to the next lower gain if the measured margins are too small, and the maximum number of such steps.
 const LOWER: f64 = 0.75;
 const LOWERINGS: u32 = 5;
-/// A resonance stands out of the rest of the response by this much (dB).
+/// Minimum height of a resonance above the rest of the response (dB).
 const STANDS_OUT_DB: f64 = 6.0;
-/// Resonances are looked for up to this part of the sampling rate.
+/// Maximum frequency of a resonance, as a part of the sampling rate.
 const RESONANCES: f64 = 0.35;
-/// Set speed at which compensated friction has risen to 76 %, as a part of the highest speed.
+/// Set speed at which compensated friction has risen to 76 %, as a part of the maximum speed.
 const SMOOTHING: f64 = 0.002;
-/// Time that a reversal of compensated backlash is spread over, in parts of 1 / kp.
+/// Duration of a reversal with backlash compensation, in parts of 1 / kp.
 const REVERSAL: f64 = 1.0;
 
-/// A tuned loop and what was measured of it. Lengths and angles in the axis' unit u.
+/// A tuned loop and its measurements. Lengths and angles are in the axis' unit u.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tuned {
     /// Gains of the position loop.
     pub gains: Gains,
-    /// Its notches, two at most.
+    /// Notches, two at most.
     pub notches: Vec<NotchSettings>,
-    /// Bandwidth (Hz) that the drive's velocity loop should have: that of the drive or less.
+    /// Bandwidth (Hz) to set in the drive's velocity loop: that of the drive or less.
     pub velocity_bandwidth_hz: f64,
-    /// Coulomb friction fed forward, as measured; `None` if there is none.
+    /// Measured Coulomb friction, fed forward; `None` for negligible friction.
     pub friction: Option<FrictionCompensation>,
-    /// Lost motion made up for, as measured at the load; `None` if it is below an encoder count, or seen by the
-    /// encoder.
+    /// Compensation of the lost motion, as measured at the load; `None` if it is below an encoder count, or the encoder
+    /// measures it.
     pub backlash: Option<BacklashCompensation>,
-    /// Where current and motion of the drive resonate (Hz), if that stands out.
+    /// Resonance (Hz) of the motion over the current of the drive, if it is distinct.
     pub resonance_hz: Option<f64>,
-    /// Speed (u/s) at which everything was measured.
+    /// Speed (u/s) of all measurements.
     pub speed: f64,
     /// Measured margins of the finished loop.
     pub margins: Margins,
-    /// Greatest following error that the loop sees at constant speed (counts of the encoder).
+    /// Maximum following error in the loop at constant speed (encoder counts).
     pub following_counts: f64,
-    /// Greatest distance of the load from the set position then (u), which an encoder on the motor does not see.
+    /// Maximum distance of the load from the set position then (u), which an encoder on the motor does not measure.
     pub load_error: f64,
     /// Measured open-loop response of the finished loop.
     pub response: Vec<Line>,
 }
 
 impl Tuned {
-    /// The loop, stepped every `period_s` (s), its command limited to `max_speed` (u/s).
+    /// Builds the loop, stepped every `period_s` (s), its command limited to `max_speed` (u/s).
     ///
     /// # Errors
     /// Those of [`PositionLoop::new`], for a period other than that of the tuning.
@@ -86,22 +86,24 @@ impl Tuned {
     }
 }
 
-/// Tunes a position loop for `drive`, to run every `period_s` (s) on an axis that goes up to `max_speed` (u/s).
+/// Tunes a position loop for `drive`, with a servo period of `period_s` (s), on an axis with the maximum speed
+/// `max_speed` (u/s).
 ///
-/// 1. The velocity loop is slowed down, in steps, until it settles on the transmission even with half as much
-///    bandwidth again.
+/// 1. The velocity loop is slowed down, in steps, until it settles on the transmission even with 1.5 times the
+///    bandwidth.
 /// 2. Stepped sines over a constant speed give the response from speed command to encoder.
-/// 3. `kp` is the highest gain with margins of 8 dB and 50 degrees, behind up to two notches where they raise it.
-///    Where a resonance keeps it low, slower velocity loops, which damp it more, are tried as well.
-/// 4. `kvff` is 1, `kaff` the lag that was measured, `ki` and `kd` are 0, as in [`Gains::suggested`].
-/// 5. Friction is the current at constant speeds; lost motion what load and encoder differ by after either direction.
-/// 6. The loop is closed and measured as it is; while it has not the margins of [`REQUIRED`], `kp` is lowered.
+/// 3. `kp` is the highest gain with margins of 8 dB and 50 degrees, behind up to two notches if they raise it. If a
+///    resonance keeps it low, slower velocity loops, which damp it more, are tried too.
+/// 4. `kvff` is 1, `kaff` the measured lag, `ki` and `kd` are 0, as in [`Gains::suggested`].
+/// 5. Friction is the current at constant speeds. Lost motion is the difference between load and encoder after either
+///    direction.
+/// 6. The closed loop is measured. While it does not reach the margins of [`REQUIRED`], `kp` is lowered.
 ///
 /// Deterministic: the same drive gives the same loop.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a period or speed that makes no sense, [`Error::VelocityLoopSwings`],
-/// [`Error::NotMeasurable`], [`Error::MarginsNotReached`] and [`Error::Swings`] if the drive cannot be tuned.
+/// [`Error::OutOfRange`] for an invalid period or speed; [`Error::VelocityLoopSwings`], [`Error::NotMeasurable`],
+/// [`Error::MarginsNotReached`] and [`Error::Swings`] if the drive cannot be tuned.
 pub fn tune(drive: &DriveParameters, period_s: f64, max_speed: f64) -> Result<Tuned, Error> {
     servo_period(period_s)?;
     let speed = uneven(TEST_SPEED * positive("max_speed", max_speed)?, drive.encoder().count() / period_s);
@@ -128,15 +130,15 @@ pub fn tune(drive: &DriveParameters, period_s: f64, max_speed: f64) -> Result<Tu
     verified(&mut tuned, &drive, period_s, max_speed).map(|()| tuned)
 }
 
-/// `speed`, or a little less, so that a period is no whole number of counts (each a speed of `count`): with whole ones
-/// the encoder would round the same way every time, and small sines would not be seen at all.
+/// Returns `speed`, or a little less, so that a period is not a whole number of counts (each a speed of `count`). With
+/// whole counts the encoder would always round the same way, and hide small sines.
 fn uneven(speed: f64, count: f64) -> f64 {
-    // The golden section is the furthest from any fraction.
+    // The golden section is the furthest from any simple fraction.
     let whole = (speed / count).floor();
     if whole < 1.0 { speed } else { (whole - 1.0 + 0.5 * (5.0_f64.sqrt() - 1.0)) * count }
 }
 
-/// The velocity loop, its response and the design with the highest gain.
+/// Returns the velocity loop, its response and the design with the highest gain.
 fn best_design(
     drive: &DriveParameters,
     period_s: f64,
@@ -166,7 +168,7 @@ fn best_design(
             continue;
         }
         match &best {
-            // Slower still would be worse still.
+            // A still slower loop would be worse.
             Some((_, _, before)) if kp < GONE_DOWN * before.kp => break,
             Some((_, _, before)) if kp <= before.kp => {}
             _ => best = Some((slower, test, found)),
@@ -178,7 +180,7 @@ fn best_design(
     best.ok_or(failure)
 }
 
-/// By how much (s) a slow motion lags its speed command: from the phase beyond that of an integrator.
+/// Returns the lag (s) of a slow motion behind its speed command: from the phase beyond that of an integrator.
 fn measured_lag(test: &[Measured], bandwidth_hz: f64) -> f64 {
     let slow = test.iter().take_while(|m| m.line.frequency_hz < bandwidth_hz / 6.0);
     let sums = slow.fold((0.0, 0.0), |(phase, square), Measured { line, .. }| {
@@ -188,21 +190,21 @@ fn measured_lag(test: &[Measured], bandwidth_hz: f64) -> f64 {
     sums.0 / sums.1
 }
 
-/// Where the acceleration for a current is greatest, if that is well above the one of slow motion.
+/// Returns the frequency with the maximum acceleration per current, if it is well above that of slow motion.
 fn resonance(test: &[Measured], period_s: f64) -> Option<f64> {
-    // Nearer to half the sampling rate the counts are all noise.
+    // Nearer to half the sampling rate, counts are mostly noise.
     let test = &test[..test.partition_point(|m| m.line.frequency_hz < RESONANCES / period_s)];
     let inertance: Vec<f64> = test.iter().map(|m| m.per_effort.norm() * m.line.frequency_hz.powi(2)).collect();
     let slow = &inertance[..test.len() / 10 + 1];
     let rigid = slow.iter().sum::<f64>() / slow.len() as f64;
-    // The noise of the counts stands out in single lines; a resonance has been refined until its lines are alike.
+    // Noise of the counts appears in single lines; a resonance has been refined until its lines are similar.
     let alike = |w: &[f64]| w[0].min(w[2]) > w[1] / 1.5;
     let peaks = inertance.windows(3).enumerate().filter(|(_, w)| alike(w));
     let (i, height) = peaks.map(|(i, w)| (i + 1, w[1])).max_by(|a, b| a.1.total_cmp(&b.1))?;
     (decibels(height / rigid) > STANDS_OUT_DB).then_some(test[i].line.frequency_hz)
 }
 
-/// Measures the closed loop, with less gain until the margins are there.
+/// Measures the closed loop, with a lower gain until it reaches the margins.
 fn verified(tuned: &mut Tuned, drive: &DriveParameters, period_s: f64, max_speed: f64) -> Result<(), Error> {
     let mut failure = Error::NotMeasurable { speed: tuned.speed };
     for _ in 0..=LOWERINGS {

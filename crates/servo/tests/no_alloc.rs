@@ -1,4 +1,4 @@
-//! A cycle of position loops and simulated drives costs no allocation.
+//! A cycle of position loops and simulated drives does not allocate.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use seamwright_servo::{
@@ -45,7 +45,7 @@ fn a_step_does_not_allocate() {
         axis.settle_loaded_at(1.0, 20.0);
     });
     assert_eq!(violation_count(), 0);
-    // The count counts.
+    // The counter detects allocations.
     assert_no_alloc(|| black_box(vec![1]));
     assert!(violation_count() > 0);
 }

@@ -1,4 +1,4 @@
-//! Teaching a path by eye, and tracking it while it is welded. Plain state machines: frames, positions and time come in as
+//! Teaching a path by camera, and tracking it during welding. Plain state machines: frames, positions and time are
 //! arguments.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]

@@ -1,4 +1,4 @@
-//! A cycle of beam mode costs no allocation, and neither does a picture.
+//! Cycles and pictures of beam mode do not allocate.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use glam::{DVec2, DVec3};
@@ -57,7 +57,7 @@ fn cycles_and_pictures_do_not_allocate() {
     });
     assert!(head.judged().is_some());
     assert_eq!(violation_count(), 0);
-    // The count counts.
+    // The counter detects allocations.
     assert_no_alloc(|| black_box(vec![1]));
     assert!(violation_count() > 0);
 }

@@ -1,4 +1,4 @@
-//! Tracking costs no allocation, whatever comes: measurements, gaps, jumps, holding and going back.
+//! Tracking does not allocate on measurements, gaps, jumps, holds and reversing.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use glam::DVec2;
@@ -28,7 +28,7 @@ fn cycles_do_not_allocate() {
         }
     });
     assert_eq!(violation_count(), 0);
-    // The count counts.
+    // The counter detects allocations.
     assert_no_alloc(|| black_box(vec![1]));
     assert!(violation_count() > 0);
 }

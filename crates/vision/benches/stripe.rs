@@ -1,4 +1,4 @@
-//! From an image to the features of a V groove, at 2048 columns. Aim: 1 ms with windows of up to 512 rows.
+//! Benchmark from an image to the features of a V groove, at 2048 columns. Target: 1 ms with windows of up to 512 rows.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use seamwright_geometry::Homography;
@@ -8,7 +8,7 @@ use std::hint::black_box;
 
 const WIDTH: usize = 2048;
 
-/// A V groove over a third of the height, with noise from a fixed sequence.
+/// A V groove over a third of the height, with deterministic noise.
 fn image(height: usize) -> Vec<u8> {
     let (top, deep) = (0.3 * height as f64, 0.35 * height as f64);
     let half = deep / 1.7;

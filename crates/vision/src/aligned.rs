@@ -1,18 +1,18 @@
-//! Numbers that are fetched and put several at a time.
+//! Numbers that are loaded and stored several at a time.
 
 use crate::wide::{LANES, Simd};
 use std::ops::{Deref, DerefMut};
 
-/// Bytes of a line of the cache.
+/// Bytes of a cache line.
 pub(crate) const CACHE_LINE: usize = 64;
 
-/// Numbers that begin where a line of the cache does: of those elsewhere every other fetch of [`LANES`] is of two lines.
+/// Numbers aligned to a cache line. Without alignment every other load of [`LANES`] numbers crosses a cache line.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub(crate) struct Aligned<const N: usize>([f32; N]);
 
 impl<const N: usize> Aligned<N> {
-    /// The number that `value` gives for each place. (`std::array::from_fn` is called rather than inlined if there are many.)
+    /// Creates the array from `value(index)`. (`std::array::from_fn` is not inlined for long arrays.)
     #[inline(always)]
     pub(crate) fn from_fn(mut value: impl FnMut(usize) -> f32) -> Self {
         let mut numbers = Self::default();
@@ -22,14 +22,14 @@ impl<const N: usize> Aligned<N> {
         numbers
     }
 
-    /// What `of` makes of each number.
+    /// Applies `of` to each number.
     #[inline(always)]
     pub(crate) fn map(&self, of: impl Fn(f32) -> f32) -> Self {
         Self::from_fn(|j| of(self[j]))
     }
 
-    /// The sum of products with others, whole lanes of both: of each of [`LANES`] lanes, then of those together, so that it is the same
-    /// number in any arithmetic. (Of loops over one lane after the other compilers make shuffles.)
+    /// Dot product with another array. Each of [`LANES`] lanes is summed first, then the lanes, so the result is the
+    /// same in any arithmetic. (Compilers turn loops over one lane after the other into shuffles.)
     #[inline(always)]
     pub(crate) fn dot<S: Simd>(&self, simd: S, other: &Self) -> f32 {
         const { assert!(N.is_multiple_of(LANES) && LANES.is_multiple_of(S::F32_LANES), "whole lanes") };

@@ -1,23 +1,23 @@
 use thiserror::Error;
 
-/// Greatest width and height of a frame, pixels.
+/// Maximum width and height of a frame, pixels.
 pub const MAX_SIDE: usize = 16384;
 
-/// Why pixels do not make a frame.
+/// Errors of a frame's size and pixel count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum FrameError {
-    /// A side is 0 or beyond 16384.
+    /// A side is 0 or above 16384 pixels.
     #[error("a frame of {width} x {height} pixels: sides are 1 to {MAX_SIDE}")]
     Size {
-        /// Pixels a row.
+        /// Pixels per row.
         width: usize,
         /// Rows.
         height: usize,
     },
-    /// Not width times height pixels.
+    /// The number of pixels is not width times height.
     #[error("{found} pixels for a frame of {width} x {height}, which has {}", width * height)]
     Count {
-        /// Pixels a row.
+        /// Pixels per row.
         width: usize,
         /// Rows.
         height: usize,
@@ -26,12 +26,12 @@ pub enum FrameError {
     },
 }
 
-/// Grey values of a frame, row after row from the top.
+/// Grey values of a frame, row by row from the top.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pixels<'a> {
-    /// 8 bits a pixel.
+    /// 8 bits per pixel.
     U8(&'a [u8]),
-    /// 16 bits a pixel, of which 65535 is white, however many the camera has.
+    /// 16 bits per pixel; 65535 is white, whatever the camera's bit depth.
     U16(&'a [u16]),
 }
 
@@ -44,7 +44,7 @@ impl Pixels<'_> {
     }
 }
 
-/// A grey picture, borrowed. Pixel centres have whole coordinates, x to the right, y down, (0, 0) the first one.
+/// A borrowed grey picture. Pixel centres have integer coordinates: x to the right, y down, (0, 0) the first pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame<'a> {
     width: usize,
@@ -53,7 +53,7 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// A frame of `width` x `height` pixels.
+    /// Creates a frame of `width` x `height` pixels.
     ///
     /// # Errors
     /// If a side is 0 or above 16384, or the number of pixels is not width times height.
@@ -67,7 +67,7 @@ impl<'a> Frame<'a> {
         Ok(Self { width, height, pixels })
     }
 
-    /// Pixels a row.
+    /// Pixels per row.
     #[must_use]
     pub fn width(&self) -> usize {
         self.width
@@ -86,31 +86,31 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// A grey picture of its own.
+/// A grey picture that owns its pixels.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Image {
-    /// 8 bits a pixel.
+    /// 8 bits per pixel.
     U8 {
-        /// Pixels a row.
+        /// Pixels per row.
         width: usize,
         /// Rows.
         height: usize,
-        /// Grey values, row after row.
+        /// Grey values, row by row.
         pixels: Vec<u8>,
     },
-    /// 16 bits a pixel, 65535 is white.
+    /// 16 bits per pixel; 65535 is white.
     U16 {
-        /// Pixels a row.
+        /// Pixels per row.
         width: usize,
         /// Rows.
         height: usize,
-        /// Grey values, row after row.
+        /// Grey values, row by row.
         pixels: Vec<u16>,
     },
 }
 
 impl Image {
-    /// The picture as a frame.
+    /// Returns the picture as a frame.
     ///
     /// # Errors
     /// As [`Frame::new`].

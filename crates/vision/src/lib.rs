@@ -1,4 +1,5 @@
-//! Frames and what is seen in them. Plain functions of pixels: no files, no clocks, no cameras.
+//! Frames, and the detection of joints and laser stripes in them. Pure functions of pixels: no files, clocks or
+//! cameras.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

@@ -1,50 +1,50 @@
-//! Region growing as EBW-2004 recognises a joint, to compare with [`crate::joint`].
+//! Joint detection by region growing as in EBW-2004, for comparison with [`crate::joint`].
 //!
-//! From a place on the joint, groups of pixels in several directions about the heading are looked at. The group whose mean
-//! brightness is nearest to the joint's shows the way: its first pixel joins the region, if it is homogeneous with it. The
-//! region then grows across the heading, and the midline is the middle of it.
+//! From a point on the joint, groups of pixels in several directions about the heading are compared. The group whose
+//! mean brightness is nearest to the joint's gives the direction. Its first pixel joins the region if it is homogeneous
+//! with it. The region then grows across the heading; its middle is the midline.
 
 use crate::{Frame, Pixels};
 
-/// Pixels of a group.
+/// Pixels per group.
 const GROUP: usize = 10;
 /// Directions to either side of the heading, and the angle from one to the next, rad.
 const DIRECTIONS: i32 = 4;
 const TURN: f32 = 0.2;
-/// Pixels that the region grows to either side at most.
+/// Maximum growth of the region to either side, pixels.
 const ACROSS: usize = 60;
-/// The heading is that of the last so many places.
+/// The heading is measured over this many points.
 const MEMORY: usize = 12;
-/// Half the side of the square about the start that joint and metal are looked for in, pixels.
+/// Half the side of the square about the start in which joint and metal are measured, pixels.
 const AROUND: i32 = 12;
-/// Part of the difference between metal and joint that a pixel of the region may differ by.
+/// Maximum difference of a pixel from the region, as a part of the difference between metal and joint.
 const HOMOGENEOUS: f32 = 0.5;
-/// A share of each new pixel in the region's brightness.
+/// Weight of each new pixel in the region's brightness.
 const SHARE: f32 = 0.05;
 
-/// Why a region grows no further.
+/// Reason why growing stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GrowthEnd {
-    /// At the frame's rim.
+    /// The region reached the frame's border.
     LeftImage,
     /// No pixel ahead is like the region.
     Inhomogeneous,
-    /// It is longer than twice the frame's sides together: it goes round.
+    /// The region is longer than twice the frame's sides together, so it goes round.
     TooLong,
 }
 
-/// A region that has grown.
+/// Result of [`grow`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Growth {
-    /// Its midline, pixels, about one pixel apart.
+    /// Midline, pixels, points about one pixel apart.
     pub midline: Vec<[f32; 2]>,
-    /// Why it ends.
+    /// Reason why growing stopped.
     pub end: GrowthEnd,
 }
 
-/// Grows a region of a dark joint from the place `start` (pixels) in the rough `direction` (rad, from x to y). The darkest
-/// pixels near the start are taken to be the joint's. A start outside the frame, or not finite, gives no midline and
-/// [`GrowthEnd::LeftImage`]; an even frame gives none and [`GrowthEnd::Inhomogeneous`].
+/// Grows a region of a dark joint from the point `start` (pixels) in the rough `direction` (rad, from x to y). The
+/// darkest pixels near the start count as the joint's. A start outside the frame, or not finite, gives an empty midline
+/// and [`GrowthEnd::LeftImage`]; a uniform frame gives an empty midline and [`GrowthEnd::Inhomogeneous`].
 #[must_use]
 pub fn grow(frame: &Frame, start: [f32; 2], direction: f32) -> Growth {
     let none = |end| Growth { midline: Vec::new(), end };
@@ -74,13 +74,13 @@ pub fn grow(frame: &Frame, start: [f32; 2], direction: f32) -> Growth {
     Growth { midline, end: GrowthEnd::TooLong }
 }
 
-/// The direction, from the heading, whose group is nearest to the joint's brightness; none if the
-/// heading leaves the frame.
+/// Returns the turn from the heading to the group nearest to the joint's brightness, rad; `None` if the heading leaves
+/// the frame.
 fn way(frame: &Frame, at: [f32; 2], heading: f32, brightness: f32) -> Option<f32> {
-    // At the rim it is not to turn aside and run along it.
+    // At the border the region must not turn aside and run along it.
     grey(frame, ahead(at, heading, 1.0))?;
     let mut best: Option<(f32, f32)> = None;
-    // From the heading outwards: of equal groups the one straight ahead.
+    // Order from the heading outwards, so that the straightest of equal groups wins.
     for k in (0..=DIRECTIONS).flat_map(|k| [k, -k]) {
         let turn = k as f32 * TURN;
         let group = (1..=GROUP).map_while(|i| grey(frame, ahead(at, heading + turn, i as f32)));
@@ -96,7 +96,7 @@ fn way(frame: &Frame, at: [f32; 2], heading: f32, brightness: f32) -> Option<f32
     best.map(|(_, turn)| turn)
 }
 
-/// The middle of the pixels across the heading that are like the region.
+/// Returns the middle of the pixels across the heading that are like the region.
 fn middle(frame: &Frame, at: [f32; 2], heading: f32, brightness: f32, allowed: f32) -> [f32; 2] {
     let alike = |p: [f32; 2]| grey(frame, p).is_some_and(|g| (g - brightness).abs() <= allowed);
     let side = |angle: f32| (1..=ACROSS).take_while(|i| alike(ahead(at, heading + angle, *i as f32))).count() as f32;
@@ -108,8 +108,8 @@ fn ahead([x, y]: [f32; 2], angle: f32, by: f32) -> [f32; 2] {
     [x + by * angle.cos(), y + by * angle.sin()]
 }
 
-/// Brightness of the joint near the start, the mean of the darkest tenth, and what a pixel of it may differ by; none where
-/// everything is even.
+/// Returns the joint's brightness near the start (mean of the darkest tenth) and the tolerance of its pixels; `None`
+/// for a uniform neighbourhood.
 fn joint_and_tolerance(frame: &Frame, [x, y]: [f32; 2]) -> Option<(f32, f32)> {
     let near = -AROUND..=AROUND;
     let mut greys: Vec<f32> = near
@@ -124,10 +124,10 @@ fn joint_and_tolerance(frame: &Frame, [x, y]: [f32; 2]) -> Option<(f32, f32)> {
     (metal - joint >= 1.0).then_some((joint, HOMOGENEOUS * (metal - joint)))
 }
 
-/// Grey value, 0 to 255, of the nearest pixel; none outside of the frame.
+/// Grey value of the nearest pixel, 0 to 255; `None` outside the frame.
 fn grey(frame: &Frame, [x, y]: [f32; 2]) -> Option<f32> {
     let (x, y) = (x.round(), y.round());
-    // False for what is no number, too.
+    // The negated comparison also rejects NaN.
     if !(x >= 0.0 && y >= 0.0 && x < frame.width() as f32 && y < frame.height() as f32) {
         return None;
     }
@@ -146,8 +146,8 @@ mod tests {
 
     const SIZE: usize = 200;
 
-    /// Even noise of up to `noise` about metal of 160, a joint 60 darker and 7 pixels wide where `joint` says how far off
-    /// its midline a place is.
+    /// Metal of 160 with uniform noise of up to `noise`, and a joint 60 darker and 7 pixels wide. `joint` gives a
+    /// point's distance from its midline.
     fn scene(noise: f32, joint: impl Fn(f32, f32) -> f32) -> Vec<u8> {
         let mut random = Pcg64Mcg::seed_from_u64(7);
         let mut pixels = Vec::new();
@@ -174,7 +174,7 @@ mod tests {
         let growth = grown(&scene(0.0, slanted), [5.0, 62.0], 0.1);
         assert_eq!(growth.end, GrowthEnd::LeftImage);
         assert!(growth.midline.last().unwrap()[0] > 195.0);
-        // Within half a joint of the rim the region is cut on one side.
+        // Within half a joint's width of the border the region is cut on one side.
         let clear = growth.midline.iter().filter(|p| p[0] < 195.0);
         let worst = clear.map(|p| slanted(p[0], p[1]).abs()).fold(0.0, f32::max);
         assert!(worst <= 1.0, "{worst}");
@@ -189,7 +189,7 @@ mod tests {
         assert!(worst <= 2.0 && growth.midline.len() > 200, "{worst} {}", growth.midline.len());
     }
 
-    /// What the follower was made for: the region does not cross a tack.
+    /// The limit that [`crate::joint`] overcomes: the region does not cross a tack.
     #[test]
     fn it_ends_at_a_tack_and_where_the_joint_ends() {
         let tacked = |x: f32, y: f32| if (80.0..110.0).contains(&x) { 99.0 } else { slanted(x, y) };

@@ -1,6 +1,6 @@
-//! What tests of several rooms need.
+//! Helpers for the tests of several modules.
 
-/// Even numbers from 0 to 1, the same ones every time.
+/// Uniform random numbers from 0 to 1, the same sequence every time.
 pub(crate) fn random() -> impl FnMut() -> f32 {
     let mut state = 7u32;
     move || {

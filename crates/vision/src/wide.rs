@@ -1,21 +1,21 @@
-//! Loops over as many numbers at a time as this computer can.
+//! Loops compiled for the widest SIMD instructions of this computer.
 
 use pulp::{Arch, WithSimd};
 pub(crate) use pulp::{Scalar, Simd};
 
-/// Numbers of 32 bits that are done at a time, where a loop is written for it.
+/// 32-bit numbers that SIMD loops process at a time.
 pub(crate) const LANES: usize = 8;
 
-/// Work whose loops are worth it. What is to gain by it has to be inlined into `run`, and that itself (`#[inline(always)]`): what is
-/// called is compiled for any computer. (Closures may be called, so `for` rather than `for_each`; so may `std::array::from_fn` and `map`
-/// of long arrays.)
+/// Work whose loops gain from SIMD. Mark `run` and all it uses `#[inline(always)]`: a function that is not inlined is
+/// compiled for the baseline target. (Closures may stay calls, so write `for` instead of `for_each`. The same holds for
+/// `std::array::from_fn` and for `map` of long arrays.)
 pub(crate) trait Work {
-    /// `simd`: the arithmetic that it is compiled for.
+    /// Runs the work with the arithmetic of `simd`.
     fn run(self, simd: impl Simd);
 }
 
-/// Does `work` with the widest arithmetic that this computer has. The numbers are the same on every computer, as a product and a
-/// sum stay two roundings.
+/// Runs `work` with this computer's widest arithmetic. Results are the same on every computer, because multiplication
+/// and addition are rounded separately.
 pub(crate) fn wide(work: impl Work) {
     Arch::new().dispatch(Compiled(work));
 }
@@ -56,7 +56,7 @@ mod tests {
         wide(Polynomial { x: &x, y: &mut widest });
         Scalar::new().vectorize(Compiled(Polynomial { x: &x, y: &mut single }));
         assert_eq!(widest, single);
-        // One rounding instead of two would tell otherwise.
+        // A fused multiply-add, with one rounding instead of two, would change some results.
         assert!(x.iter().zip(&widest).any(|(x, y)| (0.3f32.mul_add(*x, 0.7) * x - 1.1 / x).to_bits() != y.to_bits()));
     }
 }

@@ -1,4 +1,4 @@
-//! After the first frame of a size, following a joint allocates nothing.
+//! Following a joint does not allocate after the first frame of a size.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use seamwright_vision::joint::{Follower, Options, Start};
@@ -10,7 +10,7 @@ static ALLOCATOR: AllocDisabler = AllocDisabler;
 
 const SIZE: usize = 400;
 
-/// Joints of a width, wavy, with a tack.
+/// A wavy joint of this width, with a tack.
 fn image(width: f64) -> Vec<u8> {
     let grey = |i: usize| {
         let (x, y) = ((i % SIZE) as f64, (i / SIZE) as f64);
@@ -20,7 +20,7 @@ fn image(width: f64) -> Vec<u8> {
     (0..SIZE * SIZE).map(grey).collect()
 }
 
-/// A black gap that ends in the shade: it is looked for on the top-hat too.
+/// A black gap that ends in a shadow, so that it is searched on the top-hat too.
 fn shaded() -> Vec<u8> {
     let grey = |i: usize| {
         let (x, y) = ((i % SIZE) as f64, (i / SIZE) as f64);
@@ -31,7 +31,7 @@ fn shaded() -> Vec<u8> {
     (0..SIZE * SIZE).map(grey).collect()
 }
 
-/// A gap beside the edge of a shadow, with a tack on both: it goes on on the top-hat, or seems to.
+/// A gap beside the edge of a shadow, with a tack on both: it continues on the top-hat, or seems to.
 fn tacked(width: f64, edge: f64, radius: f64, end: f64) -> Vec<u8> {
     let grey = |i: usize| {
         let (x, y) = ((i % SIZE) as f64, (i / SIZE) as f64);
@@ -59,7 +59,7 @@ fn following_does_not_allocate() {
         let frame = Frame::new(SIZE, SIZE, Pixels::U8(pixels)).unwrap();
         black_box(follower.follow(&frame, &Start { x: 8.0, y: 202.0, direction: 0.1, width }).rows.len())
     };
-    // First a frame in which nothing is found, one joint or the other, looked for with any width or with one.
+    // The first frame has no joint, or one joint or another, and is searched with any width or with one.
     let blank = vec![128; SIZE * SIZE];
     for (first, width) in [(&blank, None), (&blank, Some(5.0)), (&images[0], None), (&images[2], Some(9.0))] {
         let mut follower = Follower::new(Options::default());

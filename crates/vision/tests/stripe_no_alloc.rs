@@ -1,4 +1,4 @@
-//! After the first image of a size, reading stripes allocates nothing, whatever is looked for.
+//! Reading stripes does not allocate after the first image of a size, for any joint type.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use seamwright_geometry::Homography;
@@ -50,7 +50,7 @@ fn reading_does_not_allocate() {
     });
     assert_eq!(violation_count(), 0);
     assert!(found >= 4, "the groove was read");
-    // The count counts.
+    // The counter detects allocations.
     assert_no_alloc(|| black_box(vec![1]));
     assert!(violation_count() > 0);
 }

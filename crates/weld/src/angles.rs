@@ -3,7 +3,7 @@ use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::RoundedRectangle;
 use seamwright_program::Seam;
 
-/// How places on the curve have angles.
+/// Source of the angles along the curve.
 pub(crate) enum Angles {
     /// They have none.
     None,

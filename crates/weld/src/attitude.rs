@@ -16,11 +16,11 @@ pub struct Attitude {
 }
 
 impl Attitude {
-    /// The angles that `torch`, at `path` in `file`, gives along `seam`. Between the places where they are given they
-    /// go smoothly from one value to the next and never beyond either, repeating if the seam is welded all round.
+    /// The angles that `torch`, at `path` in `file`, gives along `seam`. Between given positions they change smoothly
+    /// and stay between the two values. They repeat if the seam is welded all round.
     ///
     /// # Errors
-    /// With the key's address: angles out of range, places that do not increase or lie outside the weld.
+    /// With the key's address: angles out of range, positions that do not increase or lie outside the weld.
     pub fn new<T>(file: &Document<T>, path: &str, torch: &Torch, seam: &SeamCurve) -> Result<Self, DocumentError> {
         let mut rows = Vec::new();
         for (i, at) in torch.at.iter().enumerate() {
@@ -69,8 +69,8 @@ impl Attitude {
         self.leaning(p, 0.0, 1.0)
     }
 
-    /// The same of a torch whose work angle is greater by `lean` rad, and that travels along the weld's direction
-    /// (`sense` 1) or against it (-1).
+    /// The same of a torch whose work angle is larger by `lean` rad. It travels along the weld's direction (`sense` 1)
+    /// or against it (-1).
     pub fn leaning(&self, p: &SeamPoint, lean: f64, sense: f64) -> DVec3 {
         let (work, travel) = self.angles(p.s);
         let work = work + lean;
@@ -78,7 +78,7 @@ impl Attitude {
         travel.cos() * across + travel.sin() * (sense * p.along)
     }
 
-    /// Where a second derivative of the angles may jump, inside `range` of the seam, mm.
+    /// Positions inside `range` of the seam at which a second derivative of the angles may jump, mm.
     pub(crate) fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
         repeated(self.work.knots().iter().copied(), self.work.period(), range, SAME_POSITION_MM)
     }

@@ -5,13 +5,13 @@ use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_geometry::CubicSpline;
 use seamwright_program::{Bead, SAME_POSITION_MM, is_before, is_beyond, is_same_position};
 
-/// Where a bead lies beside the seam, by the seam's path length: cubic splines through the rows of a [`Bead`], periodic
-/// on a seam welded all round, natural on any other.
+/// Position of a bead beside the seam, by the seam's path length: cubic splines through the rows of a [`Bead`],
+/// periodic on a seam welded all round, natural on any other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BeadLine {
     across: CubicSpline,
     out: CubicSpline,
-    /// What it adds to the work angle, rad.
+    /// Addition to the work angle, rad.
     lean: CubicSpline,
     /// Width of the weave as a part of its own.
     weave_part: Option<CubicSpline>,
@@ -73,25 +73,25 @@ impl BeadLine {
         })
     }
 
-    /// The bead's place at a point of the seam, in the seam's frame, mm.
+    /// The bead's position at a point of the seam, in the seam's frame, mm.
     pub fn tip(&self, p: &SeamPoint) -> DVec3 {
         p.point + self.across.at(p.s).0 * p.towards_first + self.out.at(p.s).0 * p.bisector
     }
 
-    /// What it adds to the work angle at path length `s` on the seam, rad.
+    /// Addition to the work angle at path length `s` on the seam, rad.
     pub fn lean(&self, s: f64) -> f64 {
         self.lean.at(s).0
     }
 
     /// Width of the weave at path length `s` on the seam, as a part of its own.
     pub fn weave_part(&self, s: f64) -> f64 {
-        // Not clamped, which would make corners: where rows reach 0 or 1 it goes a hair beyond.
+        // Not clamped, which would make corners: at rows of 0 or 1 it may go slightly beyond.
         self.weave_part.as_ref().map_or(1.0, |part| part.at(s).0)
     }
 
     /// Rows inside `range` of the seam, where third derivatives may jump, mm.
     pub(crate) fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
-        // One row is no knot: it is the same all along.
+        // A single row is no knot: it is the same all along.
         let rows = self.rows.iter().copied().filter(|_| self.rows.len() > 1);
         repeated(rows, self.period, range, SAME_POSITION_MM)
     }

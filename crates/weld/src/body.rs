@@ -131,7 +131,7 @@ impl Shell {
         }
     }
 
-    /// Why a nozzle of `radius` does not stand on it.
+    /// Error of a nozzle of `radius` that does not stand on it.
     fn unfit<T>(&self, file: &Document<T>, e: &Error, radius: f64) -> DocumentError {
         let Self { name, size, .. } = self;
         let (at, allowed) = match e {
@@ -161,9 +161,9 @@ const WITH_INSIDE: &str = "`mount = \"set_on\"`, or a cylinder, cone, sphere, pl
 /// The thickness of a body's wall, mm.
 ///
 /// # Errors
-/// With the key's address: none given, a wall that leaves no room inside, a body whose inside has no closed form.
+/// With the key's address: a missing thickness, a wall without room inside, a body whose inside has no closed form.
 pub(crate) fn thickness<T>(file: &Document<T>, body: &Body) -> Result<f64, DocumentError> {
-    // What the wall must be thinner than: key and size.
+    // Key and size of the upper bound of the wall's thickness.
     let (name, given, most) = match body {
         Body::Cylinder { radius_mm, thickness_mm, .. } => ("cylinder", *thickness_mm, Some(("radius_mm", *radius_mm))),
         Body::Sphere { radius_mm, thickness_mm, .. } => ("sphere", *thickness_mm, Some(("radius_mm", *radius_mm))),

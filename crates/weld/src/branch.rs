@@ -25,7 +25,7 @@ pub(crate) struct Leg {
     pub(crate) radius: f64,
 }
 
-/// Least and greatest angle between the axes, degrees.
+/// Minimum and maximum angle between the axes, degrees.
 const ANGLES_DEG: (f64, f64) = (10.0, 170.0);
 
 impl Joint {

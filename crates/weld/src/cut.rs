@@ -39,7 +39,7 @@ pub struct CutPoint {
 }
 
 impl Cut {
-    /// The end of a branch, or of a set-on nozzle whose wall is known; none of other seams.
+    /// The end of a branch, or of a set-on nozzle whose wall is known; `None` for other seams.
     ///
     /// # Errors
     /// As [`SeamCurve::new`](crate::SeamCurve::new), and an inside that does not close.
@@ -62,7 +62,7 @@ impl Cut {
     }
 }
 
-/// Places around a wall, besides its corners.
+/// Number of points around a wall, besides its corners.
 const PLACES: u32 = 360;
 
 impl Unrolled {

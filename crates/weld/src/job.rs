@@ -165,7 +165,7 @@ impl Job {
         Ok(job)
     }
 
-    /// Where the seam stands, or the first of its copies: maps the seam's frame to the machine's work frame, by way of
+    /// Frame of the seam, or of the first of its copies: maps the seam's frame to the machine's work frame, by way of
     /// the part's.
     pub(crate) fn seam_in_work(&self) -> DAffine3 {
         let chosen = self.offset.as_ref().and_then(|name| self.offsets.get(name));

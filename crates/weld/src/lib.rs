@@ -1,6 +1,6 @@
-//! Job files, seams and torch attitude: from what is to be welded to a program and the path of the torch.
+//! Job files, seams and torch attitude: converts a job into a program and the path of the torch.
 //!
-//! Floor 2: knows no machine. [`Welding`] reads a job or a program and has the program, the seam and the
+//! Floor 2: independent of machines. [`Welding`] reads a job or a program and has the program, the seam and the
 //! [`TorchPath`](seamwright_program::TorchPath) of its pass.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]

@@ -17,12 +17,12 @@ pub struct NozzleEdges {
     /// The root, welded from inside.
     ///
     /// Set on: the bore on the body's outer surface. The air is in the bore: the bore's normal points to the nozzle's
-    /// axis, and the second face is the skin at the bore's foot, its normal out of the body, up the bore. Whether that
-    /// skin is still whole, or has a hole no wider than the bore, the bisector leads up the bore and towards its axis.
+    /// axis. The second face is the skin at the bore's foot, with its normal out of the body, up the bore. The bisector
+    /// leads up the bore and towards its axis, for a whole skin and for one with a hole no wider than the bore.
     ///
     /// Set in: the nozzle's outside on the body's inner surface. The air is in the body, around the nozzle's end: the
-    /// nozzle's normal points away from its axis as outside, the body's into the body. The nozzle is taken to stand out of
-    /// the wall inside, far enough for a fillet.
+    /// nozzle's normal points away from its axis as outside, the body's into the body. The nozzle is assumed to stand
+    /// out of the wall inside, far enough for a fillet.
     pub inner_root: BoxedEdge,
 }
 
@@ -33,10 +33,10 @@ impl std::fmt::Debug for NozzleEdges {
 }
 
 impl NozzleEdges {
-    /// Both curves of a job's or program's nozzle, whichever of them it welds.
+    /// Both curves of a job's or program's nozzle, for a weld of either.
     ///
     /// # Errors
-    /// With the key's address: a wall or thickness that is missing or too thick, a body whose inside is not known, a
+    /// With the key's address: a wall or thickness that is missing or too thick, a body whose inside is unknown. Also a
     /// nozzle that is not all round on the surfaces that it needs.
     pub fn new<T>(file: &Document<T>, nozzle: &Nozzle) -> Result<Self, DocumentError> {
         let outside = outside(file, nozzle)?;

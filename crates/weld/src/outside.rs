@@ -1,4 +1,4 @@
-//! What a job names but does not hold: tables in files, and where its machine's axes put the torch.
+//! Data outside a job's file: tables in files, and the torch poses of its machine's axes.
 
 use crate::MachineAxes;
 use glam::{DAffine3, DVec3};
@@ -6,31 +6,31 @@ use seamwright_document::{Direction, Document, DocumentError, Point};
 use seamwright_program::{Seam, Spline, Taught};
 use std::sync::Arc;
 
-/// Why something from outside cannot be had.
+/// Reason why data from outside are missing.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wrong {
-    /// What is wrong.
+    /// Description of the fault.
     pub message: String,
-    /// What would be right.
+    /// Allowed values.
     pub allowed: String,
 }
 
-/// Those who may read files and know machines, for a room that does neither.
+/// Access to files and machines, for a crate without either.
 pub trait Outside {
     /// The bytes of `file`, as the job names it.
     ///
     /// # Errors
-    /// Whatever keeps it from being read.
+    /// Any error of reading.
     fn bytes(&self, file: &str) -> std::io::Result<Vec<u8>>;
 
     /// Rows of the point table `file`, as the job names it: three numbers (mm), six or nine (with one or two normals).
     ///
     /// # Errors
-    /// A file that cannot be read, or has other columns.
+    /// An unreadable file, or one with other columns.
     fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong>;
 
-    /// The torch tip (mm) in the work frame of `machine`, as the job names it, at axis positions in mm or degrees, in
-    /// the machine file's order.
+    /// The torch tip (mm) in the work frame of `machine`, as the job names it. `axes` are positions in mm or degrees,
+    /// in the machine file's order.
     ///
     /// # Errors
     /// No such machine, another number of axes, positions out of range.
@@ -46,7 +46,7 @@ pub trait Outside {
     }
 }
 
-/// Nothing outside: jobs that hold everything.
+/// No files: for jobs that hold all data themselves.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct NoFiles;
 
@@ -66,10 +66,10 @@ impl Outside for NoFiles {
     }
 }
 
-/// Gets the points that `file` does not hold itself. The keys that named them stay until [`forget`], for errors.
+/// Loads the points that are outside `file`. The keys that named them stay until [`forget`], for errors.
 ///
 /// # Errors
-/// With the key's address: what is wrong outside, points given twice.
+/// With the key's address: faults outside, points given twice.
 pub(crate) fn fetch<T>(
     file: &Document<T>,
     (seam, taught): (Option<&mut Seam>, &mut [Taught]),
@@ -128,7 +128,7 @@ fn table<T>(file: &Document<T>, spline: &mut Spline, outside: &dyn Outside) -> R
     Ok(())
 }
 
-/// Leaves out the names of what has been fetched, so that a program file holds everything itself.
+/// Leaves out the names of loaded files, so that a program file holds all data itself.
 pub(crate) fn forget(seam: &mut Option<Seam>, taught: &mut [Taught]) {
     if let Some(Seam::Spline(spline)) = seam {
         spline.file = None;

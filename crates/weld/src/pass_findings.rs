@@ -1,19 +1,19 @@
-//! What stands against a pass before any machine is looked at.
+//! Findings against a pass that need no machine.
 
 use crate::PassPath;
 use seamwright_program::{Finding, TorchPath, torch_jumps};
 
-/// Places along a pass that are looked at.
+/// Number of stations checked along a pass.
 const PLACES: u32 = 720;
-/// A bead goes on by at least this part of the way along the seam: one that lies beyond the centre of a bend goes back.
-const LEAST_PROGRESS: f64 = 0.1;
+/// Minimum progress of a bead, as a part of the way along the seam: beyond the centre of a bend it goes back.
+const MIN_PROGRESS: f64 = 0.1;
 
 impl PassPath<'_> {
     /// Everything that stands against the pass, the `number`-th from 1.
     pub fn findings(&self, number: usize) -> Vec<Finding> {
         let mut findings = self.access_findings(number);
         let turns = torch_jumps(self, number);
-        // Where the tip jumps it may jump back.
+        // A jump of the tip may go back, so it is not reported twice.
         if turns.is_empty() {
             findings.extend(self.progress_findings(number));
         }
@@ -21,7 +21,7 @@ impl PassPath<'_> {
         findings
     }
 
-    /// Where the torch would lie in one of the two faces.
+    /// Reports stretches on which the torch would lie in one of the two faces.
     fn access_findings(&self, number: usize) -> Vec<Finding> {
         let complaint = |s: f64| {
             let p = self.seam_point(s);
@@ -39,7 +39,7 @@ impl PassPath<'_> {
         self.stretches(("access", number), "make the work angle smaller than half the dihedral angle", complaint)
     }
 
-    /// Where the bead would not go on along the seam.
+    /// Reports stretches on which the bead would not progress along the seam.
     fn progress_findings(&self, number: usize) -> Vec<Finding> {
         if self.bead.is_none() {
             return Vec::new();
@@ -55,7 +55,7 @@ impl PassPath<'_> {
                  rows change too quickly"
                     .to_owned()
             };
-            (progress < LEAST_PROGRESS).then(backwards)
+            (progress < MIN_PROGRESS).then(backwards)
         };
         self.stretches(("turn", number), "lay the bead nearer to the seam there", complaint)
     }

@@ -1,10 +1,10 @@
 use crate::Job;
 use seamwright_program::{Pass, Role};
 
-/// Where the values of a pass stand in its file, so that an error names a key that is there.
+/// Keys of a pass' values in its file, so that an error names a key that exists.
 ///
-/// A program lists its passes. A job's passes are derived: what a pass has comes from `[weld]` or from the table of its
-/// kind (`[beads]`, `[tacks]`, `[cosmetic]`), and rows of beads and spans stand in no table at all.
+/// A program lists its passes. A job's passes are derived: their values come from `[weld]` or from the table of their
+/// kind (`[beads]`, `[tacks]`, `[cosmetic]`). Rows of beads and spans are in no table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PassKeys(Source);
 

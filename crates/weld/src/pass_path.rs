@@ -16,9 +16,9 @@ pub struct PassPath<'a> {
     pub stretch: Stretch,
     /// Torch angles by the seam's path length.
     pub attitude: Attitude,
-    /// Where the bead lies beside the seam, if it does.
+    /// Position of the bead beside the seam, if it has one.
     pub bead: Option<&'a BeadLine>,
-    /// How the torch weaves about the bead's line, if it does.
+    /// Weave of the torch about the bead's line, if any.
     pub weaving: Option<Weaving>,
     /// The frame of the pass' copy of the seam in the work frame: work offset and placement.
     pub placement: DAffine3,
@@ -44,8 +44,8 @@ impl PassPath<'_> {
         (tip, self.attitude.leaning(p, lean, self.stretch.sense))
     }
 
-    /// How far the weave takes the tip from its line at path length `s`, mm: across towards the first part, and along in
-    /// the direction of travel. None without a weave.
+    /// Offset of the weaving tip from its line at path length `s`, mm: across towards the first part, and along in the
+    /// direction of travel. `None` without a weave.
     pub fn woven(&self, s: f64) -> Option<(f64, f64)> {
         let (across, along) = self.weaving.as_ref()?.offset(s);
         let part = self.bead.map_or(1.0, |bead| bead.weave_part(self.stretch.seam_s(s)));
@@ -138,11 +138,11 @@ impl TorchPath for PassPath<'_> {
 }
 
 impl PassPath<'_> {
-    /// Places of seam, attitude and bead where a derivative may jump, with those of the weave.
+    /// Positions at which a derivative of seam, torch attitude or bead may jump, with those of the weave.
     fn with_weave(&self, of: impl Fn(&Weaving) -> Vec<f64>) -> Vec<f64> {
         let range = self.stretch.range();
         let mut knots = self.seam.knots_within(range);
-        // A place of the attitude or of the bead next to one of the seam is that one.
+        // A position of the torch attitude or of the bead next to one of the seam counts as that one.
         let more = [self.attitude.knots_within(range), self.bead.map_or(Vec::new(), |bead| bead.knots_within(range))];
         for place in more.into_iter().flatten() {
             if knots.iter().all(|knot| !is_same_position(*knot, place)) {

@@ -16,7 +16,7 @@ pub(crate) fn faces(joint: FilletOrButt, wall: WallFaces, normal: DVec3) -> Face
     }
 }
 
-/// Where the angle about `axis` is 0: as given, or x, or y about an axis along x.
+/// Direction of angle 0 about `axis`: as given, or x, or y about an axis along x.
 pub(crate) fn zero(axis: DVec3, given: Option<Direction>) -> DVec3 {
     let along_x = axis.dot(DVec3::X).abs() > 1.0 - 1e-9;
     given.map_or(if along_x { DVec3::Y } else { DVec3::X }, Direction::unit)

@@ -20,7 +20,7 @@ use std::sync::Arc;
 pub struct SeamPoint {
     /// Path length from the start of the weld, mm.
     pub s: f64,
-    /// Angle about the nozzle's axis or eccentric angle, rad, counted on beyond a turn; none on seams without angles.
+    /// Angle about the nozzle's axis or eccentric angle, rad, counted on beyond a turn; `None` on seams without angles.
     pub phi: Option<f64>,
     /// Position, mm.
     pub point: DVec3,
@@ -62,8 +62,8 @@ pub struct SeamCurve {
 /// rounding, and too little for a bend to turn the torch.
 pub(crate) const SAME_MM: f64 = 1e-9;
 
-/// Largest angle of a start or end, degrees: ten turns.
-const MOST_PHI_DEG: f64 = 3600.0;
+/// Maximum angle of a start or end, degrees: ten turns.
+const MAX_PHI_DEG: f64 = 3600.0;
 
 impl std::fmt::Debug for SeamCurve {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
@@ -123,8 +123,8 @@ impl SeamCurve {
         let angles = Angles::new(file, seam, closed)?;
         let length_at = |phi: f64| angles.parameter(phi.to_radians()).map_or(0.0, |u| curve.length_at(u));
         for (key, phi) in [("phi_deg", Some(start.phi_deg)), ("end_phi_deg", start.end_phi_deg)] {
-            if phi.is_some_and(|p| p.get().abs() > MOST_PHI_DEG) {
-                let allowed = format!("-{MOST_PHI_DEG} to {MOST_PHI_DEG}");
+            if phi.is_some_and(|p| p.get().abs() > MAX_PHI_DEG) {
+                let allowed = format!("-{MAX_PHI_DEG} to {MAX_PHI_DEG}");
                 return Err(file.error_at(&format!("start.{key}"), "this is many turns away", allowed));
             }
         }
@@ -178,7 +178,7 @@ impl SeamCurve {
         self.closed && !is_before(self.weld_length, self.length())
     }
 
-    /// Least and greatest dihedral angle over the weld, rad, found at 720 places.
+    /// Minimum and maximum dihedral angle over the weld, rad, found at 720 stations.
     pub fn dihedral_range(&self) -> (f64, f64) {
         let angles = (0..=720).map(|i| self.at(self.weld_length * f64::from(i) / 720.0).dihedral);
         angles.fold((f64::INFINITY, 0.0), |(l, h), a| (f64::min(l, a), f64::max(h, a)))
@@ -202,7 +202,7 @@ impl SeamCurve {
         self.knots_within((0.0, self.weld_length))
     }
 
-    /// Those inside `range`; on a closed seam it may be of more than a turn, and begin before the start of the weld.
+    /// Those inside `range`; on a closed seam it may be longer than a turn, and start before the start of the weld.
     pub fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
         let length = self.length();
         let place = |u: f64| {

@@ -5,8 +5,8 @@ use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{self as geometry, CurvedEdge, FaceRule};
 use seamwright_program::{FilletOrButt, Helix, WallFaces};
 
-/// Most turns of a helix.
-const MOST_TURNS: f64 = 1000.0;
+/// Maximum number of turns of a helix.
+const MAX_TURNS: f64 = 1000.0;
 
 /// The edge of a seam along a helix, by the angle about its axis.
 pub(crate) fn helix<T>(file: &Document<T>, h: &Helix) -> Result<CurvedEdge<geometry::Helix>, DocumentError> {
@@ -18,8 +18,8 @@ pub(crate) fn helix<T>(file: &Document<T>, h: &Helix) -> Result<CurvedEdge<geome
         let message = "a helix without a pitch is a circle".to_owned();
         return Err(wrong("pitch_mm", message, "not 0; around a tube there is [seam.girth]"));
     }
-    if h.turns.get() > MOST_TURNS {
-        return Err(wrong("turns", "this is a very long helix".to_owned(), &format!("up to {MOST_TURNS}")));
+    if h.turns.get() > MAX_TURNS {
+        return Err(wrong("turns", "this is a very long helix".to_owned(), &format!("up to {MAX_TURNS}")));
     }
     let curve = geometry::Helix::new(tube, h.pitch_mm.get(), h.turns.get())
         .map_err(|e| wrong("turns", e.to_string(), "more than 0"))?;

@@ -7,13 +7,13 @@ use seamwright_program::{FilletOrButt, Spline, WallFaces};
 
 /// Points nearer to each other than this are one, mm.
 const APART_MM: f64 = 1e-3;
-/// Most points of a seam.
-const MOST: usize = 20_000;
+/// Maximum number of points of a seam.
+const MAX_POINTS: usize = 20_000;
 
 /// The edge of a seam along a spline.
 ///
 /// # Errors
-/// With the key's address: too few points, points in one place, a curve that turns back, normals along it.
+/// With the key's address: too few points, coincident points, a curve that turns back, normals along it.
 pub(crate) fn edge<T>(file: &Document<T>, s: &Spline) -> Result<SplineEdge, DocumentError> {
     let points: Vec<DVec3> = s.points_mm.iter().map(|p| p.get()).collect();
     let at = At { file, from_file: s.file.is_some() };
@@ -65,9 +65,9 @@ impl<T> At<'_, T> {
 
     fn check(&self, s: &Spline, points: &[DVec3]) -> Result<(), DocumentError> {
         let least = if s.closed { 3 } else { 2 };
-        if !(least..=MOST).contains(&points.len()) {
+        if !(least..=MAX_POINTS).contains(&points.len()) {
             let message = format!("a seam of {} points", points.len());
-            return Err(self.wrong("points_mm", message, &format!("{least} to {MOST}, here or in a `file`")));
+            return Err(self.wrong("points_mm", message, &format!("{least} to {MAX_POINTS}, here or in a `file`")));
         }
         if let Some(i) = (1..points.len()).find(|&i| points[i].distance(points[i - 1]) < APART_MM) {
             let allowed = format!("points at least {APART_MM} mm apart");

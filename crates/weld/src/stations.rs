@@ -23,8 +23,8 @@ pub struct Station {
 /// The spans of the one pass of `job` over all of its weld: from station to station.
 ///
 /// # Errors
-/// With the key's address: a weld without length, stations that do not increase or are not on the weld, values that the
-/// weld does not have or that ramp over all of it.
+/// With the key's address: a weld without length, stations that do not increase or are not on the weld. Also values
+/// that the weld does not have or that ramp over all of it.
 pub(crate) fn spans(job: &Document<Job>, seam: &SeamCurve) -> Result<Vec<Span>, DocumentError> {
     let (weld, length) = (&job.value.weld, seam.weld_length());
     let whole =
@@ -98,7 +98,7 @@ fn check(job: &Document<Job>, length: f64) -> Result<(), DocumentError> {
     Ok(())
 }
 
-/// Linear between rows (place, value), constant beyond the first and the last.
+/// Linear between rows (position, value), constant beyond the first and the last.
 fn linear(rows: &[(f64, f64)], s: f64) -> f64 {
     let i = rows.partition_point(|row| row.0 <= s);
     match (i.checked_sub(1).map(|k| rows[k]), rows.get(i)) {

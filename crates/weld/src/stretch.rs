@@ -2,8 +2,8 @@ use crate::{PassKeys, SeamCurve};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Pass, is_beyond};
 
-/// A pass longer than this many turns is a slip.
-const MOST_TURNS: f64 = 2.0;
+/// Maximum number of turns of a pass; more are a mistake.
+const MAX_TURNS: f64 = 2.0;
 
 /// The part of a seam that a pass runs over, one way or the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +30,7 @@ impl Stretch {
             return Err(file.error_at(&keys.of("begin_mm"), message, format!("0 to {weld}")));
         }
         let (room, message) = match (seam.all_round(), pass.reverse) {
-            (true, _) => (MOST_TURNS * seam.length(), "the pass goes round the seam more than twice"),
+            (true, _) => (MAX_TURNS * seam.length(), "the pass goes round the seam more than twice"),
             (false, false) => (weld - begin, "the pass goes on beyond the end of the weld"),
             (false, true) => (begin, "the pass runs back beyond the start of the weld"),
         };
@@ -56,15 +56,15 @@ impl Stretch {
         self.sense * (seam_s - self.begin)
     }
 
-    /// Where it lies on the seam: from the lesser path length to the greater, mm.
+    /// Range on the seam: from the smaller path length to the larger, mm.
     pub fn range(&self) -> (f64, f64) {
         let end = self.seam_s(self.length);
         (self.begin.min(end), self.begin.max(end))
     }
 }
 
-/// All of `places` inside (`from`, `to`), and again every `period`, increasing; those nearer than `near` to each other
-/// are one, those so near to an end are none.
+/// All of `places` inside (`from`, `to`), and again every `period`, increasing. Those nearer than `near` to each other
+/// are merged, those so near to an end are left out.
 pub(crate) fn repeated(
     places: impl Iterator<Item = f64>,
     period: Option<f64>,

@@ -13,7 +13,7 @@ pub struct SeamSurfaces {
     pub first: Box<dyn SignedDistance>,
     /// The second part: the body's or chord's outside, the plate, the second face.
     pub second: Box<dyn SignedDistance>,
-    /// The nozzle, if the seam is one.
+    /// The nozzle, if the seam is that of one.
     pub nozzle: Option<Tube>,
 }
 
@@ -90,7 +90,7 @@ impl SeamSurfaces {
     }
 }
 
-/// There are no surfaces to be touched.
+/// Error of a seam without surfaces to be touched.
 fn none<T>(file: &Document<T>, path: &str, what: &str) -> DocumentError {
     let message = format!("{what} has no surfaces here that points could be fitted to");
     file.error_at(path, message, "the methods three-point and plane-line-point")

@@ -5,8 +5,8 @@ use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{Arc, Curve, CurvedEdge, Edge, Error, FaceRule, Line};
 use seamwright_program::{Side, TJoint};
 
-/// Sine of the least angle between the skin's normal as given and the web: below it the two were mixed up.
-const LEAST_SINE: f64 = 0.1;
+/// Minimum sine of the angle between the skin's normal as given and the web: below it the two were mixed up.
+const MIN_SINE: f64 = 0.1;
 
 /// The middle line of a web on its skin, with the directions at its start.
 pub(crate) struct Middle {
@@ -36,7 +36,7 @@ impl Middle {
         let along = arc.as_ref().map_or_else(|| line.jet(0.0).d1, |a| a.jet(0.0).d1).normalize();
         let given = joint.skin_normal.unit();
         let across = given - given.dot(along) * along;
-        let skin = across.try_normalize().filter(|_| across.length() > LEAST_SINE).ok_or_else(|| {
+        let skin = across.try_normalize().filter(|_| across.length() > MIN_SINE).ok_or_else(|| {
             let message = "the skin's normal lies along the web";
             file.error_at(&key("skin_normal"), message, "a direction out of the skin")
         })?;

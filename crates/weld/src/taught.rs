@@ -9,9 +9,9 @@ use std::sync::Arc;
 
 /// Points nearer to each other than this are one, mm.
 const APART_MM: f64 = 1e-3;
-/// Largest angle of a span against the nominal seam, degrees: beyond, its points zigzag.
-const MOST_TURN_DEG: f64 = 60.0;
-/// Places of an interval of the spline that are looked at for that.
+/// Maximum angle of a span against the nominal seam, degrees: beyond, its points zigzag.
+const MAX_TURN_DEG: f64 = 60.0;
+/// Stations of an interval of the spline that are checked for that.
 const PLACES: u32 = 16;
 /// Step by which the curvature's change at a join is measured, outside of the span, mm.
 const STEP_MM: f64 = 0.01;
@@ -19,11 +19,11 @@ const STEP_MM: f64 = 0.01;
 /// A taught span on the seam; path lengths in mm from the start of the weld.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaughtSpan {
-    /// Where it begins and ends on the seam.
+    /// Start and end on the seam.
     pub seam: (f64, f64),
     /// The same places on the nominal seam.
     pub nominal: (f64, f64),
-    /// Where its points are on the seam.
+    /// Positions of its points on the seam.
     pub points: Vec<f64>,
 }
 
@@ -45,8 +45,8 @@ impl Join {
 /// A nominal edge with taught spans, by the nominal one's parameter; within a span that goes evenly along the spline.
 ///
 /// A span has the nominal seam's point, direction and curvature at both joins, so an axis that follows it needs no jump
-/// in its acceleration there. Its normals are those of the nominal seam at the place that goes along with it from
-/// join to join, made square to the span's [`Along`].
+/// in its acceleration there. Its normals are those of the nominal seam at the corresponding position between the
+/// joins, made square to the span's [`Along`].
 pub(crate) struct TaughtEdge {
     nominal: Arc<SeamCurve>,
     spans: Vec<Span>,
@@ -59,7 +59,7 @@ struct Span {
     nominal: (f64, f64),
     curve: Spline,
     along: Along,
-    /// The nominal curve's arc length that belongs to a place of the spline, in x.
+    /// The nominal curve's arc length that belongs to a parameter of the spline, in x.
     place: Spline,
     /// Parameters of the taught points on the spline.
     points: Vec<f64>,
@@ -122,7 +122,7 @@ impl TaughtEdge {
         self.spans.iter().map(join).collect()
     }
 
-    /// The span that holds parameter `u`, and the place on its spline.
+    /// The span that holds parameter `u`, and the parameter of its spline.
     fn span(&self, u: f64) -> Option<(&Span, f64)> {
         let (first, last) = self.domain();
         self.spans.iter().find_map(|span| {
@@ -143,12 +143,12 @@ impl Span {
         self.curve.domain().1 / (self.to - self.from)
     }
 
-    /// The edge's parameter at a place of the spline.
+    /// The edge's parameter at a parameter of the spline.
     fn parameter(&self, t: f64) -> f64 {
         self.from + t / self.rate()
     }
 
-    /// The place of the spline that goes with a nominal arc length between the joins.
+    /// The parameter of the spline for a nominal arc length between the joins.
     fn place_of(&self, length: f64) -> f64 {
         let (mut low, mut high) = self.curve.domain();
         for _ in 0..60 {
@@ -178,7 +178,7 @@ impl Curve for TaughtEdge {
         let (first, last) = self.domain();
         let mut breaks = Vec::new();
         for u in self.nominal().breaks() {
-            // Where the nominal seam has a break within a span its normals may have one.
+            // At a break of the nominal seam within a span, the normals of the span may break too.
             let at = self.span(u).map_or(u, |(span, _)| {
                 let (length, start) = (self.nominal.curve.length_at(u), span.place.point(0.0).x);
                 let turns = if self.closed() { ((start - length) / self.nominal.length()).ceil() } else { 0.0 };
@@ -193,7 +193,7 @@ impl Curve for TaughtEdge {
         if self.closed() {
             breaks.iter_mut().for_each(|u| *u = first + (*u - first).rem_euclid(last - first));
         }
-        // The ends of an open curve are none.
+        // The ends of an open curve do not count as breaks.
         breaks.retain(|u| self.nominal.closed || (*u > first && *u < last));
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
@@ -216,10 +216,10 @@ impl Edge for TaughtEdge {
     }
 }
 
-/// What a span is made from.
+/// Inputs of a span.
 struct Making<'a, T> {
     file: &'a Document<T>,
-    /// Which span, counted from 0.
+    /// Number of the span, counted from 0.
     number: usize,
     nominal: &'a SeamCurve,
     taught: &'a Taught,
@@ -323,7 +323,7 @@ impl<T> Making<'_, T> {
 
     /// The span must go along with the nominal seam everywhere: then it neither turns back nor crosses itself.
     fn check_turns(&self, span: &Span) -> Result<(), DocumentError> {
-        let least = MOST_TURN_DEG.to_radians().cos();
+        let least = MAX_TURN_DEG.to_radians().cos();
         for pair in span.curve.knots().windows(2) {
             for i in 0..PLACES {
                 let t = pair[0] + (pair[1] - pair[0]) * f64::from(i) / f64::from(PLACES);
@@ -338,7 +338,7 @@ impl<T> Making<'_, T> {
                     let turn = cosine.clamp(-1.0, 1.0).acos().to_degrees();
                     let message = format!("the curve through the points turns {turn:.0} degrees off the seam near it");
                     let allowed =
-                        format!("up to {MOST_TURN_DEG} degrees: points farther apart, or nearer to one smooth curve");
+                        format!("up to {MAX_TURN_DEG} degrees: points farther apart, or nearer to one smooth curve");
                     return Err(self.wrong(number, &message, &allowed));
                 }
             }
@@ -359,7 +359,7 @@ fn by_arc(nominal: &SeamCurve, l: f64, side: f64) -> ByArc {
     let step = if inside(l + 2.0 * side * STEP_MM) { side * STEP_MM } else { -side * STEP_MM };
     let (point, tangent, curvature) = frame(l);
     let [near, far] = [1.0, 2.0].map(|k| frame(l + k * step).2);
-    // One-sided, so that what is inside the span does not count.
+    // One-sided, so that the inside of the span does not count.
     let change = (4.0 * near - 3.0 * curvature - far) / (2.0 * step);
     ByArc { point, tangent, curvature, change }
 }

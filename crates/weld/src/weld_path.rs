@@ -29,7 +29,7 @@ impl<'a> WeldPath<'a> {
     }
 }
 
-/// Everything is that of the path it is: also what the trait could do by itself.
+/// Every method is that of the path inside: also those with a default in the trait.
 impl TorchPath for WeldPath<'_> {
     fn length(&self) -> f64 {
         self.path().length()

@@ -12,19 +12,19 @@ use std::sync::Arc;
 pub struct Welding {
     /// The program, at the address of the file it came from, each pass as often as it is welded.
     pub program: Document<Program>,
-    /// The seam by path length from the start of the weld; none where all passes go through points.
+    /// The seam by path length from the start of the weld; `None` if all passes go through points.
     pub seam: Option<SeamCurve>,
-    /// Where each pass runs.
+    /// Line of each pass.
     lines: Vec<Arc<PassLine>>,
-    /// Where in the file the values of each pass stand.
+    /// Keys of each pass' values in the file.
     keys: Vec<PassKeys>,
     /// The joint along the seam, if the file has one.
     pub joint: Option<SeamJoint>,
-    /// How beads fill it, if that was planned: from a job, not from a program.
+    /// Plan of the beads that fill it, if any: from a job, not from a program.
     pub plan: Option<BeadPlan>,
-    /// What stands against the plan.
+    /// Findings against the plan.
     plan_findings: Vec<Finding>,
-    /// The end of the branch or nozzle as it is cut, where the file gives what it takes.
+    /// The end of the branch or nozzle as it is cut, if the file has the data for it.
     pub cut: Option<Cut>,
 }
 
@@ -80,7 +80,7 @@ impl Welding {
         }
         let ordered = order::ordered(job, &seam, (program.passes, &weld), &program.copies)?;
         for finding in &mut plan_findings {
-            // A finding against a bead is told of the first pass that lays it there.
+            // A finding against a bead is reported at the first pass that lays it there.
             let bead = finding.pass.checked_sub(1);
             let mut laid = ordered.iter().enumerate().filter(|(_, (_, from))| *from == bead);
             let range = (finding.from_mm, finding.to_mm);
@@ -152,9 +152,9 @@ impl Welding {
         }
     }
 
-    /// Work angle (offset from the bisector of the faces, towards the first part) and travel angle of the torch, rad, at
-    /// path length `s` (mm) of the seam, in passes of this role; without what a bead adds to the work angle. None if there
-    /// is no such pass along the seam.
+    /// Work angle (offset from the bisector of the faces, towards the first part) and travel angle of the torch, rad.
+    /// They are at path length `s` (mm) of the seam, in passes of this role, without the bead's addition to the work
+    /// angle. `None` without such a pass along the seam.
     pub fn torch_angles(&self, role: Option<Role>, s: f64) -> Option<(f64, f64)> {
         let passes = self.program.value.passes.iter().zip(&self.lines);
         let line = passes.filter(|(pass, _)| pass.role == role).find_map(|(_, line)| match line.as_ref() {
@@ -164,12 +164,12 @@ impl Welding {
         Some(line.attitude.angles(s))
     }
 
-    /// Where in the file the values of pass `pass` stand, counted from 0.
+    /// Keys in the file of the values of pass `pass`, counted from 0.
     pub fn keys(&self, pass: usize) -> &PassKeys {
         &self.keys[pass]
     }
 
-    /// What stands against the weld before any machine is looked at.
+    /// Findings against the weld that need no machine.
     pub fn findings(&self) -> Vec<Finding> {
         let paths = (0..self.lines.len()).map(|i| (i, self.path(i)));
         let passes = paths.flat_map(|(i, path)| path.along_seam().map_or(Vec::new(), |path| path.findings(i + 1)));
@@ -178,11 +178,11 @@ impl Welding {
     }
 }
 
-/// Places at which a range of the seam is looked at.
+/// Number of stations checked in a range of the seam.
 const PLACES: u32 = 64;
 
-/// The path lengths of `pass` between which it runs over a range of the seam (mm from the start of the weld); none if it
-/// does not.
+/// The path lengths of `pass` between which it runs over a range of the seam (mm from the start of the weld); `None` if
+/// it does not.
 fn on_pass(pass: &Pass, seam: &SeamCurve, (from, to): (f64, f64)) -> Option<(f64, f64)> {
     let sense = if pass.reverse { -1.0 } else { 1.0 };
     let own = |i: u32| {
@@ -193,14 +193,14 @@ fn on_pass(pass: &Pass, seam: &SeamCurve, (from, to): (f64, f64)) -> Option<(f64
     inside.fold(None, |range, s| Some(range.map_or((s, s), |(low, high): (f64, f64)| (low.min(s), high.max(s)))))
 }
 
-/// Where the oscillation of the beam leaves gaps in pass `number`.
+/// Reports gaps that the oscillation of the beam leaves in pass `number`.
 fn gaps(pass: &Pass, number: usize) -> Option<Finding> {
     let (message, cure) = pass.oscillation.as_ref()?.gaps(pass)?;
     let (from_mm, to_mm) = (0.0, pass.length());
     Some(Finding { kind: "oscillation", message, pass: number, from_mm, to_mm, cure, allowed: false })
 }
 
-/// Where a pass runs.
+/// Line of a pass.
 #[derive(Debug)]
 enum PassLine {
     /// Along the seam.
@@ -209,18 +209,18 @@ enum PassLine {
     Points(Box<PointPath>),
 }
 
-/// Where a pass along the seam runs.
+/// Line of a pass along the seam.
 #[derive(Debug)]
 struct SeamLine {
     /// The part of the seam.
     stretch: Stretch,
-    /// Torch angles by the seam's path length; without what the bead adds to them.
+    /// Torch angles by the seam's path length, without the bead's addition.
     attitude: Attitude,
-    /// Where the bead lies beside the seam, if it does.
+    /// Position of the bead beside the seam, if it has one.
     bead: Option<BeadLine>,
 }
 
-/// Where the passes of `program` run; `keys` are where in the file their values stand.
+/// Lines of the passes of `program`; `keys` are the keys of their values in the file.
 fn pass_lines(
     program: &Document<Program>,
     seam: Option<&SeamCurve>,

@@ -14,26 +14,26 @@ use seamwright_tracking::beam::Picture;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What a cell is doing when a fault comes.
+/// State of a cell at the start of a fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Situation {
     /// Without power.
     Off,
     /// With power, references unknown.
     Idle,
-    /// Looking for references.
+    /// Homing.
     Homing,
     /// At rest.
     Ready,
-    /// Jogged.
+    /// Jogging.
     Jog,
     /// In a pass without process.
     DryRun,
-    /// On the way to a weld.
+    /// On the approach to a weld.
     Approach,
     /// Gas flows.
     Preflow,
-    /// Arc or beam is on or comes on, the torch rests.
+    /// Arc or beam is igniting or on, the torch rests.
     Strike,
     /// Welding.
     Travel,
@@ -46,7 +46,7 @@ pub enum Situation {
 }
 
 impl Situation {
-    /// All of them.
+    /// All situations.
     pub const ALL: [Self; 13] = [
         Self::Off,
         Self::Idle,
@@ -63,7 +63,7 @@ impl Situation {
         Self::Fault,
     ];
 
-    /// In a word or two.
+    /// Name in a word or two.
     pub fn name(self) -> &'static str {
         match self {
             Self::Off => "off",
@@ -82,7 +82,7 @@ impl Situation {
         }
     }
 
-    /// True in a program with process.
+    /// Returns true in a program with process.
     pub fn welds(self) -> bool {
         matches!(self, Self::Approach | Self::Preflow | Self::Strike | Self::Travel | Self::Crater)
     }
@@ -91,48 +91,48 @@ impl Situation {
 /// A fault in a situation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Case {
-    /// What it happens to.
+    /// Affected device.
     pub device: Device,
-    /// What happens; it lasts.
+    /// Kind of fault; it is permanent.
     pub kind: FaultKind,
-    /// Which axis or input is wrong.
+    /// Index of the wrong axis or input.
     pub which: u8,
-    /// When.
+    /// Situation at the start of the fault.
     pub situation: Situation,
 }
 
-/// What came of a case.
+/// Result of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// The case.
     pub case: Case,
-    /// The mode in which the cell was some seconds later.
+    /// Mode of the cell some seconds later.
     pub mode: Mode,
-    /// The alarm that came first after the fault.
+    /// First alarm after the fault.
     pub first_alarm: Option<Alarm>,
-    /// Cycles from an alarm that takes the process away until it is ordered off; 0 if there was none with the process on.
+    /// Cycles from an alarm with process off to the off order; 0 without such an alarm while the process is on.
     pub off_cycles: u32,
     /// Path length from the alarm to rest, mm.
     pub stop_mm: f64,
-    /// Of a stop, the part of what the axes' limits allow for it that was needed; more than 1 is too much.
+    /// Stop distance relative to its bound from the axes' limits; more than 1 is a violation.
     pub stop_part: f64,
-    /// Where a weld was left.
+    /// Position at which a weld was left.
     pub left: Option<Place>,
     /// The situation was reached.
     pub reached: bool,
-    /// What must not be and was.
+    /// Violated requirements.
     pub violations: Vec<String>,
 }
 
 impl Outcome {
-    /// True if everything is as it must be.
+    /// Returns true if the result is as required.
     pub fn is_kept(&self) -> bool {
         let Expected { mode, alarm } = expected(self.case);
         self.reached && self.mode == mode && self.first_alarm == alarm && self.violations.is_empty()
     }
 }
 
-/// A case at work.
+/// A case during execution.
 pub struct Trial<'a> {
     stage: Stage<'a>,
     case: Case,
@@ -149,13 +149,13 @@ type TrialDevices<'a> = WithSensors<
     Faulty<SimulatedSensors<'a>, SensorReport>,
 >;
 
-/// Devices whose cycle comes late once, when it is told to.
+/// Devices with one late cycle, triggered by a flag.
 struct Late<D> {
     devices: D,
     told: Option<Arc<AtomicBool>>,
 }
 
-/// Cycles that are missed then, and those that may be.
+/// Number of cycles missed then, and the tolerated number.
 const MISSED: u32 = 20;
 const RIDES_OUT: u32 = 3;
 
@@ -180,21 +180,21 @@ impl<D: Devices> Devices for Late<D> {
     }
 }
 
-/// When the fault before the fault comes, s.
+/// Time of the earlier fault of [`Situation::Fault`], s.
 const BEFORE_S: f64 = 1.0;
 
 impl<'a> Trial<'a> {
-    /// The case on simulated devices; `seed` says when exactly the fault comes.
+    /// Prepares the case on simulated devices; `seed` sets the exact time of the fault.
     ///
     /// # Errors
-    /// A machine whose values make no drives.
+    /// Invalid drive values of the machine.
     pub fn new(stage: Stage<'a>, case: Case, seed: u64, anywhere: bool) -> Result<Self, Error> {
         let machine = stage.machine;
         let period = machine.servo_period_s;
         let told = Arc::new(AtomicBool::new(false));
         let Case { device, kind, which, situation } = case;
         let fault = [Fault { device, kind, when: When::Told, lasts_s: f64::INFINITY, which }];
-        // What takes the cell into fault first is over when the case begins.
+        // The earlier fault, which trips the cell, is over when the case starts.
         let first =
             Fault { device: Device::Inputs, kind: FaultKind::Wrong, when: When::At(BEFORE_S), lasts_s: 0.05, which: 0 };
         let before: &[Fault] = if situation == Situation::Fault { &[first] } else { &[] };
@@ -216,10 +216,10 @@ impl<'a> Trial<'a> {
         Ok(Self { stage, case, devices, witness })
     }
 
-    /// Runs it.
+    /// Runs the case.
     ///
     /// # Errors
-    /// A weld that cannot be tracked.
+    /// The weld does not allow tracking.
     pub fn run(mut self) -> Result<Outcome, Error> {
         let at_end = self.case.situation == Situation::Crater;
         let tracked = self.stage.tracked.filter(|_| self.case.device == Device::Sensors);

@@ -2,20 +2,20 @@ use super::case::{Case, Situation};
 use crate::devices::{Device, FaultKind};
 use crate::executive::{Alarm, Mode};
 
-/// What must follow from a fault that lasts.
+/// Required result of a permanent fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Expected {
-    /// The mode some seconds later.
+    /// Mode some seconds later.
     pub mode: Mode,
-    /// The alarm that comes first, if any.
+    /// First alarm, if any.
     pub alarm: Option<Alarm>,
 }
 
-/// What must follow from a case: written down by hand from what the alarms are for, not from the code.
+/// Returns the required result of a case: written by hand from the purpose of the alarms, not from the code.
 pub fn expected(case: Case) -> Expected {
     use Situation as S;
     let s = case.situation;
-    // Where the cell would be without the fault: a situation that passes by itself is over by then.
+    // Mode without the fault: a transient situation is over by then.
     let undisturbed = match s {
         S::Off => Mode::Off,
         S::Idle => Mode::Idle,
@@ -34,12 +34,12 @@ pub fn expected(case: Case) -> Expected {
     let lit = matches!(s, S::Strike | S::Travel | S::Crater);
     let moves = matches!(s, S::Homing | S::Jog | S::DryRun) || s.welds();
     match (case.device, case.kind) {
-        // Without drives that answer there is no cell.
+        // A cell needs drives that answer.
         (Device::Drives, FaultKind::Wrong) if powered => fault(Alarm::FollowingError),
         (Device::Drives, FaultKind::Wrong) => nothing,
         (Device::Drives, _) => fault(Alarm::DrivesSilent),
         (Device::Source, FaultKind::Slow) => nothing,
-        // An arc of which nobody says that it went out may burn.
+        // If extinction is not confirmed, treat the arc as lit.
         (Device::Source, FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot | FaultKind::Reconnect)
             if lit =>
         {
@@ -52,14 +52,15 @@ pub fn expected(case: Case) -> Expected {
         }
         (Device::Source, FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reconnect) => nothing,
         (Device::Source, FaultKind::Reboot) => told(Alarm::SourceRestarted),
-        // An arc that is said to be out is lost; said to be on when it must be off, it is stuck.
+        // Reported off while lit, the arc is lost; reported on while off, it is stuck on.
         (Device::Source, FaultKind::Wrong) if lit => fault(Alarm::ArcLost),
         (Device::Source, FaultKind::Wrong) => fault(Alarm::ProcessStuckOn),
-        // Nobody needs them beside a pass, and short gaps are bridged. A dry run is held as a weld is: it misses the joint too.
+        // Sensors are needed only in a pass, and short gaps are bridged. A dry run is held like a weld: it would miss
+        // the joint too.
         (Device::Sensors, FaultKind::Slow | FaultKind::Reboot | FaultKind::Reconnect) => nothing,
         (Device::Sensors, _) if s == S::DryRun || s.welds() && s != S::Crater => hold(Alarm::Tracking),
         (Device::Sensors, _) => nothing,
-        // Set-points that come too late are none.
+        // Late set-points stop the cell.
         (Device::Cycle, _) if powered => fault(Alarm::Overrun),
         (Device::Cycle, _) => told(Alarm::Overrun),
         (Device::Inputs, FaultKind::Slow) => nothing,

@@ -1,5 +1,4 @@
-//! A campaign of faults: everything that can happen to a device, in every situation of a cell, against what the table of
-//! transitions says must follow.
+//! Fault injection: every fault of every device in every situation of a cell, compared with the required results.
 
 mod case;
 mod expected;
@@ -14,32 +13,32 @@ use crate::executive::{Mode, Place, Work};
 use crate::{Error, SimulatedCell};
 use seamwright_machine::{Level, Machine};
 
-/// What a campaign runs on.
+/// Environment of a fault injection.
 #[derive(Clone, Copy)]
 pub struct Stage<'a> {
     /// The machine.
     pub machine: &'a Machine,
-    /// A weld from its beginning.
+    /// A weld from its start.
     pub begin: &'a Work<'a>,
     /// The same weld from shortly before its end.
     pub end: &'a Work<'a>,
-    /// The same tracked, for the faults of sensors: without it these are left out.
+    /// The same weld with tracking, for sensor faults: without it these are skipped.
     pub tracked: Option<TrackedStage<'a>>,
 }
 
-/// A weld that is tracked.
+/// A weld with tracking.
 #[derive(Clone, Copy)]
 pub struct TrackedStage<'a> {
     /// Its cell.
     pub cell: &'a SimulatedCell<'a>,
-    /// From its beginning, and from shortly before its end.
+    /// From its start, and from shortly before its end.
     pub works: [&'a Work<'a>; 2],
-    /// Where that is.
+    /// Position shortly before its end.
     pub near_end: Place,
 }
 
-/// All cases: every device, every fault, every situation; of inputs upside down one of each level; cycles missed. Those of sensors if
-/// there is a weld that needs them.
+/// Returns all cases: every device, fault and situation; inverted inputs once per level; missed cycles. Sensor faults
+/// are included if there is a weld with tracking.
 pub fn cases(stage: &Stage<'_>) -> Vec<Case> {
     let of = |level: Level| stage.machine.interlocks.iter().position(|i| i.level == level).map(|i| i as u8);
     let levels: Vec<u8> = [Level::Power, Level::Motion, Level::Process].into_iter().filter_map(of).collect();
@@ -61,16 +60,17 @@ pub fn cases(stage: &Stage<'_>) -> Vec<Case> {
     cases
 }
 
-/// Runs one case; `seed` says when exactly the fault comes: soon after the situation is there, or at any moment of a weld's first
-/// twenty seconds with `anywhere`.
+/// Runs one case. `seed` sets the exact time of the fault: soon after the start of the situation, or with `anywhere` at
+/// any moment of a weld's first twenty seconds.
 ///
 /// # Errors
-/// A machine whose values make no drives.
+/// Invalid drive values of the machine.
 pub fn run(stage: Stage<'_>, case: Case, seed: u64, anywhere: bool) -> Result<Outcome, Error> {
     Trial::new(stage, case, seed, anywhere)?.run()
 }
 
-/// The outcomes as Markdown: a row a device and fault, a column a situation: the mode that follows, and the alarm that came first.
+/// Returns the outcomes as Markdown: one row per device and fault, one column per situation, with the resulting mode
+/// and the first alarm.
 pub fn table(machine: &Machine, outcomes: &[Outcome]) -> String {
     let mut text = String::from("| fault |");
     Situation::ALL.iter().for_each(|s| text += &format!(" {} |", s.name()));
@@ -102,7 +102,7 @@ pub fn table(machine: &Machine, outcomes: &[Outcome]) -> String {
     text + "\n"
 }
 
-/// What a campaign came to, in a few words.
+/// Returns a summary in a few words.
 pub fn summary(outcomes: &[Outcome]) -> String {
     let kept = outcomes.iter().filter(|o| o.is_kept()).count();
     let stops = outcomes.iter().map(|o| o.stop_mm).fold(0.0, f64::max);

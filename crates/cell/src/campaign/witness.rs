@@ -1,4 +1,4 @@
-//! An operator who brings a cell into a situation, and a witness of what follows.
+//! A simulated operator who brings a cell into a situation, and checks of the result.
 
 use super::case::{Case, Outcome, Situation};
 use crate::devices::{Device, FaultKind};
@@ -9,48 +9,49 @@ use seamwright_motion::pace::RunPhase;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What the operator is to do.
+/// Task of the operator.
 pub(super) struct Orders {
     pub(super) case: Case,
     /// The fault comes at any moment of a weld, not soon.
     pub(super) anywhere: bool,
-    /// Tells the fault to begin.
+    /// Flag that starts the fault.
     pub(super) told: Arc<AtomicBool>,
     pub(super) seed: u64,
 }
 
-/// How long the witness watches after the fault, s; of a sensor whose loss the weld rides out for a while.
+/// Observation time after the fault, s; and that of a sensor, whose loss the weld tolerates for a while.
 const WATCHES_S: f64 = 2.5;
 const WATCHES_TRACKED_S: f64 = 45.0;
-/// Longest time to reach a situation, s.
+/// Maximum time to reach a situation, s.
 const REACHES_S: f64 = 60.0;
-/// Longest time from a fault that is over to axes with power again, s.
+/// Maximum time from the end of a fault to powered axes, s.
 const RECOVERS_S: f64 = 3.0;
-/// Cycles within which the fault comes that may come anywhere.
+/// Range of the fault's delay with `anywhere`, cycles.
 const ANYWHERE: u64 = 20_000;
-/// Cycles from an alarm to the first set-point that brakes.
+/// Cycles from an alarm to the first decelerating set-point.
 const REACTS: f64 = 3.0;
-/// The pace keeps a way back to a steady pace at every moment: it needs at most so much more than the shortest stop.
+/// Maximum stop distance relative to the shortest one: the speed profile must be able to return to a constant feed
+/// override at any moment.
 const CAREFUL: f64 = 2.0;
-/// Path length after which a dry run or a weld has come far enough, mm.
+/// Path length after which a dry run or a weld counts as under way, mm.
 const UNDER_WAY_MM: f64 = 3.0;
-/// At the end of the watch everything has been at rest for so long, s.
+/// Required time at rest at the end of the observation, s.
 const RESTS_S: f64 = 0.5;
-/// Commands come no faster than this, cycles.
+/// Minimum interval between commands, cycles.
 const HAND: u64 = 25;
 
-/// Sees every cycle of a trial, and is its operator.
+/// Checks every cycle of a trial, and acts as its operator.
 pub struct Witness {
     orders: Orders,
     period: f64,
-    /// Greatest speed and acceleration of each axis.
+    /// Maximum speed, acceleration and jerk of each axis.
     limits: Vec<[f64; 3]>,
-    /// What a stop from here needs at least, mm.
+    /// Shortest stop distance from here, mm.
     stop_needs: f64,
-    /// What the stop may need, and the part of it that was needed.
+    /// Allowed stop distance, mm, and the part of it that was needed.
     stop_bound: Option<f64>,
     stop_part: f64,
-    /// Since when the cell is brought back after the fault, and if it came.
+    /// Start of the recovery after the fault, in cycles, and whether it succeeded.
     recovers: Option<u64>,
     recovered: bool,
     powered: bool,
@@ -60,10 +61,10 @@ pub struct Witness {
     place: Place,
     armed: bool,
     process: ProcessState,
-    /// Cycle in which the situation was there first, and in which the fault began.
+    /// First cycle of the situation, and first cycle of the fault.
     there: Option<u64>,
     began: Option<u64>,
-    /// Cycle of the first alarm after the fault that takes the process away.
+    /// Cycle and path length (mm) of the first alarm after the fault that switches the process off.
     alarmed: Option<(u64, f64)>,
     first_alarm: Option<Alarm>,
     off_cycles: u32,
@@ -73,10 +74,10 @@ pub struct Witness {
     sets: Vec<Joints>,
     still: u64,
     violations: Vec<String>,
-    /// The mode at the end of the watch, and if everything has been at rest for a while.
+    /// Mode at the end of the observation, and whether everything was at rest for a while.
     mode_then: Option<Mode>,
     rests_then: bool,
-    /// The operator has asked for something in this cycle.
+    /// The operator has been polled for a command in this cycle.
     asked: bool,
 }
 
@@ -143,7 +144,7 @@ impl Witness {
         }
     }
 
-    /// True in the situation that was asked for.
+    /// Returns true in the requested situation.
     fn is_there(&self) -> bool {
         use Situation as S;
         let weld = self.mode == Mode::Weld;
@@ -164,7 +165,7 @@ impl Witness {
         }
     }
 
-    /// Cycles in the situation before the fault comes.
+    /// Returns the delay of the fault in the situation, cycles.
     fn delay(&self) -> u64 {
         let most = match self.orders.case.situation {
             Situation::Strike => 20,
@@ -175,28 +176,29 @@ impl Witness {
         (self.orders.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 33) % most
     }
 
-    /// The fault is over by itself, and took the cell down: then it can be switched on again.
+    /// Returns true if the fault ended by itself and tripped the cell: then a restart must be possible.
     fn comes_back(&self) -> bool {
         let Case { device, kind, .. } = self.orders.case;
         let over = matches!(kind, FaultKind::Reboot | FaultKind::Reconnect) || device == Device::Cycle;
         over && self.mode_then == Some(Mode::Fault)
     }
 
-    /// How long it watches after the fault, s.
+    /// Returns the observation time after the fault, s.
     fn watches_s(&self) -> f64 {
         let Case { device, situation, .. } = self.orders.case;
         let runs = situation == Situation::DryRun || situation.welds() && situation != Situation::Crater;
         if device == Device::Sensors && runs { WATCHES_TRACKED_S } else { WATCHES_S }
     }
 
-    /// What brings the cell back after a fault that is over; none once it has power again, or does not come.
+    /// Returns the next command of the recovery after an ended fault; `None` once power is back, or after the time
+    /// limit.
     fn recover(&mut self) -> Option<Ask> {
         let since = *self.recovers.get_or_insert(self.cycles);
         if self.recovered || (self.cycles - since) as f64 * self.period > RECOVERS_S {
             return None;
         }
         match self.mode {
-            // What is on the list is known, then looked at.
+            // Acknowledge the alarms first, then reset.
             Mode::Fault | Mode::Off if (self.cycles / HAND).is_multiple_of(2) => Some(Ask::Acknowledge),
             Mode::Fault => Some(Ask::Reset),
             Mode::Off => Some(Ask::SwitchOn),
@@ -207,7 +209,7 @@ impl Witness {
         }
     }
 
-    /// What the operator does next.
+    /// Returns the operator's next command.
     fn wish(&self) -> Option<Ask> {
         use Situation as S;
         let goal = self.orders.case.situation;
@@ -228,7 +230,7 @@ impl Witness {
         }
     }
 
-    /// To and fro with the first axis.
+    /// Jogs the first axis back and forth.
     fn jog_speeds(&self) -> Joints {
         let mut speeds = Joints::default();
         let forth = (self.cycles as f64 * self.period / 2.0).fract() < 0.5;
@@ -238,7 +240,7 @@ impl Witness {
 
     fn check(&mut self, cycle: &Cycle<'_>) {
         let on = cycle.orders.process.on;
-        // The mode is the one before this cycle: orders were given then.
+        // Orders were given in the mode of the previous cycle.
         if on && !matches!(self.mode, Mode::Weld | Mode::Hold) {
             self.violated(&format!("the process is on in mode {}", self.mode));
         }
@@ -261,14 +263,14 @@ impl Witness {
                 }
             }
         }
-        // These orders were given with what was known before this cycle's reports.
+        // These orders were given before this cycle's reports.
         let powered = cycle.orders.power && self.powered && cycle.reports.drives.powered && self.mode != Mode::Homing;
         let q: Joints = std::array::from_fn(|i| cycle.orders.set[i].position);
         self.still = if self.sets.last() == Some(&q) { self.still + 1 } else { 0 };
         if !powered {
             self.sets.clear();
         } else if self.began.is_none() && !cycle.orders.home {
-            // What is followed is where the axes are.
+            // The set-points followed are the axis positions.
             for i in 0..self.limits.len() {
                 let away = (cycle.orders.set[i].position - cycle.reports.drives.position[i]).abs();
                 if away > 0.2 + 0.02 * cycle.orders.set[i].velocity.abs() {
@@ -294,7 +296,7 @@ impl Witness {
 }
 
 impl Witness {
-    /// Path length that the axes' limits need to come to rest from here, mm: as if the path went straight on.
+    /// Returns the shortest stop distance within the axes' limits, mm, as if the path were straight.
     fn shortest_stop(&self, cycle: &Cycle<'_>) -> f64 {
         let v = cycle.speed.abs();
         if v <= 0.0 {
@@ -307,7 +309,7 @@ impl Witness {
                 (a, j) = (a.min(acceleration / by), j.min(jerk / by));
             }
         }
-        // Deceleration grows to a and falls again, or does not come so far.
+        // Trapezoidal deceleration up to a, or triangular below it.
         let time = if v * j >= a * a { v / a + a / j } else { 2.0 * (v / j).sqrt() };
         0.5 * v * time + REACTS * self.period * v
     }

@@ -8,7 +8,7 @@ use std::str::FromStr;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What a fault happens to.
+/// Device that a fault affects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Device {
     /// The drives.
@@ -17,58 +17,58 @@ pub enum Device {
     Source,
     /// The inputs.
     Inputs,
-    /// What sees the joint.
+    /// The joint sensors: camera or beam.
     Sensors,
-    /// The cell's own cycle, which comes late: no device that a plan of faults has.
+    /// The cell's own cycle, which comes late. A fault plan cannot name it.
     Cycle,
 }
 
-/// What happens to it.
+/// Kind of fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum FaultKind {
-    /// It does what it is told, and reports nothing.
+    /// The device executes orders but its reports stop.
     Silent,
-    /// It reports what was, some periods ago.
+    /// Reports are delayed by some periods.
     Slow,
-    /// It reports what is not so: a jump of a position, an arc that is out, an input upside down, a joint anywhere.
+    /// Reports are wrong: a jump of a position, an inverted arc state, an inverted input, a random joint deviation.
     Wrong,
-    /// No line to it: no orders, no reports. What watches orders switches off by itself.
+    /// The connection is cut: no orders, no reports. The device's watchdog switches it off.
     Disconnect,
-    /// It starts anew, and has forgotten what it was told.
+    /// The device restarts and loses its state.
     Reboot,
-    /// No line to it for a second.
+    /// The connection is cut for one second.
     Reconnect,
 }
 
-/// When a fault begins.
+/// Start of a fault.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum When {
-    /// After so many seconds.
+    /// At this time after the start, s.
     At(f64),
-    /// When it is told: see [`Faulty::told_by`].
+    /// When the flag of [`Faulty::told_by`] is set.
     Told,
 }
 
 /// A fault of a device.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fault {
-    /// What it happens to.
+    /// Affected device.
     pub device: Device,
-    /// What happens.
+    /// Kind of fault.
     pub kind: FaultKind,
-    /// When it begins.
+    /// Start of the fault.
     pub when: When,
-    /// How long it lasts, s; infinite if it does not end.
+    /// Duration, s; infinite if the fault is permanent.
     pub lasts_s: f64,
-    /// Which axis or input is wrong.
+    /// Index of the wrong axis or input.
     pub which: u8,
 }
 
 impl Device {
-    /// All that a plan of faults may name.
+    /// Devices that a fault plan may name.
     pub const ALL: [Self; 4] = [Self::Drives, Self::Source, Self::Inputs, Self::Sensors];
 
-    /// In one word.
+    /// Name in a fault plan.
     pub fn name(self) -> &'static str {
         match self {
             Self::Drives => "drives",
@@ -81,15 +81,15 @@ impl Device {
 }
 
 impl FaultKind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Self; 6] = [Self::Silent, Self::Slow, Self::Wrong, Self::Disconnect, Self::Reboot, Self::Reconnect];
 
-    /// Nothing is heard of the device.
+    /// True if no report arrives from the device.
     fn is_mute(self) -> bool {
         matches!(self, Self::Silent | Self::Disconnect | Self::Reboot | Self::Reconnect)
     }
 
-    /// In one word.
+    /// Name in a fault plan.
     pub fn name(self) -> &'static str {
         match self {
             Self::Silent => "silent",
@@ -112,7 +112,8 @@ impl fmt::Display for Fault {
     }
 }
 
-/// As on the command line: `drives:silent@12.5` or `inputs:disconnect@3+0.5`: device, kind, time and duration in s.
+/// Parses the form of the command line, `drives:silent@12.5` or `inputs:disconnect@3+0.5`: device, kind, time and
+/// duration in s.
 impl FromStr for Fault {
     type Err = String;
 
@@ -139,39 +140,39 @@ impl FromStr for Fault {
     }
 }
 
-/// Periods by which a slow device is late.
+/// Delay of a slow device, periods.
 const LATE: usize = 8;
-/// Time that a device needs to start, s.
+/// Restart time of a device, s.
 const STARTS_S: f64 = 0.5;
-/// Time without a line to a device that is heard again, s.
+/// Duration of [`FaultKind::Reconnect`], s.
 const AWAY_S: f64 = 1.0;
-/// By how far a wrong position jumps, mm or rad.
+/// Jump of a wrong position, mm or rad.
 const JUMP: f64 = 5.0;
 
-/// A device before which a plan of faults stands.
+/// Device with fault injection.
 #[derive(Debug, Clone)]
 pub struct Faulty<T, R> {
     device: T,
     period: f64,
     faults: Vec<(Fault, Option<f64>)>,
-    /// Periods since the start, as time in s.
+    /// Time since the start, counted in periods, s.
     t: f64,
-    /// What was reported in the last periods, newest last.
+    /// Reports of the last periods, newest last.
     late: Vec<R>,
-    /// What the device itself reported last.
+    /// Last report of the device itself.
     own: Option<R>,
-    /// Starts that the plan added.
+    /// Restarts that the fault plan added.
     starts: u32,
-    /// What was known before the last start is forgotten.
+    /// The reference is lost since the last restart.
     forgotten: bool,
-    /// Nothing is to be seen.
+    /// No pictures arrive.
     dark: bool,
-    /// Faults that wait to be told begin when this is true.
+    /// Flag that starts the faults with [`When::Told`].
     told: Option<Arc<AtomicBool>>,
 }
 
 impl<T, R: Copy + Default> Faulty<T, R> {
-    /// `device` with those of `faults` that are of this `kind`; `period_s` is that of the cycle.
+    /// Wraps `device` with those of `faults` that affect this `kind`; `period_s` is the cycle's period.
     pub fn new(device: T, kind: Device, faults: &[Fault], period_s: f64) -> Self {
         let faults = faults.iter().filter(|f| f.device == kind).map(|f| (*f, None)).collect();
         Self {
@@ -188,19 +189,19 @@ impl<T, R: Copy + Default> Faulty<T, R> {
         }
     }
 
-    /// The device itself.
+    /// Returns the wrapped device.
     pub fn device(&self) -> &T {
         &self.device
     }
 
-    /// Faults that wait to be told begin when `told` becomes true.
+    /// Sets the flag that starts the faults with [`When::Told`].
     #[must_use]
     pub fn told_by(mut self, told: &Arc<AtomicBool>) -> Self {
         self.told = Some(Arc::clone(told));
         self
     }
 
-    /// The fault of this period, and if this is its first.
+    /// Returns the fault of this period, and whether this is its first period.
     fn now(&mut self) -> Option<(Fault, bool)> {
         self.t += self.period;
         let t = self.t;
@@ -229,7 +230,7 @@ impl<T, R: Copy + Default> Faulty<T, R> {
         found
     }
 
-    /// What is reported `LATE` periods after it was so.
+    /// Stores `fresh`; returns the report of `LATE` periods ago if `slow`.
     fn delayed(&mut self, fresh: R, slow: bool) -> R {
         if self.late.len() > LATE {
             self.late.remove(0);
@@ -244,7 +245,7 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
         let fault = self.now();
         let kind = fault.map(|(f, _)| f.kind);
         let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot | FaultKind::Reconnect));
-        // Without orders the drives' own watchdog takes the power.
+        // Without orders the drives' own watchdog switches the power off.
         let orders = if cut { Orders { power: false, ..*orders } } else { *orders };
         let mut fresh = self.own.unwrap_or(*report);
         self.device.exchange(&orders, &mut fresh);
@@ -253,7 +254,7 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
             (self.starts, self.forgotten) = (self.starts + 1, true);
         }
         fresh.starts += self.starts;
-        // A drive that has started anew looks for its reference again.
+        // A restarted drive needs homing.
         self.forgotten &= !(orders.home && fresh.powered);
         if self.forgotten {
             fresh.referenced = 0;
@@ -348,7 +349,7 @@ impl<T: Sensors> Sensors for Faulty<T, SensorReport> {
         }
         fresh.starts = 1 + self.starts;
         let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
-        // Pictures that are wrong or late are none.
+        // Every sensor fault drops the pictures.
         self.dark = kind.is_some();
         *report = match kind {
             Some(k) if k.is_mute() => {
@@ -357,7 +358,7 @@ impl<T: Sensors> Sensors for Faulty<T, SensorReport> {
             Some(FaultKind::Slow) => SensorReport { age_s: LATE as f64 * self.period, ..delayed },
             Some(FaultKind::Wrong) => {
                 for measured in fresh.measured.iter_mut().flatten() {
-                    // Anywhere within a jump, never twice in one place.
+                    // A pseudo-random offset within one jump, different for each measurement.
                     let anywhere = |by: f64| JUMP * (1e3 * by * measured.exposed_s).sin();
                     measured.offset = DVec2::new(anywhere(7.13), anywhere(3.71));
                 }

@@ -1,7 +1,6 @@
-//! What a cell drives: axes, process source and inputs, each behind a trait with a simulated twin.
+//! Devices of a cell: axes, process source and inputs, each behind a trait with a simulated device.
 //!
-//! [`DeviceSet`] puts one of each together for the executive. [`Faulty`] stands before any of them and does to it what a plan
-//! of faults says.
+//! [`DeviceSet`] joins one of each for the executive. [`Faulty`] wraps a device and injects the faults of a plan.
 
 mod fault;
 #[cfg(target_os = "linux")]
@@ -24,28 +23,28 @@ use seamwright_tracking::beam::Picture;
 
 /// The drives of all axes.
 pub trait Drives {
-    /// A period with these orders; what is known at its end. Leaves `report` as it was, but for its age, if nothing is known.
+    /// Exchanges orders and reports for one period. If no report came, only the age in `report` changes.
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport);
-    /// Missed cycles that they ride out without harm.
+    /// Returns the number of missed cycles that the drives tolerate without harm.
     fn rides_out(&self) -> Slack;
-    /// Greatest age of a report that is still fresh, s.
+    /// Maximum age of a fresh report, s.
     fn late_s(&self) -> f64;
-    /// Where the axes truly are, of simulated drives.
+    /// True axis positions, of simulated drives only.
     fn truth(&self) -> Option<&Joints> {
         None
     }
 }
 
-/// What sees the joint: sensors ahead of the torches, or a beam.
+/// Joint sensors: sensors ahead of the torches, or a beam.
 pub trait Sensors {
-    /// A period with these orders, at whose end simulated axes truly are at `truth`; what has come in it. What was exposed is stamped
-    /// with the clock of the orders.
+    /// Exchanges orders and reports for one period, at whose end simulated axes are at `truth`. Exposure times are on
+    /// the clock of the orders.
     fn exchange(&mut self, orders: &SeamOrders, truth: Option<&Joints>, report: &mut SensorReport);
-    /// The picture that has come in the last period.
+    /// Returns the picture that came in the last period.
     fn picture(&self) -> Option<Picture<'_>>;
 }
 
-/// None sees nothing.
+/// `None` reports nothing.
 impl<S: Sensors> Sensors for Option<S> {
     fn exchange(&mut self, orders: &SeamOrders, truth: Option<&Joints>, report: &mut SensorReport) {
         if let Some(sensors) = self {
@@ -76,16 +75,16 @@ impl<D: Drives + ?Sized> Drives for Box<D> {
     }
 }
 
-/// Age of a report that is still fresh where one comes with every cycle, periods.
+/// Maximum age of a fresh report where one comes with every cycle, periods.
 const LATE_PERIODS: f64 = 3.5;
 
-/// Arc or beam, gas and what belongs to it.
+/// Arc or beam, with gas and auxiliaries.
 pub trait Source {
-    /// A period with these orders; what is known at its end. Leaves `report` as it was, but for its age, if nothing is known.
+    /// Exchanges orders and reports for one period. If no report came, only the age in `report` changes.
     fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport);
 }
 
-/// A source that was chosen when the machine file was read.
+/// A source that was selected when the machine file was read.
 impl<S: Source + ?Sized> Source for Box<S> {
     fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
         (**self).exchange(orders, report);
@@ -95,24 +94,24 @@ impl<S: Source + ?Sized> Source for Box<S> {
 /// Inputs of doors, valves and switches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InputBits {
-    /// A bit each, in the order of the machine's conditions.
+    /// One bit each, in the order of the machine's conditions.
     pub bits: u64,
-    /// How often their device has started.
+    /// Number of starts of the input device.
     pub starts: u32,
-    /// Age of all this, s.
+    /// Age of this state, s.
     pub age_s: f64,
 }
 
 impl Default for InputBits {
-    /// Nothing is known, since ever.
+    /// No inputs known, infinite age.
     fn default() -> Self {
         Self { bits: 0, starts: 0, age_s: f64::INFINITY }
     }
 }
 
-/// What reads inputs and passes the watchdog on.
+/// Reads the inputs and passes the watchdog on.
 pub trait Inputs {
-    /// A period; what is known at its end. Leaves `inputs` as they were, but for their age, if nothing is known.
+    /// Exchanges the watchdog and the inputs for one period. If no report came, only the age in `inputs` changes.
     fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits);
 }
 
@@ -122,7 +121,7 @@ impl<I: Inputs + ?Sized> Inputs for Box<I> {
     }
 }
 
-/// One of each, as the executive wants them.
+/// One device of each kind, for the executive.
 #[derive(Debug, Clone)]
 pub struct DeviceSet<D, S, I> {
     /// The drives; with real ones, they wait for the period.
@@ -153,12 +152,12 @@ impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
     }
 }
 
-/// Devices, and what sees the joint beside them.
+/// Devices with joint sensors.
 #[derive(Debug, Clone)]
 pub struct WithSensors<D, S> {
     /// Drives, process source, inputs.
     pub devices: D,
-    /// What sees the joint.
+    /// Joint sensors.
     pub sensors: S,
 }
 

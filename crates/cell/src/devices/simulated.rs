@@ -6,11 +6,11 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use seamwright_machine::{Joints, Machine};
 
-/// Time that a drive looks for its reference, s.
+/// Homing time of a drive, s.
 const REFERENCE_S: f64 = 0.5;
-/// By how much positions are wrong before the reference is known, mm or rad.
+/// Position error before homing, mm or rad.
 pub(super) const UNKNOWN: f64 = 0.37;
-/// Time until drives have power, s.
+/// Time from switch-on until drives have power, s.
 const POWER_S: f64 = 0.1;
 
 /// Power and references of drives in simulation.
@@ -23,18 +23,18 @@ pub(super) struct Standing {
 }
 
 impl Standing {
-    /// Without power and references; `period` in s.
+    /// Creates the state without power and references; `period` in s.
     pub(super) fn new(period: f64) -> Self {
         Self { period, powered_for: 0.0, homing_for: 0.0, referenced: false }
     }
 
-    /// A period: whether they have power, and whether they follow set-points.
+    /// Advances by one period. Returns whether the drives have power, and whether they follow set-points.
     pub(super) fn step(&mut self, orders: &Orders) -> (bool, bool) {
         self.powered_for = if orders.power { self.powered_for + self.period } else { 0.0 };
         let powered = self.powered_for >= POWER_S;
         self.homing_for = if powered && orders.home { self.homing_for + self.period } else { 0.0 };
         self.referenced |= self.homing_for >= REFERENCE_S;
-        // While it looks for its references a drive holds itself.
+        // During homing a drive holds its position.
         (powered, powered && !orders.home)
     }
 
@@ -43,7 +43,8 @@ impl Standing {
     }
 }
 
-/// All drives of a machine in simulation: position loops, motors, friction, cogging, encoders; brakes that close without power.
+/// All drives of a machine in simulation: position loops, motors, friction, cogging, encoders; brakes that close
+/// without power.
 #[derive(Debug, Clone)]
 pub struct SimulatedDrives {
     drives: crate::drives::Drives,
@@ -56,10 +57,11 @@ pub struct SimulatedDrives {
 }
 
 impl SimulatedDrives {
-    /// Without power at the machine's home positions, references unknown; `seed` is that of friction and noise.
+    /// Places the axes without power at the machine's home positions, references unknown; `seed` sets friction and
+    /// noise.
     ///
     /// # Errors
-    /// Values in the machine file that make no drive.
+    /// Invalid drive values in the machine file.
     pub fn new(machine: &Machine, seed: u64) -> Result<Self, Error> {
         Ok(Self {
             drives: crate::drives::Drives::new(machine, seed)?,
@@ -71,7 +73,7 @@ impl SimulatedDrives {
         })
     }
 
-    /// The same, at these positions instead of home.
+    /// Places the axes at these positions instead of home.
     #[must_use]
     pub fn standing_at(self, q: &Joints) -> Self {
         Self { q: *q, ..self }
@@ -110,7 +112,7 @@ impl Drives for SimulatedDrives {
         report.starts = report.starts.max(1);
     }
 
-    /// Its time stands still while nobody asks.
+    /// Simulated time stands still between exchanges.
     fn rides_out(&self) -> Slack {
         Slack::standing(self.period)
     }
@@ -126,33 +128,33 @@ impl Drives for SimulatedDrives {
 
 /// Time constant of process values, s.
 const FOLLOWS_S: f64 = 0.03;
-/// Noise of measured process values, as a part.
+/// Noise of measured process values, relative.
 const NOISE: f64 = 0.01;
-/// Time from off until arc or beam is out, s.
+/// Time from off until arc or beam is extinguished, s.
 const GOES_OUT_S: f64 = 0.01;
 
-/// A process source in simulation: an arc that needs a moment to strike, values that follow with noise.
+/// A process source in simulation: an arc that takes a moment to ignite, values that follow with noise.
 #[derive(Debug, Clone)]
 pub struct SimulatedSource {
     random: Pcg64Mcg,
     period: f64,
     on_for: f64,
     off_for: f64,
-    /// Time to strike, s.
+    /// Ignition time, s.
     strikes_s: f64,
     burning: bool,
     values: [f64; VALUES],
 }
 
 impl SimulatedSource {
-    /// With chance from `seed`; `period_s` is that of the cycle.
+    /// Creates the source with random numbers from `seed`; `period_s` is the cycle's period.
     pub fn new(seed: u64, period_s: f64) -> Self {
         let mut random = Pcg64Mcg::seed_from_u64(seed ^ 0x5eed_50c3);
         let strikes_s = 0.05 + 0.1 * uniform(&mut random);
         Self { random, period: period_s, on_for: 0.0, off_for: 1.0, strikes_s, burning: false, values: [0.0; VALUES] }
     }
 
-    /// True while arc or beam is there, reported or not.
+    /// Returns the true arc or beam state.
     pub fn burns(&self) -> bool {
         self.burning
     }
@@ -180,14 +182,14 @@ impl Source for SimulatedSource {
     }
 }
 
-/// Inputs in simulation: everything is as it should be.
+/// Simulated inputs with constant bits.
 #[derive(Debug, Clone)]
 pub struct SimulatedInputs {
     bits: u64,
 }
 
 impl SimulatedInputs {
-    /// Inputs that always read `bits`.
+    /// Creates inputs that always read `bits`.
     pub fn new(bits: u64) -> Self {
         Self { bits }
     }

@@ -1,20 +1,20 @@
-/// What the cell does about an alarm, the mildest first.
+/// Reaction of the cell to an alarm, the mildest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reaction {
-    /// It is told.
+    /// Report only.
     Tell,
-    /// The program is held on its path as by the operator: a crater is filled.
+    /// Hold the program on its path, as by the operator: the crater is filled.
     Hold,
-    /// The process goes off at once, the program is held.
+    /// Switch the process off at once, hold the program.
     ProcessOff,
-    /// The process goes off at once, everything stops on its path within limits, then the drives lose power.
+    /// Switch the process off at once, stop on the path within limits, then switch the drives off.
     Stop,
-    /// Process and drives lose power at once, brakes close.
+    /// Switch process and drives off at once; the brakes close.
     PowerOff,
 }
 
 impl Reaction {
-    /// In words.
+    /// Text of the catalogue.
     pub fn name(self) -> &'static str {
         match self {
             Self::Tell => "told",
@@ -26,52 +26,52 @@ impl Reaction {
     }
 }
 
-/// What can go wrong in a cell.
+/// Alarms of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Alarm {
-    /// A condition of the machine file is not met; which one is the detail.
+    /// An interlock condition of the machine file is not met; the detail is its number.
     Interlock,
     /// An axis' drive reports a fault.
     DriveFault,
     /// An axis is on a limit switch.
     LimitSwitch,
-    /// An axis is too far from where it shall be.
+    /// The following error of an axis is too large.
     FollowingError,
-    /// Drives have lost their power although it is asked for.
+    /// Drives have lost their power although it is requested.
     DrivePower,
     /// The drives do not answer.
     DrivesSilent,
-    /// The drives have started anew: positions are lost.
+    /// The drives have restarted: references are lost.
     DrivesRestarted,
     /// The references were not found in time.
     NoReference,
-    /// The inputs are old.
+    /// The inputs are out of date.
     InputsSilent,
-    /// The device of the inputs has started anew.
+    /// The input device has restarted.
     InputsRestarted,
     /// The process source does not answer.
     SourceSilent,
-    /// The process source has started anew.
+    /// The process source has restarted.
     SourceRestarted,
     /// The process source reports a fault of its own.
     SourceFault,
-    /// Arc or beam did not come on.
+    /// Arc or beam did not ignite.
     NoArc,
-    /// Arc or beam went out.
+    /// Arc or beam was lost.
     ArcLost,
-    /// Arc or beam is on although it must not be.
+    /// Arc or beam is on although it is ordered off.
     ProcessStuckOn,
-    /// A process value is not what was asked for; which one is the detail.
+    /// A process value is out of tolerance; the detail is its number.
     ProcessValue,
     /// The wire sticks in the pool after the end.
     WireStuck,
     /// Cycles were missed.
     Overrun,
-    /// The motion cannot go on.
+    /// The motion cannot continue.
     MotionStuck,
     /// The panel fell silent while axes were jogged.
     PanelSilent,
-    /// Jogging was stopped: the next thing in the way, or a limit.
+    /// Jogging was stopped by an obstacle or a limit.
     JogStopped,
     /// The record of the weld cannot be written.
     RecordFailing,
@@ -81,18 +81,18 @@ pub enum Alarm {
     Starved,
 }
 
-/// An entry of the catalogue of alarms (ISA-18.2): why it comes, what follows, what to do.
+/// An entry of the catalogue of alarms (ISA-18.2): cause, consequence, operator action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Entry {
-    /// In a few words.
+    /// Name in a few words.
     pub name: &'static str,
-    /// Why it comes.
+    /// Cause.
     pub cause: &'static str,
-    /// What happens if nothing is done.
+    /// Consequence without an action.
     pub consequence: &'static str,
-    /// What the operator does.
+    /// Operator action.
     pub action: &'static str,
-    /// What the cell does.
+    /// Reaction of the cell.
     pub reaction: Reaction,
 }
 

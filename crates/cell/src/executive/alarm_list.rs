@@ -3,10 +3,10 @@ use super::command::Ask;
 use super::state::Note;
 use arrayvec::ArrayVec;
 
-/// Where the torch was.
+/// Position of the torch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Place {
-    /// The pass, counted from 1; 0 beside all passes.
+    /// The pass, counted from 1; 0 outside of all passes.
     pub pass: usize,
     /// Path length in it, mm.
     pub s_mm: f64,
@@ -15,53 +15,53 @@ pub struct Place {
 /// State of an alarm (ISA-18.2, clause 5.5).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AlarmState {
-    /// It is there and nobody has said that he knows.
+    /// Active and unacknowledged.
     Unacknowledged,
-    /// It is there and known.
+    /// Active and acknowledged.
     Acknowledged,
-    /// It has gone before anybody said that he knows.
+    /// Returned to normal, unacknowledged.
     Returned,
 }
 
 /// An alarm on the list.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Raised {
-    /// Which.
+    /// The alarm.
     pub alarm: Alarm,
-    /// Which axis, condition or process value, counted from 0; 0 where there is only one.
+    /// Index of the axis, condition or process value, from 0; 0 if there is only one.
     pub detail: u8,
-    /// What the cell did.
+    /// Reaction of the cell.
     pub reaction: Reaction,
     /// Its state.
     pub state: AlarmState,
-    /// True for the alarm that came first since there was none.
+    /// True for the first alarm on an empty list.
     pub first_out: bool,
-    /// When it came, s.
+    /// Time of the alarm, s.
     pub t: f64,
-    /// Where the torch was.
+    /// Torch position at the alarm.
     pub place: Place,
 }
 
-/// Most alarms on the list at once: one each, and one for each axis and condition.
-pub const MOST_ALARMS: usize = 160;
+/// Capacity of the alarm list: one entry for each alarm, axis and condition.
+pub const MAX_ALARMS: usize = 160;
 
-/// The alarms that are there or not yet acknowledged. Nothing is lost: every alarm has room once for every detail.
+/// The active and the unacknowledged alarms. No alarm is lost: there is room for each alarm once with every detail.
 #[derive(Debug, Clone, Default)]
 pub struct AlarmList {
-    list: ArrayVec<Raised, MOST_ALARMS>,
-    /// Alarms that found no room.
+    list: ArrayVec<Raised, MAX_ALARMS>,
+    /// Number of alarms lost on a full list.
     lost: u32,
 }
 
 impl AlarmList {
-    /// Raises an alarm; what is to be told, if that is news.
+    /// Raises an alarm; returns its entry if it is new or more severe.
     pub fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, (t, place): (f64, Place)) -> Option<Raised> {
         let first_out = self.list.is_empty();
         if let Some(known) = self.list.iter_mut().find(|r| r.alarm == alarm && r.detail == detail) {
             if known.state != AlarmState::Returned && reaction <= known.reaction {
                 return None;
             }
-            // It is back, or does more than before: a new occurrence, but what came first stays what came first.
+            // It has returned, or its reaction is more severe: a new occurrence, but the first-out mark stays.
             *known = Raised { state: AlarmState::Unacknowledged, reaction, t, place, ..*known };
             return Some(*known);
         }
@@ -72,7 +72,7 @@ impl AlarmList {
         Some(raised)
     }
 
-    /// The cause of an alarm has gone; true if that is news.
+    /// Marks the cause of an alarm as gone; returns true if that is a change.
     pub fn clear(&mut self, alarm: Alarm, detail: u8) -> bool {
         let Some(i) = self.list.iter().position(|r| r.alarm == alarm && r.detail == detail) else { return false };
         match self.list[i].state {
@@ -83,12 +83,12 @@ impl AlarmList {
         true
     }
 
-    /// Keeps a list in step with the executive's by what that notes; true if it has changed.
+    /// Updates a copy of the executive's list from its notes; returns true if the copy has changed.
     pub fn follow(&mut self, note: &Note) -> bool {
         match note {
             Note::Alarm(r) => {
                 self.raise(r.alarm, r.detail, r.reaction, (r.t, r.place));
-                // What happened at an instant.
+                // A momentary alarm.
                 if r.state == AlarmState::Returned {
                     self.clear(r.alarm, r.detail);
                 }
@@ -104,7 +104,7 @@ impl AlarmList {
         true
     }
 
-    /// The operator knows all that is on the list; how many that were new to him.
+    /// Acknowledges all alarms; returns how many were unacknowledged.
     pub fn acknowledge(&mut self) -> usize {
         let before = self.list.iter().filter(|r| r.state != AlarmState::Acknowledged).count();
         self.list.retain(|r| r.state != AlarmState::Returned);
@@ -112,7 +112,7 @@ impl AlarmList {
         before
     }
 
-    /// The operator knows this one; true if it was new to him. The others stay as they are.
+    /// Acknowledges one alarm; returns true if it was unacknowledged. The other alarms do not change.
     pub fn acknowledge_one(&mut self, alarm: Alarm, detail: u8) -> bool {
         let Some(i) = self.list.iter().position(|r| r.alarm == alarm && r.detail == detail) else { return false };
         match self.list[i].state {
@@ -123,22 +123,22 @@ impl AlarmList {
         true
     }
 
-    /// True if it is there.
+    /// Returns true if the alarm is active.
     pub fn is_active(&self, alarm: Alarm, detail: u8) -> bool {
         self.list.iter().any(|r| r.alarm == alarm && r.detail == detail && r.state != AlarmState::Returned)
     }
 
-    /// All on the list, in the order in which they came.
+    /// Returns all alarms on the list, in the order of their arrival.
     pub fn iter(&self) -> impl Iterator<Item = &Raised> {
         self.list.iter()
     }
 
-    /// The alarm that came first.
+    /// Returns the first-out alarm.
     pub fn first(&self) -> Option<&Raised> {
         self.list.iter().find(|r| r.first_out).or(self.list.first())
     }
 
-    /// Alarms that found no room.
+    /// Returns the number of alarms lost on a full list.
     pub fn lost(&self) -> u32 {
         self.lost
     }
@@ -160,7 +160,7 @@ mod tests {
         assert!(raise(list, Alarm::ArcLost, 0).unwrap().first_out);
         assert!(raise(list, Alarm::ArcLost, 0).is_none());
         assert!(!raise(list, Alarm::FollowingError, 2).unwrap().first_out);
-        // Gone before it was acknowledged: still on the list; back again: news.
+        // Cleared before its acknowledgement: still on the list; raised again: new.
         assert!(list.clear(Alarm::ArcLost, 0) && !list.clear(Alarm::ArcLost, 0));
         assert_eq!(list.first().unwrap().alarm, Alarm::ArcLost);
         assert!(!list.is_active(Alarm::ArcLost, 0));
@@ -170,15 +170,15 @@ mod tests {
         assert!(list.clear(Alarm::ArcLost, 0));
         assert_eq!(list.iter().count(), 1);
         assert!(list.clear(Alarm::FollowingError, 2) && list.first().is_none());
-        // The next one is the first again; what returned leaves when it is acknowledged.
+        // The next one is first-out again; a returned alarm leaves the list when acknowledged.
         assert!(raise(list, Alarm::Overrun, 0).unwrap().first_out);
         list.clear(Alarm::Overrun, 0);
         assert_eq!(list.acknowledge(), 1);
         assert_eq!(list.iter().count(), 0);
     }
 
-    /// Random alarms come, go and are acknowledged one by one or all: each is in the state that its own history says, whatever
-    /// happens to the others.
+    /// Random alarms come, go and are acknowledged one by one or all. The state of each follows from its own history,
+    /// independent of the others.
     #[test]
     fn one_alarm_is_acknowledged_without_the_others() {
         let mut state = 5u64;
@@ -187,7 +187,7 @@ mod tests {
             (state >> 33) % n
         };
         let list = &mut AlarmList::default();
-        // There, and known, of each.
+        // Each alarm: active, acknowledged.
         let mut each = [(false, true); 6];
         for step in 0..20_000 {
             let k = below(6) as usize;
@@ -242,6 +242,6 @@ mod tests {
         for detail in 0..=u8::MAX {
             raise(list, Alarm::Interlock, detail);
         }
-        assert_eq!((list.iter().count(), list.lost()), (MOST_ALARMS, 256 - MOST_ALARMS as u32));
+        assert_eq!((list.iter().count(), list.lost()), (MAX_ALARMS, 256 - MAX_ALARMS as u32));
     }
 }

@@ -4,66 +4,66 @@ use seamwright_servo::SetPoint;
 use seamwright_tracking::beam::Picture;
 use seamwright_tracking::lead::Measurement;
 
-/// Most process values of a weld.
+/// Maximum number of process values of a weld.
 pub const VALUES: usize = 16;
 
-/// What the executive wants of the devices in a cycle.
+/// Orders to the devices in a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Orders {
-    /// The drives shall have power.
+    /// Drives on.
     pub power: bool,
-    /// The drives shall find their references, each by its own way; set-points do not count then.
+    /// Homing: each drive finds its reference in its own way and ignores set-points.
     pub home: bool,
-    /// Where each axis shall be, mm or rad; followed only with power.
+    /// Set-point of each axis, mm or rad; followed only with power.
     pub set: [SetPoint; MAX_AXES],
-    /// The process.
+    /// Process orders.
     pub process: ProcessOrders,
-    /// What sees the joint, and the beam's deflection.
+    /// Orders to the joint sensors and the beam deflection.
     pub seam: SeamOrders,
-    /// Changes its value in every cycle: outputs fall to their safe states if it stops to.
+    /// Toggles in every cycle: if it stops, outputs go to their safe states.
     pub watchdog: bool,
 }
 
-/// What the process source shall do.
+/// Orders to the process source.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ProcessOrders {
     /// The gas valve is open.
     pub gas: bool,
-    /// Arc or beam.
+    /// Arc or beam on.
     pub on: bool,
-    /// Process values, in the order of [`super::Work::values`]; no number for one that is not asked for.
+    /// Process values, in the order of [`super::Work::values`]; NaN for values that are not requested.
     pub values: [f64; VALUES],
 }
 
-/// What the devices know of themselves; by default nothing, since ever.
+/// Device reports; by default of infinite age.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reports {
     /// The drives.
     pub drives: DriveReport,
     /// The process source.
     pub source: SourceReport,
-    /// Inputs, a bit each, in the order of the machine's conditions.
+    /// Inputs, one bit each, in the order of the machine's conditions.
     pub inputs: u64,
     /// Age of the inputs, s.
     pub inputs_age_s: f64,
-    /// How often the device of the inputs has started.
+    /// Number of starts of the input device.
     pub inputs_starts: u32,
-    /// What sees the joint.
+    /// Joint sensors.
     pub sensors: SensorReport,
-    /// Cycles missed before this one.
+    /// Number of cycles missed before this one.
     pub missed: u32,
-    /// Where the axes truly are, of simulated drives: for who judges a weld, never for what controls it.
+    /// True axis positions, of simulated drives: for the evaluation of a weld, never for its control.
     pub truth: Option<Joints>,
 }
 
-/// What the sensors ahead of the torches report.
+/// Report of the sensors ahead of the torches.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SensorReport {
-    /// Of each head, what has arrived in this period.
+    /// Measurement of each head that arrived in this period.
     pub measured: [Option<Measurement>; 2],
-    /// Time since anything came while it should, s.
+    /// Time since the last expected report, s.
     pub age_s: f64,
-    /// How often they have started.
+    /// Number of starts.
     pub starts: u32,
 }
 
@@ -82,87 +82,87 @@ impl Default for Reports {
     }
 }
 
-/// What the drives report.
+/// Report of the drives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct DriveReport {
-    /// They have power.
+    /// The drives have power.
     pub powered: bool,
     /// Measured positions, mm or rad.
     pub position: Joints,
     /// Following error of each axis, mm or rad.
     pub following_error: Joints,
-    /// Current of each drive as a part of its peak.
+    /// Current of each drive, relative to its peak.
     pub current: Joints,
-    /// Axes with a fault, a bit each.
+    /// Axes with a fault, one bit each.
     pub fault: u16,
-    /// Axes on a limit switch, a bit each.
+    /// Axes on a limit switch, one bit each.
     pub limit_switch: u16,
-    /// Axes whose reference is known, a bit each.
+    /// Axes with a known reference, one bit each.
     pub referenced: u16,
-    /// Age of all this, s.
+    /// Age of this report, s.
     pub age_s: f64,
-    /// How often they have started.
+    /// Number of starts.
     pub starts: u32,
-    /// How often they ran out of set-points since they started: all axes stand still at once then, beyond their limits.
+    /// Number of underruns of set-points since the start: at each one all axes stop at once, beyond their limits.
     pub starved: u32,
 }
 
-/// What the process source reports.
+/// Report of the process source.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SourceReport {
-    /// It could be switched on.
+    /// Ready to switch on.
     pub ready: bool,
-    /// Arc or beam is there.
+    /// Arc or beam is burning.
     pub burning: bool,
     /// The wire sticks.
     pub stuck: bool,
-    /// Its own fault code; 0 is none.
+    /// The source's own fault code; 0 without a fault.
     pub fault: u16,
-    /// Actual process values; no number where it does not measure one.
+    /// Actual process values; NaN for values without a measurement.
     pub values: [f64; VALUES],
-    /// Age of all this, s.
+    /// Age of this report, s.
     pub age_s: f64,
-    /// How often it has started.
+    /// Number of starts.
     pub starts: u32,
 }
 
-/// Missed cycles that the drives ride out.
+/// Missed cycles that the drives tolerate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slack {
-    /// So many at once do no harm.
+    /// Number of consecutive missed cycles without harm.
     pub cycles: u32,
-    /// Part of a missed cycle that is made up for in each cycle after it: how fast what the drives have in store fills again.
+    /// Part of a missed cycle recovered in each later cycle: the refill rate of the drives' store.
     pub regained: f64,
 }
 
-/// Longest time that drives without a clock of their own, simulated ones and pulses, may stand still at a place with the process
-/// on, s. Above what a desktop without real-time rights makes a thread wait, far below what burns through.
+/// Maximum standstill with the process on of drives without a clock of their own (simulated ones and pulses), s. Longer
+/// than a desktop delays a thread without real-time rights, much shorter than the time to burn through.
 const STANDS_S: f64 = 0.25;
 
 impl Slack {
-    /// Of drives that stand where they are while no cycle comes, and go on as if nothing had been.
+    /// Slack of drives that stand still without cycles and continue unchanged.
     pub fn standing(period_s: f64) -> Self {
         Self { cycles: (STANDS_S / period_s).round() as u32, regained: f64::INFINITY }
     }
 
-    /// Of drives with this many set-points in store.
+    /// Slack of drives with this many stored set-points.
     pub fn stored(cycles: u32) -> Self {
-        /// Part of a cycle by which the store fills again in a cycle.
+        /// Part of a cycle by which the store refills per cycle.
         const REFILLS: f64 = 0.01;
         Self { cycles, regained: REFILLS }
     }
 }
 
-/// Everything that the executive drives.
+/// All devices of the executive.
 pub trait Devices {
-    /// Gives `orders` for the next period, waits until it begins, and puts into `reports` what is known then. Must neither
+    /// Gives `orders` for the next period, waits for its start, and writes the current state to `reports`. Must neither
     /// allocate nor lock.
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports);
-    /// Missed cycles that the drives ride out without harm.
+    /// Returns the number of missed cycles that the drives tolerate without harm.
     fn rides_out(&self) -> Slack;
-    /// Greatest age of the drives' report that is still fresh, s.
+    /// Returns the maximum age of a fresh drive report, s.
     fn drives_late_s(&self) -> f64;
-    /// The picture of the joint that has arrived in the last exchange, of a beam that looks.
+    /// Returns the joint picture that arrived in the last exchange, from a scanning beam.
     fn picture(&self) -> Option<Picture<'_>> {
         None
     }

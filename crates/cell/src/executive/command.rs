@@ -1,7 +1,7 @@
 use super::{Alarm, Event};
 use seamwright_motion::jog;
 
-/// Who asked, and from where: numbers that the outside resolves to names, so that a cycle carries no text.
+/// Origin of a command: numbers that the outside resolves to names, so that a cycle carries no text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Origin {
     /// Number of the user; 0 is the cell itself.
@@ -10,73 +10,73 @@ pub struct Origin {
     pub station: u32,
 }
 
-/// Something that is asked of the cell.
+/// A command to the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Command {
-    /// Who asked.
+    /// Origin of the command.
     pub origin: Origin,
-    /// The asker's own number for it, given back with what came of it.
+    /// The sender's number of the command, returned with its outcome.
     pub number: u32,
-    /// What.
+    /// The requested action.
     pub ask: Ask,
 }
 
 impl Command {
-    /// From nobody in particular.
+    /// Creates a command of the cell itself.
     pub fn of(ask: Ask) -> Self {
         Self { origin: Origin::default(), number: 0, ask }
     }
 }
 
-/// What can be asked.
+/// Requested actions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Ask {
-    /// Power for the drives.
+    /// Switch the drives on.
     SwitchOn,
-    /// No power for the drives.
+    /// Switch the drives off.
     SwitchOff,
-    /// Find the references.
+    /// Home all axes.
     Home,
-    /// This axis to its home position, references known.
+    /// Move this axis to its home position; needs known references.
     HomeAxis(u8),
     /// Jogging, until [`Ask::Hold`].
     StartJog,
-    /// Jogging while places are recorded.
+    /// Jogging with recording of positions.
     StartTeach,
-    /// What the operator's hand on the keys wants; a sign of life even if it is what it was.
+    /// The jog command of the enabling switch; a sign of life even without a change.
     Jog(jog::Command),
-    /// The program with the process off.
+    /// Start the program with the process off.
     StartDryRun,
     /// Allow the next start of the process: for one start, within a minute.
     Arm,
-    /// The program with the process on; must be armed.
+    /// Start the program with the process on; must be armed.
     StartWeld,
-    /// Stand still on the path, the process as the pass says.
+    /// Stop on the path; the pass defines the process during the hold.
     Hold,
-    /// Go on after a hold; must be armed if the process is to come on.
+    /// Resume after a hold; must be armed if the process is to come on.
     Resume,
-    /// Go back along the path with the process off, until the next hold.
+    /// Move back along the path with the process off, until the next hold.
     Reverse,
-    /// Stop on the path with the process off at once, and give up the program. Never refused.
+    /// Switch the process off at once, stop on the path, and abort the program. Never refused.
     Stop,
-    /// Part of the planned speed, 0 to 1.
+    /// Feed override, 0 to 1 of the planned speed.
     Override(f64),
-    /// The fault has been looked at.
+    /// Reset the fault.
     Reset,
-    /// All alarms are known.
+    /// Acknowledge all alarms.
     Acknowledge,
-    /// This alarm is known, with which axis, condition or process value; the others are not.
+    /// Acknowledge this alarm of this axis, condition or process value; the others stay as they are.
     AcknowledgeOne(Alarm, u8),
-    /// What stands between now and this: told in notes, changes nothing.
+    /// Report the missing permissives of this event in notes; changes nothing.
     Why(Event),
-    /// Give the cell back for another program, power and references as they are; must not move.
+    /// Return the cell for another program, with power and references unchanged; must not move.
     Load,
     /// End the executive; must not move.
     Quit,
 }
 
 impl Ask {
-    /// In a few words.
+    /// Name in a few words.
     pub fn name(&self) -> &'static str {
         match self {
             Self::SwitchOn => "switch on",

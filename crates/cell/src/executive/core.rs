@@ -14,23 +14,23 @@ use seamwright_motion::jog;
 use seamwright_motion::pace::RunPhase;
 use seamwright_servo::SetPoint;
 
-/// How long an arming holds, s.
+/// Validity of an arming, s.
 const ARMED_S: f64 = 60.0;
-/// Most commands taken in a cycle.
+/// Maximum number of commands taken in a cycle.
 const COMMANDS: usize = 8;
-/// Why [`Executive::serve`] came back.
+/// Reasons for the return of [`Executive::serve`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
     /// Everything is off.
     Quit,
-    /// It wants to serve another program at once: nothing moves, but drives may have power and want to hear.
+    /// The caller must serve another program at once: nothing moves, but drives may have power and need orders.
     Load,
 }
 
-/// What the program is doing in a cycle.
+/// State of the program in a cycle.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Doing {
-    /// Arc or beam is asked for.
+    /// Arc or beam is requested.
     pub(super) asked: bool,
     pub(super) gas: bool,
     pub(super) values: [f64; VALUES],
@@ -44,9 +44,9 @@ pub(super) struct Doing {
 
 /// The executive of a cell: see the module.
 ///
-/// Guarantees, tested by a campaign of faults at any moment in every mode: the process is off in the cycle after the one that
-/// reports what takes it away; set-points are always on the planned path or at rest, within every axis' limits, until power
-/// goes; nothing moves and no process comes on without a command for it after whatever stopped it.
+/// Guarantees, tested by fault injection at any moment in every mode: the process is off in the cycle after the report
+/// of its cause. Set-points are always on the planned path or at rest, within every axis limit, until power goes. After
+/// any stop, motion and process need a new command.
 pub struct Executive<'a, D, P> {
     pub(super) machine: &'a Machine,
     pub(super) devices: D,
@@ -60,41 +60,41 @@ pub struct Executive<'a, D, P> {
     pub(super) power: bool,
     /// A program or a jog has not come to rest.
     pub(super) busy: bool,
-    /// What a program that runs or is held is: with or without process.
+    /// The running or held program welds; false for a dry run.
     pub(super) welds: bool,
-    /// Until when the process may be started, s.
+    /// End of the arming, s.
     armed_until: f64,
     pub(super) pace: f64,
-    /// The program shall go back, or stand still where it does.
+    /// Orders of a held program: reverse along the path, or stop.
     pub(super) reverse: bool,
     pub(super) halt: bool,
-    /// The axis that goes home alone, if the others do not.
+    /// The axis that goes home alone; `None` for all axes.
     pub(super) homes_one: Option<usize>,
-    /// What the hand on the keys wants, fresh in this cycle.
+    /// The jog command of the enabling switch, received in this cycle.
     pub(super) jog: Option<jog::Command>,
     pub(super) end: Option<End>,
-    /// When the outside asked for the end, s.
+    /// Time of the shutdown request, s.
     pub(super) shuts_down_since: Option<f64>,
     cycles: u64,
     pub(super) orders: Orders,
     pub(super) reports: Reports,
     pub(super) doing: Doing,
-    /// Where a program was left.
+    /// Position at which a program was left.
     left: Option<Place>,
-    /// What corrects passes.
+    /// Corrects the passes.
     pub(super) guide: Option<&'a mut (dyn Guide + 'a)>,
-    /// It corrects the pass that is run.
+    /// The guide corrects the current pass.
     pub(super) guided: bool,
-    /// Greatest part of the planned speed that it allows.
+    /// Maximum feed override of the guide.
     pub(super) guide_pace: f64,
-    /// What it has told last.
+    /// Last trouble of the guide.
     pub(super) guide_trouble: Option<Trouble>,
     /// Planned positions of the pass in the last cycle.
     pub(super) planned_q: Joints,
 }
 
 impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
-    /// An executive that is off.
+    /// Creates an executive that is off.
     pub fn new(machine: &'a Machine, devices: D, port: P) -> Self {
         Self {
             machine,
@@ -129,25 +129,25 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         }
     }
 
-    /// Passes are corrected by `guide` from now on.
+    /// Sets the guide that corrects the passes.
     #[must_use]
     pub fn with_guide(mut self, guide: Option<&'a mut (dyn Guide + 'a)>) -> Self {
         self.guide = guide;
         self
     }
 
-    /// Its devices, at its end.
+    /// Returns the devices, at its end.
     pub fn into_devices(self) -> D {
         self.devices
     }
 
-    /// Its devices; between two calls of [`Executive::serve`] parts of them can be changed.
+    /// Returns the devices; between two calls of [`Executive::serve`] parts of them can be changed.
     pub fn devices_mut(&mut self) -> &mut D {
         &mut self.devices
     }
 
-    /// Runs cycle after cycle until [`Ask::Quit`] or [`Ask::Load`]; `work` is what dry runs and welds
-    /// run, and what jogging keeps clear of: without it there is neither.
+    /// Runs cycles until [`Ask::Quit`] or [`Ask::Load`]. `work` contains the program of dry runs and welds, and the
+    /// surroundings for jogging: without it both are refused.
     pub fn serve(&mut self, work: Option<&Work<'_>>) -> End {
         self.end = None;
         while self.end.is_none() {
@@ -156,7 +156,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
                 (Mode::Jog | Mode::Teach, _) => self.jog_on(work),
                 (Mode::DryRun | Mode::Weld, Some(work)) => self.run(work),
                 _ => {
-                    // What tripped has come to rest.
+                    // A tripped cell is at rest here.
                     self.power &= self.mode.has_power();
                     self.rest_at_actual();
                     self.tick(Doing::default(), work);
@@ -169,7 +169,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         if self.end == Some(End::Load) {
             return End::Load;
         }
-        // Whoever ends leaves nothing on.
+        // Switches all outputs off on exit.
         self.power = false;
         self.process.kill();
         self.orders = Orders { set: self.orders.set, watchdog: !self.orders.watchdog, ..Orders::default() };
@@ -177,22 +177,22 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         End::Quit
     }
 
-    /// All axes, a bit each.
+    /// Returns all axes, one bit each.
     pub(super) fn all_axes(&self) -> u16 {
         (1u16 << self.machine.axes.len()) - 1
     }
 
-    /// Axes whose reference is not known, a bit each.
+    /// Returns the axes with unknown references, one bit each.
     pub(super) fn unreferenced(&self) -> u16 {
         !self.reports.drives.referenced & self.all_axes()
     }
 
-    /// Time since it began, s.
+    /// Returns the time since the start, s.
     pub fn now(&self) -> f64 {
         self.cycles as f64 * self.machine.servo_period_s
     }
 
-    /// Where a program was left by a stop or a fault and can be gone on with.
+    /// Returns the position at which a stop or a fault left a program that can resume.
     pub fn left(&self) -> Option<Place> {
         self.left
     }
@@ -205,7 +205,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         self.armed_until = f64::NEG_INFINITY;
     }
 
-    /// Goes where `event` leads; false if it leads nowhere.
+    /// Enters the mode after `event`; false if the mode does not accept it.
     pub(super) fn event(&mut self, event: Event) -> bool {
         let Ok(mode) = self.mode.after(event) else { return false };
         if mode != self.mode {
@@ -218,7 +218,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         true
     }
 
-    /// The program was left at a place with the weld unfinished.
+    /// Stores the position at which the program was left with the weld unfinished.
     pub(super) fn leave(&mut self, place: Option<Place>) {
         self.left = place;
         if let Some(place) = place {
@@ -226,14 +226,14 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         }
     }
 
-    /// Set-points where the axes are.
+    /// Sets the set-points to the actual positions.
     pub(super) fn take_actual(&mut self) {
         for (set, position) in self.orders.set.iter_mut().zip(self.reports.drives.position) {
             *set = SetPoint { position, velocity: 0.0, acceleration: 0.0 };
         }
     }
 
-    /// Set-points of axes that nobody moves: where they are held, or where they are if they are not.
+    /// Sets resting set-points: the last ones if the drives hold them, else the actual positions.
     pub(super) fn rest_at_actual(&mut self) {
         let held = self.power && self.reports.drives.powered && self.mode != Mode::Homing;
         if !held {
@@ -244,7 +244,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         }
     }
 
-    /// One cycle: orders out, reports in, judged; commands; shown.
+    /// Runs one cycle: orders out, reports in, supervision, commands, display.
     pub(super) fn tick(&mut self, mut doing: Doing, work: Option<&Work<'_>>) {
         if self.port.shuts_down() {
             self.shut_down(&mut doing);
@@ -288,7 +288,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         self.port.show(&cycle);
     }
 
-    /// Takes a command, or says what is missing.
+    /// Executes a command, or notes the reason for its refusal.
     fn take(&mut self, command: Command, work: Option<&Work<'_>>) {
         if let Ask::Why(event) = command.ask {
             for missing in self.missing(event, work) {
@@ -296,7 +296,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             }
         }
         let refused = self.obey(command.ask, work).err();
-        // The hand on the keys speaks twenty times a second.
+        // Jog commands come twenty times a second: note only refusals.
         let told = !matches!(command.ask, Ask::Jog(_)) || refused.is_some();
         if told {
             self.port.note(self.now(), refused.map_or(Note::Taken(command), |m| Note::Refused(command, m)));
@@ -326,7 +326,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             Ask::Resume => Event::DryRun,
             _ => return self.adjust(ask, work),
         };
-        // What is held goes on as what it is.
+        // A held program resumes in its own mode.
         let starts = matches!(ask, Ask::StartDryRun | Ask::StartWeld);
         if self.mode == Mode::Hold && starts || self.mode != Mode::Hold && ask == Ask::Resume {
             return Err(Missing::Mode(super::Refused { mode: self.mode, event }));
@@ -353,7 +353,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         Ok(())
     }
 
-    /// Commands that change no mode.
+    /// Executes commands that do not change the mode.
     fn adjust(&mut self, ask: Ask, work: Option<&Work<'_>>) -> Result<(), Missing> {
         match ask {
             Ask::Override(value) if (0.0..=1.0).contains(&value) => self.pace = value,
@@ -382,7 +382,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             Ask::Why(_) => {}
             Ask::Load if self.busy || self.mode.moves() || self.mode == Mode::Hold => return Err(Missing::Moving),
             Ask::Load => {
-                // What was left belonged to the program before.
+                // The position belonged to the previous program.
                 self.left = None;
                 self.disarm();
                 self.end = Some(End::Load);
@@ -394,7 +394,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         Ok(())
     }
 
-    /// Axes of a set-point that moves.
+    /// Sets the set-points of moving axes.
     pub(super) fn set(&mut self, positions: &[f64; MAX_AXES], speeds: &[f64], accelerations: &[f64]) {
         for (i, set) in self.orders.set.iter_mut().enumerate() {
             *set = SetPoint { position: positions[i], velocity: speeds[i], acceleration: accelerations[i] };

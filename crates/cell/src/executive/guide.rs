@@ -1,24 +1,24 @@
-//! Where corrections enter: between the planned set-point of a pass and the orders of a cycle.
+//! Seam tracking interface: corrections between the planned set-point of a pass and the orders of a cycle.
 
 use super::Reports;
 use seamwright_machine::Joints;
 use seamwright_tracking::beam::{Beam, Picture};
 use seamwright_tracking::lead::Sight;
 
-/// What is asked of the sensors that see the joint, and of the beam that is deflected.
+/// Orders to the joint sensors and to the deflected beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeamOrders {
-    /// The cell's clock at the begin of the period, s: exposures are stamped with it.
+    /// The cell's clock at the start of the period, s: exposures are stamped with it.
     pub t_s: f64,
-    /// The pass whose joint is looked at, counted from 1; 0: none.
+    /// The pass whose joint is observed, counted from 1; 0 for no pass.
     pub pass: usize,
-    /// Path length of the torch's set-point in it, mm; less than 0 before its start.
+    /// Path length of the torch's set-point in it, mm; negative before its start.
     pub s_mm: f64,
-    /// The torch is on its path, where it may weave.
+    /// The torch is on its path and may weave.
     pub weaves: bool,
-    /// What the beam does.
+    /// Beam mode.
     pub beam: Beam,
-    /// By how much it is deflected, lateral, mm.
+    /// Lateral beam deflection, mm.
     pub deflection_mm: f64,
 }
 
@@ -28,53 +28,53 @@ impl Default for SeamOrders {
     }
 }
 
-/// What is known of a head that is tracked; lateral and height in the torch's frame, mm.
+/// Tracking state of a head; lateral and height in the torch's frame, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tracked {
-    /// Where the joint is believed to be, from the planned path.
+    /// Estimated joint position relative to the planned path.
     pub deviation_mm: [f64; 2],
-    /// By how much the torch is off the planned path, as its encoders say.
+    /// Offset of the torch from the planned path, by its encoders.
     pub correction_mm: [f64; 2],
-    /// Standard deviation of the deviation; infinite where nothing is known.
+    /// Standard deviation of the deviation; infinite if it is unknown.
     pub sigma_mm: f64,
-    /// How sure that is, 0 to 1: 1 as of a single good measurement, 0 where nothing was seen.
+    /// Confidence, 0 to 1: 1 as after a single good measurement, 0 without measurements.
     pub confidence: f64,
-    /// How it is known.
+    /// Source of the estimate.
     pub sight: Sight,
 }
 
-/// What a guide may know in a cycle.
+/// Inputs of a guide in a cycle.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
-    /// The cell's clock at the begin of the cycle, s.
+    /// The cell's clock at the start of the cycle, s.
     pub t_s: f64,
-    /// What the devices reported at the end of the last one.
+    /// Device reports at the end of the last cycle.
     pub reports: &'a Reports,
-    /// The picture that came with that.
+    /// The picture that came with them.
     pub picture: Option<Picture<'a>>,
 }
 
-/// A cycle of a pass as it is planned.
+/// Planned set-point of a pass in a cycle.
 #[derive(Debug, Clone, Copy)]
 pub struct Planned<'a> {
     /// Path length, mm.
     pub s_mm: f64,
-    /// Along the path, mm/s; less than 0 backwards.
+    /// Path speed, mm/s; negative backwards.
     pub speed: f64,
-    /// The torch travels as it welds, or would with the process: what is lost stops it.
+    /// The torch travels at welding speed, with or without the process: a lost joint stops it.
     pub travels: bool,
-    /// It is to be at rest.
+    /// The torch is to come to rest.
     pub rests: bool,
     /// Positions of the axes.
     pub q: &'a Joints,
 }
 
-/// What is wrong, as a number that [`super::Alarm::Tracking`] carries; the guide knows the words.
+/// Tracking fault, as a number that [`super::Alarm::Tracking`] carries; the guide defines the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trouble {
-    /// The weld goes on.
+    /// Reported; the weld goes on.
     Tell(u8),
-    /// It does not.
+    /// The weld stops.
     Stop(u8),
 }
 
@@ -95,43 +95,44 @@ pub struct Guided {
     pub v: Joints,
     /// Their accelerations.
     pub a: Joints,
-    /// Greatest part of the planned speed that the torch may have next.
+    /// Maximum feed override of the next cycle.
     pub pace: f64,
-    /// What is wrong.
+    /// Tracking fault.
     pub trouble: Option<Trouble>,
-    /// For what sees the joint.
+    /// Orders to the joint sensors.
     pub seam: SeamOrders,
 }
 
 impl Guided {
-    /// Orders of a guide that corrects nothing.
+    /// Orders without a correction.
     pub fn as_planned(planned: &Planned<'_>) -> Self {
         let (v, a) = (Joints::default(), Joints::default());
         Self { q: *planned.q, v, a, pace: 1.0, trouble: None, seam: SeamOrders::default() }
     }
 }
 
-/// Corrects the set-points of passes, cycle by cycle. Corrections belong to path length: speed changes, holds and going back
-/// are nothing special to them. At rest they come to rest too. They never step, and keep within what the plan leaves of every
-/// axis' limits.
+/// Corrects the set-points of passes, cycle by cycle. Corrections are a function of path length, so that speed changes,
+/// holds and reverse motion need no special treatment. They come to rest with the torch. They never step, and respect
+/// the part of every axis limit that the plan leaves.
 ///
-/// No call may lock; none but [`Guide::begin`] may allocate.
+/// No call may lock; only [`Guide::begin`] may allocate.
 pub trait Guide {
-    /// Pass `pass` (from 0) is to be run from `from_mm` on, with the process or without; false if it is run as planned.
+    /// Prepares pass `pass` (from 0), run from `from_mm` on, with the process or without. Returns false if it is run
+    /// uncorrected.
     fn begin(&mut self, pass: usize, from_mm: f64, welds: bool) -> bool;
-    /// A cycle of what has to be seen before the pass is run, from and to the place where it begins; none when that is over.
-    /// Comes to rest unless it `goes`, and is not over before it does.
+    /// Runs one cycle of the search before the pass, from its start and back to it; `None` when the search is over.
+    /// Comes to rest unless it `goes`, and ends only while it `goes`.
     fn look(&mut self, seen: &Seen<'_>, goes: bool) -> Option<Guided>;
-    /// Whether the pass may be run after that.
+    /// Returns whether the pass may be run after the search.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The tracking fault.
     fn ready(&mut self) -> Result<(), Trouble>;
-    /// A cycle of the pass.
+    /// Runs one cycle of the pass.
     fn follow(&mut self, seen: &Seen<'_>, planned: &Planned<'_>) -> Guided;
-    /// A cycle of the way back to the planned positions `q` after the pass; none when they are there. Comes to rest unless it
-    /// `goes`.
+    /// Runs one cycle of the return to the planned positions `q` after the pass; `None` on arrival. Comes to rest
+    /// unless it `goes`.
     fn settle(&mut self, seen: &Seen<'_>, q: &Joints, goes: bool) -> Option<Guided>;
-    /// What is known of each head; none beside passes that are guided.
+    /// Returns the tracking state of each head; `None` outside guided passes.
     fn tracked(&self) -> [Option<Tracked>; 2];
 }

@@ -1,4 +1,4 @@
-//! Passes that a guide corrects, within the cell's cycle.
+//! Execution of guided passes within the cell's cycle.
 
 use super::alarm_list::Place;
 use super::bus::Devices;
@@ -10,26 +10,26 @@ use super::work::Work;
 use super::{Alarm, Executive, Guide, Mode, Reaction};
 
 impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
-    /// Asks the guide, if there is one, with what is known now.
+    /// Calls the guide, if any, with the current reports.
     fn ask<T>(&mut self, ask: impl FnOnce(&mut (dyn Guide + 'a), &Seen<'_>) -> T) -> Option<T> {
         let t_s = self.now();
         let guide = self.guide.as_deref_mut().filter(|_| self.guided)?;
         Some(ask(guide, &Seen { t_s, reports: &self.reports, picture: self.devices.picture() }))
     }
 
-    /// Set-points of a guide.
+    /// Takes the set-points of a guide.
     fn take_guided(&mut self, guided: &Guided) {
         self.set(&guided.q, &guided.v, &guided.a);
         self.guide_pace = guided.pace;
         self.heed(guided.trouble);
     }
 
-    /// Lets the guide see the start of pass `pass`, if it corrects that; false if the program was given up meanwhile.
+    /// Runs the guide's search at the start of pass `pass`, if it corrects that; false if the program was aborted.
     pub(super) fn look(&mut self, work: &Work<'_>, pass: usize, from_mm: f64) -> bool {
         let welds = self.welds;
         let begin = |guide: &mut (dyn Guide + 'a)| guide.begin(pass, from_mm, welds);
         self.guided = self.guide.as_deref_mut().is_some_and(begin);
-        // What was not seen is looked for again when the program goes on after the hold.
+        // A failed search is repeated when the program resumes after the hold.
         let mut failed = false;
         while self.guided {
             let goes = self.goes();
@@ -56,7 +56,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         true
     }
 
-    /// Takes the axes back to the plan after a pass; false if the program was given up meanwhile.
+    /// Returns the axes to the plan after a pass; false if the program was aborted.
     pub(super) fn settle(&mut self, work: &Work<'_>) -> bool {
         let q = self.planned_q;
         loop {
@@ -71,7 +71,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         true
     }
 
-    /// Set-points of a planned cycle, corrected if the pass is; true if they are.
+    /// Takes the corrected set-points of a planned cycle; `None` if the pass is not corrected.
     pub(super) fn follow(&mut self, planned: &Planned<'_>) -> Option<Guided> {
         let guided = self.ask(|guide, seen| guide.follow(seen, planned))?;
         self.planned_q = *planned.q;
@@ -83,30 +83,30 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         matches!(self.mode, Mode::DryRun | Mode::Weld)
     }
 
-    /// A cycle beside the pass; false once it is given up and at rest.
+    /// Runs one cycle outside of the pass; false once the program is aborted and at rest.
     fn cycle(&mut self, work: &Work<'_>, guided: &Guided) -> bool {
         self.take_guided(guided);
         self.tick(Doing { seam: guided.seam, ..Doing::default() }, Some(work));
-        // There is nothing to go back along.
+        // There is no path for reverse motion.
         (self.halt, self.reverse) = (false, false);
         self.drop_power_at_rest();
         let goes_on = self.goes() || self.mode == Mode::Hold || !self.rests();
         self.power && goes_on
     }
 
-    /// All set-points are at rest.
+    /// Returns true if all set-points are at rest.
     pub(super) fn rests(&self) -> bool {
         self.orders.set.iter().all(|set| set.velocity == 0.0)
     }
 
-    /// After a fault the axes keep their power until they are at rest; the gas after the arc is not worth it.
+    /// After a fault the axes keep their power until they are at rest; the gas post-flow is skipped.
     pub(super) fn drop_power_at_rest(&mut self) {
         if self.mode == Mode::Fault && self.rests() && !self.process.on() {
             self.power = false;
         }
     }
 
-    /// What the guide says is wrong: an alarm as long as it says so.
+    /// Raises an alarm while the guide reports this trouble.
     pub(super) fn heed(&mut self, trouble: Option<Trouble>) {
         if trouble != self.guide_trouble {
             if let Some(old) = self.guide_trouble {
@@ -116,18 +116,18 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         }
         match trouble {
             Some(Trouble::Tell(detail)) => self.raise(Alarm::Tracking, detail, Reaction::Tell),
-            // Without the process there is none to be switched off.
+            // Without the process the stop is only a hold.
             Some(Trouble::Stop(detail)) if self.welds => self.raise(Alarm::Tracking, detail, Reaction::ProcessOff),
             Some(Trouble::Stop(detail)) => self.raise(Alarm::Tracking, detail, Reaction::Hold),
             None => {}
         }
     }
 
-    /// The speed that may be asked for: the operator's, less where the guide allows less.
+    /// Returns the feed override to request: the operator's, or the guide's if that is lower.
     pub(super) fn allowed_pace(&self, asked: f64) -> f64 {
-        /// Changes smaller than this are not worth an order.
+        /// Minimum increase that is worth an order.
         const WORTH: f64 = 0.02;
-        /// Slowest that is asked for: what is to stop is held by its alarm.
+        /// Minimum override taken from the guide: below it, its alarm stops the motion.
         const SLOWEST: f64 = 0.01;
         let guide = if self.guided { self.guide_pace } else { 1.0 };
         if guide < SLOWEST {

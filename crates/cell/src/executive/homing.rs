@@ -10,20 +10,20 @@ use super::{Alarm, Executive};
 use seamwright_machine::{Joints, Level};
 use seamwright_motion::jog::{self, Jog, Signals};
 
-/// Least time for finding the references, s: old ones have to be forgotten first.
-const HOMING_LEAST_S: f64 = 0.1;
-/// Longest time for finding the references, s.
+/// Minimum time to find the references, s: the drives must drop the old ones first.
+const MIN_HOMING_S: f64 = 0.1;
+/// Maximum time to find the references, s.
 const HOMING_S: f64 = 120.0;
-/// How often an axis on its way home is told where to and how fast, s.
+/// Interval between orders to an axis on its way home, s.
 const SAID_S: f64 = 0.05;
-/// An axis this near to its home position, mm or rad, and this slow, mm/s or rad/s, is there.
+/// Tolerance of arrival at the home position, mm or rad, and of rest, mm/s or rad/s.
 const THERE: f64 = 1e-6;
-/// An axis this near to its home position is at home, mm or rad.
+/// Distance within which an axis counts as at home, mm or rad.
 const AT_HOME: f64 = 0.01;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
-    /// Looks for the references until they are known; the drives move the axes then, and say where they are. After that axes go
-    /// home.
+    /// Waits until all references are known; meanwhile the drives move the axes and report their positions. Then the
+    /// axes go home.
     pub(super) fn home(&mut self, work: Option<&Work<'_>>) {
         if let Some(axis) = self.homes_one.take() {
             return self.send_home(&[axis], work);
@@ -35,13 +35,13 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             self.rest_at_actual();
             self.tick(Doing::default(), work);
             let took = self.now() - begun;
-            found = self.unreferenced() == 0 && took > HOMING_LEAST_S;
+            found = self.unreferenced() == 0 && took > MIN_HOMING_S;
             if took > HOMING_S && !found {
                 self.happened(Alarm::NoReference, 0);
                 self.event(Event::Abort);
             }
         }
-        // Where a reference is found positions change their meaning: what is held from here on is where the axes say they are.
+        // Positions change their meaning when a reference is found: hold the reported positions from here on.
         self.orders.home = false;
         self.take_actual();
         if self.mode != Mode::Homing {
@@ -51,11 +51,11 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.send_home(&machine.home_order, work);
     }
 
-    /// The axis of this number, if it may go home alone.
+    /// Returns the index of `axis`, if it may go home alone.
     ///
     /// # Errors
-    /// [`Missing::References`] where one is not known: the drives find them together. [`Missing::HomesFirst`] where another axis of
-    /// the machine file's order comes first and is not at home. [`Missing::Value`]: there is no such axis.
+    /// [`Missing::References`] if one is unknown: the drives find them together. [`Missing::HomesFirst`] if another
+    /// axis comes first in the machine file's order and is not at home. [`Missing::Value`] if the axis does not exist.
     pub(super) fn home_one(&self, axis: u8) -> Result<usize, Missing> {
         let one = usize::from(axis);
         if one >= self.machine.axes.len() {
@@ -72,7 +72,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         first.map_or(Ok(one), |axis| Err(Missing::HomesFirst(axis as u8)))
     }
 
-    /// Sends axes to their home positions, one after another; then homing is over.
+    /// Sends axes to their home positions, one after another; then ends homing.
     fn send_home(&mut self, axes: &[usize], work: Option<&Work<'_>>) {
         let mut hand = work.and_then(|work| work.hand.try_borrow_mut().ok());
         match hand.as_deref_mut() {
@@ -85,7 +85,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    /// Axis after axis to its home position, as by hand: slowly, clear of everything, and back at rest whatever comes.
+    /// Jogs axis after axis to its home position: slowly, without collisions, and with a stop at rest in every case.
     fn go_home(&mut self, jog: &mut Jog<'_>, axes: &[usize], work: Option<&Work<'_>>) {
         let machine = self.machine;
         let mut target = Joints::default();
@@ -100,7 +100,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let mut said = None;
         while goes.is_some() || !jog.state().rests() {
             let wants = goes.filter(|_| self.mode == Mode::Homing);
-            // Said again now and then, for another place and override; what is planned in every cycle anew may never end.
+            // Repeat the order at intervals, for a changed position or override; replanning in every cycle may never
+            // arrive.
             if said.is_none_or(|(axis, until)| axis != wants || self.now() >= until) {
                 let command = wants.map_or(jog::Command::Rest, |&axis| {
                     target[axis] = home[axis];
@@ -128,7 +129,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 }
 
-/// The axis has come to its place; what is left of its speed by rounding ends with the next order.
+/// Returns true if the axis has arrived; the next order removes the rounding rest of its speed.
 fn is_there(state: &jog::State, axis: usize, place: f64) -> bool {
     (state.q[axis] - place).abs() < THERE && state.speed[axis].abs() < THERE
 }

@@ -1,21 +1,21 @@
 use seamwright_machine::{InterlockFile, Level};
 
-/// Most inputs.
-pub const MOST_INPUTS: usize = 64;
+/// Maximum number of inputs.
+pub const MAX_INPUTS: usize = 64;
 
-/// Conditions that are watched in every cycle, as masks over the inputs.
+/// Interlock conditions checked in every cycle, as masks over the inputs.
 #[derive(Debug, Clone)]
 pub struct Interlocks {
     conditions: Vec<InterlockFile>,
-    /// Inputs of each level, and what they must be.
+    /// Inputs of each level, and their required states.
     masks: [(u64, u64); 3],
 }
 
 impl Interlocks {
-    /// The conditions of a machine file, each with the input of its own place: condition 0 is input 0.
+    /// Creates the interlocks of a machine file; condition `i` uses input `i`.
     pub fn new(conditions: &[InterlockFile]) -> Self {
         let mut masks = [(0, 0); 3];
-        for (i, one) in conditions.iter().enumerate().take(MOST_INPUTS) {
+        for (i, one) in conditions.iter().enumerate().take(MAX_INPUTS) {
             let (mask, wanted) = &mut masks[one.level as usize];
             *mask |= 1 << i;
             *wanted |= u64::from(one.is) << i;
@@ -23,24 +23,24 @@ impl Interlocks {
         Self { conditions: conditions.to_vec(), masks }
     }
 
-    /// The conditions, in the order of the inputs.
+    /// Returns the conditions, in the order of the inputs.
     pub fn conditions(&self) -> &[InterlockFile] {
         &self.conditions
     }
 
-    /// Conditions of `level` that `inputs` do not meet, a bit each.
+    /// Returns the conditions of `level` that `inputs` violate, one bit each.
     pub fn unmet_of(&self, level: Level, inputs: u64) -> u64 {
         let (mask, wanted) = self.masks[level as usize];
         (inputs ^ wanted) & mask
     }
 
-    /// Conditions up to `level` that `inputs` do not meet, a bit each.
+    /// Returns the conditions up to `level` that `inputs` violate, one bit each.
     pub fn unmet(&self, level: Level, inputs: u64) -> u64 {
         let levels = [Level::Power, Level::Motion, Level::Process].into_iter().filter(|l| *l <= level);
         levels.fold(0, |unmet, l| unmet | self.unmet_of(l, inputs))
     }
 
-    /// Inputs that meet every condition.
+    /// Returns inputs that meet every condition.
     pub fn all_met(&self) -> u64 {
         self.masks.iter().fold(0, |all, (_, wanted)| all | wanted)
     }
@@ -50,7 +50,7 @@ impl Interlocks {
 mod tests {
     use super::*;
 
-    /// All inputs of five conditions against the words of the file.
+    /// Compares the masks with the conditions for all states of five inputs.
     #[test]
     fn masks_say_what_the_file_says() {
         let levels = [Level::Power, Level::Process, Level::Motion, Level::Process, Level::Motion];

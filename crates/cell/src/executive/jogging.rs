@@ -1,4 +1,4 @@
-//! Jogging: the hand on the keys, within the cell's cycle.
+//! Jogging with the enabling switch, within the cell's cycle.
 
 use super::bus::Devices;
 use super::core::Doing;
@@ -10,29 +10,29 @@ use seamwright_machine::{Joints, Level, Machine, Surroundings};
 use seamwright_motion::jog::{self, Halt, Jog, JogSettings, Signals};
 use std::cell::RefCell;
 
-/// Without a sign of life from the panel for this long the axes stop, s.
+/// Time without a sign of life from the panel after which the axes stop, s.
 const SILENCE_S: f64 = 0.2;
 
-/// Highest speed of the torch's tip by hand, mm/s (ISO 10218-1, reduced speed).
+/// Maximum torch tip speed during jogging, mm/s (ISO 10218-1, reduced speed).
 pub const REDUCED_MM_S: f64 = 250.0;
 
-/// Part of its speed up to which the tip keeps to [`REDUCED_MM_S`] while the axes go at `speeds` from positions `q`, until the
-/// panel would be silent.
+/// Returns the factor of the axis `speeds` that keeps the tip within [`REDUCED_MM_S`] from positions `q`, for the time
+/// until the panel counts as silent.
 fn part(machine: &Machine, q: &Joints, speeds: &Joints) -> f64 {
     let by = speeds.map(|speed| speed * SILENCE_S);
     (REDUCED_MM_S * SILENCE_S / machine.tip_travel(q, &by)).min(1.0)
 }
 
-/// What a hand on the keys needs, made before the first cycle; none for a period that is none.
+/// Prepares jogging before the first cycle; `None` for an invalid servo period.
 pub(super) fn hand<'a>(machine: &'a Machine, around: Option<&'a Surroundings<'a>>) -> RefCell<Option<Jog<'a>>> {
     let settings = JogSettings { period_s: machine.servo_period_s, silence_s: SILENCE_S, ..JogSettings::default() };
     RefCell::new(Jog::prepared(machine, around, settings).ok())
 }
 
-/// A command of the hand with the tip no faster than [`REDUCED_MM_S`] from axis positions `q`, and the part of the axes' speeds
-/// that it may use for that.
+/// Returns a jog command with the tip within [`REDUCED_MM_S`] from axis positions `q`, and the factor of the axis
+/// speeds for that.
 fn reduced(machine: &Machine, q: &Joints, command: jog::Command) -> (jog::Command, f64) {
-    // Axes that go somewhere may do so at their highest speed.
+    // Axes with a target may move at their maximum speed.
     let highest = |goes: &dyn Fn(usize) -> bool| {
         let mut speeds = Joints::default();
         machine.axes.iter().enumerate().filter(|(i, _)| goes(*i)).for_each(|(i, axis)| speeds[i] = axis.max_speed);
@@ -52,16 +52,16 @@ fn reduced(machine: &Machine, q: &Joints, command: jog::Command) -> (jog::Comman
     }
 }
 
-/// Has `jog` do what the hand wants, slowed to the reduced speed and by the override `pace` (0 to 1); at 0 the keys do nothing.
+/// Passes a command to `jog`, with the reduced speed and the feed override `pace` (0 to 1); at 0 the axes rest.
 pub(super) fn obey(jog: &mut Jog<'_>, machine: &Machine, pace: f64, wanted: jog::Command) {
     let (command, part) = reduced(machine, &jog.state().q, wanted);
     let moves = jog.set_override(pace * part).is_ok();
-    // What cannot be is refused, and what was wanted before stays.
+    // An invalid command is refused, and the previous one stays.
     jog.command(if moves { &command } else { &jog::Command::Rest }).ok();
 }
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
-    /// Jogs until the mode ends; at rest when it returns, unless power has gone.
+    /// Jogs until the mode ends; returns at rest, except after a loss of power.
     pub(super) fn jog_on(&mut self, work: Option<&Work<'_>>) {
         let mut hand = work.and_then(|work| work.hand.try_borrow_mut().ok());
         match hand.as_deref_mut() {
@@ -115,7 +115,7 @@ mod tests {
     use super::*;
     use seamwright_machine::shipped;
 
-    /// Evenly spread from 0 to 1.
+    /// Uniform random numbers from 0 to 1.
     fn numbers() -> impl FnMut() -> f64 {
         let mut state = 7u64;
         move || {
@@ -124,7 +124,8 @@ mod tests {
         }
     }
 
-    /// Random speeds at random places: the tip, by differences, is never faster than the reduced speed, and slow ones stay.
+    /// Random speeds at random positions: the tip speed, by differences, stays within the reduced speed. Slow ones do
+    /// not change.
     #[test]
     fn a_hand_never_moves_the_tip_faster() {
         let mut random = numbers();
@@ -156,7 +157,8 @@ mod tests {
         }
     }
 
-    /// Sent from place to place, also to another one on the way, all axes arrive, and no set-point moves the tip faster.
+    /// All axes arrive at their targets, also if the target changes on the way, and no set-point exceeds the reduced
+    /// speed.
     #[test]
     fn a_hand_sends_the_axes_to_places_no_faster() {
         let mut random = numbers();
@@ -172,7 +174,7 @@ mod tests {
                     let (low, high) = axis.range.unwrap_or((-3.0, 3.0));
                     target[i] = low + (high - low) * random();
                 }
-                // Every third one is given up on the way.
+                // Every third target is replaced on the way.
                 let cycles = if k % 3 == 2 { 200 } else { 60_000 };
                 for cycle in 0..cycles {
                     if cycle % 12 == 0 {
@@ -194,7 +196,7 @@ mod tests {
         }
     }
 
-    /// At an override of 0 what moves comes to rest.
+    /// At an override of 0 moving axes come to rest.
     #[test]
     fn at_an_override_of_nothing_the_axes_stand() {
         let machine = Machine::read("m.toml", shipped("saddle-4axis").unwrap().text).unwrap();

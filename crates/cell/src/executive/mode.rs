@@ -1,58 +1,58 @@
 use std::fmt;
 
-/// What the cell is doing. Power means that the drives hold or move the axes.
+/// Operating mode of the cell. Power means that the drives hold or move the axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Mode {
     /// Drives without power, brakes closed.
     Off,
-    /// Power, but the axes' positions are not known.
+    /// Power on, positions unknown.
     Idle,
-    /// The axes look for their references.
+    /// The axes search for their references.
     Homing,
-    /// Power, positions known, at rest.
+    /// Power on, positions known, at rest.
     Ready,
-    /// The operator moves axes by hand.
+    /// The operator jogs axes.
     Jog,
-    /// The same, and places are recorded.
+    /// Jogging with recording of positions.
     Teach,
     /// The program runs with the process off.
     DryRun,
     /// The program runs with the process on.
     Weld,
-    /// A program stands on its path and can go on.
+    /// A program is stopped on its path and can resume.
     Hold,
-    /// Something tripped; nothing moves before it is reset.
+    /// Tripped; nothing moves before a reset.
     Fault,
 }
 
-/// What can happen to the cell.
+/// Events of the cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Event {
-    /// Power is asked for.
+    /// Power-on request.
     SwitchOn,
-    /// Power shall go.
+    /// Power-off request.
     SwitchOff,
-    /// References are asked for.
+    /// Homing request.
     Home,
-    /// Positions are known.
+    /// All references are known.
     Homed,
-    /// Jogging is asked for.
+    /// Jogging request.
     Jog,
-    /// Teaching is asked for.
+    /// Teaching request.
     Teach,
-    /// The program without process is asked for, or shall go on.
+    /// Request to start or resume the program without process.
     DryRun,
-    /// The program with process is asked for, or shall go on.
+    /// Request to start or resume the program with process.
     Weld,
-    /// Stand still on the path.
+    /// Stop on the path.
     Hold,
-    /// What ran has come to its end.
+    /// The current activity has finished.
     Finish,
-    /// Give up what runs.
+    /// Abort the current activity.
     Abort,
-    /// An alarm that takes the cell down.
+    /// An alarm trips the cell.
     Trip,
-    /// The fault has been looked at.
+    /// Fault reset.
     Reset,
 }
 
@@ -71,14 +71,14 @@ impl Mode {
         Self::Fault,
     ];
 
-    /// Where `event` leads from here: the one table of transitions.
+    /// Returns the mode after `event`: the single table of transitions.
     ///
-    /// Guarantees, tested for every event in every mode: a trip leads to [`Mode::Fault`] from everywhere; hold and abort are
-    /// never refused; nothing but a reset leaves a fault, and it leads to [`Mode::Off`]; the process can only come on from rest
-    /// with known positions or from a hold, by [`Event::Weld`].
+    /// Guarantees, tested for every event in every mode: a trip leads to [`Mode::Fault`] from every mode. Hold and
+    /// abort are never refused. Only a reset leaves a fault, and it leads to [`Mode::Off`]. The process can only come
+    /// on by [`Event::Weld`], from rest with known positions or from a hold.
     ///
     /// # Errors
-    /// [`Refused`] where the event has no meaning.
+    /// [`Refused`] if the mode does not accept the event.
     pub fn after(self, event: Event) -> Result<Self, Refused> {
         use Event as E;
         Ok(match (self, event) {
@@ -95,23 +95,23 @@ impl Mode {
             (Self::Jog | Self::Teach, E::Hold | E::Finish | E::Abort) => Self::Ready,
             (Self::DryRun | Self::Weld, E::Hold) => Self::Hold,
             (Self::DryRun | Self::Weld | Self::Hold, E::Finish | E::Abort) => Self::Ready,
-            // A stop is a stop, whatever it finds.
+            // A stop is accepted in every mode.
             (mode, E::Hold | E::Abort) => mode,
             (mode, event) => return Err(Refused { mode, event }),
         })
     }
 
-    /// True if the drives are to have power.
+    /// Returns true if the drives are to have power.
     pub fn has_power(self) -> bool {
         !matches!(self, Self::Off | Self::Fault)
     }
 
-    /// True if axes may move.
+    /// Returns true if axes may move.
     pub fn moves(self) -> bool {
         matches!(self, Self::Homing | Self::Jog | Self::Teach | Self::DryRun | Self::Weld)
     }
 
-    /// In one word.
+    /// Name of the mode.
     pub fn name(self) -> &'static str {
         match self {
             Self::Off => "off",
@@ -146,7 +146,7 @@ impl Event {
         Self::Reset,
     ];
 
-    /// In a few words.
+    /// Name in a few words.
     pub fn name(self) -> &'static str {
         match self {
             Self::SwitchOn => "switch on",
@@ -178,17 +178,17 @@ impl fmt::Display for Event {
     }
 }
 
-/// An event that has no meaning in a mode.
+/// An event that a mode does not accept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Refused {
     /// The mode.
     pub mode: Mode,
-    /// What was asked.
+    /// The event.
     pub event: Event,
 }
 
 impl Refused {
-    /// Modes in which it has one.
+    /// Modes that accept the event.
     pub fn allowed(self) -> impl Iterator<Item = Mode> {
         Mode::ALL.into_iter().filter(move |mode| mode.after(self.event).is_ok())
     }
@@ -203,7 +203,7 @@ impl fmt::Display for Refused {
 
 impl std::error::Error for Refused {}
 
-/// The table of transitions as Markdown: a row a mode, a column an event; `-` where an event is refused.
+/// Returns the table of transitions as Markdown: one row per mode, one column per event; `-` for a refused event.
 pub fn table() -> String {
     let mut text = String::from("| mode |");
     Event::ALL.iter().for_each(|event| text += &format!(" {event} |"));
@@ -240,7 +240,7 @@ mod tests {
                     _ => {}
                 }
                 if let Ok(to) = after {
-                    // Only asking for it brings power, motion or the process.
+                    // Only a request brings power, motion or the process.
                     assert!(!to.has_power() || mode.has_power() || event == Event::SwitchOn);
                     assert!(to == mode || to != Mode::Weld || event == Event::Weld);
                     let asks = matches!(event, Event::Home | Event::Jog | Event::Teach | Event::DryRun | Event::Weld);
@@ -255,7 +255,7 @@ mod tests {
         }
     }
 
-    /// Every mode can be reached from the start, and every mode leads back to rest.
+    /// Every mode can be reached from every other mode.
     #[test]
     fn no_mode_is_an_island() {
         let reach = |from: Mode| {

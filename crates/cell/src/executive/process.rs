@@ -3,23 +3,24 @@ use super::bus::SourceReport;
 use super::supervision::LATE_S;
 use seamwright_machine::Source;
 
-/// What arc or beam does.
+/// State of arc or beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ProcessState {
-    /// It is not asked for.
+    /// Not requested.
     #[default]
     Off,
-    /// It is switched on and does not burn yet.
+    /// Switched on, not burning yet.
     Strikes,
-    /// Off for a moment between two tries.
+    /// Off for a moment between two attempts.
     Pauses,
-    /// It burns.
+    /// Burning.
     Burns,
-    /// It failed, or was taken away: off until it is not asked for any more.
+    /// Failed or taken away: off until the request ends.
     Failed,
 }
 
-/// Arc or beam between what is asked for and what the source reports: tries, losses, and what does not go off.
+/// Controller of arc or beam between the request and the source's reports: ignition attempts, losses, failed
+/// switch-off.
 #[derive(Debug, Clone)]
 pub(super) struct Process {
     settings: Source,
@@ -30,7 +31,7 @@ pub(super) struct Process {
     since: f64,
     /// Time without arc while it should burn, s.
     out_for: f64,
-    /// It may burn: it was switched on, or said to burn, and no fresh report has said since that it is out.
+    /// Possibly burning: it was switched on or reported burning, and no fresh report of extinction has come since.
     lit: bool,
     /// Time for which it may burn although it is off, s.
     lit_for: f64,
@@ -54,17 +55,17 @@ impl Process {
         self.state
     }
 
-    /// True while the source is to be on.
+    /// Returns true while the source is to be on.
     pub(super) fn on(&self) -> bool {
         matches!(self.state, ProcessState::Strikes | ProcessState::Burns)
     }
 
-    /// True if it may still burn although it has been off for longer than it takes to go out.
+    /// Returns true if it may still burn after its switch-off time.
     pub(super) fn stays_on(&self) -> bool {
         self.lit_for > self.settings.off_s
     }
 
-    /// Takes it away: off at once, until it is asked for anew.
+    /// Switches it off at once, until the next request.
     pub(super) fn kill(&mut self) {
         if self.state != ProcessState::Off {
             self.go(ProcessState::Failed);
@@ -77,7 +78,7 @@ impl Process {
         }
     }
 
-    /// A cycle in which it is `asked` for, or not, and the source reports this: what went wrong.
+    /// Runs one cycle with this request and report; returns an alarm on failure.
     pub(super) fn step(&mut self, asked: bool, report: &SourceReport) -> Option<Alarm> {
         self.since += self.period;
         self.judge_off(report);
@@ -114,7 +115,7 @@ impl Process {
         None
     }
 
-    /// Whether it may burn: what nobody has said to be out is not out.
+    /// Updates the burning state. If extinction is not confirmed, treat the arc as lit.
     fn judge_off(&mut self, report: &SourceReport) {
         let fresh = report.age_s <= LATE_S;
         self.lit = self.on() || if fresh { report.burning } else { self.lit };
@@ -148,7 +149,7 @@ mod tests {
         let (k, alarm) = alarm.unwrap();
         assert_eq!((alarm, tries), (Alarm::NoArc, 3));
         assert!((f64::from(on) * PERIOD - 0.3).abs() < 5e-3 && (f64::from(k) * PERIOD - 0.4).abs() < 6e-3);
-        // It stays off, whatever is asked, until it is not asked for.
+        // It stays off until the request ends.
         assert!(!process.on() && process.step(true, &report(false)).is_none() && !process.on());
         process.step(false, &report(false));
         process.step(true, &report(false));
@@ -175,7 +176,7 @@ mod tests {
         process.step(true, &report(true));
         process.kill();
         assert!(!process.on());
-        // Said to burn, or not heard of: both may burn.
+        // Reported burning, or no fresh report: both may burn.
         for age_s in [0.0, 1.0] {
             let mut process = process.clone();
             let told = SourceReport { age_s, ..report(true) };

@@ -1,4 +1,4 @@
-//! A program from its first air move to its last, with or without the process.
+//! Execution of a program from its first transfer move to its last, with or without the process.
 
 use super::alarm_list::Place;
 use super::bus::Devices;
@@ -13,28 +13,28 @@ use seamwright_motion::air::Leg;
 use seamwright_motion::pace::{Instant, Order, Pace, Run, RunPhase, Timed};
 use seamwright_program::Sequence;
 
-/// A pace this near to the one that is asked for is that.
+/// Tolerance of the feed override.
 const PACED: f64 = 1e-3;
-/// Time in which process values and the tip's speed over a while settle after a start or a ramp, s.
+/// Settling time of process values and of the averaged tip speed after a start or a ramp, s.
 const SETTLES_S: f64 = 0.25;
 
-/// A stretch of a program that is run.
+/// A part of a program with one speed profile.
 struct Stretch<'a, L> {
     law: &'a L,
     sequence: Sequence,
-    /// The pass, counted from 0; none in the air.
+    /// The pass, counted from 0; `None` for a transfer move.
     pass: Option<usize>,
-    /// Where it is welded up to, mm.
+    /// Path length up to which it is welded already, mm.
     from_mm: f64,
 }
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
-    /// Runs the program until it ends or is given up.
+    /// Runs the program until it ends or is aborted.
     pub(super) fn run(&mut self, work: &Work<'_>) {
         self.busy = true;
         let before = Place { pass: work.start.pass + 1, s_mm: work.start.welded_mm };
         self.leave(None);
-        // The axes are near to where the way begins: never a step.
+        // The axes are near the start of the approach: move there without a step.
         let mut here = Joints::default();
         here.iter_mut().zip(&self.orders.set).for_each(|(q, set)| *q = set.position);
         let first = work.start.approach.legs.first().map(|leg| Leg::new(self.machine, &here, leg.start()));
@@ -50,7 +50,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    /// All passes from the start on, with the air moves behind them; false if it was given up.
+    /// Runs all passes from the start on, each with its later transfer move; false if aborted.
     fn weld(&mut self, work: &Work<'_>) -> bool {
         for i in work.start.pass..work.passes.len() {
             let from_mm = if i == work.start.pass { work.start.welded_mm } else { 0.0 };
@@ -78,7 +78,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         true
     }
 
-    /// Legs in the air; false if it was given up.
+    /// Runs transfer moves; false if aborted.
     fn fly(&mut self, work: &Work<'_>, legs: &[Leg]) -> bool {
         legs.iter().all(|leg| {
             let sequence = Sequence::default();
@@ -86,7 +86,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         })
     }
 
-    /// Plays a stretch under the operator's orders; false if it was given up, or has lost its power, on the way.
+    /// Runs a stretch under the operator's orders; false if it was aborted or lost power.
     fn play<L: Timed>(&mut self, work: &Work<'_>, stretch: &Stretch<'_, L>) -> bool {
         let pace = Pace::new(&work.limits, self.machine.servo_period_s, stretch.law);
         let Ok(pace) = pace.and_then(|pace| pace.from_place(stretch.from_mm)) else {
@@ -96,7 +96,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         };
         let mut run = Run::new(pace, stretch.sequence.clone(), &[]);
         let welds = self.welds && stretch.pass.is_some_and(|i| work.passes[i].planned.arc);
-        // Nothing burns before it was asked for.
+        // A welded stretch starts without an arc.
         run.set_burning(!welds);
         let mut asked = 1.0;
         self.steer(&mut run, &mut asked);
@@ -107,7 +107,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             seen = self.order(&mut run, seen);
             self.steer(&mut run, &mut asked);
             let Ok(now) = run.step() else {
-                // The run waits, held.
+                // The run waits in hold.
                 self.happened(Alarm::MotionStuck, 0);
                 self.event(Event::Hold);
                 continue;
@@ -116,7 +116,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 break;
             }
             if now.phase == RunPhase::Held && self.mode.moves() {
-                // It stands by itself, at an override of 0.
+                // At an override of 0 it stops by itself.
                 self.event(Event::Hold);
                 seen = self.mode;
             }
@@ -143,7 +143,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         matches!(self.mode, Mode::DryRun | Mode::Weld | Mode::Hold)
     }
 
-    /// Gives the run the orders that follow from what the mode has become; the mode that is known then.
+    /// Gives the run the orders that follow from the change of mode; returns the current mode.
     fn order<L: Timed>(&mut self, run: &mut Run<'_, L>, seen: Mode) -> Mode {
         let order = match (seen, self.mode) {
             (Mode::Hold, Mode::DryRun | Mode::Weld) => Order::Resume,
@@ -160,13 +160,13 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             _ => return self.mode,
         };
         if run.order(order).is_err() {
-            // Going on at an override of 0 waits for another one.
+            // A resume at an override of 0 stays in hold until the override changes.
             self.event(Event::Hold);
         }
         self.mode
     }
 
-    /// The speed that the operator asks for.
+    /// Passes the requested feed override to the run.
     fn steer<L: Timed>(&mut self, run: &mut Run<'_, L>, asked: &mut f64) {
         let wanted = self.allowed_pace(*asked);
         if (wanted - *asked).abs() > 0.0 && run.order(Order::Override(wanted)).is_ok() {
@@ -174,7 +174,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    /// What the process is to do; `welds` is the pass if it is welded, `pass` in any case.
+    /// Returns the process state; `welds` is the pass if it is welded, `pass` in any case.
     fn doing(
         &self,
         work: &Work<'_>,
@@ -203,7 +203,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 }
 
-/// What a guide has to know of a cycle.
+/// Returns the guide's view of a cycle.
 fn planned(now: &Instant) -> Planned<'_> {
     let (tip, travels) = (now.played.rates.tip, now.phase.arc());
     Planned { s_mm: tip.s, speed: tip.v, travels, rests: tip.v == 0.0 && !travels, q: &now.played.rates.q }

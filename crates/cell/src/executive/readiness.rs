@@ -1,4 +1,4 @@
-//! "Why can't I start": everything that stands between now and what is asked for.
+//! "Why can't I start": the missing permissives of an action.
 
 use super::bus::Devices;
 use super::mode::{Event, Mode};
@@ -9,14 +9,14 @@ use super::{Alarm, Executive, Reaction};
 use arrayvec::ArrayVec;
 use seamwright_machine::Level;
 
-/// How far an axis may be from where the way to the weld begins, mm or rad.
+/// Maximum distance of an axis from the start of the approach, mm or rad.
 const AT_START: f64 = 0.01;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
-    /// What stands between now and `event`: "why can't I start".
+    /// Returns the missing permissives of `event`: "why can't I start".
     pub fn missing(&self, event: Event, work: Option<&Work<'_>>) -> ArrayVec<Missing, 32> {
         let mut missing = ArrayVec::new();
-        // One more than there is room for is not worth more than the first.
+        // Drop those beyond the capacity; the first ones suffice.
         let mut add = |m: Missing| missing.try_push(m).unwrap_or_default();
         if let Err(refused) = self.mode.after(event) {
             add(Missing::Mode(refused));
@@ -80,19 +80,19 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         missing
     }
 
-    /// Alarms that keep the cell in fault: their causes are still there.
+    /// Returns the alarms that keep the cell in fault: their causes are active.
     fn standing(&self) -> impl Iterator<Item = (Alarm, u8)> {
         let there = self.alarms.iter().filter(|r| r.reaction >= Reaction::Stop);
         there.filter(|r| self.alarms.is_active(r.alarm, r.detail)).map(|r| (r.alarm, r.detail))
     }
 
-    /// The axis that is farthest from where the way to the weld begins, if any is off.
+    /// Returns the axis farthest from the start of the approach, if it is out of tolerance.
     fn off_start(&self, work: &Work<'_>) -> Option<u8> {
         let start = work.start.approach.legs.first().map(|leg| *leg.start());
         let start = start.or_else(|| Some(work.passes.get(work.start.pass)?.planned.path.at(work.start.welded_mm)))?;
         let off = |i: usize| (self.orders.set[i].position - start[i]).abs();
         let worst = (0..self.machine.axes.len()).max_by(|a, b| off(*a).total_cmp(&off(*b)))?;
-        // What is no number is not there.
+        // A NaN position is out of tolerance.
         let there = off(worst) <= AT_START;
         (!there).then_some(worst as u8)
     }

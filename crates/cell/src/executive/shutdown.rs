@@ -1,4 +1,4 @@
-//! The end that nobody at the desk has to order: by a signal, or by a fault of the program.
+//! Shutdown without an operator's command: by a signal, or by a fault of the program.
 
 use super::bus::Devices;
 use super::core::{Doing, End};
@@ -6,15 +6,15 @@ use super::mode::Event;
 use super::state::Port;
 use super::{Executive, Reaction};
 
-/// Longest time from there to rest, s: then power goes and the brakes hold.
+/// Maximum time until the axes are at rest, s: then the power is switched off and the brakes hold.
 const REST_S: f64 = 3.0;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
-    /// Takes the process out of `doing`, brings everything to rest on its path, then takes the power away and ends.
+    /// Switches the process off in `doing`, stops everything on its path, then switches the power off and ends.
     pub(super) fn shut_down(&mut self, doing: &mut Doing) {
         let now = self.now();
         let since = *self.shuts_down_since.get_or_insert(now);
-        // Asked for in no cycle from here on, so that nothing strikes anew before the program has ended.
+        // From here on no cycle requests the process, so that it cannot ignite again before the program ends.
         doing.asked = false;
         self.process.kill();
         self.disarm();
@@ -24,7 +24,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             } else if now - since > REST_S {
                 self.react(Reaction::PowerOff);
             } else if self.rests() {
-                // Gas that would flow on is not waited for.
+                // Do not wait for the gas post-flow.
                 self.power = false;
             }
             return;
@@ -34,7 +34,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.end = Some(End::Quit);
     }
 
-    /// Process off, stop on the path, program given up.
+    /// Switches the process off, stops on the path and aborts the program.
     pub(super) fn stop(&mut self) {
         self.process.kill();
         self.halt = true;

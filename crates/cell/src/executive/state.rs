@@ -4,41 +4,41 @@ use super::{Alarm, Mode, Orders, ProcessState, Refused, Reports, Tracked};
 use seamwright_motion::pace::RunPhase;
 use std::ops::Deref;
 
-/// What the executive is doing.
+/// Status of the executive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Status {
-    /// Time since the executive began, s.
+    /// Time since the executive started, s.
     pub t: f64,
     /// The mode after this cycle.
     pub mode: Mode,
-    /// Where on the program.
+    /// Position in the program.
     pub place: Place,
-    /// What a pass is doing; none beside passes.
+    /// Phase of the pass; `None` outside passes.
     pub phase: Option<RunPhase>,
-    /// Speed along the path that is asked of the axes, mm/s: `pace` is in it.
+    /// Requested path speed, mm/s, including the feed override `pace`.
     pub speed: f64,
-    /// The pass is travelled at the pace that is asked for, with arc or beam burning long enough for its values to have settled.
+    /// The pass runs at the requested feed override, and arc or beam has burned long enough for its values to settle.
     pub steady: bool,
     /// Path length up to which the pass is welded, mm.
     pub welded_mm: f64,
-    /// Arc or beam.
+    /// State of arc or beam.
     pub process: ProcessState,
     /// The next start of the process is allowed.
     pub armed: bool,
-    /// Part of the planned speed that is asked for.
+    /// Requested feed override, 0 to 1.
     pub pace: f64,
-    /// What tracking knows and does, of each head; none where it does nothing.
+    /// Tracking state of each head; `None` without tracking.
     pub tracked: [Option<Tracked>; 2],
 }
 
-/// What a cycle was, as shown to the outside.
+/// A cycle, as shown to the outside.
 #[derive(Debug, Clone, Copy)]
 pub struct Cycle<'a> {
-    /// What the executive is doing.
+    /// Status of the executive.
     pub status: Status,
-    /// What was asked of the devices at the begin of the cycle.
+    /// Orders to the devices at the start of the cycle.
     pub orders: &'a Orders,
-    /// What they reported at its end.
+    /// Device reports at its end.
     pub reports: &'a Reports,
     /// All alarms.
     pub alarms: &'a AlarmList,
@@ -52,64 +52,64 @@ impl Deref for Cycle<'_> {
     }
 }
 
-/// Something that happened, for the log.
+/// An event for the log.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Note {
     /// The mode changed.
     Mode(Mode, Mode),
-    /// A command was taken.
+    /// A command was accepted.
     Taken(Command),
-    /// A command was refused, for the first of what is missing.
+    /// A command was refused; the first reason.
     Refused(Command, Missing),
-    /// This stands against what was asked about: one of several.
+    /// One of the reasons against the action of an [`Ask::Why`].
     Lacks(Command, Missing),
-    /// An alarm came.
+    /// An alarm was raised.
     Alarm(Raised),
-    /// Its cause has gone; which axis or condition.
+    /// The cause of an alarm has gone; with its axis or condition.
     Cleared(Alarm, u8),
-    /// Cycles were missed of late: how many, and the longest time without one, ms.
+    /// Missed cycles since the last note: their number, and the longest gap, ms.
     Missed(u32, f64),
-    /// A pass came to its end, welded up to there.
+    /// A pass has ended, welded up to this position.
     PassEnds(Place),
-    /// Where a program was left that can be gone on with.
+    /// Position at which an unfinished program was left and can resume.
     Left(Place),
 }
 
-/// Why something cannot be done now.
+/// Reasons why an action is not possible now.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Missing {
-    /// It has no meaning in this mode.
+    /// The mode does not accept it.
     Mode(Refused),
-    /// What ran before has not come to rest.
+    /// The axes still move.
     Moving,
-    /// Axes whose reference is not known, a bit each.
+    /// Axes with unknown references, one bit each.
     References(u16),
-    /// This axis goes home before: its number from 0.
+    /// Another axis must go home first: its number from 0.
     HomesFirst(u8),
     /// The drives have no power yet.
     Power,
-    /// A device has not been heard of for too long: drives, inputs or source.
+    /// A device has been silent for too long: drives, inputs or source.
     Silent(&'static str),
-    /// A condition is not met: its number from 0.
+    /// An interlock condition is not met: its number from 0.
     Condition(u8),
-    /// An alarm is there or not acknowledged; and which axis or condition.
+    /// An alarm is active or unacknowledged; with its axis or condition.
     Alarm(Alarm, u8),
-    /// The process was not armed, or too long ago.
+    /// The process was not armed, or the arming has expired.
     Arming,
     /// The process source is not ready.
     Source,
-    /// The axes are not where the way to the weld begins: this one is farthest off.
+    /// The axes are not at the start of the approach: the number of the axis with the largest deviation.
     NotAtStart(u8),
     /// No program is loaded.
     Work,
-    /// The number is outside what is allowed.
+    /// The value is out of range.
     Value,
-    /// The motion refuses it.
+    /// The motion does not allow it.
     Motion,
 }
 
 impl Missing {
-    /// In words, with the names of `axes` and `conditions`.
+    /// Returns the text, with the names of `axes` and `conditions`.
     pub fn text(&self, axes: &[&str], conditions: &[&str]) -> String {
         let name =
             |names: &[&str], i: u8| names.get(usize::from(i)).map_or_else(|| format!("no. {i}"), ToString::to_string);
@@ -147,19 +147,19 @@ impl Missing {
     }
 }
 
-/// What the outside is to an executive. Must neither allocate nor lock: a real one puts things into queues.
+/// Interface of an executive to the outside. Must neither allocate nor lock: real implementations use queues.
 pub trait Port {
-    /// The next command, if there is one.
+    /// Returns the next command, if any.
     fn command(&mut self, t: f64) -> Option<Command>;
-    /// A cycle has been.
+    /// Shows a completed cycle.
     fn show(&mut self, cycle: &Cycle<'_>);
-    /// Something happened at time `t`.
+    /// Records an event at time `t`, s.
     fn note(&mut self, t: f64, note: Note);
-    /// True once the record has lost something.
+    /// Returns true once the record has lost data.
     fn record_fails(&self) -> bool {
         false
     }
-    /// True once everything shall come to its end: process off, axes at rest, power off.
+    /// Returns true once a shutdown is requested: process off, axes at rest, power off.
     fn shuts_down(&self) -> bool {
         false
     }
@@ -188,7 +188,7 @@ impl<P: Port + ?Sized> Port for &mut P {
 }
 
 impl Ask {
-    /// True for what is never a mistake to ask.
+    /// Returns true for commands that are always accepted.
     pub(super) fn stops(&self) -> bool {
         matches!(self, Self::Stop | Self::Hold)
     }

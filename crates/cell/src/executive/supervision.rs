@@ -1,4 +1,4 @@
-//! What is wrong, and what follows from it: reports against limits and conditions, every cycle.
+//! Supervision: compares reports with limits and conditions in every cycle, and reacts.
 
 use super::alarm_list::{AlarmState, Place, Raised};
 use super::bus::Devices;
@@ -7,44 +7,44 @@ use super::state::{Note, Port};
 use super::{Alarm, Executive, ProcessState, Reaction, VALUES};
 use seamwright_machine::{AxisKind, Level, MAX_AXES, Machine};
 
-/// Age of inputs and source that is still fresh, s.
+/// Maximum age of fresh inputs and of a fresh source report, s.
 pub(super) const LATE_S: f64 = 0.1;
-/// Time that the drives have to come up, s.
+/// Maximum time for the drives to power up, s.
 const POWER_S: f64 = 1.0;
-/// A following error counts from so many periods on.
+/// Number of periods after which a following error counts.
 const PERIODS: u32 = 3;
-/// Allowed following error: 1 mm or degree at rest, and what a speed makes in this time, s.
+/// Allowed following error: 1 mm or degree at rest, plus the travel in this time, s.
 const FOLLOWING_S: f64 = 0.01;
 
-/// Missed cycles are noted if the longest time without one is at least this, s; together, no more often than this, s.
+/// Minimum longest gap for a note about missed cycles, s; and minimum time between such notes, s.
 const NOTED_GAP_S: f64 = 0.02;
 const NOTED_EVERY_S: f64 = 10.0;
 
-/// Reports with an age of their own, and their places among [`Supervision::gaps_s`].
+/// Reports with an age of their own, and their indices in [`Supervision::gaps_s`].
 const REPORTS: usize = 3;
 const DRIVES: usize = 0;
 const INPUTS: usize = 1;
 const SOURCE: usize = 2;
 
-/// What supervision remembers from cycle to cycle.
+/// State of the supervision.
 #[derive(Debug, Clone)]
 pub(super) struct Supervision {
-    /// Starts of drives, inputs and source that are known; 0 before the first report.
+    /// Last start counts of drives, inputs and source; 0 before the first report.
     starts: [u32; 3],
-    /// Times that the drives ran out of set-points that are known.
+    /// Last underrun count of the drives.
     starved: u32,
-    /// Periods for which each axis' following error was too great.
+    /// Consecutive periods with an excessive following error of each axis.
     following: [u32; MAX_AXES],
-    /// Time for which each process value was off, s.
+    /// Time for which each process value was out of tolerance, s.
     off: [f64; VALUES],
-    /// Cycles missed that the drives have not made up for, and whether these are too many.
+    /// Missed cycles that the drives have not recovered, and whether these are too many.
     missed: f64,
     too_many: bool,
-    /// Cycles missed since they were noted last, the most of them at once, and when that was, s.
+    /// Missed cycles since the last note, the longest gap in cycles, and the time of that note, s.
     unnoted: (u32, u32, f64),
-    /// Time without cycles that the age of each report contains, without a fault of its device, s: of [`REPORTS`].
+    /// Part of each report's age due to missed cycles rather than its device, s: of [`REPORTS`].
     gaps_s: [f64; REPORTS],
-    /// Time since power was asked for, s.
+    /// Time since power was requested, s.
     powered_for: f64,
     /// Allowed following error of each axis at rest, mm or rad.
     allowed: [f64; MAX_AXES],
@@ -75,7 +75,7 @@ impl Supervision {
     }
 }
 
-/// Missed cycles of this cycle, and those that the drives ride out at once, as times, s.
+/// Missed cycles of this cycle, and those that the drives tolerate at once, as times, s.
 #[derive(Debug, Clone, Copy)]
 struct Gap {
     lost_s: f64,
@@ -83,9 +83,9 @@ struct Gap {
 }
 
 impl Gap {
-    /// Time without cycles that a report's age contains: `before`, and this gap. Never more than the age itself, so none of before the
-    /// report was read; never more than the longest gap, or those that the drives ride out: many short gaps do not add up to
-    /// time in which a dead device goes unnoticed.
+    /// Returns the part of a report's age due to missed cycles: `before`, plus this gap. Limited to the age itself,
+    /// which excludes gaps before the report was read. Also limited to the longest gap or the drives' tolerance, so
+    /// that many short gaps never hide a dead device.
     fn in_age(self, before: f64, age_s: f64) -> f64 {
         let longest = self.rides_out_s.max(before).max(self.lost_s);
         (before + self.lost_s).min(longest).min(age_s)
@@ -93,7 +93,7 @@ impl Gap {
 }
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
-    /// Judges the reports of a cycle.
+    /// Evaluates the reports of a cycle.
     pub(super) fn supervise(&mut self) {
         self.judge_cycles();
         self.judge_drives();
@@ -104,7 +104,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.condition(Alarm::RecordFailing, 0, self.port.record_fails());
     }
 
-    /// Counts and notes missed cycles; more than the drives ride out are an alarm.
+    /// Counts and notes missed cycles; more than the drives tolerate raise an alarm.
     fn judge_cycles(&mut self) {
         let (now, period, slack) = (self.now(), self.machine.servo_period_s, self.devices.rides_out());
         let lost = self.reports.missed;
@@ -128,7 +128,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.condition(Alarm::Overrun, 0, too_many);
     }
 
-    /// True if a report is older than `usual_s`, without the time in which there was no cycle to take a newer one.
+    /// Returns true if a report is older than `usual_s`, not counting missed cycles.
     fn is_late(&self, report: usize, age_s: f64, usual_s: f64) -> bool {
         age_s.is_nan() || age_s > usual_s + self.supervision.gaps_s[report]
     }
@@ -140,7 +140,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let known = std::mem::replace(&mut self.supervision.starts, starts);
         let restarted = [Alarm::DrivesRestarted, Alarm::InputsRestarted, Alarm::SourceRestarted];
         for (i, alarm) in restarted.into_iter().enumerate() {
-            // The first report of all is no restart.
+            // The very first report is not a restart.
             if starts[i] != known[i] && known[i] > 0 {
                 self.happened(alarm, 0);
             }
@@ -152,12 +152,12 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
         self.condition(Alarm::DrivesSilent, 0, !fresh);
         for i in 0..self.machine.axes.len() {
-            // A position that is no number is none.
+            // A NaN or infinite position is a drive fault.
             let fault = drives.fault >> i & 1 == 1 || !drives.position[i].is_finite();
             self.condition(Alarm::DriveFault, i as u8, fault);
             self.condition(Alarm::LimitSwitch, i as u8, drives.limit_switch >> i & 1 == 1);
         }
-        // Without power they have nothing to do with set-points.
+        // Without power the drives do not follow set-points.
         if std::mem::replace(&mut self.supervision.starved, drives.starved) != drives.starved && self.power {
             self.happened(Alarm::Starved, 0);
         }
@@ -171,7 +171,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     fn judge_following(&mut self) {
         for i in 0..self.machine.axes.len() {
             let allowed = self.supervision.allowed[i] + FOLLOWING_S * self.orders.set[i].velocity.abs();
-            // No number is no position.
+            // A NaN following error counts as too large.
             let within = self.reports.drives.following_error[i].abs() <= allowed;
             let counts = self.power && self.reports.drives.powered && !self.orders.home;
             let periods = &mut self.supervision.following[i];
@@ -184,7 +184,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
 
     fn judge_inputs(&mut self) {
         let silent = self.is_late(INPUTS, self.reports.inputs_age_s, LATE_S);
-        // Nobody needs them while nothing has power.
+        // Inputs are not needed without power.
         self.condition(Alarm::InputsSilent, 0, silent && self.mode.has_power());
         let inputs = self.reports.inputs;
         let burns = self.process.on() || self.doing.asked;
@@ -212,7 +212,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     fn judge_source(&mut self) {
         let source = self.reports.source;
         let used = self.process.on() || self.mode == Mode::Weld;
-        // A source that is switched off at the wall is no alarm while nobody welds.
+        // A source without mains is not an alarm outside of welding.
         let silent = self.is_late(SOURCE, source.age_s, LATE_S);
         self.condition(Alarm::SourceSilent, 0, silent && used);
         self.condition(Alarm::SourceFault, 0, source.fault != 0 && used);
@@ -239,7 +239,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    /// An alarm that is there while `is`, with the reaction of the catalogue.
+    /// Raises the alarm with its catalogue reaction while `is`, else clears it.
     fn condition(&mut self, alarm: Alarm, detail: u8, is: bool) {
         if is {
             self.raise(alarm, detail, alarm.entry().reaction);
@@ -254,7 +254,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    /// Something that happens at an instant: it is on the list, as what has gone, until it is acknowledged.
+    /// Raises a momentary alarm: it stays on the list as returned until it is acknowledged.
     pub(super) fn happened(&mut self, alarm: Alarm, detail: u8) {
         self.tell_raised(alarm, detail, alarm.entry().reaction, AlarmState::Returned);
         self.alarms.clear(alarm, detail);
@@ -264,7 +264,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.tell_raised(alarm, detail, reaction, AlarmState::Unacknowledged);
     }
 
-    /// Puts it on the list, and tells it in the state that it then is in.
+    /// Puts the alarm on the list, and notes it in its resulting state.
     fn tell_raised(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, state: AlarmState) {
         let place: Place = self.doing.place;
         let now = self.now();
@@ -274,7 +274,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    /// Does what an alarm asks for.
+    /// Executes the reaction of an alarm.
     pub(super) fn react(&mut self, reaction: Reaction) {
         match reaction {
             Reaction::Tell => {}
@@ -300,7 +300,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 
     fn hold(&mut self) {
-        // What is held may go back: then it stands still too.
+        // In a hold the torch may move in reverse: that stops too.
         self.halt = true;
         if matches!(self.mode, Mode::DryRun | Mode::Weld) {
             self.event(Event::Hold);
@@ -312,7 +312,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
 mod tests {
     use super::Gap;
 
-    /// Feeds a gap of `lost_s` each `every_s` to the age of a device that dies; the age at which it counts as late, s.
+    /// Returns the age at which a dead device counts as late, s, with a gap of `lost_s` every `every_s`.
     fn late_at(lost_s: f64, every_s: f64, rides_out_s: f64) -> f64 {
         let (mut gap_s, mut age_s) = (0.0, 0.0);
         while age_s <= super::LATE_S + gap_s {
@@ -323,14 +323,14 @@ mod tests {
         age_s
     }
 
-    /// Short gaps, as often as a desktop has them, and long ones, of drives that stand still meanwhile.
+    /// Frequent short gaps, as on a desktop, and long ones, of drives that stand still meanwhile.
     #[test]
     fn a_dead_device_is_noticed_however_often_cycles_are_missed() {
         assert!(late_at(0.005, 0.05, 0.25) <= 0.16, "{}", late_at(0.005, 0.05, 0.25));
         assert!(late_at(0.2, 0.201, 0.25) <= 0.61, "{}", late_at(0.2, 0.201, 0.25));
     }
 
-    /// One gap, and the device has the usual time from there; once it was heard of, the gap is over.
+    /// After one gap the device has its usual time; its next report ends the effect of the gap.
     #[test]
     fn a_gap_counts_until_the_next_report() {
         let gap = Gap { lost_s: 0.08, rides_out_s: 0.25 };

@@ -9,29 +9,29 @@ use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{AtHold, Pass, Sequence};
 use std::cell::RefCell;
 
-/// Where a program begins.
+/// Starting point of a program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Start {
-    /// The way there, from where the axes are.
+    /// The transfer move to the start, from the current axis positions.
     pub approach: AirMove,
     /// The pass, counted from 0.
     pub pass: usize,
-    /// Path length up to which that pass is welded, mm: it begins before that, by the overlap of its sequence.
+    /// Path length up to which that pass is welded, mm; it starts earlier by the overlap of its sequence.
     pub welded_mm: f64,
 }
 
 impl Start {
-    /// The whole program, from home.
+    /// Starts the whole program, from home.
     pub fn at_home(motion: &WeldMotion) -> Self {
         let approach =
             motion.air.first().cloned().unwrap_or(AirMove { legs: Vec::new(), retracts: false, approaches: false });
         Self { approach, pass: 0, welded_mm: 0.0 }
     }
 
-    /// On from `place`, up to which it is welded, with the axes at `from`.
+    /// Continues from `place`, the end of the welded part, with the axes at `from`.
     ///
     /// # Errors
-    /// If there is no clear way there.
+    /// If there is no collision-free transfer move.
     pub fn at_place(
         machine: &Machine,
         around: &Surroundings<'_>,
@@ -47,7 +47,7 @@ impl Start {
     }
 }
 
-/// A pass, ready to be run.
+/// A pass, ready to run.
 #[derive(Debug)]
 pub(super) struct PassWork<'a> {
     pub(super) pass: &'a Pass,
@@ -55,11 +55,11 @@ pub(super) struct PassWork<'a> {
     pub(super) planned: &'a PassMotion,
 }
 
-/// A planned program, ready to be run: everything that takes memory is here, made before the first cycle. It belongs to one thread,
-/// that of the cycle, so nothing in it needs a lock.
+/// A planned program, ready to run: it makes all allocations before the first cycle. It belongs to the cycle's thread
+/// and needs no lock.
 #[derive(Debug)]
 pub struct Work<'a> {
-    /// What the hand on the keys moves.
+    /// Jogging of the axes.
     pub(super) hand: RefCell<Option<Jog<'a>>>,
     pub(super) passes: Vec<PassWork<'a>>,
     pub(super) air: &'a [AirMove],
@@ -69,10 +69,10 @@ pub struct Work<'a> {
 }
 
 impl<'a> Work<'a> {
-    /// `passes` are those that `motion` was planned for; `around` is what jogging keeps clear of.
+    /// Creates the program. `passes` are those that `motion` was planned for; jogging avoids collisions with `around`.
     ///
     /// # Errors
-    /// How many process values there are, if they are more than [`VALUES`].
+    /// The number of process values, if it exceeds [`VALUES`].
     pub fn new(
         machine: &'a Machine,
         around: Option<&'a Surroundings<'a>>,
@@ -93,7 +93,7 @@ impl<'a> Work<'a> {
         Ok(Self { hand, passes, air: &motion.air, limits: Limits::of(machine), start, values })
     }
 
-    /// No program: what jogging keeps clear of.
+    /// Creates an empty program; jogging avoids collisions with `around`.
     pub fn none(machine: &'a Machine, around: &'a Surroundings<'a>) -> Self {
         let start = Start {
             approach: AirMove { legs: Vec::new(), retracts: false, approaches: false },
@@ -105,13 +105,13 @@ impl<'a> Work<'a> {
         Self { hand, passes: Vec::new(), air: &[], limits, start, values: Vec::new() }
     }
 
-    /// Names of the process values, in the order of their places in orders and reports.
+    /// Returns the names of the process values, in the order of their indices in orders and reports.
     pub fn values(&self) -> &[String] {
         &self.values
     }
 
-    /// Process values of pass `pass` (from 0) at path length `s`, `clock` being the times since arc or beam came on and until it
-    /// goes off, s.
+    /// Returns the process values of pass `pass` (from 0) at path length `s`; `clock` holds the times since arc or beam
+    /// came on and until it goes off, s.
     pub(super) fn process_at(&self, pass: usize, s: f64, clock: (f64, f64)) -> [f64; VALUES] {
         let mut values = [f64::NAN; VALUES];
         for (value, name) in values.iter_mut().zip(&self.values) {
@@ -122,7 +122,7 @@ impl<'a> Work<'a> {
 }
 
 impl PassWork<'_> {
-    /// Times at rest and what happens at a hold; nothing of that without the process.
+    /// Returns the times at rest and the behaviour at a hold; all are zero without the process.
     pub(super) fn times(&self, welds: bool) -> Sequence {
         let s = &self.planned.sequence;
         if !welds {
@@ -135,7 +135,7 @@ impl PassWork<'_> {
             postflow_s: s.postflow_s,
             overlap_mm: s.overlap_mm,
             at_hold: s.at_hold,
-            // Slopes are in the process values.
+            // The process values contain the slopes.
             upslope: None,
             downslope: None,
         }

@@ -1,4 +1,4 @@
-//! Where a seam actually is.
+//! True position of a seam.
 
 use super::seam_line::{SeamLine, Station};
 use crate::disturbance::uniform;
@@ -7,22 +7,22 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use std::f64::consts::TAU;
 
-/// Waves of the bend over the length of the seam.
+/// Number of waves of the bend over the length of the seam.
 const WAVES: usize = 3;
 
-/// How much a part is placed wrong and bent; the seed decides which way.
+/// Placement error and bending of a part; the seed determines their directions.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Distortion {
-    /// By how far the part is shifted, mm.
+    /// Shift of the part, mm.
     pub shift_mm: f64,
-    /// By what it is turned about the middle of the seam, rad.
+    /// Rotation about the middle of the seam, rad.
     pub turn: f64,
-    /// By how far at most the seam is bent out of its shape, across and out of the surface together, mm.
+    /// Maximum bending of the seam, across and out of the surface together, mm.
     pub bend_mm: f64,
 }
 
 impl Distortion {
-    /// The actual seam of a nominal one.
+    /// Returns the actual seam of a nominal one.
     pub fn of(&self, nominal: &SeamLine, seed: u64) -> SeamLine {
         let mut random = Pcg64Mcg::seed_from_u64(seed ^ 0x5eed_0fd1_5707_1010);
         let shift = self.shift_mm * direction(&mut random);
@@ -43,7 +43,7 @@ impl Distortion {
     }
 }
 
-/// A smooth wave by path length, within -1 and 1; on a closed seam it comes round.
+/// A smooth wave by path length, within -1 and 1; periodic on a closed seam.
 struct Bend {
     waves: [(f64, f64, f64); WAVES],
     sum: f64,
@@ -64,7 +64,7 @@ impl Bend {
     }
 }
 
-/// A direction, every one as likely.
+/// Returns a uniformly distributed direction.
 fn direction(random: &mut Pcg64Mcg) -> DVec3 {
     let z = 2.0 * uniform(random) - 1.0;
     let (sin, cos) = (TAU * uniform(random)).sin_cos();

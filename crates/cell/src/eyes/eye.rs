@@ -1,4 +1,4 @@
-//! The simulated eye: frames of the actual seam from where the machine truly is.
+//! The camera simulator: frames of the actual seam from the machine's true pose.
 
 use super::random::Random;
 use super::scene::{Canvas, Disturbances};
@@ -10,25 +10,25 @@ use seamwright_machine::{Joints, Machine, Sensor, Sight};
 use seamwright_vision::Image;
 use std::collections::VecDeque;
 
-/// The surface is seen no longer where it is tilted away by more than 75 degrees.
+/// The camera does not see a surface that is tilted away by more than 75 degrees (minimum cosine).
 const FACING: f64 = 0.26;
-/// Steps along the optical axis to the surface.
+/// Number of steps along the optical axis to the surface.
 const STEPS: usize = 8;
 
-/// What the work looks like.
+/// Appearance of the work.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Appearance {
     /// Width of the joint, mm: full width at half of its depth.
     pub width_mm: f64,
     /// Stretches of the seam (path lengths, mm) where a tack hides the joint.
     pub tacks: Vec<(f64, f64)>,
-    /// Greatest error of a height that focus finds, mm; none: no heights are measured.
+    /// Maximum error of a height found by focus, mm; `None`: heights are not measured.
     pub height_error_mm: Option<f64>,
     /// Grey value of the metal, 0 to 255.
     pub metal: f64,
-    /// By how much the joint is darker.
+    /// Darkness of the joint relative to the metal, grey values.
     pub contrast: f64,
-    /// What is wrong with a frame.
+    /// Disturbances of a frame.
     pub disturbances: Disturbances,
 }
 
@@ -63,7 +63,8 @@ pub struct Eye<'a> {
 }
 
 impl<'a> Eye<'a> {
-    /// The eye `sensor` of `machine` over the `actual` seam; none if the sensor is no camera.
+    /// Creates the camera simulator for `sensor` of `machine` over the `actual` seam; `None` if the sensor is not a
+    /// camera.
     pub fn new(
         machine: &'a Machine,
         sensor: &'a Sensor,
@@ -76,17 +77,17 @@ impl<'a> Eye<'a> {
         Some(Self { machine, sensor, table: &camera.table, actual, appearance, random, exposures: VecDeque::new() })
     }
 
-    /// The seam that it sees: the hidden truth.
+    /// Returns the seam that it sees: the hidden truth.
     pub fn actual(&self) -> &SeamLine {
         &self.actual
     }
 
-    /// Asks for a frame at time `t_s` with the axes at `q`.
+    /// Requests a frame at time `t_s` with the axes at `q`.
     pub fn expose(&mut self, t_s: f64, q: &Joints) {
         self.exposures.push_back((t_s, *q));
     }
 
-    /// Height of the actual surface on the optical axis, mm in the camera's frame; none off the seam.
+    /// Returns the height of the actual surface on the optical axis, mm in the camera's frame; `None` off the seam.
     fn height(&self, camera: &DAffine3) -> Option<f64> {
         let axis = camera.transform_vector3(DVec3::Z);
         (0..STEPS).try_fold(0.0, |height, _| {
@@ -107,7 +108,7 @@ impl<'a> Eye<'a> {
         TimedFrame { t_s, image, axes: Some(axes), height_mm }
     }
 
-    /// The joint where it is in view, and the tacks on it.
+    /// Paints the visible part of the joint, and the tacks on it.
     fn paint(&mut self, camera: &DAffine3, height: f64) -> Image {
         let (width, rows) = self.table.size_px();
         let Appearance { width_mm, metal, contrast, ref disturbances, .. } = self.appearance;
@@ -132,7 +133,7 @@ impl<'a> Eye<'a> {
         canvas.finish(disturbances, (&seen, 0.0), &mut self.random)
     }
 
-    /// The joint in pixels as far as it is within `reach` of what the camera looks at: pieces of it that face the camera.
+    /// Returns the joint in pixels within `reach` of the centre of view: the pieces that face the camera.
     fn pieces(&self, camera: &DAffine3, height: f64, reach: f64) -> Vec<Vec<DVec2>> {
         let centre = camera.transform_point3(DVec3::Z * height);
         let mut pieces: Vec<Vec<DVec2>> = Vec::new();
@@ -148,7 +149,7 @@ impl<'a> Eye<'a> {
         pieces
     }
 
-    /// Where a place of the seam is in the frame; none where it is tilted away.
+    /// Returns the pixel of a point of the seam; `None` if it is tilted away.
     fn px(&self, camera: &DAffine3, station: &Station) -> Option<DVec2> {
         let facing = camera.transform_vector3(DVec3::Z).dot(station.normal) < -FACING;
         facing.then(|| self.table.to_px(camera.inverse().transform_point3(station.point)).ok()).flatten()

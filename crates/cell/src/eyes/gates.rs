@@ -1,4 +1,4 @@
-//! The follower measured on simulated frames: rows of a table, each with what it may be at most or at least.
+//! Acceptance tests of joint detection on simulated frames: rows of a table, each with its upper or lower limit.
 
 use super::scene::{Kind, Scene, scene};
 use crate::gate::{Gate, Limit, Table};
@@ -11,21 +11,22 @@ const SIZE: usize = 512;
 /// A midline farther off than this is wrong, pixels.
 const WRONG: f64 = 2.0;
 
-/// A row at most this part of the joint's width off its midline, or not wrong, follows it: how well is asked of confident rows.
+/// A row follows the midline if it is at most this share of the joint's width off, or not wrong. Confident rows have
+/// limits of their own.
 const ON_IT: f64 = 0.25;
 
-/// What the follower did on one frame.
+/// Result of the follower on one frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// Distances of seen rows from the midline outside of tacks, pixels, and whether the row was confident.
     pub errors: Vec<(f64, bool)>,
     /// Confident rows where there is no joint at all.
     pub phantom: usize,
-    /// Part of the midline that was followed, of its places that the frame shows.
+    /// Share of the midline's visible points that was followed.
     pub reach: f64,
-    /// How far the last row is from where the joint ends, if it does.
+    /// Distance of the last row from the end of the joint, if it ends.
     pub end_error: Option<f64>,
-    /// Why it ended.
+    /// Reason for the end.
     pub end: End,
 }
 
@@ -33,7 +34,7 @@ pub struct Outcome {
 #[must_use]
 pub fn follow(follower: &mut Follower, scene: &Scene) -> Outcome {
     let truth = &scene.truth;
-    // A scene's image is as large as its pixels are many.
+    // The size of a scene's image always matches its pixels.
     let Ok(frame) = scene.image.frame() else {
         return Outcome { errors: Vec::new(), phantom: 0, reach: 0.0, end_error: None, end: End::Lost };
     };
@@ -56,7 +57,7 @@ pub fn follow(follower: &mut Follower, scene: &Scene) -> Outcome {
         }
         outcome.errors.push((error, confident));
     }
-    // A wide joint's midline is painted on beyond the rim.
+    // The midline of a wide joint continues beyond the rim.
     let inside =
         |p: &&DVec2| p.min_element() >= 0.0 && p.x <= frame.width() as f64 - 1.0 && p.y <= frame.height() as f64 - 1.0;
     let shown = truth.midline.iter().zip(&truth.shown).enumerate().filter(|(_, (p, shown))| **shown && inside(p));
@@ -80,7 +81,7 @@ fn distance(line: &[DVec2], at: DVec2) -> (f64, usize) {
     (to.fold(f64::INFINITY, f64::min), i)
 }
 
-/// Runs the frames of these seeds of each kind, tells of each by `done`, and gives the gates.
+/// Runs the frames of these seeds of each kind, calls `done` for each, and returns the table of limits.
 #[must_use]
 pub fn joint_gates(seeds: Range<u64>, mut done: impl FnMut(Kind, u64, &Outcome)) -> Table {
     let mut follower = Follower::new(Options::default());
@@ -124,7 +125,7 @@ fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
     confident.sort_by(f64::total_cmp);
     let seen = outcomes.iter().map(|o| o.errors.len()).sum::<usize>();
     let quantile = |q: f64| confident.get((q * confident.len() as f64) as usize).copied().unwrap_or(f64::INFINITY);
-    // Of no rows there is none: a gate without anything measured is not kept.
+    // Without rows the value is infinite: a limit without measurements is not kept.
     let rms = match confident.len() {
         0 => f64::INFINITY,
         n => (confident.iter().map(|e| e * e).sum::<f64>() / n as f64).sqrt(),

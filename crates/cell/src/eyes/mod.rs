@@ -1,4 +1,4 @@
-//! Simulated eyes: frames and stripes as the cell's cameras would see them, with seeded disturbances.
+//! Camera simulators: frames and stripes as the cell's cameras would see them, with seeded disturbances.
 
 mod distortion;
 mod eye;

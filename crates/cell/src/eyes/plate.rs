@@ -1,23 +1,24 @@
-//! A plate with a grid of dots, as a camera sees it whose map is not quite the one that is believed.
+//! A plate with a grid of dots, seen by a camera whose map deviates from the assumed one.
 
 use super::Random;
 use glam::DVec2;
 use seamwright_geometry::{MapError, MapParameters, PlaneMap};
 use seamwright_vision::Image;
 
-/// A dot's radius over the pitch.
+/// Radius of a dot as a share of the pitch.
 const RADIUS: f64 = 0.22;
-/// Brightness of the plate, and the part that a dot takes of it.
+/// Brightness of the plate, and the share by which a dot reduces it.
 const PLATE: f64 = 180.0;
 const DARK: f64 = 0.65;
-/// Standard deviation of a pixel.
+/// Standard deviation of a pixel's noise.
 const NOISE: f64 = 3.0;
 
-/// What a camera near to `believed` sees of a plate with dots every `pitch_mm` that lies askew before it: the picture, and the
-/// camera's true map. By `seed`, scales are off by up to 2 %, the picture is turned by up to 3 degrees, and distorted more or less.
+/// Simulates a camera near to `believed` before a skew plate with dots every `pitch_mm`. Returns the picture and the
+/// camera's true map. The seed changes scales by up to 2 %, turns the picture by up to 3 degrees, and changes its
+/// distortion.
 ///
 /// # Errors
-/// A camera near to it that there cannot be.
+/// Invalid parameters of the camera near to it.
 pub fn plate(believed: &MapParameters, pitch_mm: f64, seed: u64) -> Result<(Image, PlaneMap), MapError> {
     let mut random = Random::new(seed);
     let truth = PlaneMap::new(MapParameters {
@@ -36,7 +37,7 @@ pub fn plate(believed: &MapParameters, pitch_mm: f64, seed: u64) -> Result<(Imag
     let mut pixels = Vec::with_capacity(width * height);
     for i in 0..width * height {
         let place = truth.to_mm(DVec2::new((i % width) as f64, (i / width) as f64));
-        // From the plate's own frame to the next dot; a pixel on its rim is partly dark.
+        // Offset in the plate's own frame from the nearest dot; a pixel on its rim is partly dark.
         let off = place.map(|mm| askew.rotate(mm) - origin).map(|mm| mm - pitch_mm * (mm / pitch_mm).round());
         let covered = off.map_or(0.0, |off| (0.5 + (RADIUS * pitch_mm - off.length()) / edge).clamp(0.0, 1.0));
         pixels.push((PLATE * (1.0 - DARK * covered) + NOISE * random.normal()).clamp(0.0, 255.0) as u8);
@@ -49,7 +50,7 @@ mod tests {
     use super::*;
     use seamwright_vision::camera::{Grid, identify};
 
-    /// What is found in its picture is the camera that it was painted with, but for how the plate lies.
+    /// The camera identified from the picture is the one that painted it, except for the pose of the plate.
     #[test]
     fn its_picture_tells_the_camera() {
         for seed in 0..6 {

@@ -1,37 +1,37 @@
-//! A seam in space by closely spaced stations: nominal, or where it actually is.
+//! A seam in space by closely spaced stations: nominal, or in its true position.
 
 use glam::DVec3;
 use seamwright_tracking::teach::{Patch, Shape};
 use std::collections::HashMap;
 
-/// Distance of stations, mm: between them everything is linear.
+/// Distance of stations, mm: interpolation between them is linear.
 pub const STATION_MM: f64 = 0.5;
-/// Side of the cubes that stations are found by, mm.
+/// Side of the cubes that index the stations, mm.
 const CUBE_MM: f64 = 4.0;
-/// Farthest cube that is looked into: no foot is looked for further than about 16 mm away.
+/// Number of rings of cubes searched: a foot is found up to about 16 mm away.
 const RINGS: i64 = 4;
 
-/// A place on a seam, in the work frame.
+/// A position on a seam, in the work frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Station {
-    /// mm.
+    /// Position, mm.
     pub point: DVec3,
     /// Unit normal of the surface, out of the work: the bisector of the faces.
     pub normal: DVec3,
 }
 
-/// The place of a seam that is nearest to a point.
+/// The point of a seam nearest to a given point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Foot {
-    /// Path length of the place, mm.
+    /// Path length of the foot, mm.
     pub way: f64,
-    /// The place.
+    /// The foot itself.
     pub at: Station,
     /// Unit direction of the seam there.
     pub along: DVec3,
 }
 
-/// A seam as stations.
+/// A seam given by stations.
 #[derive(Debug, Clone)]
 pub struct SeamLine {
     stations: Vec<Station>,
@@ -41,14 +41,14 @@ pub struct SeamLine {
 }
 
 impl SeamLine {
-    /// The seam of `length` (mm) that `at` has by path length; if it is closed, the length is that of one turn.
+    /// Samples the seam of `length` (mm) given by path length; if it is closed, the length is that of one turn.
     pub fn sampled(length: f64, closed: bool, at: impl Fn(f64) -> Station) -> Self {
         let count = (length / STATION_MM).ceil().clamp(2.0, 1e7);
         let stations = (0..=count as u32).map(|i| at(length * f64::from(i) / count)).collect();
         Self::through(stations, closed)
     }
 
-    /// The seam through stations.
+    /// Creates the seam through stations.
     pub fn through(stations: Vec<Station>, closed: bool) -> Self {
         let mut ways = Vec::with_capacity(stations.len());
         let mut cubes: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
@@ -61,32 +61,32 @@ impl SeamLine {
         Self { stations, ways, closed, cubes }
     }
 
-    /// The stations; of a closed seam the last one is the first.
+    /// Returns the stations; of a closed seam the last one is the first.
     pub fn stations(&self) -> &[Station] {
         &self.stations
     }
 
-    /// Path length of each station, mm.
+    /// Returns the path length of each station, mm.
     pub fn ways(&self) -> &[f64] {
         &self.ways
     }
 
-    /// Length, mm.
+    /// Returns the length, mm.
     pub fn length(&self) -> f64 {
         self.ways.last().copied().unwrap_or(0.0)
     }
 
-    /// True if it comes back to its start.
+    /// Returns true if the seam returns to its start.
     pub fn is_closed(&self) -> bool {
         self.closed
     }
 
-    /// Stations within `reach` of `point`, in order.
+    /// Returns the stations within `reach` of `point`, in order.
     pub(super) fn around(&self, point: DVec3, reach: f64) -> Vec<usize> {
         (0..self.stations.len()).filter(|&i| self.stations[i].point.distance_squared(point) < reach * reach).collect()
     }
 
-    /// The station at path length `way`, and the direction there; ends are where the seam ends.
+    /// Returns the station at path length `way`, and the direction there; clamped to the ends of an open seam.
     pub fn at(&self, way: f64) -> (Station, DVec3) {
         let way = if self.closed { way.rem_euclid(self.length()) } else { way.clamp(0.0, self.length()) };
         let i = self.ways.partition_point(|w| *w <= way).clamp(1, self.ways.len() - 1);
@@ -94,7 +94,7 @@ impl SeamLine {
         (self.between(i - 1, part), self.along(i - 1))
     }
 
-    /// The place nearest to `point`; none if it is further than some 15 mm away.
+    /// Returns the foot of `point`, or `None` if it is further than some 15 mm away.
     pub fn foot(&self, point: DVec3) -> Option<Foot> {
         let nearest = self.nearest(point)?;
         let first = nearest.saturating_sub(1);
@@ -123,7 +123,7 @@ impl SeamLine {
         let [x, y, z] = cube(point);
         let mut best: Option<(usize, f64)> = None;
         for ring in 0..=RINGS {
-            // What lies in this ring is at least so far away.
+            // Minimum distance of stations in this ring.
             let least = (ring - 1).max(0) as f64 * CUBE_MM;
             if best.is_some_and(|(_, d)| d <= least) {
                 break;
@@ -153,7 +153,7 @@ fn cube(p: DVec3) -> [i64; 3] {
     (p / CUBE_MM).floor().as_i64vec3().to_array()
 }
 
-/// Beside the seam the surface goes on straight, square to the bisector.
+/// Beside the seam the surface continues straight, square to the bisector.
 impl Shape for SeamLine {
     fn near(&self, point: DVec3) -> Option<Patch> {
         self.foot(point).map(|foot| Patch { point: foot.at.point, normal: foot.at.normal })

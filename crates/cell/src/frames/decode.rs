@@ -1,28 +1,28 @@
-//! Files of images to grey pictures.
+//! Decodes image files to grey pictures.
 
 use image::{DynamicImage, ImageFormat, ImageReader, Limits};
 use seamwright_vision::{Image, MAX_SIDE};
 use std::io::Cursor;
 use thiserror::Error;
 
-/// Why bytes are no picture.
+/// Reasons why bytes do not decode.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum DecodeError {
-    /// Not a known kind of image.
+    /// Unknown image format.
     #[error("not an image: PNG, JPEG and PNM are read")]
     Kind,
-    /// A damaged or cut off file, or one with an absurd header.
+    /// A damaged or truncated file, or an invalid header.
     #[error("the image cannot be read: {0}")]
     Broken(String),
-    /// Pixels that are neither of 8 nor of 16 bits.
+    /// Pixels of a depth other than 8 or 16 bits.
     #[error("pixels of {0}: 8 and 16 bits a channel are read")]
     Depth(&'static str),
 }
 
-/// A PNG, JPEG or PNM file of 8 or 16 bits as a grey picture; colours become their brightness (Rec. 709).
+/// Decodes a PNG, JPEG or PNM file of 8 or 16 bits to a grey picture; colours become their brightness (Rec. 709).
 ///
 /// # Errors
-/// Bytes that are no such file, a file that is damaged, a picture larger than [`MAX_SIDE`] to a side.
+/// Another format, a damaged file, a picture larger than [`MAX_SIDE`] to a side.
 pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
     let broken = |e: image::ImageError| DecodeError::Broken(e.to_string());
     let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| DecodeError::Kind)?;
@@ -48,16 +48,16 @@ pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
     })
 }
 
-/// Whether a JPEG file goes on to the end of its picture. Decoders fill up what is cut off with grey, in which a joint would
-/// be lost for no reason that anybody is told. Segments are passed over by their lengths (one may hold a small picture with
-/// an end of its own) up to the scan, within which the end's marker cannot occur.
+/// Returns true if a JPEG file contains the end of its picture. Decoders fill a truncated picture with grey, in which a
+/// joint would be lost without a reported reason. Segments are skipped by their lengths up to the scan, because one may
+/// hold a small picture with an end of its own. Within the scan the end marker cannot occur.
 fn is_whole_jpeg(bytes: &[u8]) -> bool {
     const SCAN: u8 = 0xda;
     const END: u8 = 0xd9;
     let mut at = 2;
     while let Some([0xff, marker, high, low]) = bytes.get(at..at + 4) {
         match *marker {
-            // Bytes of filling before a marker.
+            // Fill bytes before a marker.
             0xff => at += 1,
             SCAN => return bytes[at..].windows(2).any(|pair| pair == [0xff, END]),
             _ => at += 2 + usize::from(u16::from_be_bytes([*high, *low])),

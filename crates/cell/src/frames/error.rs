@@ -2,7 +2,7 @@ use seamwright_vision::FrameError as Shape;
 use std::path::Path;
 use thiserror::Error;
 
-/// Why there is no frame.
+/// Reasons for a missing frame.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FrameError {
     /// A file or folder cannot be read or written, or a connection fails.
@@ -10,47 +10,47 @@ pub enum FrameError {
     Io {
         /// The file, folder or address.
         what: String,
-        /// What the system says.
+        /// Message of the system.
         why: String,
     },
-    /// A file or folder that was named is missing, of another kind, or may not be used.
+    /// A named file or folder is missing, of another kind, or not accessible.
     #[error("{what}: {why}\n   allowed: a folder of frames that is there, with frames.csv in it")]
     Named {
         /// The file or folder.
         what: String,
-        /// What the system says.
+        /// Message of the system.
         why: String,
     },
-    /// An image that is none.
+    /// An invalid image.
     #[error("{file}: {why}")]
     Image {
         /// The file.
         file: String,
-        /// What is wrong with it.
+        /// The defect.
         why: String,
     },
-    /// A list of frames with something wrong in it.
+    /// An invalid list of frames.
     #[error("{file}:{line}: {message}\n   allowed: {allowed}")]
     List {
         /// The list.
         file: String,
         /// Line, counted from 1.
         line: usize,
-        /// What is wrong.
+        /// The defect.
         message: String,
-        /// What would be right.
+        /// Allowed content.
         allowed: String,
     },
-    /// A frame's header with something wrong in it.
+    /// An invalid frame header.
     #[error("frame {frame}: {field} {found}: not allowed\n   allowed: {allowed}")]
     Header {
         /// Counted from 0.
         frame: usize,
         /// The header's field.
         field: &'static str,
-        /// What it holds.
+        /// Its value.
         found: String,
-        /// What it may hold.
+        /// Allowed values.
         allowed: String,
     },
     /// The stream ends within a frame.
@@ -65,22 +65,22 @@ pub enum FrameError {
         /// Bytes of that part.
         wanted: usize,
     },
-    /// A time that is none, or not after the one before.
+    /// A time that is not finite, or not after the previous one.
     #[error("frame {frame}: taken at {t_s} s{}: times are finite and increase", before.map_or(String::new(), |b| format!(", after one at {b} s")))]
     Time {
         /// Counted from 0.
         frame: usize,
         /// Its time, s.
         t_s: f64,
-        /// That of the frame before.
+        /// Time of the previous frame, s.
         before: Option<f64>,
     },
-    /// Pixels that do not make a picture.
+    /// Invalid pixels.
     #[error("frame {frame}: {shape}")]
     Shape {
         /// Counted from 0.
         frame: usize,
-        /// What is wrong with them.
+        /// The defect.
         shape: Shape,
     },
 }
@@ -90,7 +90,7 @@ impl FrameError {
         Self::Io { what: what.into(), why: error.to_string() }
     }
 
-    /// A file or folder that the user named: one that is not there is another mistake than a disk that fails.
+    /// A file or folder that the user named: a wrong name is a different mistake from a failing disk.
     pub(super) fn path(path: &Path, error: &std::io::Error) -> Self {
         use std::io::ErrorKind::{
             AlreadyExists, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
@@ -104,7 +104,7 @@ impl FrameError {
         }
     }
 
-    /// True if the surroundings failed and not the data.
+    /// Returns true if the environment failed and not the data.
     pub fn is_environment(&self) -> bool {
         matches!(self, Self::Io { .. })
     }

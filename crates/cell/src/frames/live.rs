@@ -4,8 +4,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// A camera that sends frames by itself, as fast as it likes, over a stream: the newest counts. A thread reads, so that none waits in
-/// the connection and comes late.
+/// A camera that sends frames over a stream at its own rate: the newest counts. A thread reads all of them, so that
+/// none waits in the connection and comes late.
 #[derive(Debug)]
 pub struct LiveFrames {
     shared: Arc<Shared>,
@@ -22,9 +22,9 @@ struct Shared {
 
 #[derive(Debug, Default)]
 struct State {
-    /// The newest frame and when it came.
+    /// The newest frame and its time of arrival.
     newest: Option<(Instant, TimedFrame)>,
-    /// Why no more frames come.
+    /// Reason for the end of the stream.
     ended: Option<FrameError>,
 }
 
@@ -35,11 +35,11 @@ impl Shared {
 }
 
 impl LiveFrames {
-    /// Connects to `address` (host:port). A frame that has not `size_px` columns and rows, or does not come within `patience`,
-    /// is an error.
+    /// Connects to `address` (host:port). A frame with a size other than `size_px` (columns, rows) is an error; so is a
+    /// gap longer than `patience`.
     ///
     /// # Errors
-    /// No such address, nobody there.
+    /// Unknown address, or no connection.
     pub fn connect(address: &str, size_px: [usize; 2], patience: Duration) -> Result<Self, FrameError> {
         let mut stream = FrameStream::connect(address, patience)?;
         let what = address.to_owned();
@@ -68,10 +68,11 @@ impl LiveFrames {
         Ok(Self { shared, address: address.to_owned(), patience })
     }
 
-    /// The first frame that is known to have been exposed from now on, if a frame comes `latency` after its exposure at the latest.
+    /// Returns the first frame that was certainly exposed after this call, if a frame arrives at most `latency` after
+    /// its exposure.
     ///
     /// # Errors
-    /// What is wrong with the stream, its end too; no frame in time.
+    /// A fault or the end of the stream; no frame in time.
     pub fn next(&mut self, latency: Duration) -> Result<TimedFrame, FrameError> {
         let asked = Instant::now();
         let mut state = self.shared.state();
@@ -91,7 +92,7 @@ impl LiveFrames {
     }
 }
 
-/// A frame, if it has so many columns and rows.
+/// Passes a frame of this size on; other sizes are an error.
 fn sized(frame: Option<TimedFrame>, [columns, rows]: [usize; 2], what: &str) -> Result<Option<TimedFrame>, FrameError> {
     match frame.as_ref().map(|frame| &frame.image) {
         Some(Image::U8 { width, height, .. } | Image::U16 { width, height, .. })
@@ -106,7 +107,7 @@ fn sized(frame: Option<TimedFrame>, [columns, rows]: [usize; 2], what: &str) -> 
 }
 
 impl Drop for LiveFrames {
-    /// The thread ends with the next frame, or when none comes.
+    /// The thread ends with the next frame, or when the stream fails.
     fn drop(&mut self) {
         self.shared.closed.store(true, Ordering::Relaxed);
     }
@@ -130,7 +131,7 @@ mod tests {
         (live, listener.accept().unwrap().0)
     }
 
-    /// However many wait in the connection, no frame is taken that came before it was asked for and its latency was over.
+    /// Frames that arrive before the call plus the latency are never taken, however many wait in the connection.
     #[test]
     fn old_frames_do_not_count() {
         let (mut live, mut sends) = camera(Duration::from_secs(20));
@@ -153,7 +154,7 @@ mod tests {
         assert!(second.t_s > first.t_s);
         stop.store(true, Ordering::Relaxed);
         sender.join().unwrap();
-        // The last one may still come; then the stream is over, which is told.
+        // The last one may still come; then the end of the stream is reported.
         let told = std::iter::repeat_with(|| live.next(Duration::ZERO)).find_map(Result::err);
         assert!(told.unwrap().to_string().contains("closed the connection"));
     }

@@ -5,13 +5,13 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The list of frames in a folder of them.
+/// File name of the list of frames in their folder.
 pub const LIST: &str = "frames.csv";
 /// Column of the work's height.
 const HEIGHT: &str = "height_mm";
-/// Largest list, bytes.
+/// Maximum list size, bytes.
 const LARGEST_LIST: u64 = 1 << 28;
-/// Largest image file, bytes.
+/// Maximum image file size, bytes.
 const LARGEST_IMAGE: u64 = 1 << 30;
 
 /// A row of the list.
@@ -23,8 +23,8 @@ struct Row {
     height_mm: Option<f64>,
 }
 
-/// Frames from a folder: images (PNG, JPEG, PNM; 8 or 16 bits) and the list `frames.csv` with the columns `file`, `t_s`, one
-/// for each of the machine's axes (mm or degrees), and perhaps `height_mm` (empty where it was not measured).
+/// Frames from a folder: images (PNG, JPEG, PNM; 8 or 16 bits) and the list `frames.csv`. Its columns are `file`,
+/// `t_s`, one for each of the machine's axes (mm or degrees), and optionally `height_mm` (empty without a measurement).
 #[derive(Debug)]
 pub struct Recorded {
     folder: PathBuf,
@@ -34,10 +34,10 @@ pub struct Recorded {
 }
 
 impl Recorded {
-    /// The frames in `folder`, of a machine with these axes; without axes the list has none.
+    /// Opens the frames in `folder`, of a machine with these axes; without axes the list has no axis columns.
     ///
     /// # Errors
-    /// No list, or one with something wrong in it. Images are read when their turn comes.
+    /// A missing or invalid list. Images are read when their turn comes.
     pub fn open(folder: &Path, axes: &[&str]) -> Result<Self, FrameError> {
         let path = folder.join(LIST);
         let text = String::from_utf8(read(&path, LARGEST_LIST)?).map_err(|e| FrameError::List {
@@ -65,7 +65,7 @@ impl FrameSource for Recorded {
     fn next(&mut self) -> Result<Option<TimedFrame>, FrameError> {
         let Some(row) = self.rows.get(self.next) else { return Ok(None) };
         let frame = self.next;
-        // After an error there is nothing more.
+        // After an error the source is at its end.
         self.next = self.rows.len();
         let t_s = checked_time(row.t_s, &mut self.before, frame)?;
         let path = self.folder.join(&row.file);
@@ -111,7 +111,7 @@ fn rows(file: &str, text: &str, axes: &[&str]) -> Result<Vec<Row>, FrameError> {
             return Err(wrong(line, format!("{} cells", cells.len()), format!("{}, one a column", header.len())));
         }
         let name = cells[0];
-        // Within the folder: a list from elsewhere must not lead to other files.
+        // Only within the folder: a foreign list must not lead to other files.
         let inside = Path::new(name).components().all(|c| matches!(c, std::path::Component::Normal(_)));
         if name.is_empty() || !inside {
             return Err(wrong(line, format!("file {name:?}"), "the name of an image in this folder".to_owned()));
@@ -136,7 +136,7 @@ fn rows(file: &str, text: &str, axes: &[&str]) -> Result<Vec<Row>, FrameError> {
     }
 }
 
-/// Writes frames into a folder as [`Recorded`] reads them.
+/// Writes frames into a folder in the form that [`Recorded`] reads.
 #[derive(Debug)]
 pub struct Recorder {
     folder: PathBuf,
@@ -145,10 +145,10 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Into `folder`, which is made if missing, of a machine with these axes.
+    /// Starts a recording in `folder`, which is made if missing, of a machine with these axes.
     ///
     /// # Errors
-    /// A folder that cannot be made.
+    /// If the folder cannot be made.
     pub fn create(folder: &Path, axes: &[&str]) -> Result<Self, FrameError> {
         fs::create_dir_all(folder).map_err(|e| FrameError::path(folder, &e))?;
         let mut header = vec!["file", "t_s"];
@@ -160,7 +160,7 @@ impl Recorder {
     /// Writes a frame as PNG.
     ///
     /// # Errors
-    /// A file that cannot be written, pixels that make no picture.
+    /// If the file cannot be written, or the pixels are invalid.
     pub fn add(&mut self, frame: &TimedFrame) -> Result<(), FrameError> {
         let name = format!("{:06}.png", self.count);
         let path = self.folder.join(&name);
@@ -188,10 +188,10 @@ impl Recorder {
         Ok(())
     }
 
-    /// Writes the list, last: without it the folder is none of frames.
+    /// Writes the list, last: without it the folder is not a recording.
     ///
     /// # Errors
-    /// A file that cannot be written.
+    /// If the file cannot be written.
     pub fn finish(self) -> Result<(), FrameError> {
         let path = self.folder.join(LIST);
         fs::write(&path, self.list).map_err(|e| FrameError::path(&path, &e))

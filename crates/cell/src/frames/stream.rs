@@ -10,13 +10,13 @@ const MAGIC: &[u8; 4] = b"SWFR";
 pub const VERSION: u16 = 1;
 /// Length of the header, bytes.
 pub const HEADER_BYTES: usize = 40;
-/// Most positions of axes with a frame.
-pub const MOST_AXES: u16 = 64;
-/// Pixels are read in pieces of so many bytes, so that a header cannot ask for memory that nothing comes to fill.
+/// Maximum number of axis positions with a frame.
+pub const MAX_FRAME_AXES: u16 = 64;
+/// Size of the pieces in which pixels are read, bytes, so that an invalid header cannot allocate memory without data.
 const PIECE: usize = 1 << 16;
 
-/// Frames from a stream of bytes: of a beam's scanner, or any camera that is no file. The header is described in
-/// `docs/vision-sources.md`.
+/// Frames from a byte stream: of a beam's scanner, or any camera outside of a file. `docs/vision-sources.md` describes
+/// the header.
 #[derive(Debug)]
 pub struct FrameStream<R> {
     input: R,
@@ -27,10 +27,10 @@ pub struct FrameStream<R> {
 }
 
 impl FrameStream<TcpStream> {
-    /// Connects to `address` (host:port); a frame that does not come within `patience` is an error.
+    /// Connects to `address` (host:port); no frame within `patience` is an error.
     ///
     /// # Errors
-    /// No such address, nobody there, no answer in time.
+    /// Unknown address, no connection, or no answer in time.
     pub fn connect(address: &str, patience: Duration) -> Result<Self, FrameError> {
         let failed = |e: &std::io::Error| FrameError::io(address, e);
         let mut last = std::io::Error::from(std::io::ErrorKind::AddrNotAvailable);
@@ -50,7 +50,7 @@ impl FrameStream<TcpStream> {
     /// Sends a line of text to the other end.
     ///
     /// # Errors
-    /// A connection that is closed.
+    /// If the connection is closed.
     pub fn say(&mut self, line: &str) -> Result<(), FrameError> {
         let sent = self.input.write_all(format!("{line}\n").as_bytes());
         sent.map_err(|e| FrameError::io(&self.what, &e))
@@ -58,12 +58,12 @@ impl FrameStream<TcpStream> {
 }
 
 impl<R: Read> FrameStream<R> {
-    /// Frames from `input`, called `what` in errors.
+    /// Reads frames from `input`, called `what` in errors.
     pub fn new(input: R, what: String) -> Self {
         Self { input, what, frame: 0, before: None, ended: false }
     }
 
-    /// Reads `bytes` whole; how many came before the stream's end.
+    /// Fills `bytes`; returns how many came before the stream's end.
     fn fill(&mut self, bytes: &mut [u8]) -> Result<usize, FrameError> {
         let mut found = 0;
         while found < bytes.len() {
@@ -81,7 +81,7 @@ impl<R: Read> FrameStream<R> {
         Ok(found)
     }
 
-    /// A part of a frame of `wanted` bytes.
+    /// Reads a part of a frame, of `wanted` bytes.
     fn part(&mut self, part: &'static str, wanted: usize) -> Result<Vec<u8>, FrameError> {
         let mut bytes = Vec::new();
         while bytes.len() < wanted {
@@ -182,8 +182,8 @@ impl Header {
             }
         }
         let axes = u16_at(16);
-        if axes > MOST_AXES {
-            return wrong("number of axes", axes.to_string(), format!("0 to {MOST_AXES}"));
+        if axes > MAX_FRAME_AXES {
+            return wrong("number of axes", axes.to_string(), format!("0 to {MAX_FRAME_AXES}"));
         }
         if u16_at(18) != 0 || u32_at(20) != 0 {
             return wrong("bytes 18 to 23", format!("{:02x?}", &bytes[18..24]), "0".to_owned());
@@ -197,13 +197,13 @@ impl Header {
     }
 }
 
-/// Writes a frame as [`FrameStream`] reads it.
+/// Writes a frame in the form that [`FrameStream`] reads.
 ///
 /// # Errors
-/// Those of the output; more axes than [`MOST_AXES`] are an invalid input.
+/// Those of the output; more axes than [`MAX_FRAME_AXES`] are an invalid input.
 pub fn write_frame(frame: &TimedFrame, output: &mut impl Write) -> std::io::Result<()> {
     let axes = frame.axes.as_deref().unwrap_or_default();
-    let count = u16::try_from(axes.len()).ok().filter(|n| *n <= MOST_AXES);
+    let count = u16::try_from(axes.len()).ok().filter(|n| *n <= MAX_FRAME_AXES);
     let count = count.ok_or(std::io::ErrorKind::InvalidInput)?;
     let (width, height, bits) = match &frame.image {
         Image::U8 { width, height, .. } => (*width, *height, 8u16),

@@ -1,41 +1,41 @@
 use std::fmt;
 
-/// Priority of the cycle, of 1 to 99: above ordinary work, below the kernel's own threads.
+/// Priority of the cycle, 1 to 99: above ordinary work, below the kernel's own threads.
 const CYCLE: u8 = 80;
-/// Priority of what talks to devices for it.
+/// Priority of the cycle's device threads.
 const BELOW: u8 = 70;
 
-/// What the system grants to the calling thread.
+/// Real-time resources that the system grants to the calling thread.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Footing {
-    /// Real-time priority (SCHED_FIFO), or why not.
+    /// Real-time priority (SCHED_FIFO), or the reason for its refusal.
     pub priority: Result<(), String>,
-    /// Memory that is never paged out, or why not.
+    /// Memory locked against paging, or the reason for its refusal.
     pub memory: Result<(), String>,
-    /// A CPU of its own, if one was asked for, or why not.
+    /// CPU to stay on, if requested, or the reason for its refusal.
     pub cpu: Option<Result<usize, String>>,
 }
 
 impl Footing {
-    /// Asks for all of it for the calling thread; `cpu` is the CPU to stay on.
+    /// Requests all of it for the calling thread; `cpu` is the CPU to stay on.
     pub fn ask(cpu: Option<usize>) -> Self {
         Self { priority: system::priority(CYCLE), memory: system::memory(), cpu: cpu.map(system::stay_on) }
     }
 
-    /// Asks for a real-time priority below that of the cycle for the calling thread: for those that talk to devices. What the
-    /// system does not grant to them it does not grant to the cycle either, which tells it.
+    /// Requests a real-time priority below that of the cycle for the calling thread, which serves devices. A refusal
+    /// also affects the cycle, which reports it.
     pub(crate) fn ask_below_cycle() {
         let _ = system::priority(BELOW);
     }
 
-    /// What is missing, by key: `priority`, `memory`, `cpu`.
+    /// Returns the missing resources, by key: `priority`, `memory`, `cpu`.
     pub fn missing(&self) -> impl Iterator<Item = &'static str> {
         let cpu = self.cpu.as_ref().is_some_and(Result::is_err);
         let all = [("priority", self.priority.is_err()), ("memory", self.memory.is_err()), ("cpu", cpu)];
         all.into_iter().filter_map(|(key, is_missing)| is_missing.then_some(key))
     }
 
-    /// True if nothing is missing.
+    /// Returns true if all requested resources were granted.
     pub fn is_whole(&self) -> bool {
         self.priority.is_ok() && self.memory.is_ok() && self.cpu.as_ref().is_none_or(Result::is_ok)
     }

@@ -2,12 +2,13 @@ use super::{Shutdown, ShutdownCause};
 use crate::executive::{Devices, Orders, Reports};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// The thread of the cycle panicked; its devices were ordered off.
+/// The cycle's thread panicked; its devices were ordered off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("the cycle failed (a fault of the program); its devices were ordered off")]
 pub struct CyclePanicked;
 
-/// Runs cycles on `devices`. If that panics the devices get the orders of a cell that is off, and `shutdown` is asked for.
+/// Runs cycles on `devices`. After a panic the devices get the orders of a cell that is off, and `shutdown` is
+/// requested.
 ///
 /// # Errors
 /// [`CyclePanicked`].
@@ -20,7 +21,7 @@ pub fn guarded<D: Devices, T>(
     result.map_err(|_| {
         shutdown.request(ShutdownCause::Panic);
         let (orders, mut reports) = (Orders::default(), Reports::default());
-        // If the devices themselves panic, dropping them is what is left: each leaves its outputs safe then.
+        // If the devices themselves panic, only their drop remains: it leaves their outputs safe.
         let _ = catch_unwind(AssertUnwindSafe(|| devices.exchange(&orders, &mut reports)));
         CyclePanicked
     })

@@ -1,9 +1,9 @@
-/// Bins a factor of two: lateness is known within an eighth.
+/// Bins per factor of two: the resolution is an eighth of the lateness.
 const BINS_AN_OCTAVE: u32 = 8;
-/// Bins, up to 2^40 ns.
+/// Number of bins, up to 2^40 ns.
 const BINS: usize = 40 * BINS_AN_OCTAVE as usize;
 
-/// How late cycles begin: a histogram with bins that grow with the lateness, of fixed size.
+/// Lateness of cycle starts: a histogram of fixed size with bins that grow with the lateness.
 #[derive(Debug, Clone)]
 pub struct Latency {
     bins: Box<[u64; BINS]>,
@@ -19,7 +19,7 @@ impl Default for Latency {
 }
 
 impl Latency {
-    /// A cycle began so late (ns), and so many were missed before it.
+    /// Adds a cycle that started late by `late_ns`, with the number of cycles missed before it.
     pub fn add(&mut self, late_ns: u64, missed: u32) {
         self.bins[bin(late_ns)] += 1;
         self.count += 1;
@@ -27,22 +27,22 @@ impl Latency {
         self.missed += u64::from(missed);
     }
 
-    /// Cycles counted.
+    /// Returns the number of cycles.
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// Cycles that were missed altogether.
+    /// Returns the number of missed cycles.
     pub fn missed(&self) -> u64 {
         self.missed
     }
 
-    /// The latest that a cycle began, us.
+    /// Returns the maximum lateness, us.
     pub fn most_us(&self) -> f64 {
         self.most_ns as f64 * 1e-3
     }
 
-    /// The lateness (us) that this part of all cycles does not exceed, at most an eighth too great.
+    /// Returns the quantile `part` (0 to 1) of the lateness, us; at most an eighth too large.
     pub fn quantile_us(&self, part: f64) -> f64 {
         let wanted = (part * self.count as f64).ceil().max(1.0) as u64;
         let mut seen = 0;
@@ -53,13 +53,13 @@ impl Latency {
         found.map_or(self.most_us(), |bin| upper_ns(bin).min(self.most_ns as f64) * 1e-3)
     }
 
-    /// Bins that are not empty: up to which lateness (us), and how many cycles.
+    /// Returns the bins that are not empty: upper limit of the lateness (us), and number of cycles.
     pub fn bins(&self) -> impl Iterator<Item = (f64, u64)> {
         (0..BINS).filter(|bin| self.bins[*bin] > 0).map(|bin| (upper_ns(bin) * 1e-3, self.bins[bin]))
     }
 }
 
-/// The bin of a lateness: its octave, and the eighth of that in which it lies.
+/// Returns the bin of a lateness: its octave, and the eighth within that.
 fn bin(ns: u64) -> usize {
     if ns < u64::from(BINS_AN_OCTAVE) {
         return ns as usize;
@@ -69,7 +69,7 @@ fn bin(ns: u64) -> usize {
     (((octave - 2) * BINS_AN_OCTAVE) as usize + part as usize).min(BINS - 1)
 }
 
-/// Where a bin ends, ns.
+/// Returns the upper limit of a bin, ns.
 fn upper_ns(bin: usize) -> f64 {
     let (octave, part) = (bin / BINS_AN_OCTAVE as usize, bin % BINS_AN_OCTAVE as usize);
     if octave == 0 { (part + 1) as f64 } else { (8 + part + 1) as f64 * 2f64.powi(octave as i32 - 1) }

@@ -5,16 +5,16 @@ use std::ops::Deref;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
-/// A cycle as it crosses to other threads.
+/// A cycle, copied for other threads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shown {
-    /// What the executive is doing.
+    /// Status of the executive.
     pub status: Status,
-    /// What was asked of the devices.
+    /// Orders to the devices.
     pub orders: Orders,
-    /// What they reported.
+    /// Device reports.
     pub reports: Reports,
-    /// Cycles lost before this one, because nobody took them.
+    /// Number of cycles lost before this one, on a full queue.
     pub lost: u64,
 }
 
@@ -32,7 +32,7 @@ impl From<&Cycle<'_>> for Shown {
     }
 }
 
-/// Something that happened at a time, s.
+/// A note with its time, s.
 pub type Noted = (f64, Note);
 
 /// The executive's end of the queues.
@@ -41,19 +41,19 @@ pub struct LivePort {
     commands: Consumer<Command>,
     cycles: Producer<Shown>,
     notes: Producer<Noted>,
-    /// The record has lost something, here or outside.
+    /// The record has lost data, here or outside.
     failed: Arc<AtomicBool>,
     urgent: Urgent,
     shutdown: Shutdown,
     lost: u64,
 }
 
-/// A stop or a hold that passes everything in the queues, from any thread.
+/// A stop or a hold from any thread, ahead of all queues.
 #[derive(Debug, Clone, Default)]
 pub struct Urgent(Arc<AtomicU8>);
 
 impl Urgent {
-    /// Asks for a stop or a hold; everything else is for the queue.
+    /// Requests a stop or a hold; other commands go through the queue.
     pub fn ask(&self, ask: &Ask) {
         match ask {
             Ask::Stop => drop(self.0.fetch_max(2, Ordering::Relaxed)),
@@ -71,42 +71,43 @@ impl Urgent {
     }
 }
 
-/// The outside's end.
+/// The outside's end of the queues.
 #[derive(Debug)]
 pub struct Outside {
     /// Commands for the executive.
     pub commands: Producer<Command>,
-    /// Its cycles, in order; the newest are lost if nobody takes them for two seconds of a 1 ms cycle.
+    /// Its cycles, in order; unread ones fill the queue after two seconds of a 1 ms cycle, and later ones are lost.
     pub cycles: Consumer<Shown>,
-    /// What happened, in order.
+    /// Its notes, in order.
     pub notes: Consumer<Noted>,
     failed: Arc<AtomicBool>,
     urgent: Urgent,
 }
 
 impl Outside {
-    /// A way for stops and holds past the queue.
+    /// Returns the path for stops and holds ahead of the queue.
     pub fn urgent(&self) -> Urgent {
         self.urgent.clone()
     }
 
-    /// Tells the executive that the record cannot be written any more.
+    /// Reports to the executive that the record cannot be written any more.
     pub fn fail(&self) {
         self.failed.store(true, Ordering::Relaxed);
     }
 
-    /// Tells the executive that another record has begun, which has lost nothing yet.
+    /// Reports to the executive that a new record has started, without losses so far.
     pub fn mend(&self) {
         self.failed.store(false, Ordering::Relaxed);
     }
 }
 
-/// Places in the queues.
+/// Capacities of the queues.
 const COMMANDS: usize = 64;
 const CYCLES: usize = 2048;
 const NOTES: usize = 1024;
 
-/// Queues between an executive and the outside: fixed in size, without locks. `shutdown` ends the executive past all of them.
+/// Creates queues between an executive and the outside: of fixed size, without locks. `shutdown` ends the executive
+/// ahead of all queues.
 pub fn live(shutdown: &Shutdown) -> (LivePort, Outside) {
     let (to_executive, commands) = RingBuffer::new(COMMANDS);
     let (cycles, shown) = RingBuffer::new(CYCLES);

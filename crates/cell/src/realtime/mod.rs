@@ -1,7 +1,8 @@
-//! The cycle in real time: a fixed period, what the system grants to it, and how late it was.
+//! The cycle in real time: a fixed period, the resources granted by the system, and the lateness.
 //!
-//! Stated degraded mode: where the system grants no priority, no locked memory or no CPU of its own the cycle runs all the
-//! same, [`Footing`] says what is missing, and [`Latency`] what it costs. More cycles missed at once than the drives ride out stop the cell.
+//! Degraded mode: without priority, locked memory or a CPU of its own the cycle runs all the same. [`Footing`] reports
+//! the missing resources, and [`Latency`] their cost. More consecutive missed cycles than the drives tolerate stop the
+//! cell.
 
 mod footing;
 mod guarded;

@@ -2,7 +2,7 @@ use super::Latency;
 use crate::executive::{Devices, Orders, ProcessOrders, Reports, Slack};
 use seamwright_tracking::beam::Picture;
 
-/// Begins of cycles at whole multiples of a period, by the monotonic clock.
+/// Starts of cycles at whole multiples of a period, by the monotonic clock.
 #[derive(Debug)]
 pub struct Pacer {
     period_ns: u64,
@@ -11,13 +11,13 @@ pub struct Pacer {
 }
 
 impl Pacer {
-    /// From now on, a cycle every `period_s`.
+    /// Starts now, with a cycle every `period_s`.
     pub fn new(period_s: f64) -> Self {
         let period_ns = (period_s * 1e9).round() as u64;
         Self { period_ns, next_ns: clock::now_ns() + period_ns, latency: Latency::default() }
     }
 
-    /// Sleeps until the next cycle begins; how many have been missed. Those are left out, not made up for.
+    /// Sleeps until the start of the next cycle; returns the number of missed cycles, which are skipped.
     pub fn wait(&mut self) -> u32 {
         clock::sleep_until(self.next_ns);
         let late = clock::now_ns().saturating_sub(self.next_ns);
@@ -28,18 +28,18 @@ impl Pacer {
         missed
     }
 
-    /// How late cycles began so far.
+    /// Returns the lateness of the cycles so far.
     pub fn latency(&self) -> &Latency {
         &self.latency
     }
 }
 
-/// Devices in real time: the period is waited for after the exchange.
+/// Devices in real time: each exchange starts after a wait for the period.
 #[derive(Debug)]
 pub struct Paced<D> {
     /// The devices.
     pub devices: D,
-    /// When cycles begin.
+    /// Pacer of the cycles.
     pub pacer: Pacer,
 }
 
@@ -47,7 +47,7 @@ impl<D: Devices> Devices for Paced<D> {
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
         let missed = self.pacer.wait();
         if missed > self.devices.rides_out().cycles {
-            // These orders are of a time before the gap: the process must not burn on by them.
+            // These orders date from before the gap: the process must not burn on by them.
             let process = ProcessOrders { on: false, ..orders.process };
             self.devices.exchange(&Orders { process, ..*orders }, reports);
         } else {
@@ -81,7 +81,7 @@ mod clock {
 
     pub(super) fn sleep_until(ns: u64) {
         let until = Timespec { tv_sec: (ns / 1_000_000_000) as i64, tv_nsec: (ns % 1_000_000_000) as i64 };
-        // A signal ends it early: go on sleeping.
+        // A signal ends the sleep early: go on sleeping.
         while clock_nanosleep_absolute(SleepClock::Monotonic, &until).is_err() && now_ns() < ns {}
     }
 }
@@ -106,7 +106,7 @@ mod clock {
 mod tests {
     use super::*;
 
-    /// Cycles are never early and keep to the grid whatever the work between them takes.
+    /// Cycles are never early and keep to the grid, whatever the duration of the work between them.
     #[test]
     fn cycles_keep_to_the_grid() {
         let mut pacer = Pacer::new(2e-3);
@@ -120,7 +120,7 @@ mod tests {
                 std::thread::sleep(std::time::Duration::from_millis(5));
             }
         }
-        // Five sleeps of 5 ms leave out a cycle each, at least.
+        // Each of the five sleeps of 5 ms skips at least one cycle.
         assert!(pacer.latency().missed() >= 5, "{}", pacer.latency().missed());
         assert_eq!(pacer.latency().count(), 50);
     }

@@ -4,18 +4,18 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Codes of causes that are no signals: beyond all numbers of signals.
+/// Codes of the causes other than signals: above all signal numbers.
 const PANIC: usize = 1000;
 const ASKED: usize = 1001;
 
-/// Why a cell shuts down.
+/// Causes of a shutdown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShutdownCause {
-    /// The process got the signal of this number.
+    /// The process received the signal of this number.
     Signal(i32),
     /// A thread of the program panicked.
     Panic,
-    /// The program asked for it.
+    /// The program requested it.
     Asked,
 }
 
@@ -34,29 +34,30 @@ impl fmt::Display for ShutdownCause {
 
 /// A flag that ends a cell from anywhere: signals, panics, other threads.
 ///
-/// The executive reads it before each exchange with its devices: the process is ordered off with that exchange, the axes come to
-/// rest on their path, power goes, and [`crate::executive::Executive::serve`] returns. It needs no other thread for that.
+/// The executive reads it before each exchange with its devices. The process is ordered off with that exchange, the
+/// axes come to rest on their path, and power goes. Then [`crate::executive::Executive::serve`] returns. No other
+/// thread is needed.
 #[derive(Debug, Clone, Default)]
 pub struct Shutdown(Arc<AtomicUsize>);
 
 impl Shutdown {
-    /// Asks for the shutdown; the first cause stays.
+    /// Requests the shutdown; the first cause stays.
     pub fn request(&self, cause: ShutdownCause) {
         let code = match cause {
             ShutdownCause::Signal(number) => usize::try_from(number).unwrap_or(ASKED),
             ShutdownCause::Panic => PANIC,
             ShutdownCause::Asked => ASKED,
         };
-        // It fails where somebody was first.
+        // It fails if an earlier cause is set.
         let _ = self.0.compare_exchange(0, code, Ordering::SeqCst, Ordering::SeqCst);
     }
 
-    /// True once it was asked for.
+    /// Returns true once a shutdown is requested.
     pub fn is_requested(&self) -> bool {
         self.0.load(Ordering::Relaxed) != 0
     }
 
-    /// Why, once it was asked for.
+    /// Returns the cause, once a shutdown is requested.
     pub fn cause(&self) -> Option<ShutdownCause> {
         match self.0.load(Ordering::Relaxed) {
             0 => None,
@@ -66,9 +67,9 @@ impl Shutdown {
         }
     }
 
-    /// Has the signals with which people and service managers end, or freeze, a program ask for the shutdown instead, for the
-    /// rest of the process. Ctrl-Z (SIGTSTP) too: a frozen controller controls nothing. A file that has its largest size (SIGXFSZ) ends
-    /// nothing: the write fails.
+    /// Redirects the signals that end or freeze a program to a shutdown request, for the rest of the process. That
+    /// includes Ctrl-Z (SIGTSTP), because a frozen controller controls nothing. A file at its maximum size (SIGXFSZ)
+    /// ends nothing: the write fails.
     ///
     /// # Errors
     /// If the system refuses.
@@ -76,7 +77,8 @@ impl Shutdown {
         system::register(&self.0)
     }
 
-    /// Has a panic of any thread ask for the shutdown, but for those in [`contained`], for the rest of the process.
+    /// Redirects the panics of all threads to a shutdown request, except those in [`contained`], for the rest of the
+    /// process.
     pub fn on_panic(&self) {
         let before = std::panic::take_hook();
         let shutdown = self.clone();
@@ -90,15 +92,15 @@ impl Shutdown {
 }
 
 thread_local! {
-    /// A panic of this thread concerns nobody else.
+    /// A panic of this thread stays within it.
     static CONTAINED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs `work`, a panic of which costs no more than its result: planning, drafting, drawing. Not for anything that shares
-/// changing data with the cell.
+/// Runs `work`; a panic costs only its result: planning, drafting, drawing. Not for work that shares mutable data with
+/// the cell.
 ///
 /// # Errors
-/// What it panicked with.
+/// The payload of the panic.
 pub fn contained<T>(work: impl FnOnce() -> T) -> std::thread::Result<T> {
     let before = CONTAINED.replace(true);
     let result = catch_unwind(AssertUnwindSafe(work));
@@ -116,8 +118,8 @@ mod system {
     use std::sync::Arc;
     use std::sync::atomic::{AtomicBool, AtomicUsize};
 
-    /// All that end or freeze a process unless it says otherwise, and that a person, a terminal, a service manager, a power supply or
-    /// a limit of the system sends.
+    /// Signals that end or freeze a process by default, from a person, a terminal, a service manager, a power supply or
+    /// a limit of the system.
     pub(super) const SIGNALS: &[(i32, &str)] = &[
         (SIGTERM, "SIGTERM"),
         (SIGINT, "SIGINT"),
@@ -142,7 +144,7 @@ mod system {
     }
 
     pub(super) fn register(flag: &Arc<AtomicUsize>) -> std::io::Result<()> {
-        // A file at its largest size: the write fails, and whoever writes reports that. Nothing has to end for it.
+        // A file at its maximum size: the write fails, and its caller reports that. The cell goes on.
         flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)))?;
         SIGNALS.iter().try_for_each(|(signal, _)| {
             let code = usize::try_from(*signal).unwrap_or_default();
@@ -160,7 +162,7 @@ mod system {
         None
     }
 
-    /// There are no signals.
+    /// Signals do not exist here.
     pub(super) fn register(_flag: &Arc<AtomicUsize>) -> std::io::Result<()> {
         Ok(())
     }
@@ -170,7 +172,7 @@ mod system {
 mod tests {
     use super::*;
 
-    /// The first cause stays; a contained panic asks for nothing, one in another thread does.
+    /// The first cause stays; a contained panic requests nothing, a panic of another thread does.
     #[test]
     fn causes_are_kept_and_contained_panics_ask_for_nothing() {
         let shutdown = Shutdown::default();
@@ -186,7 +188,7 @@ mod tests {
         assert_eq!(ShutdownCause::Signal(15).to_string(), "signal SIGTERM");
     }
 
-    /// Each signal that would end or freeze the process asks for the shutdown; one about the size of files does not end it.
+    /// Each signal that would end or freeze the process requests the shutdown; SIGXFSZ does not.
     #[cfg(unix)]
     #[test]
     fn signals_shut_down_and_do_not_kill() {

@@ -10,19 +10,19 @@ use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, TorchPath};
 
-/// Everything that a program needs to be run on simulated devices: work, devices, tracking, and who judges the weld.
+/// A program on simulated devices: work, devices, tracking, and evaluation of the weld.
 pub struct SimulatedCell<'a> {
     machine: &'a Machine,
-    /// What passes are planned on: with tracking, less what that is left.
+    /// The machine used for planning: with tracking, less the reserve of the corrections.
     planned_on: Machine,
     passes: Vec<(&'a dyn TorchPath, &'a Pass)>,
     motion: &'a WeldMotion,
     conditions: Conditions<'a>,
-    /// Of each pass whose seam may lie elsewhere than planned, or that is tracked.
+    /// Scene of each pass whose seam may differ from the plan, or that is tracked.
     scenes: Vec<Option<PassScene<'a>>>,
 }
 
-/// Simulated devices, each with its plan of faults.
+/// Simulated devices, each with fault injection.
 pub type CellDevices<'a> = WithSensors<
     DeviceSet<
         Faulty<SimulatedDrives, DriveReport>,
@@ -33,7 +33,7 @@ pub type CellDevices<'a> = WithSensors<
 >;
 
 impl<'a> SimulatedCell<'a> {
-    /// Of `motion`, whose passes are `passes`.
+    /// Creates the cell of `motion`, whose passes are `passes`.
     pub fn new(
         machine: &'a Machine,
         passes: Vec<(&'a dyn TorchPath, &'a Pass)>,
@@ -51,7 +51,7 @@ impl<'a> SimulatedCell<'a> {
         Self { machine, planned_on, passes, motion, conditions, scenes }
     }
 
-    /// What the executive runs, from `start` on.
+    /// Returns the executive's program, from `start` on.
     ///
     /// # Errors
     /// [`Error::Values`] for more process values than a cell carries.
@@ -60,10 +60,10 @@ impl<'a> SimulatedCell<'a> {
         Work::new(&self.planned_on, self.conditions.around, &passes, self.motion, start).map_err(Error::Values)
     }
 
-    /// Its devices, with the axes at home, or where the first weld begins if there is no way from home.
+    /// Returns its devices, with the axes at home, or at the start of the first weld if there is no move from home.
     ///
     /// # Errors
-    /// [`Error::Drive`]; [`Error::Tracking`] for a pass that cannot be tracked.
+    /// [`Error::Drive`]; [`Error::Tracking`] for a pass that does not allow tracking.
     pub fn devices(&self) -> Result<CellDevices<'_>, Error> {
         let Conditions { seed, faults, .. } = self.conditions;
         let (machine, period) = (self.machine, self.machine.servo_period_s);
@@ -82,10 +82,10 @@ impl<'a> SimulatedCell<'a> {
         Ok(WithSensors { devices, sensors })
     }
 
-    /// What sees the joints.
+    /// Returns the joint sensors.
     ///
     /// # Errors
-    /// [`Error::Tracking`] for a pass that cannot be tracked.
+    /// [`Error::Tracking`] for a pass that does not allow tracking.
     pub fn sensors(&self) -> Result<SimulatedSensors<'_>, Error> {
         let twins = self.scenes.iter().zip(&self.motion.passes).map(|(scene, planned)| match scene {
             Some(scene) if self.conditions.tracking => {
@@ -97,19 +97,19 @@ impl<'a> SimulatedCell<'a> {
         Ok(SimulatedSensors::new(self.machine, twins?))
     }
 
-    /// What corrects its passes, if they are tracked; the program begins at `start`.
+    /// Returns the tracking of its passes, if they are tracked; the program starts at `start`.
     ///
     /// # Errors
-    /// [`Error::Tracking`] for a pass that cannot be tracked.
+    /// [`Error::Tracking`] for a pass that does not allow tracking.
     pub fn tracking(&self, start: Place) -> Result<Option<Tracking<'_>>, Error> {
         let tracking = || Tracking::new(self.machine, &self.scenes, self.motion, self.conditions, start);
         Ok(self.conditions.tracking.then(tracking).transpose()?)
     }
 
-    /// Who judges the weld.
+    /// Returns the evaluation of the weld.
     ///
     /// # Errors
-    /// [`Error::Tracking`] for a torch that does not go along the seam's line, on a part that lies elsewhere.
+    /// [`Error::Tracking`] for a torch that does not follow the seam's line, on a part that differs from the plan.
     pub fn judge(&self) -> Result<Judge<'_>, Error> {
         let heads = self.scenes.iter().zip(&self.motion.passes).map(|(scene, planned)| match scene {
             Some(scene) => scene.truths(self.machine, planned, self.conditions.seed),

@@ -9,17 +9,17 @@ use seamwright_motion::pace::RunPhase;
 use seamwright_motion::{LawPoint, Phase, SetPoint, WeldMotion};
 use seamwright_program::{Pass, TorchPath};
 
-/// What judges a simulated weld, cycle by cycle: it knows where everything truly is.
+/// Evaluates a simulated weld cycle by cycle from the true positions.
 pub struct Judge<'a> {
     machine: &'a Machine,
     passes: &'a [(&'a dyn TorchPath, &'a Pass)],
     motion: &'a WeldMotion,
     seed: u64,
     tallies: Vec<Tally>,
-    /// The heads of each pass, where the joint may lie elsewhere than planned.
+    /// The heads of each pass, if its joint may differ from the plan.
     heads: Vec<ArrayVec<HeadTruth<'a>, 2>>,
     last: Option<Sample>,
-    /// Passes that were begun.
+    /// Passes that have started.
     begun: Vec<bool>,
 }
 
@@ -36,13 +36,13 @@ impl<'a> Judge<'a> {
         Self { machine, passes, motion, seed, tallies, heads, last: None, begun }
     }
 
-    /// What a cycle truly was.
+    /// Returns the true state of a cycle.
     pub fn sample(&mut self, cycle: &Cycle<'_>) -> Sample {
         let axes = self.machine.axes.len();
         let drives = &cycle.reports.drives;
         let mut q: Joints = std::array::from_fn(|i| cycle.orders.set[i].position);
         let truth = cycle.reports.truth.unwrap_or(drives.position);
-        // Without power, or before the references are known, nothing follows set-points.
+        // Without power, or without references, the axes do not follow set-points.
         let known = drives.referenced.count_ones() as usize == axes && !cycle.orders.home;
         let follows = drives.powered && known;
         if !follows {
@@ -80,7 +80,7 @@ impl<'a> Judge<'a> {
             sample.heads[head.number] = seen;
             worst = seen.map(|s| s.miss.length()).into_iter().chain(worst).reduce(f64::max);
         }
-        // The seam is where it truly is.
+        // Measure against the true seam.
         sample.path_error = worst.unwrap_or(sample.path_error);
         (sample.tip_speed, sample.planned_speed) = (0.0, 0.0);
         if let Some(last) = self.last.filter(|l| l.pass == pass) {
@@ -93,7 +93,7 @@ impl<'a> Judge<'a> {
         self.tallies[pass - 1].add(sample, &rates);
     }
 
-    /// What was counted, with what `tracking` has to say of it.
+    /// Returns the summaries of the passes, with the reports of `tracking`.
     pub fn summaries(self, tracking: Option<&Tracking<'_>>) -> Vec<Summary> {
         let reports = |i| tracking.map_or_else(Vec::new, |tracking| tracking.reports(i));
         let Self { machine, seed, .. } = self;
@@ -102,7 +102,7 @@ impl<'a> Judge<'a> {
         for (i, ((tally, heads), begun)) in passes {
             let mut told = reports(i).into_iter();
             let all = heads.into_iter().map(|head| (head, told.next()));
-            // Of a pass that was never come to there is nothing to say.
+            // A pass that has not started has no results.
             let heads = all.filter(|(_, told)| begun || told.is_some()).map(|(head, told)| head.finish(machine, told));
             summaries.push(Summary { heads: heads.collect(), ..tally.finish(machine, seed) });
         }
@@ -110,7 +110,7 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// What the process truly does.
+/// Returns the true phase of the process.
 fn phase(cycle: &Cycle<'_>) -> Phase {
     let burns = cycle.reports.source.burning && cycle.process != ProcessState::Off;
     match cycle.phase {

@@ -6,13 +6,13 @@ use seamwright_motion::PassMotion;
 use seamwright_motion::corners::foot_in_blend;
 use seamwright_program::TorchPath;
 
-/// Finds the place of the planned path nearest to the true tip, and how far the tip is from the seam.
+/// Finds the planned path's nearest point to the true tip, and the distance of the tip from the seam.
 pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMotion, sample: &mut Sample) {
     let tip = machine.forward(&sample.q);
     let whole = (0.0, path.length());
-    // Where the planned path is blended it is not the seam: a place on the seam would jump at the corner.
+    // In blends the planned path differs from the seam, on which the nearest point would jump at the corner.
     let s = match planned.path.blends().is_empty() {
-        // A tip may stand still or turn back while the axes go on: they tell the place.
+        // The tip may stop or turn back while the axes move on: their positions define the point.
         _ if path.is_timed() => planned.path.foot(machine, &sample.q, sample.set.law.s),
         true => path.foot(tip.point, sample.set.law.s, whole),
         false => planned.tip_path(machine).foot(tip.point, sample.set.law.s, whole),
@@ -33,7 +33,7 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
         }
     };
     (sample.path_error, sample.attitude_error) = errors(&tip, &|s| path.pose(s));
-    // Of two torches the one that is farther off counts.
+    // With two torches the larger error counts.
     if path.second(s).is_some() {
         let second = errors(&machine.forward_of(1, &sample.q), &|s| path.second(s).unwrap_or_else(|| path.pose(s)));
         sample.path_error = sample.path_error.max(second.0);
@@ -41,9 +41,9 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
     }
 }
 
-/// Where the path that `place` goes along, near `guess`, is nearest to `point`: from there both ways while it comes
-/// nearer, in steps that the distance there allows and that grow, then by thirds. What is found is never nearer than
-/// the nearest.
+/// Finds the path length near `guess` at which the path `place` is nearest to `point`. Searches both ways from `guess`
+/// while the distance falls. Steps start in proportion to the distance and grow; thirds refine the result. The distance
+/// found is never below the true minimum.
 fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
     let away = |s: f64| place(s).distance_squared(point);
     let start = away(guess);

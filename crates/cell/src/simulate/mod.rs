@@ -17,34 +17,35 @@ use seamwright_tracking::beam::DeviationRecord;
 pub use cell::{CellDevices, SimulatedCell};
 pub use judge::Judge;
 
-/// Under what a weld is simulated.
+/// Conditions of a simulated weld.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Conditions<'a> {
-    /// Of everything random: the same seed gives the same weld, bit for bit.
+    /// Seed of all random numbers: the same seed gives the same weld, bit for bit.
     pub seed: u64,
-    /// How the part differs from the planned one; none: not at all.
+    /// Deviation of the part from the plan; `None` for a part as planned.
     pub distortion: Option<&'a Distortion>,
-    /// True if passes are tracked by the machine's leading sensors, or by its beam. The motion must leave the axes their
-    /// [`crate::tracking::RESERVE`].
+    /// True if passes are tracked by the machine's leading sensors, or by its beam. The motion must leave the axes
+    /// their [`crate::tracking::RESERVE`].
     pub tracking: bool,
-    /// What an earlier weld's beam has found of the seam: passes are corrected by it, and not tracked anew.
+    /// Deviations of the seam recorded by the beam in an earlier weld: they correct the passes, without new tracking.
     pub replay: Option<&'a DeviationRecord>,
-    /// What the machine must keep clear of on the moves that tracking adds, and on those by hand; none: nothing is looked at.
+    /// Obstacles for the moves that tracking adds and for jogging; `None` for no collision check.
     pub around: Option<&'a Surroundings<'a>>,
-    /// What fails.
+    /// Injected faults.
     pub faults: &'a [Fault],
 }
 
-/// Runs `motion`, whose passes are `passes`, under the executive on simulated devices in virtual time, from switching on over the
-/// first weld to home, and shows every period's [`Sample`] to `observer`. A summary of each pass.
+/// Runs `motion`, whose passes are `passes`, under the executive on simulated devices in virtual time, from power-on
+/// through the weld to home. Shows every period's [`Sample`] to `observer`. Returns a summary of each pass.
 ///
-/// A cosmetic pass of a beam that tracks is corrected by what it has found of that seam before, if that covers the pass.
+/// A cosmetic pass of a tracking beam is corrected by its earlier record of that seam, if the record covers the pass.
 ///
-/// A pass that is stopped ends it: the torch stands there, and later passes are not welded. The observer's errors end it too.
+/// A stopped pass ends the run: the torch stands there, and later passes are not welded. An error of the observer ends
+/// it too.
 ///
 /// # Errors
-/// [`Error::Drive`] if the machine file's drive values make no drive; [`Error::Tracking`] for a pass that cannot be
-/// tracked; [`Error::Values`]; the observer's error.
+/// [`Error::Drive`] for invalid drive values in the machine file; [`Error::Tracking`] for a pass that does not allow
+/// tracking; [`Error::Values`]; the observer's error.
 pub fn simulate<E: From<Error>>(
     machine: &Machine,
     passes: &[(&dyn TorchPath, &Pass)],
@@ -67,7 +68,7 @@ pub fn simulate<E: From<Error>>(
     }
 }
 
-/// An operator, and who watches.
+/// The outside of a simulated weld: operator, evaluation and observer.
 struct Watched<'a, F, E> {
     judge: Judge<'a>,
     observer: F,

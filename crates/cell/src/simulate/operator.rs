@@ -1,7 +1,7 @@
 use crate::executive::{Ask, Command, Cycle, Missing, Mode, Note, Port, Reaction};
 use seamwright_motion::pace::RunPhase;
 
-/// The operator of a simulated weld: from switching on to home; what stops it ends it.
+/// The operator of a simulated weld: from power-on to home; any stop ends the run.
 #[derive(Debug, Default)]
 pub(super) struct Operator {
     mode: Option<Mode>,
@@ -9,7 +9,7 @@ pub(super) struct Operator {
     powered: bool,
     rests: bool,
     started: bool,
-    /// It has stopped, or somebody wants it to.
+    /// The run has stopped, or is to stop.
     pub(super) over: bool,
     asked: bool,
 }
@@ -46,7 +46,7 @@ impl Port for Operator {
 
     fn note(&mut self, _t: f64, note: Note) {
         match note {
-            // What takes a moment is asked for again.
+            // Repeat commands that need a moment.
             Note::Refused(_, Missing::Power | Missing::Moving) => {}
             Note::Refused(command, _) if command.ask != Ask::Quit => self.over = true,
             Note::Alarm(raised) if raised.reaction >= Reaction::Hold => self.over = true,

@@ -1,39 +1,39 @@
-//! The machine that carries the eye.
+//! The machine that carries the camera.
 
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine, Sensor, Surroundings};
 use seamwright_tracking::teach::EyePose;
 
-/// Steps in which axes are found that bring the eye somewhere.
+/// Number of steps in which axis positions for a camera pose are found.
 const STEPS: usize = 40;
-/// The eye is there when its axis passes so near, mm.
+/// Maximum distance of the optical axis from its target, mm.
 const THERE_MM: f64 = 1e-3;
-/// Cosine of half the angle by which it may look elsewhere without another step.
+/// Cosine of half the angle by which the camera may deviate without another step.
 const TURNED: f64 = 1.0 - 1e-9;
-/// What may remain on machines that only come near to a direction, mm: the next frame shows where the eye truly is.
+/// Remaining distance on machines that only approximate a direction, mm: the next frame shows the true pose.
 const NEAR_MM: f64 = 0.5;
-/// Places at which a move is looked at: every so many mm or degrees of the axis that goes furthest.
+/// Spacing of checked positions of a move: mm or degrees of the axis that moves furthest.
 const LOOKED_AT: f64 = 2.0;
 
-/// Where axes to spare should be for a point of the work: near those of a plan.
+/// Position of redundant axes for a point of the work: near those of a plan.
 pub type Guide<'a> = &'a dyn Fn(DVec3) -> Option<Joints>;
 
-/// A machine with its eye, what is around it, and where its axes are.
+/// A machine with its camera, its surroundings, and its axis positions.
 pub struct Carrier<'a> {
     machine: &'a Machine,
     sensor: &'a Sensor,
     around: &'a Surroundings<'a>,
     guide: Option<Guide<'a>>,
     axes: Joints,
-    /// Height of the work in the camera's frame at which the eye sees best, mm.
+    /// Height of the work in the camera's frame at which the camera sees best, mm.
     height: f64,
-    /// Whether the way here is watched: the first move comes from wherever the operator has jogged to.
+    /// True if the way here is checked: the first move starts from wherever the operator has jogged to.
     watched: bool,
 }
 
 impl<'a> Carrier<'a> {
-    /// The machine at `axes`. A `guide` says where axes to spare should be.
+    /// Creates the machine at `axes`. A `guide` gives the positions of redundant axes.
     pub fn new(
         machine: &'a Machine,
         sensor: &'a Sensor,
@@ -44,21 +44,21 @@ impl<'a> Carrier<'a> {
         Self { machine, sensor, around, guide, axes, height: 0.0, watched: false }
     }
 
-    /// Positions of the axes.
+    /// Returns the positions of the axes.
     pub fn axes(&self) -> &Joints {
         &self.axes
     }
 
-    /// The axes are at `axes`, wherever they were sent.
+    /// Sets the true positions of the axes, independent of the commanded ones.
     pub fn stands(&mut self, axes: Joints) {
         self.axes = axes;
     }
 
-    /// Moves the axes so that the eye's optical axis passes through `eye.point`, against its normal as well as the machine
-    /// can, the point at the height where the eye sees best. Straight in the axes.
+    /// Moves the axes, straight in axis space, so that the optical axis passes through `eye.point`. The camera looks
+    /// against the normal as well as the machine can, with the point at the best height.
     ///
     /// # Errors
-    /// In words: no such positions, an axis' range, what would come too near to what.
+    /// In words: no such positions, an axis' range, the pair that would come too near.
     pub fn to(&mut self, eye: &EyePose) -> Result<(), String> {
         let axes = self.positions(eye)?;
         if let Some(why) = self.too_near(&axes) {
@@ -68,7 +68,7 @@ impl<'a> Carrier<'a> {
         Ok(())
     }
 
-    /// Positions of the axes that bring the eye there, within their ranges; the way to them is not looked at.
+    /// Returns the axis positions that bring the camera there, within their ranges; the way is not checked.
     ///
     /// # Errors
     /// In words: no such positions, an axis' range.
@@ -80,8 +80,8 @@ impl<'a> Carrier<'a> {
         }
     }
 
-    /// Positions that bring the eye there. The inverse knows torches: the torch is put where it was last seen from the eye,
-    /// and again, until the eye is where it should be.
+    /// Solves for positions that bring the camera there. The inverse kinematics handle torches: the torch is moved by
+    /// the camera's error until the camera is in place.
     fn solve(&self, eye: &EyePose) -> Result<Joints, String> {
         let guided = self.guide.and_then(|guide| guide(eye.point));
         let mut q = guided.unwrap_or(self.axes);
@@ -94,7 +94,8 @@ impl<'a> Carrier<'a> {
             if off.length() < THERE_MM && turn.w.abs() > TURNED {
                 return Ok(self.machine.turned_into_range(&q));
             }
-            // Shifted and turned apart: a machine with too few axes turns as far as it can, and the place still comes true.
+            // Shifts and turns separately: a machine with too few axes turns as far as it can, and the position is
+            // still reached.
             let pose = Pose { point: torch.point + off, direction: (turn * torch.direction).normalize() };
             let next = self.machine.inverse_near(pose, &q).map_err(|e| e.to_string())?.joints;
             let stands = next.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-6);
@@ -111,7 +112,7 @@ impl<'a> Carrier<'a> {
         Err(format!("no positions of the axes bring the eye there: {off:.2} mm remain"))
     }
 
-    /// What comes too near to what on the way to `axes`.
+    /// Returns the pair that comes too near on the way to `axes`.
     fn too_near(&self, axes: &Joints) -> Option<String> {
         let machine = &self.machine.axes;
         let way = |(axis, (from, to)): (&seamwright_machine::Axis, (&f64, &f64))| {

@@ -4,24 +4,24 @@ use seamwright_tracking::teach::{Aim, FrameEnd, Row};
 use seamwright_vision::Frame;
 use seamwright_vision::joint::{CONFIDENT, End, Follower, Joint, Options, Start, State};
 
-/// A hand touches a joint this near, pixels ...
+/// Maximum distance of a joint from the point that a hand touches, pixels.
 const BESIDE_PX: f64 = 18.0;
-/// ... between places at which it is looked for, pixels ...
+/// Spacing of the search for it, pixels.
 const APART_PX: f64 = 3.0;
-/// ... and it is there if so many rows are confident.
+/// Number of confident rows that confirms it.
 const FOUND: usize = 40;
 
-/// The midline by the guided follower of `vision::joint`. Where somebody has said that a joint is and none is, the nearest one
-/// beside that place counts.
+/// Finds the midline with the guided follower of `vision::joint`. If there is no joint at a point given by hand, the
+/// nearest one beside it counts.
 #[derive(Debug, Clone)]
 pub struct JointFollower {
     follower: Follower,
-    /// Beside the place that was said a short line may be a scratch.
+    /// Follower beside the given point, where a short line may be a scratch.
     beside: Follower,
 }
 
 impl JointFollower {
-    /// A follower over tacks of up to `longest_gap_px` pixels.
+    /// Creates a follower over tacks of up to `longest_gap_px` pixels.
     #[must_use]
     pub fn new(longest_gap_px: f64) -> Self {
         let options = Options { gap: Some(longest_gap_px as f32), on_joint: true, ..Options::default() };
@@ -48,7 +48,7 @@ impl Midline for JointFollower {
     }
 }
 
-/// So many pixels to the right of where it is aimed at.
+/// Returns the start `across` pixels to the right of the aim.
 fn start(aim: &Aim, across: f64) -> Start {
     let at = aim.start + across * aim.direction.perp();
     Start { x: at.x as f32, y: at.y as f32, direction: aim.direction.to_angle() as f32, width: None }
@@ -99,7 +99,7 @@ mod tests {
         rows
     }
 
-    /// A finger on a picture, or the place of a program, is a millimetre off; what the eye follows by itself is not.
+    /// A finger on a picture, or the position of a program, is a millimetre off; the automatic follower is not.
     #[test]
     fn a_hand_touches_beside_the_joint() {
         let joint = metal(50..SIDE);
@@ -113,7 +113,7 @@ mod tests {
         }
         assert!(rows(&joint, 11.0, false).is_empty() && rows(&joint, 40.0, true).is_empty());
         assert!(rows(&metal(0..0), 0.0, true).is_empty());
-        // A scratch beside it is none.
+        // A scratch beside it is not a joint.
         assert!(rows(&metal(55..115), 9.0, true).is_empty());
     }
 }

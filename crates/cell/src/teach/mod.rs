@@ -1,4 +1,4 @@
-//! Teaching on a machine: the crawl's moves through its kinematics, limits and zones, its frames from an eye.
+//! Teaching on a machine: the crawl's moves through its kinematics, limits and zones, its frames from a camera.
 
 mod carrier;
 mod follower;

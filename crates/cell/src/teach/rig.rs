@@ -1,4 +1,4 @@
-//! What carries the eye and takes its frames.
+//! Machines that carry the camera and take its frames.
 
 use super::Carrier;
 use crate::eyes::Eye;
@@ -7,22 +7,22 @@ use seamwright_machine::{Joints, Machine, Sensor};
 use seamwright_tracking::teach::EyePose;
 use std::net::TcpStream;
 
-/// A machine with an eye.
+/// A machine with a camera.
 pub trait Rig {
-    /// Brings the eye there.
+    /// Moves the camera to a pose.
     ///
     /// # Errors
-    /// In words: why the machine cannot go there.
+    /// In words: the reason why the machine cannot go there.
     fn go(&mut self, eye: &EyePose) -> Result<(), String>;
 
-    /// A frame from where the eye is; none if there are no more.
+    /// Returns a frame from the camera's pose; `None` if there are no more.
     ///
     /// # Errors
-    /// Why it cannot be had.
+    /// The reason why it is not available.
     fn frame(&mut self) -> Result<Option<TimedFrame>, FrameError>;
 }
 
-/// Positions of a machine's axes from those of a frame, mm or degrees in the machine file's order.
+/// Converts the axis positions of a frame, mm or degrees in the machine file's order, to those of the machine.
 pub fn joints(machine: &Machine, given: &[f64]) -> Joints {
     let mut joints = Joints::default();
     for (value, (axis, given)) in joints.iter_mut().zip(machine.axes.iter().zip(given)) {
@@ -37,18 +37,18 @@ pub struct SimulatedRig<'a, 'b> {
     sensor: &'a Sensor,
     carrier: Carrier<'b>,
     eye: Eye<'a>,
-    /// Where the axes were at the frame before; none before the first.
+    /// Positions of the axes at the previous frame; `None` before the first.
     before: Option<Joints>,
     seconds: f64,
 }
 
 impl<'a, 'b> SimulatedRig<'a, 'b> {
-    /// The eye `sensor` of `machine`, carried by `carrier`.
+    /// Creates the rig of camera `sensor` of `machine`, carried by `carrier`.
     pub fn new((machine, sensor): (&'a Machine, &'a Sensor), carrier: Carrier<'b>, eye: Eye<'a>) -> Self {
         Self { machine, sensor, carrier, eye, before: None, seconds: 0.0 }
     }
 
-    /// Seconds from a frame to the next one: the eye's period, and the slowest axis' way at half its speed.
+    /// Returns the time between frames, s: the camera's period, and the slowest axis' way at half its speed.
     fn pause(&self, from: &Joints, to: &Joints) -> f64 {
         let axes = self.machine.axes.iter().zip(from.iter().zip(to));
         let slowest = axes.map(|(axis, (a, b))| 2.0 * (b - a).abs() / axis.max_speed).fold(0.0, f64::max);
@@ -71,7 +71,7 @@ impl Rig for SimulatedRig<'_, '_> {
     }
 }
 
-/// Frames of moves that somebody else makes, or has made.
+/// Frames of moves that another party makes, or has made.
 pub struct Played<'a>(pub Box<dyn FrameSource + 'a>);
 
 impl Rig for Played<'_> {
@@ -84,7 +84,7 @@ impl Rig for Played<'_> {
     }
 }
 
-/// A machine at the other end of a connection, which is told where to go before each frame.
+/// A machine at the other end of a connection, which gets a target before each frame.
 pub struct DistantRig<'a> {
     machine: &'a Machine,
     carrier: Carrier<'a>,
@@ -92,7 +92,7 @@ pub struct DistantRig<'a> {
 }
 
 impl<'a> DistantRig<'a> {
-    /// The `machine` that answers on `stream`, `carrier` with the axes where they are.
+    /// Creates the rig for the `machine` that answers on `stream`; `carrier` has the current axis positions.
     pub fn new(machine: &'a Machine, carrier: Carrier<'a>, stream: FrameStream<TcpStream>) -> Self {
         Self { machine, carrier, stream }
     }
@@ -111,7 +111,7 @@ impl Rig for DistantRig<'_> {
         if let Some(given) =
             frame.as_ref().and_then(|f| f.axes.as_deref()).filter(|a| a.len() == self.machine.axes.len())
         {
-            // Where it truly is: the next way begins there.
+            // The next way starts at the true positions.
             self.carrier.stands(joints(self.machine, given));
         }
         Ok(frame)

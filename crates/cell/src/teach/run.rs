@@ -1,4 +1,4 @@
-//! A crawl from its start to its end.
+//! A crawl along the joint from its start to its end.
 
 use super::Rig;
 use super::rig::joints;
@@ -7,38 +7,38 @@ use seamwright_machine::{Joints, Machine, Sensor};
 use seamwright_tracking::teach::{Aim, Answer, Command, Crawl, End, Event, FrameEnd, Row, Seen, View};
 use seamwright_vision::Frame;
 
-/// What finds the joint's midline in a frame.
+/// Finds the joint's midline in a frame.
 pub trait Midline {
-    /// The midline from where `aim` says.
+    /// Finds the midline from `aim` on.
     fn find(&mut self, frame: &Frame, aim: &Aim) -> Found;
 }
 
 /// A midline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
-    /// Its rows in order.
+    /// Rows of the midline in order.
     pub rows: Vec<Row>,
-    /// Why they end.
+    /// Reason for their end.
     pub end: FrameEnd,
 }
 
 impl Found {
-    /// Nothing.
+    /// Creates an empty result.
     pub fn nothing() -> Self {
         Self { rows: Vec::new(), end: FrameEnd::Lost }
     }
 }
 
-/// Who is asked when the joint is lost.
+/// Answers when the joint is lost.
 pub trait Operator {
-    /// What to do; `why` the eye is lost, and what was found so far.
+    /// Returns the answer to `why` the joint is lost, given the crawl so far.
     fn answer(&mut self, why: &str, crawl: &Crawl) -> Answer;
 }
 
-/// Nobody: what was found so far is all.
+/// Absent operator: the crawl ends with the joint found so far.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct NoOperator {
-    /// Whether somebody was asked for.
+    /// True if an answer was requested.
     pub asked: bool,
 }
 
@@ -49,40 +49,40 @@ impl Operator for NoOperator {
     }
 }
 
-/// How a crawl went.
+/// Result of a crawl.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TaughtRun {
-    /// Why it ended; none: there were no more frames.
+    /// Reason for its end; `None`: there were no more frames.
     pub end: Option<End>,
-    /// Axis positions at each frame, in their order.
+    /// Axis positions at each frame, in order.
     pub axes: Vec<Joints>,
-    /// Why the operator was asked, each time.
+    /// Reason for each question to the operator.
     pub asked: Vec<String>,
     /// Time of the last frame, s.
     pub seconds: f64,
 }
 
-/// A frame that was looked at.
+/// A frame that was evaluated.
 #[derive(Clone, Copy)]
 pub struct Look<'a> {
     /// The frame.
     pub frame: &'a TimedFrame,
-    /// From where it was taken.
+    /// Pose from which it was taken.
     pub view: View,
-    /// Where the midline was looked for; none if the work is not where the camera could see it.
+    /// Start of the search for the midline; `None` if the work is outside the camera's view.
     pub aim: Option<Aim>,
-    /// What was found.
+    /// Midline found.
     pub found: &'a Found,
-    /// The crawl after it.
+    /// The crawl after the frame.
     pub crawl: &'a Crawl<'a>,
-    /// What it wants next.
+    /// Its next command.
     pub next: &'a Command,
 }
 
-/// Crawls along a joint with the eye `sensor` of `machine`, which `rig` carries. `each` gets every frame.
+/// Crawls along a joint with the camera `sensor` of `machine`, which `rig` carries. `each` gets every frame.
 ///
 /// # Errors
-/// A frame that cannot be had, or without positions of the machine's axes; what `each` says.
+/// A frame that is not available or lacks the machine's axis positions; errors of `each`.
 pub fn teach<E: From<FrameError>>(
     (machine, sensor): (&Machine, &Sensor),
     crawl: &mut Crawl,
@@ -126,7 +126,7 @@ pub fn teach<E: From<FrameError>>(
     }
 }
 
-/// Positions of the machine's axes with frame `number`.
+/// Returns the positions of the machine's axes with frame `number`.
 fn positions(machine: &Machine, frame: &TimedFrame, number: usize) -> Result<Joints, FrameError> {
     let given = frame.axes.as_deref().unwrap_or_default();
     if given.len() != machine.axes.len() {

@@ -1,19 +1,18 @@
-//! The operator as the eye (SADDLE-2020): the nominal seam brought to points that he has jogged to.
+//! Teaching by the operator (SADDLE-2020): the nominal seam is moved to points to which the operator has jogged.
 
 use crate::eyes::SeamLine;
 use glam::DVec3;
 use seamwright_geometry::MonotoneCurve;
 use seamwright_tracking::teach::LinePoint;
 
-/// Points that are nearer to each other along the seam are one, mm.
+/// Points nearer to each other along the seam than this coincide, mm.
 const SAME_MM: f64 = 0.01;
 
-/// The nominal seam moved to the operator's `points` (work frame, mm, in any order): at a point by what the point is off,
-/// between two of them by what goes smoothly from one to the next, beyond the first and last of an open seam as there. A
-/// point every `every` mm.
+/// Moves the nominal seam to the operator's `points` (work frame, mm, in any order). The deviation is interpolated
+/// smoothly between points, and constant beyond the first and last of an open seam. Returns a point every `every` mm.
 ///
 /// # Errors
-/// In words: no points, a point that is not near the seam, two in one place.
+/// In words: no points, a point that is not near the seam, two at the same position.
 pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<Vec<LinePoint>, String> {
     if points.is_empty() {
         return Err("no points: at least one on the joint".to_owned());
@@ -24,7 +23,7 @@ pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<V
         let foot = foot.ok_or_else(|| format!("point {} is not within 15 mm of the nominal seam", i + 1))?;
         let away = *point - foot.at.point;
         let (across, along) = (foot.at.normal.cross(foot.along), foot.along);
-        // What is along the seam is only where the operator has stopped.
+        // The component along the seam is only where the operator stopped.
         off.push((foot.way, away.dot(across), away.dot(foot.at.normal), away.dot(along), i));
     }
     off.sort_by(|a, b| a.0.total_cmp(&b.0));

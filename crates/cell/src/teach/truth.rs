@@ -1,4 +1,4 @@
-//! How far a taught line truly is from the seam: what only a simulation knows.
+//! True distance of a taught line from the seam, known only in a simulation.
 
 use crate::eyes::SeamLine;
 use seamwright_tracking::teach::LinePoint;
@@ -6,21 +6,21 @@ use seamwright_tracking::teach::LinePoint;
 /// Deviations of a taught line from the actual seam, mm.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Truth {
-    /// On the surface, across the seam: RMS.
+    /// RMS on the surface, across the seam.
     pub across_rms: f64,
-    /// The greatest.
+    /// Maximum on the surface, across the seam.
     pub across_max: f64,
-    /// Out of the surface: RMS. It is what the height was measured to, or assumed.
+    /// RMS out of the surface: the error of the measured or assumed height.
     pub height_rms: f64,
-    /// The greatest.
+    /// Maximum out of the surface.
     pub height_max: f64,
-    /// Where a stretch was bridged that nobody saw, the greatest distance from the seam.
+    /// Maximum distance from the seam on bridged stretches, which were not seen.
     pub bridged_max: f64,
-    /// Length of the stretches that were bridged.
+    /// Length of the bridged stretches.
     pub bridged: f64,
-    /// Distance of the line's ends from those of the seam along it; of a closed seam that from its end to its start.
+    /// Distance of the line's start from the seam's start; 0 for a closed seam.
     pub start: f64,
-    /// See `start`.
+    /// Distance of the line's end from the seam's end; for a closed seam, from the line's start.
     pub end: f64,
 }
 
@@ -49,7 +49,7 @@ pub fn truth(actual: &SeamLine, line: &[LinePoint]) -> Truth {
     let mean = |sum: f64| (sum / f64::from(seen.max(1))).sqrt();
     (t.across_rms, t.height_rms) = (mean(t.across_rms), mean(t.height_rms));
     if far < f64::INFINITY || seen == 0 {
-        // A point that is nowhere near the seam spoils everything.
+        // A point far from the seam invalidates the result.
         (t.across_max, t.bridged_max) = (f64::INFINITY, f64::INFINITY);
     }
     if let (Some(first), Some(last)) = (line.first(), line.last()) {

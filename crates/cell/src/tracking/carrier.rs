@@ -4,11 +4,11 @@ use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_tracking::actuator::{OverAxes, SlideAuthority, SlideLimits};
 use seamwright_tracking::lead::SeamFrame;
 
-/// The farthest that the machine's own axes take a torch from its planned path, mm.
+/// Maximum distance by which the machine's own axes move a torch off its planned path, mm.
 const RANGE_MM: f64 = 6.0;
 
-/// What takes the torches of a pass off their planned paths: the machine's own axes, or cross slides of theirs and, when
-/// those come near their ends, the axes that carry all of them.
+/// Moves the torches of a pass off their planned paths: with the machine's own axes, or with the cross slides of its
+/// heads. Near the ends of the slides, the axes that carry all heads take over.
 #[derive(Debug, Clone)]
 pub(crate) struct Carrier<'a> {
     machine: &'a Machine,
@@ -19,15 +19,15 @@ pub(crate) struct Carrier<'a> {
     limits: SlideLimits,
 }
 
-/// Where a head is in a cycle: its frame, and how far it is to be off, lateral and height, mm.
+/// Frame of a head in a cycle and its required offset, lateral and height, mm.
 pub(crate) type Wanted = (SeamFrame, DVec2);
 
 impl<'a> Carrier<'a> {
-    /// For the first heads of `machine`, along a path with these planned positions and each head's frames there; the
-    /// `held` axes stand still.
+    /// Creates the carrier for the first heads of `machine`, from planned positions along a path and each head's
+    /// frames there. The `held` axes stand still.
     ///
     /// # Errors
-    /// [`Error::NoSlide`] for two heads that have none; axes that cannot carry it out.
+    /// [`Error::NoSlide`] if one of two heads has no movable cross slide; axes that cannot carry out corrections.
     pub(crate) fn new(machine: &'a Machine, held: AxisSet, places: &[(Joints, Vec<SeamFrame>)]) -> Result<Self, Error> {
         let heads = places.first().map_or(1, |(_, frames)| frames.len());
         let slides = slides(machine, heads, held)?;
@@ -47,29 +47,29 @@ impl<'a> Carrier<'a> {
         }
         let slide = least.unwrap_or(axes);
         let authority = SlideAuthority::new(slide, axes, machine.servo_period_s)?;
-        // What the axes take over is common: of two heads that drift apart each has its slide alone.
+        // The axes move all heads together, so two heads that drift apart have only their own slides.
         let stroke_mm = if heads > 1 { slide.stroke_mm } else { authority.limits().stroke_mm };
         let limits = SlideLimits { stroke_mm, ..authority.limits() };
         Ok(Self { machine, over, slides, authority: Some(authority), limits })
     }
 
-    /// What moves all heads together, as it stands.
+    /// Returns the axes that move all heads together, in their current state.
     pub(crate) fn carrying(&self) -> OverAxes<'a> {
         self.over.clone()
     }
 
-    /// What corrections may do, lateral and height each.
+    /// Returns the limits of corrections, for lateral and height each.
     pub(crate) fn limits(&self) -> SlideLimits {
         self.limits
     }
 
-    /// The positions `q` with every torch beside where they put it, as wanted; none where the axes cannot. No allocation.
+    /// Returns the positions `q` with every torch offset as wanted, or `None` if the axes cannot. Does not allocate.
     pub(crate) fn shifted(&mut self, q: &Joints, wanted: &[Wanted]) -> Option<Joints> {
         let (first, by) = wanted.first()?;
         let Some(authority) = &mut self.authority else {
             return self.over.shifted(q, by.x * first.lateral + by.y * first.height).ok();
         };
-        // The axes move all heads together: they take over what is common.
+        // The axes move all heads together: they take over the common part.
         let excess = |(frame, by): &Wanted| {
             let left = authority.excess(*by);
             left.x * frame.lateral + left.y * frame.height
@@ -92,12 +92,12 @@ impl<'a> Carrier<'a> {
     }
 }
 
-/// Lateral and height of a way.
+/// Lateral and height components of a displacement.
 fn seen(way: DVec3, frame: &SeamFrame) -> DVec2 {
     DVec2::new(way.dot(frame.lateral), way.dot(frame.height))
 }
 
-/// The cross slides of the first `heads` heads; none if a single one has none that may move.
+/// Returns the cross slides of the first `heads` heads; empty for a single head without movable ones.
 fn slides(machine: &Machine, heads: usize, held: AxisSet) -> Result<Vec<[usize; 2]>, Error> {
     let of = |head: usize| {
         let mut slides = machine.heads.get(head)?.slides.iter().filter(|slide| !held.has(*slide));
@@ -113,7 +113,7 @@ fn slides(machine: &Machine, heads: usize, held: AxisSet) -> Result<Vec<[usize; 
     }
 }
 
-/// What corrections in a frame may do with the slides there.
+/// Limits of corrections in a frame, from the slides there.
 fn slide_limits(
     machine: &Machine,
     head: usize,
@@ -148,7 +148,7 @@ fn lesser(a: &SlideLimits, b: &SlideLimits) -> SlideLimits {
     }
 }
 
-/// What both slides do for corrections, lateral and height.
+/// Matrix from a correction, lateral and height, to the displacements of both slides.
 fn slides_by(machine: &Machine, head: usize, axes: [usize; 2], q: &Joints, frame: &SeamFrame) -> Option<DMat2> {
     let columns = machine.heads[head].chain.jacobian(&machine.true_positions(q));
     let moved = DMat2::from_cols(seen(columns[axes[0]].0, frame), seen(columns[axes[1]].0, frame));

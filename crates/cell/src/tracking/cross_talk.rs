@@ -6,12 +6,12 @@ use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, TorchPath};
 
-/// By how much the first fillet is displaced, mm: to and fro, so far that the carrier of both heads has to move a little.
+/// Displacement of the first fillet, mm: to and fro, so far that the carrier of both heads has to move a little.
 const SIZE_MM: f64 = 7.5;
 const LENGTH_MM: f64 = 1500.0;
 
-/// How much of what one head has to correct is found in the other's weld: a pass with two heads is welded with the first
-/// fillet displaced and with nothing displaced; `motion` must leave the axes their [`super::RESERVE`].
+/// Measures the share of one head's correction that appears in the other head's weld. A pass with two heads is welded
+/// with the first fillet displaced, and without displacement. `motion` must leave the axes their [`super::RESERVE`].
 ///
 /// # Errors
 /// Those of [`simulate`].

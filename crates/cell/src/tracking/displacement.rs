@@ -4,68 +4,68 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use std::f64::consts::TAU;
 
-/// One reason why a seam is not where it was taught; mm, lateral and height, by path length.
+/// One cause of a seam's deviation from the taught seam; mm, lateral and height, by path length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Part {
-    /// All of it lies beside.
+    /// Constant offset of the whole seam.
     Shift(DVec2),
-    /// From this place on it lies beside: plates that do not meet.
+    /// Offset from a position on: plates that do not meet.
     Step {
-        /// Where.
+        /// Position of the step.
         at_mm: f64,
-        /// By how much.
+        /// Offset after the step.
         by: DVec2,
     },
-    /// It runs away evenly from one place to another, and stays there.
+    /// Offset that grows linearly between two positions and stays constant after the second.
     Ramp {
-        /// From here on.
+        /// Start of the ramp.
         from_mm: f64,
-        /// To here.
+        /// End of the ramp.
         to_mm: f64,
-        /// By how much.
+        /// Offset at the end.
         by: DVec2,
     },
     /// A wave: waviness, or a part out of round.
     Wave {
-        /// Length of one, mm.
+        /// Wavelength, mm.
         length_mm: f64,
-        /// Greatest deviation.
+        /// Amplitude.
         size: DVec2,
-        /// Where in the wave the seam begins, lateral and height, rad.
+        /// Phase at the start of the seam, lateral and height, rad.
         phase: DVec2,
     },
-    /// It hangs through between two supports, as a parabola; height counts against it.
+    /// Parabolic sag between two supports, towards negative height.
     Sag {
-        /// One support.
+        /// First support.
         from_mm: f64,
-        /// The other.
+        /// Second support.
         to_mm: f64,
-        /// In the middle.
+        /// Sag in the middle.
         by_mm: f64,
     },
     /// One of two edges moves away: the middle of the gap moves by half of it.
     Gap {
-        /// Where it begins to open.
+        /// Start of the gap.
         from_mm: f64,
-        /// How fast it opens, by path length.
+        /// Growth of the gap per path length.
         slope: f64,
-        /// The widest.
+        /// Maximum gap.
         most_mm: f64,
     },
-    /// What has been welded draws the part: half of the movement is reached at the pool; it dies out ahead of it and
-    /// grows on behind it, each by its own length.
+    /// Heat of the weld draws the part. Half of the movement is reached at the pool. It decays ahead of the pool and
+    /// grows behind it, each with its own length.
     Heat {
-        /// The whole movement.
+        /// Total movement.
         by: DVec2,
-        /// Ahead of the pool, mm.
+        /// Decay length ahead of the pool, mm.
         ahead_mm: f64,
-        /// Behind it, mm.
+        /// Decay length behind the pool, mm.
         behind_mm: f64,
     },
 }
 
 impl Part {
-    /// By how much the seam lies beside at `s` while the pool is at `pool`, mm.
+    /// Returns the offset of the seam at `s` while the pool is at `pool`, mm.
     #[must_use]
     pub fn at(&self, s: f64, pool: f64) -> DVec2 {
         match *self {
@@ -94,7 +94,7 @@ impl Part {
         }
     }
 
-    /// The same, each direction by a factor; scalars by that of theirs.
+    /// Returns the part scaled by one factor per direction; scalars use the factor of their direction.
     pub(super) fn scaled(&self, by: DVec2) -> Self {
         let factor = by;
         match *self {
@@ -109,37 +109,37 @@ impl Part {
     }
 }
 
-/// Where a seam lies against where it was taught, and where tacks cover it.
+/// Deviation of a seam from the taught seam, and the tacks that cover it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Displacement {
-    /// They add up.
+    /// Parts, which add up.
     pub parts: Vec<Part>,
-    /// From where to where, mm.
+    /// Start and end of each tack, mm.
     pub tacks: Vec<(f64, f64)>,
 }
 
 impl Displacement {
-    /// Of one part.
+    /// Creates a displacement of one part.
     #[must_use]
     pub fn of(part: Part) -> Self {
         Self { parts: vec![part], tacks: Vec::new() }
     }
 
-    /// With one more part.
+    /// Adds a part.
     #[must_use]
     pub fn and(mut self, part: Part) -> Self {
         self.parts.push(part);
         self
     }
 
-    /// With a tack.
+    /// Adds a tack.
     #[must_use]
     pub fn tacked(mut self, from_mm: f64, to_mm: f64) -> Self {
         self.tacks.push((from_mm, to_mm));
         self
     }
 
-    /// A slow bend of up to `size_mm` to each side over a seam of `length_mm`; the seed decides how it runs.
+    /// Creates a slow bend of up to `size_mm` to each side over a seam of `length_mm`; the seed determines its shape.
     #[must_use]
     pub fn bend(length_mm: f64, size_mm: f64, seed: u64) -> Self {
         const WAVES: usize = 3;
@@ -154,13 +154,13 @@ impl Displacement {
         Self { parts: parts.collect(), tacks: Vec::new() }
     }
 
-    /// By how much the seam lies beside at `s` while the pool is at `pool`, mm.
+    /// Returns the offset of the seam at `s` while the pool is at `pool`, mm.
     #[must_use]
     pub fn at(&self, s: f64, pool: f64) -> DVec2 {
         self.parts.iter().map(|part| part.at(s, pool)).sum()
     }
 
-    /// True on a tack.
+    /// Returns true on a tack.
     #[must_use]
     pub fn is_tacked(&self, s: f64) -> bool {
         self.tacks.iter().any(|(from, to)| (*from..*to).contains(&s))
@@ -171,7 +171,7 @@ impl Displacement {
 mod tests {
     use super::*;
 
-    /// What has been welded does not jump with the pool, and all of it is drawn in the end.
+    /// Heat moves the seam without jumps as the pool passes, and by the total movement in the end.
     #[test]
     fn heat_grows_evenly() {
         let heat = Part::Heat { by: DVec2::new(0.6, -0.2), ahead_mm: 60.0, behind_mm: 150.0 };

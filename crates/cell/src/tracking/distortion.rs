@@ -1,4 +1,4 @@
-//! Distortion files: where a part truly lies, and how it bends while it is welded.
+//! Distortion files: true position of a part, and its bending during the weld.
 
 use super::{Displacement, Part, Placement};
 use glam::{DQuat, DVec2};
@@ -6,45 +6,45 @@ use seamwright_document::{Direction, Document, DocumentError, Finite, NonNegativ
 use serde::Deserialize;
 use std::f64::consts::TAU;
 
-/// How a part differs from the one that was planned. Directions along the seam are those of the torch: lateral, to the left of
-/// its way seen along the height, and height, away from the work.
+/// Differences between a part and its plan. Directions along the seam are those of the torch. Lateral points to the
+/// left of the travel direction, seen along the height; height points away from the work.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct DistortionFile {
     #[serde(rename = "schema")]
     _schema: SchemaVersion,
-    /// How the whole part is placed.
+    /// Placement of the whole part.
     #[serde(default)]
     placement: PlacementFile,
-    /// What bends it; all of them add up.
+    /// Displacements of the seam; all of them add up.
     #[serde(default)]
     displacement: Vec<DisplacementFile>,
-    /// Tacks on the joint, from where to where by path length, mm: nothing is seen there.
+    /// Start and end of tacks on the joint by path length, mm: they hide the joint.
     #[serde(default)]
     tacks_mm: Vec<[NonNegative; 2]>,
 }
 
-/// A rigid motion away from where the part was planned, in the work frame.
+/// Rigid motion of the part away from its planned pose, in the work frame.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 struct PlacementFile {
     shift_mm: Point,
     turn: Option<Direction>,
     angle_deg: Finite,
-    /// A point of the axis about which it is turned; the middle of the seam if missing.
+    /// A point of the rotation axis; the middle of the seam if missing.
     about_mm: Option<Point>,
 }
 
-/// Displacements along a seam; lengths and places by path length from the start of the weld, mm.
+/// Displacements along a seam; lengths and positions by path length from the start of the weld, mm.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct DisplacementFile {
-    /// The head whose seam it bends, counted from 1; all of them if missing.
+    /// Head whose seam is displaced, counted from 1; all heads if missing.
     head: Option<u8>,
     shift: Option<By>,
     step: Option<StepFile>,
     ramp: Option<RampFile>,
-    /// On a closed seam of the nearest length that closes.
+    /// On a closed seam the length is changed to the nearest one that closes.
     wave: Option<WaveFile>,
     out_of_round: Option<RoundFile>,
     bend: Option<BendFile>,
@@ -90,19 +90,19 @@ struct WaveFile {
     phase_deg: Finite,
 }
 
-/// Radius of a closed seam that goes up and down.
+/// Periodic radius of a closed seam.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct RoundFile {
-    /// Greatest less least diameter (ovality), mm.
+    /// Maximum minus minimum diameter (ovality), mm.
     by_mm: Positive,
-    /// How often the radius goes up and down once round: 2 is oval.
+    /// Periods of the radius per turn: 2 is oval.
     lobes: Option<u8>,
     #[serde(default)]
     phase_deg: Finite,
 }
 
-/// A slow bend that the simulation's seed decides.
+/// A slow bend, determined by the simulation's seed.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct BendFile {
@@ -121,7 +121,7 @@ struct SagFile {
 #[serde(deny_unknown_fields)]
 struct GapFile {
     from_mm: NonNegative,
-    /// mm of gap a mm of seam.
+    /// mm of gap per mm of seam.
     slope: Positive,
     most_mm: Positive,
 }
@@ -134,7 +134,7 @@ struct HeatFile {
     behind_mm: Positive,
 }
 
-/// How a part differs from the one that was planned.
+/// Differences between a part and its plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distortion(DistortionFile);
 
@@ -142,7 +142,7 @@ impl Distortion {
     /// Reads a distortion file.
     ///
     /// # Errors
-    /// The first thing wrong, with its address.
+    /// The first invalid value, with its address.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
         let document = Document::<DistortionFile>::read(file, text)?;
         let DistortionFile { displacement, tacks_mm, placement, .. } = &document.value;
@@ -178,7 +178,7 @@ impl Distortion {
         Ok(Self(document.value))
     }
 
-    /// How the part is placed; `middle` is that of the seam.
+    /// Returns the placement of the part; `middle` is that of the seam.
     #[must_use]
     pub fn placement(&self, middle: glam::DVec3) -> Placement {
         let PlacementFile { shift_mm, turn, angle_deg, about_mm } = &self.0.placement;
@@ -190,7 +190,7 @@ impl Distortion {
         }
     }
 
-    /// What bends the seam of head `head` (from 0); a closed one is `round_mm` once round.
+    /// Returns the displacement of the seam of head `head` (from 0); a closed seam has the circumference `round_mm`.
     #[must_use]
     pub fn displacement(&self, head: usize, (length_mm, round_mm): (f64, Option<f64>), seed: u64) -> Displacement {
         let mine = |d: &&DisplacementFile| d.head.is_none_or(|n| usize::from(n) == head + 1);
@@ -202,7 +202,7 @@ impl Distortion {
     }
 }
 
-/// On a closed seam a wave comes back to its start: it has the nearest length that does.
+/// Gives a wave on a closed seam the nearest length that returns to the start.
 fn closed(part: Part, round_mm: f64) -> Part {
     match part {
         Part::Wave { length_mm, size, phase } => {
@@ -267,7 +267,7 @@ mod tests {
         assert_eq!((placement.shift, placement.about), (DVec3::new(1.0, 2.0, 3.0), DVec3::X));
         assert!((placement.turn * DVec3::X).distance(DVec3::Y) < 1e-12);
         let [first, second] = [0, 1].map(|head| distortion.displacement(head, (120.0, Some(100.0)), 1));
-        // Oval: the radius is greatest at the start, least a quarter of the way round.
+        // Oval: the radius is maximum at the start, minimum a quarter of the way round.
         assert!(first.at(0.0, 0.0).distance(DVec2::new(0.75, 0.0)) < 1e-12);
         assert!(first.at(25.0, 0.0).distance(DVec2::new(0.25, 0.0)) < 1e-12);
         assert!(second.at(60.0, 0.0).distance(DVec2::new(0.5 + 1.2, 1.0)) < 1e-12);

@@ -1,10 +1,10 @@
-/// Why a weld cannot be tracked in simulation.
+/// Reason why a weld cannot be tracked in simulation.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// The machine's drives.
+    /// Error of the machine's drives.
     #[error(transparent)]
     Cell(Box<crate::Error>),
-    /// A head has no cross slide to correct with.
+    /// A head has no cross slide for corrections.
     #[error("head {head} of machine {machine} has no cross slide: two linear axes of its own")]
     NoSlide {
         /// Name of the machine.
@@ -12,7 +12,7 @@ pub enum Error {
         /// Counted from 1.
         head: usize,
     },
-    /// Nothing on the machine sees the joint ahead of a head.
+    /// The machine has no sensor that sees the joint ahead of a head.
     #[error(
         "machine {machine} has no stripe sensor for head {head}: tracking needs one ahead of the torch; \
          allowed is [sensors.<name>] with kind = \"stripe\" in the machine file"
@@ -23,7 +23,7 @@ pub enum Error {
         /// Counted from 1.
         head: usize,
     },
-    /// The best sensor of a head does not lead it all along a pass.
+    /// The best sensor of a head does not lead it along the whole pass.
     #[error(
         "sensor {sensor} of {machine} does not lead head {head} along this pass: it is {:.1} to {:.1} mm ahead; allowed is a lead \
          that stays the same within a tenth, as of a sensor that turns with the seam",
@@ -36,10 +36,10 @@ pub enum Error {
         sensor: String,
         /// Counted from 1.
         head: usize,
-        /// Least and greatest.
+        /// Minimum and maximum.
         ahead_mm: [f64; 2],
     },
-    /// A torch that does not go along the seam's line.
+    /// The torch does not follow the seam's line.
     #[error(
         "pass `{pass}` {what}: a part that lies elsewhere is simulated only where the torch goes along the seam's line; \
          allowed is a pass without blended corners, woven by one torch if at all, or no distortion file"
@@ -47,7 +47,7 @@ pub enum Error {
     OffLine {
         /// Name of the pass.
         pass: String,
-        /// What it does.
+        /// Motion of the torch off the line.
         what: &'static str,
     },
     /// The slides of a head do not span the plane square to its seam.
@@ -61,16 +61,16 @@ pub enum Error {
         /// Counted from 1.
         head: usize,
     },
-    /// A distortion file.
+    /// Invalid distortion file.
     #[error("{0}")]
     Distortion(String),
-    /// Settings that cannot work, as a lead too short for the speed.
+    /// Invalid settings, such as a lead too short for the speed.
     #[error(transparent)]
     Settings(#[from] seamwright_tracking::lead::Error),
-    /// Beam mode that cannot work.
+    /// Invalid settings of beam mode.
     #[error(transparent)]
     Beam(#[from] seamwright_tracking::beam::Error),
-    /// A beam that does not look.
+    /// The machine has no camera that looks through the beam.
     #[error(
         "machine {machine} has no camera through which its beam looks; allowed is [sensors.<name>] with kind = \"camera\" in the \
          machine file"
@@ -79,7 +79,7 @@ pub enum Error {
         /// Name of the machine.
         machine: String,
     },
-    /// Stored deviations on a machine that has no beam to correct with.
+    /// Stored deviations on a machine without a beam to correct with.
     #[error(
         "machine {machine} cannot replay stored deviations: it has no beam that is deflected; allowed are machines whose file has \
          torch.deflection"
@@ -88,10 +88,10 @@ pub enum Error {
         /// Name of the machine.
         machine: String,
     },
-    /// Axes that cannot carry the gun aside.
+    /// The axes cannot carry the gun aside.
     #[error("the axes cannot carry the gun aside: {0}")]
     Carried(String),
-    /// A frame that cannot be had.
+    /// A frame or record is not available.
     #[error("{0}")]
     Frame(String),
 }

@@ -1,4 +1,4 @@
-//! What sees the joint ahead of the torches: sensors that lead them, or the beam that welds.
+//! Devices that see the joint ahead of the torches: sensors that lead them, or the beam that welds.
 
 use super::Error;
 use super::beam::UnderWay;
@@ -11,31 +11,32 @@ use seamwright_motion::PassMotion;
 use seamwright_tracking::beam::{ReplaySettings, Settings};
 use seamwright_tracking::lead::SeamFrame;
 
-/// Part of its greatest lead that a sensor must keep along a pass.
+/// Share of its maximum lead that a sensor must keep along a pass.
 const LEAD_KEPT: f64 = 0.9;
-/// Rim of a picture that is not looked at, mm.
+/// Rim of a picture that is not evaluated, mm.
 const RIM_MM: f64 = 1.6;
 
-/// What sees the joint of each head of a pass.
+/// Devices that see the joint of each head of a pass.
 #[derive(Debug, Clone)]
 pub(super) enum Eyes<'a> {
-    /// A stripe sensor ahead of each torch, and by how much, mm.
+    /// Stripe sensors ahead of the torches, and their leads, mm.
     Leading(Vec<(&'a Sensor, f64)>),
     /// The beam, in interruptions of the weld.
     Beam(BeamCamera<'a>),
 }
 
-/// A beam that looks.
+/// Camera that looks through the beam.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BeamCamera<'a> {
     pub(super) camera: &'a Sensor,
     pub(super) beam: BeamDeflection,
-    /// From the middle of its picture to the nearest side, less the rim, mm.
+    /// Distance from the middle of the picture to the nearest side, less the rim, mm.
     reach_mm: f64,
 }
 
 impl<'a> Eyes<'a> {
-    /// Of a machine whose torch is a beam that beam; of another one the sensors that lead its heads along these seams.
+    /// Returns the beam's camera of a machine with a beam, otherwise the sensors that lead its heads along these
+    /// seams.
     ///
     /// # Errors
     /// [`Error::NoEye`], [`Error::NoSensor`], [`Error::NotLeading`].
@@ -60,7 +61,7 @@ impl<'a> BeamCamera<'a> {
         Ok(Self { camera, beam, reach_mm: half_mm(camera, table).ok_or_else(none)? - RIM_MM })
     }
 
-    /// How the joint is followed at speeds from one to the other, mm/s, with cycles of `cycle_s`.
+    /// Returns the tracking settings for speeds from `slow` to `fast`, mm/s, with cycles of `cycle_s`.
     pub(super) fn settings(&self, cycle_s: f64, (slow, fast): (f64, f64)) -> Settings {
         Settings {
             period_s: self.camera.period_s,
@@ -73,7 +74,7 @@ impl<'a> BeamCamera<'a> {
         }
     }
 
-    /// How stored deviations are replayed.
+    /// Returns the settings for replays of stored deviations.
     pub(super) fn replay_settings(&self, cycle_s: f64) -> ReplaySettings {
         ReplaySettings {
             period_s: self.camera.period_s,
@@ -84,7 +85,7 @@ impl<'a> BeamCamera<'a> {
     }
 }
 
-/// Half the width or height of a camera's picture on the work, the lesser, mm.
+/// Half the width or height of a camera's picture on the work, whichever is smaller, mm.
 fn half_mm(camera: &Sensor, table: &HeightTable) -> Option<f64> {
     let size = DVec2::from_array(camera.size_px.map(|n| n as f64));
     let place = |part: DVec2| table.to_point(part * (size - 1.0), 0.0).ok();
@@ -98,7 +99,7 @@ fn places<'a>(planned: &'a PassMotion, seam: &'a Seam) -> impl Iterator<Item = (
     (0..=PLACES).map(move |i| (planned.path.at(planned.path.length() * at(i)), (seam.frame)(seam.length_mm * at(i))))
 }
 
-/// The stripe sensor that leads head `number` all along the pass, and by how much, mm.
+/// Returns the stripe sensor that leads head `number` along the whole pass, and its lead, mm.
 fn leading<'a>(
     machine: &'a Machine,
     planned: &PassMotion,
@@ -110,7 +111,7 @@ fn leading<'a>(
         let lead = |(q, frame): (Joints, SeamFrame)| {
             let at = machine.sensor_frame(sensor, &q).translation - machine.forward_of(number, &q).point;
             let ahead = at.dot(frame.along);
-            // One that looks at another torch's joint is not meant.
+            // Excludes sensors that look at another torch's joint.
             if (at - ahead * frame.along).length() > ahead.abs() { f64::NEG_INFINITY } else { ahead }
         };
         let ends = places(planned, seam).map(lead);
@@ -122,7 +123,7 @@ fn leading<'a>(
     let (machine_name, head) = (machine.name.clone(), number + 1);
     match best {
         Some((least, most, sensor)) if least > 0.0 && least >= LEAD_KEPT * most => {
-            // Two heads have one each: that of the other is beside the joint.
+            // Each of two heads has its own sensor: that of the other head is beside the joint.
             Ok((sensor, 0.5 * (least + most)))
         }
         Some((least, most, sensor)) => {

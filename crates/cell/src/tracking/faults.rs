@@ -1,4 +1,4 @@
-//! Sensors and slides that fail half-way through a weld: rows against limits that follow from how the seam runs on.
+//! Faults of sensors and slides half-way through a weld: rows against limits that follow from the course of the seam.
 
 use super::gates::SPEEDS;
 use super::{Displacement, Error, Fault, HeadScene, Method, Outcome, Part, Scenario, run};
@@ -13,19 +13,19 @@ use seamwright_tracking::lead::{Refusal, Settings};
 use std::f64::consts::TAU;
 
 const LENGTH: f64 = 600.0;
-/// Where faults begin, mm.
+/// Start of the faults, mm.
 const THERE: f64 = 300.0;
 const LEAD: f64 = 20.0;
-/// Way in which the torch comes to rest, mm: 100 mm/s at 1000 mm/s^2, and a cycle or two.
+/// Distance in which the torch comes to rest, mm: from 100 mm/s at 1000 mm/s^2, and a cycle or two.
 const BRAKING: f64 = 6.0;
-/// What the weld may be off beyond how the seam runs on: noise of the sensor and of the slope that is followed, drive; mm.
+/// Allowed deviation beyond the seam's course, mm: noise of the sensor and of the followed slope, and the drive.
 const SLACK: f64 = 0.05;
-/// How far a slide may be from where it was ordered before that is noticed, mm, and how long that takes, s.
+/// Deviation of a slide from its order that is noticed, mm, and the time that this takes, s.
 const NOTICED: (f64, f64) = (0.1, 0.02);
-/// How often set-points may turn: with the seam, and on the way back to the taught path.
+/// Maximum number of reversals of the set-points: with the seam, and on the way back to the taught path.
 const TURNS: f64 = 2.0;
 
-/// What fails.
+/// Device that fails.
 #[derive(Debug, Clone, Copy)]
 enum Failing {
     Sensor(Fault, Cause),
@@ -42,8 +42,8 @@ const FAULTS: [(&str, Failing); 7] = [
     ("slide stuck", Failing::Slide),
 ];
 
-/// Every fault at both speeds with the seeds 1 to `seeds`, of which the worst counts: how far the weld strays, where the
-/// alarm comes and what it names, where the torch has been stopped, how often the slide turns.
+/// Runs every fault at both speeds with the seeds 1 to `seeds`, of which the worst counts. Measures the deviation of
+/// the weld, position and cause of the alarm, the stopping position and the slide's reversals.
 ///
 /// # Errors
 /// Those of [`run`].
@@ -70,11 +70,11 @@ pub fn fault_rows(machine: &Machine, seeds: u64) -> Result<Vec<Gate>, Error> {
     Ok(rows)
 }
 
-/// What is measured of a weld.
+/// Number of figures measured of a weld.
 const FIGURES: usize = 7;
 
-/// Greatest miss; what the seam's course explains of it, and what it does not; places of alarm and rest after the fault; alarms
-/// that name something else; turns.
+/// Measures a weld: maximum miss; the part explained by the seam's course, and the rest; positions of alarm and rest
+/// after the fault; alarms with another cause; reversals.
 fn measured(seam: &Displacement, weld: &Outcome, failing: Failing, speed: f64) -> [f64; FIGURES] {
     let (explained, right, from) = match failing {
         Failing::Sensor(_, cause) => (unseen(seam, speed), weld.cause == Some(cause), THERE),
@@ -88,12 +88,12 @@ fn measured(seam: &Displacement, weld: &Outcome, failing: Failing, speed: f64) -
 
 fn named(weld: &str, failing: Failing, speed: f64, worst: [f64; FIGURES]) -> Vec<Gate> {
     let settings = Settings::usual(LEAD, speed);
-    // Ten periods without sight are a warning when they are longer than tacks explain; five more may pass until a frozen
-    // sensor is known to be one.
+    // Ten periods without sight are a warning if they are longer than tacks explain. Detection of a frozen sensor may
+    // take five more.
     let blind = (0.1 * speed).max(settings.coast_mm()) + 0.05 * speed + 1.0;
-    // What was seen last is a lead ahead of the torch.
+    // The last measurement is a lead ahead of the torch.
     let lost = LEAD + settings.coast_mm() + settings.fade_mm;
-    // What a drive is off at most is two millimetres of the seam's way aside.
+    // The maximum deviation of a drive accounts for 2 mm of path.
     let stuck = speed * NOTICED.1 + 2.0;
     let [missed, explained, beyond, alarm, rest, other, turns] = worst;
     let rows = match failing {
@@ -116,14 +116,15 @@ fn named(weld: &str, failing: Failing, speed: f64, worst: [f64; FIGURES]) -> Vec
     ]
 }
 
-/// Way in which the seam has left a slide that is stuck so far that it can be noticed, mm.
+/// Distance in which the seam leaves a stuck slide so far that it can be noticed, mm.
 fn until_noticed(seam: &Displacement) -> f64 {
     let at = |s: f64| seam.at(s, s);
     let ways = (0..3000).map(|k| 0.1 * f64::from(k));
     ways.into_iter().find(|way| at(THERE + way).distance(at(THERE)) > NOTICED.0).unwrap_or(LENGTH - THERE)
 }
 
-/// How far the seam leaves what is ordered where it is not seen: the last slope dies out, then the order fades to zero.
+/// Maximum deviation of the seam from the order where it is not seen. The last slope decays, then the order fades to
+/// zero.
 fn unseen(seam: &Displacement, speed: f64) -> f64 {
     let settings = Settings::usual(LEAD, speed);
     let at = |s: f64| seam.at(s, s);
@@ -138,14 +139,14 @@ fn unseen(seam: &Displacement, speed: f64) -> f64 {
     (0..=1000).map(|k| off((coast + fade + BRAKING) * f64::from(k) / 1000.0)).fold(0.0, f64::max)
 }
 
-/// How far the seam leaves a slide that is stuck until that is noticed and the torch at rest.
+/// Maximum deviation of the seam from a stuck slide until that is noticed and the torch is at rest.
 fn unmoved(seam: &Displacement, speed: f64) -> f64 {
     let at = |s: f64| seam.at(s, s);
     let rest = until_noticed(seam) + speed * NOTICED.1 + speed * speed / 2000.0 + 1.0;
     (0..=1000).map(|k| at(THERE + rest * f64::from(k) / 1000.0).distance(at(THERE))).fold(0.0, f64::max)
 }
 
-/// A seam that swings by some millimetres, as the seed says, and what fails half-way.
+/// A seam that oscillates by some millimetres, as the seed determines, and a failure half-way.
 fn faulty(speed: f64, failing: Failing, seed: u64) -> Scenario {
     let mut random = Pcg64Mcg::seed_from_u64(seed ^ 0xfa01_7000_0000_0001);
     let phase = DVec2::new(TAU * uniform(&mut random), TAU * uniform(&mut random));

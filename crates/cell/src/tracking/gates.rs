@@ -1,5 +1,5 @@
-//! Tracking measured on simulated welds: rows of a table, each head against its limit, beside the papers' algorithms
-//! and none.
+//! Acceptance tests of tracking on simulated welds: rows of a table, each head against its limit, beside the papers'
+//! algorithms and welds without correction.
 
 use super::Error;
 use super::scenario::opposite;
@@ -8,11 +8,11 @@ use glam::DVec2;
 use seamwright_machine::Machine;
 use std::f64::consts::FRAC_PI_2;
 
-/// Speeds of the gates, mm/s, with the distance that 99 % of the weld must keep, mm.
+/// Speeds of the tests, mm/s, with the distance that 99 % of the weld must keep, mm.
 pub const SPEEDS: [(f64, f64); 2] = [(20.0, 0.05), (100.0, 0.1)];
 /// Length of the seams, mm.
 const LENGTH: f64 = 800.0;
-/// Where things happen, mm.
+/// Position of disturbances, mm.
 const THERE: f64 = 400.0;
 
 /// One head of one weld by all methods.
@@ -20,27 +20,27 @@ const THERE: f64 = 400.0;
 pub struct GateRow {
     /// mm/s.
     pub speed_mm_s: f64,
-    /// What the seam or the sensor does.
+    /// Disturbance of the seam or the sensor.
     pub name: String,
     /// Counted from 1.
     pub head: usize,
-    /// Distance that 99 % of the weld keep, mm, in the order of [`Method::ALL`]; of the seed for which it is greatest.
+    /// Distance that 99 % of the weld keep, mm, in the order of [`Method::ALL`]; the maximum over all seeds.
     pub p99_mm: [f64; 4],
-    /// What it may be, mm.
+    /// Limit of tracking, mm.
     pub limit_mm: f64,
-    /// The greatest part of a limit of the slide's stroke, speed, acceleration or jerk that tracking used.
+    /// Maximum share of a limit of the slide's stroke, speed, acceleration or jerk that tracking used.
     pub used: f64,
 }
 
 impl GateRow {
-    /// True if tracking is within its limit and broke none of the slide's.
+    /// Returns true if tracking is within its limit and exceeded no limit of the slide.
     #[must_use]
     pub fn is_kept(&self) -> bool {
         self.p99_mm[3] <= self.limit_mm && self.used <= 1.0 + 1e-6
     }
 }
 
-/// Welds all scenarios with the seeds 0 to `seeds` by all methods; tells `done` after each weld.
+/// Welds all scenarios with the seeds from 0 to below `seeds` by all methods; calls `done` after each weld.
 ///
 /// # Errors
 /// Those of [`run`].
@@ -65,7 +65,7 @@ pub fn tracking_gates(machine: &Machine, seeds: u64, mut done: impl FnMut()) -> 
     Ok(rows)
 }
 
-/// How many welds [`tracking_gates`] makes.
+/// Returns the number of welds of [`tracking_gates`].
 #[must_use]
 pub fn weld_count(seeds: u64) -> u64 {
     SPEEDS.iter().map(|(speed, _)| (scenarios(*speed, 0).len() * Method::ALL.len()) as u64 * seeds).sum()
@@ -92,7 +92,7 @@ fn merge(rows: &mut Vec<GateRow>, scenario: &Scenario, limit_mm: f64, welds: &[V
     }
 }
 
-/// The welds of the gates at `speed`; both heads' seams bend in opposite ways.
+/// Returns the welds of the tests at `speed`; both heads' seams bend in opposite ways.
 #[must_use]
 pub fn scenarios(speed: f64, seed: u64) -> Vec<Scenario> {
     let size = DVec2::new(1.0, 0.5);

@@ -11,22 +11,22 @@ use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::Role;
 use seamwright_tracking::beam::{DeviationRecord, Replay};
 
-/// Tracks the passes of a program: by leading sensors, by the beam, by what was stored.
+/// Tracks the passes of a program: with leading sensors, the beam or stored deviations.
 pub struct Tracking<'a> {
     machine: &'a Machine,
     scenes: &'a [Option<PassScene<'a>>],
     motion: &'a WeldMotion,
     conditions: Conditions<'a>,
     passes: Vec<Option<TrackedPass<'a>>>,
-    /// The pass that is run, counted from 0.
+    /// Current pass, counted from 0.
     now: Option<usize>,
 }
 
 impl<'a> Tracking<'a> {
-    /// Of the passes that have a scene; the program begins at `start`.
+    /// Creates the tracking of the passes that have a scene; the program starts at `start`.
     ///
     /// # Errors
-    /// What cannot be tracked.
+    /// A pass that tracking does not support.
     pub(crate) fn new(
         machine: &'a Machine,
         scenes: &'a [Option<PassScene<'a>>],
@@ -43,7 +43,7 @@ impl<'a> Tracking<'a> {
         Ok(tracking)
     }
 
-    /// Pass `i`, ready to be run from `from_mm` on.
+    /// Prepares pass `i` to run from `from_mm` on.
     fn prepared(
         &self,
         i: usize,
@@ -61,7 +61,8 @@ impl<'a> Tracking<'a> {
         Some((self.scenes.get(i)?.as_ref()?, self.motion.passes.get(i)?))
     }
 
-    /// What the passes before cosmetic pass `i` have found last of its seam; none of another pass, or where that does not cover it.
+    /// Returns the latest deviations that earlier passes found of the seam of cosmetic pass `i`. Returns `None` for
+    /// other passes, or if no record covers it.
     fn found_before(&self, i: usize) -> Option<DeviationRecord> {
         let (scene, _) = self.scene(i)?;
         let pass = scene.pass();
@@ -79,7 +80,7 @@ impl<'a> Tracking<'a> {
         before.into_iter().find(|found| Replay::covers(found, from, pass.length()))
     }
 
-    /// What each head of pass `i` has to say; nothing of one that is not tracked, or was not begun.
+    /// Returns the report of each head of pass `i`; empty for a pass that is not tracked or not started.
     pub(crate) fn reports(&self, i: usize) -> Vec<HeadReport> {
         let pass = self.passes.get(i).and_then(Option::as_ref);
         pass.filter(|pass| pass.used).map_or_else(Vec::new, TrackedPass::reports)
@@ -102,7 +103,7 @@ impl Guide for Tracking<'_> {
         let again = tracked.used;
         let stored = if self.conditions.replay.is_none() { self.found_before(pass) } else { None };
         if again || stored.is_some() {
-            // What could be made once can be made again.
+            // Preparation succeeded before, so it succeeds again.
             if let Ok(anew) = self.prepared(pass, from_mm, stored.as_ref().or(self.conditions.replay)) {
                 self.passes[pass] = anew;
             }
@@ -124,7 +125,7 @@ impl Guide for Tracking<'_> {
     fn follow(&mut self, seen: &Seen<'_>, planned: &Planned<'_>) -> Guided {
         match self.pass() {
             Some(pass) => pass.follow(seen, planned),
-            // Nobody asks for it: no pass has begun.
+            // The executive does not ask: no pass has begun.
             None => Guided::as_planned(planned),
         }
     }

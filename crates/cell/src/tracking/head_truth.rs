@@ -9,13 +9,13 @@ use seamwright_machine::{BeamDeflection, Machine};
 use seamwright_program::TorchPath;
 use seamwright_tracking::beam::Beam;
 
-/// Where a head's weld and its joint truly are: what judges, and tells nobody who controls.
+/// True positions of a head's weld and joint: for evaluation only, hidden from control.
 pub(crate) struct HeadTruth<'a> {
     /// Counted from 0.
     pub(crate) number: usize,
     world: World<'a>,
     path: &'a dyn TorchPath,
-    /// A beam, to which height does nothing.
+    /// Deflection of a beam, which height does not affect.
     deflection: Option<BeamDeflection>,
     tracked: Tally,
     untracked: Tally,
@@ -28,7 +28,7 @@ impl<'a> HeadTruth<'a> {
         Self { number, world, path, deflection: machine.deflection, tracked, untracked, last_s: None }
     }
 
-    /// Where weld and joint are at a sample; none before the torch travels along the seam.
+    /// Measures weld and joint at a sample; `None` before the torch travels along the seam.
     pub(crate) fn measure(
         &mut self,
         machine: &Machine,
@@ -46,7 +46,7 @@ impl<'a> HeadTruth<'a> {
         let (planned, _) = self.world.crossing(s, 0.0, s)?;
         let mut correction = lateral_and_height(off);
         let beam = self.deflection.filter(|_| tracked.is_some()).map(|beam| {
-            // It is deflected about a point at some distance.
+            // The beam is deflected about a pivot at a distance.
             correction.x += orders.deflection_mm * (1.0 - (joint.y - off.z) / beam.pivot_mm);
             let welds = sample.arc() && !matches!(orders.beam, Beam::Scan);
             BeamSample { deflection_mm: orders.deflection_mm, welds }
@@ -56,7 +56,7 @@ impl<'a> HeadTruth<'a> {
         // While the beam looks it does not weld.
         if sample.travels() && beam.is_none_or(|beam| beam.welds) {
             let way = s - self.last_s.unwrap_or(s);
-            // What is welded once more after a hold counts once.
+            // Stretches welded again after a hold count once.
             if way > 0.0 {
                 self.tracked.add(miss, way);
                 self.untracked.add(-planned * counts, way);
@@ -66,7 +66,7 @@ impl<'a> HeadTruth<'a> {
         Some(HeadSample { seam: joint, correction, miss, beam, tracked })
     }
 
-    /// What it came to, with what its guide has to say, if it had one.
+    /// Returns the summary, with the report of the guide if there was one.
     pub(crate) fn finish(mut self, machine: &Machine, guide: Option<HeadReport>) -> HeadSummary {
         let [miss_p99_mm, miss_most_mm] = [0.99, 1.0].map(|part| self.tracked.quantile(part));
         let [untracked_p99_mm, untracked_most_mm] = [0.99, 1.0].map(|part| self.untracked.quantile(part));

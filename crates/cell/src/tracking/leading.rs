@@ -5,7 +5,7 @@ use glam::DVec2;
 use seamwright_tracking::actuator::{Alarm, HeadTracking, SlideLimits};
 use seamwright_tracking::lead::{Estimate, Measurement, Moment, SeamFrame};
 
-/// A head that a leading sensor guides.
+/// A head guided by a leading sensor.
 pub(super) struct Leading {
     head: HeadTracking,
     watch: [Watch; 2],
@@ -16,29 +16,30 @@ impl Leading {
         Self { watch: head.limits().map(|l: SlideLimits| Watch::new(l, head.settings().cycle_s)), head }
     }
 
-    /// How far before the seam the torch must begin to be sure of its start, mm, and how fast it may come, mm/s.
+    /// Returns the distance before the seam from which the torch finds its start reliably, mm, and the maximum
+    /// approach speed, mm/s.
     pub(super) fn sighting_mm(&self) -> (f64, f64) {
         let settings = self.head.settings();
         (settings.lead_mm + super::pass_scene::SIGHTING_MM, settings.speed_mm_s)
     }
 
-    /// Of a single measurement, mm.
+    /// Noise of a single measurement, mm.
     pub(super) fn noise_mm(&self) -> f64 {
         self.head.settings().noise_mm
     }
 
-    /// The greatest part of each limit that was used.
+    /// Returns the maximum used share of each limit.
     pub(super) fn used(&self) -> [f64; 4] {
         std::array::from_fn(|i| self.watch[0].used[i].max(self.watch[1].used[i]))
     }
 
-    /// What has arrived.
+    /// Takes in a measurement that has arrived.
     pub(super) fn take(&mut self, measured: &Measurement, t_s: f64) {
         self.head.take(measured, t_s);
     }
 
-    /// One cycle, `left` mm before the joint ends, with the torch off its planned place by `correction`, and off its line by
-    /// `swing` on top of that: lateral and height, mm. The sensor swings with it.
+    /// Runs one cycle, `left` mm before the joint ends. The torch is off its planned position by `correction`, and
+    /// off its line by `swing` in addition: lateral and height, mm. The sensor swings with it.
     pub(super) fn cycle(
         &mut self,
         left: f64,
@@ -51,13 +52,13 @@ impl Leading {
         self.watch[0].add(orders.slide.x);
         self.watch[1].add(orders.slide.y);
         let wanted = (frame, orders.slide);
-        // Before the seam nothing can be known of it.
+        // The seam is unknown before its start.
         if s <= 0.0 {
             return (wanted, Told::NOTHING, orders.estimate);
         }
         let mut alarm = orders.alarm;
-        // Beyond the end there is no joint to be seen, and none is needed. A tack may hide the end, or the part lie a little
-        // back; the last frame is a period before, and some more on its way.
+        // Beyond the end there is no joint to see, and none is needed. A tack may hide the end, or the part may lie a
+        // little back. The last frame is a period old, and others are in transit.
         let settings = self.head.settings();
         let last = settings.tack_mm + 6.0 * settings.period_s * settings.speed_mm_s;
         if (left < settings.lead_mm && alarm == Some(Alarm::Blind)) || (left < last && alarm == Some(Alarm::Coasting)) {

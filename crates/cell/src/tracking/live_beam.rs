@@ -9,47 +9,47 @@ use seamwright_tracking::beam::{Beam, DeviationRecord, Picture, Recorder};
 use seamwright_tracking::lead::{Estimate, Moment, SeamFrame};
 use serde::Serialize;
 
-/// What a beam did in a cycle, beside the torch's own correction.
+/// State of a beam in a cycle, in addition to the torch's own correction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamSample {
-    /// By how much it was deflected, lateral, mm.
+    /// Lateral deflection, mm.
     pub deflection_mm: f64,
-    /// True while it was on the weld; else it looked at the work.
+    /// True while the beam was on the weld; otherwise it looked at the work.
     pub welds: bool,
 }
 
-/// How a beam corrected a pass; mm.
+/// Corrections of a pass by a beam; mm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BeamSummary {
-    /// True if the pass was corrected by stored deviations, not by what the beam saw.
+    /// True if stored deviations corrected the pass, not the view of the beam.
     pub replayed: bool,
-    /// Greatest deflection.
+    /// Maximum deflection.
     pub deflected_mm: f64,
-    /// What the deflection reaches.
+    /// Range of the deflection.
     pub range_mm: f64,
-    /// The farthest that the axes carried the gun.
+    /// Maximum distance by which the axes carried the gun.
     pub carried_mm: f64,
-    /// Part of the weld's time that the beam was away from it to look, %.
+    /// Share of the weld's time that the beam was away from it to look, %.
     pub away_percent: f64,
     /// Longest interruption, ms.
     pub longest_away_ms: f64,
-    /// How the stored deviations fitted, if they were checked and did.
+    /// Fit of the stored deviations, if they were checked and fitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fit: Option<BeamFit>,
 }
 
-/// How stored deviations lie beside what was seen.
+/// Differences between stored deviations and the joint seen.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct BeamFit {
-    /// Points that were compared.
+    /// Number of points compared.
     pub points: usize,
-    /// Half of them lie to either side of this, mm.
+    /// Median of the differences, mm.
     pub median_mm: f64,
-    /// Nine of ten lie within this, mm.
+    /// Nine of ten differences lie within this, mm.
     pub within_mm: f64,
 }
 
-/// A head that its own beam guides, or what an earlier pass has found.
+/// A head guided by its own beam, or by the record of an earlier pass.
 pub(super) struct LiveBeam<'a> {
     head: BeamHead<'a>,
     beam: BeamDeflection,
@@ -58,7 +58,7 @@ pub(super) struct LiveBeam<'a> {
     recorder: Recorder,
     watch: Watch,
     tally: BeamTally,
-    /// What stands against the weld while the beam looks at its start.
+    /// Alarm that prevents the weld while the beam looks at its start.
     stops: Option<Alarm>,
 }
 
@@ -81,17 +81,17 @@ impl<'a> LiveBeam<'a> {
         }
     }
 
-    /// How long the beam looks at the start of the pass before it welds, s.
+    /// Returns the time for which the beam looks at the start of the pass before it welds, s.
     pub(super) fn look_s(&self) -> f64 {
         LOOK_S
     }
 
-    /// Of a single point, mm.
+    /// Noise of a single point, mm.
     pub(super) fn noise_mm(&self) -> f64 {
         self.noise_mm
     }
 
-    /// Whether the weld may begin, after the look at its start; else what is wrong.
+    /// Checks whether the weld may start, after the look at its start; otherwise returns alarm and cause.
     pub(super) fn ready(&self) -> Result<(), (Alarm, Option<Why>)> {
         match (&self.head, self.stops) {
             (BeamHead::Tracking(head), _) if !head.has_seen() => Err((Alarm::Lost, Some(Why::NotSeen))),
@@ -104,7 +104,7 @@ impl<'a> LiveBeam<'a> {
         self.watch.used
     }
 
-    /// A picture has arrived.
+    /// Takes in a picture that has arrived.
     pub(super) fn take(&mut self, picture: &Picture<'_>, t_s: f64) {
         match &mut self.head {
             BeamHead::Tracking(head) => drop(head.take(picture, t_s)),
@@ -112,7 +112,8 @@ impl<'a> LiveBeam<'a> {
         }
     }
 
-    /// One cycle, `left` mm before the joint ends, with the torch `off` its planned place: along, lateral, height.
+    /// Runs one cycle, `left` mm before the joint ends, with the torch `off` its planned position: along, lateral,
+    /// height.
     pub(super) fn cycle(&mut self, left: f64, step: &Step, frame: SeamFrame, off: DVec3) -> (Wanted, Told, Estimate) {
         let Step { t, s, speed, welds } = *step;
         let now = Moment { t_s: t, s_mm: s + off.x, slide: DVec2::new(off.y, off.z) };
@@ -129,13 +130,13 @@ impl<'a> LiveBeam<'a> {
             self.stops = orders.alarm.filter(|_| orders.pace <= 0.0);
             return (wanted, told, orders.estimate);
         }
-        // At its very end nothing of the seam lies ahead any more.
+        // At the very end no part of the seam lies ahead.
         let ends = left < END_MM || (orders.alarm == Some(Alarm::Blind) && left < self.sees_mm());
         let alarm = orders.alarm.filter(|_| !ends).map(|alarm| (alarm, self.misfit()));
         (wanted, Told { pace: orders.pace, alarm, ..told }, orders.estimate)
     }
 
-    /// How far ahead the joint is looked at, mm.
+    /// Returns the distance up to which the beam looks ahead, mm.
     fn sees_mm(&self) -> f64 {
         match &self.head {
             BeamHead::Tracking(head) => head.zone().to_mm,
@@ -143,13 +144,13 @@ impl<'a> LiveBeam<'a> {
         }
     }
 
-    /// Why what is stored does not fit, if it does not.
+    /// Returns the reason if the stored deviations do not fit.
     fn misfit(&self) -> Option<Why> {
         let BeamHead::Replay(head) = &self.head else { return None };
         head.judged()?.err().map(Why::Misfit)
     }
 
-    /// What it has found of the seam so far, by the pass's own path length; a replay finds nothing.
+    /// Returns the deviations of the seam found so far, by the pass's own path length; `None` for a replay.
     pub(super) fn found(&self) -> Option<DeviationRecord> {
         match &self.head {
             BeamHead::Tracking(_) => self.recorder.clone().finish(),
@@ -157,7 +158,7 @@ impl<'a> LiveBeam<'a> {
         }
     }
 
-    /// What it did.
+    /// Returns the summary of the corrections.
     pub(super) fn summary(&self) -> BeamSummary {
         let (away, longest) = self.tally.away();
         let (fit, replayed) = match &self.head {

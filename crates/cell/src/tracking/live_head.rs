@@ -12,68 +12,68 @@ use seamwright_tracking::beam::{Beam, DeviationRecord, Misfit};
 use seamwright_tracking::lead::{Estimate, SeamFrame, Sight};
 use serde::Serialize;
 
-/// What one head did at one instant, lateral and height in the torch's frame, mm.
+/// State of one head at one instant, lateral and height in the torch's frame, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeadSample {
-    /// Where the joint truly is, from the planned path.
+    /// True position of the joint, from the planned path.
     pub seam: DVec2,
-    /// By how much the weld is off the planned path: torch and deflection together.
+    /// Offset of the weld from the planned path: torch and deflection together.
     pub correction: DVec2,
-    /// How far the weld is from the joint. A beam has no height: 0.
+    /// Deviation of the weld from the joint. A beam has no height: 0.
     pub miss: DVec2,
-    /// What the beam did, if the pass is corrected by one.
+    /// State of the beam, if one corrects the pass.
     pub beam: Option<BeamSample>,
-    /// What tracking made of it.
+    /// Result of tracking.
     pub tracked: Option<Tracked>,
 }
 
-/// An alarm of tracking, at its first place.
+/// An alarm of tracking, at its first occurrence.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AlarmAt {
     /// Path length of the torch, mm.
     pub at_mm: f64,
-    /// In words.
+    /// Text of the alarm.
     pub alarm: &'static str,
-    /// Why, if that is known: of a blind sensor, of stored deviations that do not fit.
+    /// Cause, if known: of a blind sensor, or of stored deviations that do not fit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cause: Option<String>,
 }
 
 impl AlarmAt {
-    /// What was told, in words.
+    /// Returns the text of the alarm with its cause.
     #[must_use]
     pub fn text(&self) -> String {
         self.cause.as_ref().map_or_else(|| self.alarm.to_owned(), |cause| format!("{}: {cause}", self.alarm))
     }
 }
 
-/// How far one head's weld lies from its joint; mm.
+/// Distances of one head's weld from its joint; mm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct HeadSummary {
     /// Name of the head.
     pub head: String,
-    /// 99 % of the weld lie within this distance of the joint, lateral and height together; of a beam lateral.
+    /// 99 % of the weld lie within this distance of the joint: lateral and height together, lateral only for a beam.
     pub miss_p99_mm: f64,
-    /// All of it does.
+    /// Maximum distance of the weld.
     pub miss_most_mm: f64,
-    /// The same of a weld that keeps to the planned path: 99 % of it, and all.
+    /// 99 % of a weld along the planned path would lie within this distance.
     pub untracked_p99_mm: f64,
-    /// All of it.
+    /// Maximum distance of a weld along the planned path.
     pub untracked_most_mm: f64,
-    /// True of a beam, which has no height: distances are lateral.
+    /// True for a beam, which has no height: distances are lateral.
     pub lateral_only: bool,
     /// True if the pass was tracked.
     pub tracked: bool,
-    /// The greatest part of what corrections may do that was used: way, speed, acceleration, jerk.
+    /// Maximum used share of the limits of corrections: stroke, speed, acceleration, jerk.
     pub used: Option<[f64; 4]>,
-    /// Where the torch was stopped before the end.
+    /// Position at which the torch was stopped before the end.
     pub stopped_mm: Option<f64>,
-    /// What was told on the way.
+    /// Alarms reported during the pass.
     pub alarms: Vec<AlarmAt>,
-    /// How the beam corrected, if one did.
+    /// Corrections by the beam, if one corrected.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub beam: Option<BeamSummary>,
-    /// What the beam found of the seam, by path length from the start of the weld.
+    /// Deviations of the seam found by the beam, by path length from the start of the weld.
     #[serde(skip)]
     pub deviations: Option<DeviationRecord>,
 }
@@ -81,22 +81,22 @@ pub struct HeadSummary {
 /// One cycle of a head.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Step {
-    /// s.
+    /// Time, s.
     pub(crate) t: f64,
     /// Path length of the torch's set-point, mm.
     pub(crate) s: f64,
-    /// Along the seam, mm/s.
+    /// Speed along the seam, mm/s.
     pub(crate) speed: f64,
     /// True while the arc or beam is on.
     pub(crate) welds: bool,
 }
 
-/// Why something is wrong.
+/// Cause of an alarm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Why {
-    /// The sensor.
+    /// Fault of the sensor.
     Sensor(Cause),
-    /// What is stored does not fit.
+    /// The stored deviations do not fit.
     Misfit(Misfit),
     /// The joint was not seen before the weld.
     NotSeen,
@@ -108,7 +108,7 @@ impl Why {
             Self::Sensor(cause) => cause.name().to_owned(),
             Self::NotSeen => "it was not seen before the weld".to_owned(),
             Self::Misfit(misfit) => {
-                // What comes before it is the alarm's own name.
+                // The text before the colon is the alarm's own name.
                 let text = misfit.to_string();
                 text.split_once(": ").map_or(text.clone(), |(_, rest)| rest.to_owned())
             }
@@ -116,14 +116,14 @@ impl Why {
     }
 }
 
-/// What a head has to say in a cycle.
+/// Requests of a head in a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Told {
-    /// Greatest part of its speed that the torch may have next.
+    /// Maximum feed override of the torch in the next cycle.
     pub(super) pace: f64,
-    /// The worst that is wrong, and why.
+    /// Most severe alarm, and its cause.
     pub(super) alarm: Option<(Alarm, Option<Why>)>,
-    /// What the beam does, and by how much it is deflected, mm.
+    /// Order for the beam, and its deflection, mm.
     pub(super) beam: Beam,
     pub(super) deflection_mm: f64,
 }
@@ -132,7 +132,7 @@ impl Told {
     pub(super) const NOTHING: Self = Self { pace: 1.0, alarm: None, beam: Beam::Weld, deflection_mm: 0.0 };
 }
 
-/// What guides a head.
+/// Guide of a head.
 pub(super) enum Guide<'a> {
     /// A sensor ahead of the torch.
     Leading(Box<Leading>),
@@ -144,18 +144,18 @@ pub(super) enum Guide<'a> {
 pub(super) struct HeadOrders {
     pub(super) wanted: Wanted,
     pub(super) told: Told,
-    /// An alarm that it tells for the first time.
+    /// Alarm that the head reports for the first time.
     pub(super) news: Option<Alarm>,
 }
 
-/// One head that is guided along its seam.
+/// One head guided along its seam.
 pub(crate) struct LiveHead<'a> {
     /// Counted from 0.
     number: usize,
     seam: &'a Seam,
     guide: Guide<'a>,
     path: &'a dyn TorchPath,
-    /// By how much the torch is off the planned path, as the encoders say: along, lateral, height; and off its line by its
+    /// Offset of the torch from the planned path, by the encoders: along, lateral, height; and from its line by the
     /// weave.
     off: DVec3,
     swing: DVec3,
@@ -165,14 +165,14 @@ pub(crate) struct LiveHead<'a> {
     alarms: ArrayVec<(f64, Alarm, Option<Why>), { Alarm::ALL.len() }>,
 }
 
-/// What a guide has to say of a head at the end.
+/// Report of a guide on its head at the end.
 #[derive(Debug, Clone)]
 pub(crate) struct HeadReport {
     pub(crate) used: [f64; 4],
     pub(crate) stopped_mm: Option<f64>,
     pub(crate) alarms: Vec<AlarmAt>,
     pub(crate) beam: Option<BeamSummary>,
-    /// By the path length of the pass.
+    /// Deviations by the path length of the pass.
     pub(crate) found: Option<DeviationRecord>,
 }
 
@@ -192,7 +192,8 @@ impl<'a> LiveHead<'a> {
         }
     }
 
-    /// How far before the seam the torch must begin to be sure of its start, mm; none if no sensor leads it.
+    /// Returns the distance before the seam from which the torch finds its start reliably, mm, and the maximum
+    /// approach speed, mm/s; `None` without a leading sensor.
     pub(super) fn sighting_mm(&self) -> Option<(f64, f64)> {
         match &self.guide {
             Guide::Leading(leading) => Some(leading.sighting_mm()),
@@ -200,7 +201,8 @@ impl<'a> LiveHead<'a> {
         }
     }
 
-    /// How long the start of the seam is looked at with the torch at rest there, s; none without a beam that looks.
+    /// Returns the time for which a beam looks at the start of the seam, with the torch at rest there, s; `None`
+    /// without a beam.
     pub(super) fn look_s(&self) -> Option<f64> {
         match &self.guide {
             Guide::Beam(beam) => Some(beam.look_s()),
@@ -208,10 +210,10 @@ impl<'a> LiveHead<'a> {
         }
     }
 
-    /// The weld may begin.
+    /// Checks whether the weld may start.
     ///
     /// # Errors
-    /// What is wrong if not.
+    /// The alarm that prevents it.
     pub(super) fn ready(&mut self, s: f64) -> Result<(), Alarm> {
         let Guide::Beam(beam) = &self.guide else { return Ok(()) };
         let Err((alarm, cause)) = beam.ready() else { return Ok(()) };
@@ -219,12 +221,12 @@ impl<'a> LiveHead<'a> {
         Err(alarm)
     }
 
-    /// The planned frame of the torch.
+    /// Returns the planned frame of the torch.
     pub(super) fn frame(&self, s: f64) -> SeamFrame {
         (self.seam.frame)(s)
     }
 
-    /// One cycle: where the torch is to be, and the greatest part of its speed that it may have next.
+    /// Runs one cycle: returns the required offset of the torch, and its maximum feed override in the next.
     pub(super) fn cycle(&mut self, seen: &Seen<'_>, step: &Step) -> HeadOrders {
         let frame = self.frame(step.s);
         let left = if self.seam.round_mm.is_some() { f64::INFINITY } else { self.seam.length_mm - step.s };
@@ -248,17 +250,18 @@ impl<'a> LiveHead<'a> {
         HeadOrders { wanted, told, news }
     }
 
-    /// Something to be told at `s`; only its first place is: true then.
+    /// Records an alarm at `s`, at its first occurrence only. Returns true for the first.
     pub(super) fn tell(&mut self, s: f64, alarm: Alarm, why: Option<Why>) -> bool {
         let news = self.alarms.iter().all(|(_, known, _)| *known != alarm);
         if news {
-            // There is room for each of them once.
+            // The array has room for each alarm once.
             self.alarms.try_push((s, alarm, why)).unwrap_or_default();
         }
         news
     }
 
-    /// Where the torch is after the drives' step to `s`, as their encoders say; it weaves while it is on its path.
+    /// Updates the offset of the torch from the encoders after the drives' step to `s`. The torch weaves while it is
+    /// on its path.
     pub(super) fn feel(&mut self, machine: &Machine, s: f64, q: &Joints, weaves: bool) {
         let tip = machine.forward_of(self.number, q).point;
         let frame = self.frame(s);
@@ -266,12 +269,12 @@ impl<'a> LiveHead<'a> {
         self.off = seen_in(tip - frame.point, &frame) - self.swing;
     }
 
-    /// The torch was stopped here before the end of the pass, or goes on.
+    /// Sets the position at which the torch was stopped before the end of the pass; `None` if it continues.
     pub(super) fn stopped(&mut self, s: Option<f64>) {
         self.stopped_mm = s;
     }
 
-    /// What is known and done now.
+    /// Returns the current estimate and correction.
     pub(super) fn tracked(&self) -> Option<Tracked> {
         let Estimate { value, sigma_mm, sight } = self.estimate?;
         let noise = match &self.guide {
@@ -289,7 +292,7 @@ impl<'a> LiveHead<'a> {
         })
     }
 
-    /// What the beam has found of the seam so far, by the path length of the pass.
+    /// Returns the deviations of the seam that the beam has found so far, by the path length of the pass.
     pub(super) fn found(&self) -> Option<DeviationRecord> {
         match &self.guide {
             Guide::Leading(_) => None,
@@ -297,7 +300,7 @@ impl<'a> LiveHead<'a> {
         }
     }
 
-    /// What there is to say of it.
+    /// Returns the report of the head.
     pub(super) fn report(&self) -> HeadReport {
         let (used, beam) = match &self.guide {
             Guide::Leading(leading) => (leading.used(), None),
@@ -312,12 +315,12 @@ impl<'a> LiveHead<'a> {
     }
 }
 
-/// How far the weave takes the torch off its line at `s`: along, lateral, height.
+/// Offset of the torch from its line at `s` by the weave: along, lateral, height.
 pub(super) fn swing_at(path: &dyn TorchPath, s: f64, frame: &SeamFrame) -> DVec3 {
     seen_in(path.swing(s.clamp(0.0, path.length())).unwrap_or_default(), frame)
 }
 
-/// Along, lateral and height of a way.
+/// Along, lateral and height components of a displacement.
 pub(super) fn seen_in(way: DVec3, frame: &SeamFrame) -> DVec3 {
     DVec3::new(way.dot(frame.along), way.dot(frame.lateral), way.dot(frame.height))
 }

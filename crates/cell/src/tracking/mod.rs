@@ -1,5 +1,5 @@
-//! Welding with tracking, in simulation: seams that lie and move otherwise than they were taught, sensors that lead the
-//! torches, the slides' drives, and how far each weld truly is from its seam.
+//! Simulated welding with tracking: seams that deviate from the taught ones, sensors that lead the torches, the
+//! slides' drives, and the true distance of each weld from its seam.
 
 pub mod beam;
 pub(crate) mod carrier;
@@ -53,11 +53,11 @@ pub use tracked_pass::trouble;
 pub use twin::SimulatedSensors;
 pub use world::{Along, Placement, World};
 
-/// Looks whether every pass with an arc can be simulated under `conditions`: on a part that lies elsewhere, and tracked.
+/// Checks that every pass with an arc can be simulated under `conditions`: on a displaced part, and tracked.
 ///
 /// # Errors
-/// The first that cannot: one that blends corners, or that two torches or a beam weave; nothing that sees ahead, too short a lead, axes that cannot
-/// correct; stored deviations that do not cover it, or that no beam can replay.
+/// The first pass that cannot: blended corners; weaving by two torches or a beam; no sensor ahead; too short a lead;
+/// axes that cannot correct; stored deviations that do not cover it or that no beam can replay.
 pub fn check(
     machine: &Machine,
     passes: &[(&dyn TorchPath, &Pass)],

@@ -1,17 +1,17 @@
 /// A stretch of the torch's way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Leg {
-    /// To this path length, mm, at this speed, mm/s; backwards too.
+    /// Moves to this path length, mm, at this speed, mm/s; also backwards.
     To(f64, f64),
-    /// At rest for this long, s.
+    /// Rests for this time, s.
     Hold(f64),
 }
 
 /// Acceleration along the seam, mm/s^2.
 const ACCELERATION: f64 = 1000.0;
 
-/// The torch's way along the seam, cycle by cycle: it speeds up and slows down evenly, and stops only where the way
-/// turns, where it is held and at the end.
+/// Travel of the torch along the seam, cycle by cycle, at constant acceleration and deceleration. It stops only at
+/// reversals, holds and the end.
 #[derive(Debug)]
 pub(super) struct Travel<'a> {
     legs: &'a [Leg],
@@ -27,7 +27,7 @@ impl<'a> Travel<'a> {
         Self { legs, leg: 0, held_s: 0.0, s: from_mm, speed: 0.0 }
     }
 
-    /// One cycle at no more than `pace` of the speed; false at the end of the way, or when it has been stopped.
+    /// Runs one cycle at up to `pace` of the speed; returns false at the end of the way, or after a stop.
     pub(super) fn step(&mut self, pace: f64, cycle_s: f64) -> bool {
         match self.legs.get(self.leg) {
             None => false,
@@ -44,7 +44,7 @@ impl<'a> Travel<'a> {
                 let left = (to - self.s).abs();
                 let goes_on =
                     matches!(self.legs.get(self.leg + 1), Some(Leg::To(next, _)) if (next - to) * sense > 0.0);
-                // The speed from which it can stop at the end of the leg, half a cycle early.
+                // Maximum speed from which the torch can stop at the end of the leg, half a cycle early.
                 let stop = (2.0 * ACCELERATION * left).sqrt() - 0.5 * ACCELERATION * cycle_s;
                 let most = if goes_on { f64::INFINITY } else { stop.max(0.1 * ACCELERATION * cycle_s) };
                 let wanted = sense * (speed * pace).min(most);

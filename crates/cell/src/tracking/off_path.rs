@@ -1,35 +1,35 @@
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 use seamwright_tracking::actuator::RESERVE;
 
-/// By how much the axes are off their planned positions, so that it never jumps: it follows corrections; it comes to rest
-/// where there are none or everything shall rest; from there it goes back to corrections, or to nothing. Each within what plans leave
-/// to corrections of every axis' speed, acceleration and, on the way back, jerk.
+/// Offset of the axes from their planned positions, without jumps. It follows corrections. Without corrections, or if
+/// everything is to rest, it comes to rest; from there it returns to corrections or to zero. It stays within the
+/// share of every axis' speed, acceleration and, on the way back, jerk that plans leave to corrections.
 #[derive(Debug)]
 pub(super) struct OffPath {
     period: f64,
     /// Speed, acceleration and jerk of each axis.
     limits: [[f64; 3]; MAX_AXES],
     by: Joints,
-    /// How fast it changes.
+    /// Rate of change of the offset.
     rate: Joints,
-    /// Corrections cannot be carried out any more, until it rests.
+    /// Corrections cannot be carried out until the offset is at rest.
     lost: bool,
-    /// It has been braked: what is followed next is gone to from there.
+    /// The offset was braked: the next corrections are approached from there.
     braked: bool,
-    /// What is corrected; none if that was not known in the last cycle.
+    /// Current correction; `None` if it was unknown in the last cycle.
     base: Option<Joints>,
     way: Option<Way>,
     /// The last set-point and its speed.
     last: Option<(Joints, Joints)>,
 }
 
-/// On the way from somewhere to what is followed: a quintic.
+/// Transition to the corrections: a quintic.
 #[derive(Debug, Clone, Copy)]
 struct Way {
-    /// What is left at the start, and how fast that changes.
+    /// Remaining offset at the start, and its rate of change.
     from: Joints,
     rate: Joints,
-    /// Time gone and time in all, s.
+    /// Elapsed and total time, s.
     gone: f64,
     whole: f64,
 }
@@ -55,8 +55,8 @@ impl OffPath {
         }
     }
 
-    /// A cycle with the positions that a correction of the planned ones `q` leads to, if there are any; false when there are
-    /// none, then and until it was at rest.
+    /// Runs a cycle with the positions of a correction of the planned ones `q`. Returns false without them, then
+    /// and until the offset was at rest.
     pub(super) fn follow(&mut self, q: &Joints, corrected: impl FnOnce() -> Option<Joints>) -> bool {
         let found = if self.lost { None } else { corrected() };
         match found {
@@ -70,7 +70,7 @@ impl OffPath {
         !self.lost
     }
 
-    /// A cycle on the way to rest where it is; true when it is there. What would be followed is kept in mind.
+    /// Runs a cycle of braking; returns true at rest. Stores the correction that would be followed.
     pub(super) fn rest(&mut self, q: &Joints, corrected: impl FnOnce() -> Option<Joints>) -> bool {
         self.base = corrected().map(|found| std::array::from_fn(|i| found[i] - q[i]));
         self.brake();
@@ -88,12 +88,12 @@ impl OffPath {
         self.braked = true;
     }
 
-    /// A cycle with what is corrected, or on the way to that.
+    /// Runs a cycle with corrections, or on the transition to them.
     fn go_on(&mut self, base: Joints) {
         let before = self.base.replace(base);
         if self.braked {
             let Some(before) = before else {
-                // How fast it changes is known in the next cycle.
+                // The rate of change is known in the next cycle.
                 return self.brake();
             };
             self.braked = false;
@@ -107,17 +107,18 @@ impl OffPath {
         }
     }
 
-    /// The planned positions `q`, off by so much.
+    /// Returns the planned positions `q` plus the offset.
     pub(super) fn positions(&self, q: &Joints) -> Joints {
         std::array::from_fn(|i| q[i] + self.by[i])
     }
 
-    /// From here on it goes to what is followed, which was there in the last cycle and changes so fast.
+    /// Starts a transition to the corrections, which were `base` in the last cycle and change at `speed`.
     fn begin_way(&mut self, base: &Joints, speed: &Joints) {
         let from: Joints = std::array::from_fn(|i| self.by[i] - base[i]);
         let rate: Joints = std::array::from_fn(|i| self.rate[i] - speed[i]);
-        // Over T the quintic from rest to rest has by powers of T a speed of 15/8, an acceleration of 10/sqrt(3), a jerk of 60;
-        // that of the speed at the start at most 1, 4 and 36 times it. Each has half of a limit.
+        // A quintic from rest to rest over T has, by powers of T, a maximum speed of 15/8, acceleration of 10/sqrt(3)
+        // and jerk of 60. The quintic of the initial speed has at most 1, 4 and 36 times that speed. Each gets half
+        // of a limit.
         let time = |i: usize| {
             let [speed, acceleration, jerk] = self.limits[i].map(|limit| 0.5 * limit);
             let (by, rate) = (from[i].abs(), rate[i].abs());
@@ -128,7 +129,7 @@ impl OffPath {
         self.way = Some(Way { from, rate, gone: 0.0, whole });
     }
 
-    /// What is left of that way a cycle on.
+    /// Advances the transition by a cycle and returns its remaining offset.
     fn left(&mut self) -> Joints {
         let Some(Way { from, rate, gone, whole }) = &mut self.way else { return NONE };
         *gone += self.period;
@@ -142,13 +143,13 @@ impl OffPath {
         std::array::from_fn(|i| left * from[i] + on * rate[i])
     }
 
-    /// From here on it goes back to nothing, from how fast it changes now to rest.
+    /// Starts the return to zero, from the current rate of change to rest.
     pub(super) fn begin_return(&mut self) {
         (self.base, self.braked) = (Some(NONE), false);
         self.begin_way(&NONE, &NONE);
     }
 
-    /// A cycle of that; false when it is over.
+    /// Runs a cycle of the return; returns false when it is over.
     pub(super) fn returns(&mut self) -> bool {
         if self.way.is_none() && self.rests_on_plan() {
             return false;
@@ -161,7 +162,7 @@ impl OffPath {
         self.by.iter().chain(&self.rate).all(|value| *value == 0.0)
     }
 
-    /// Speeds and accelerations of a set-point, by differences: what comes on top of a plan has no others.
+    /// Returns speeds and accelerations of a set-point by differences; an offset on top of a plan has no others.
     pub(super) fn rates(&mut self, q: &Joints) -> (Joints, Joints) {
         let (before, speed) = self.last.unwrap_or((*q, NONE));
         let v: Joints = std::array::from_fn(|i| (q[i] - before[i]) / self.period);
@@ -177,8 +178,8 @@ mod tests {
     use crate::eyes::Random;
     use seamwright_machine::shipped;
 
-    /// Corrections that wander, rest now and then, are lost and come again, and end: no set-point has more than what is left to
-    /// corrections of speed and acceleration, by differences, beyond what was asked; at rest nothing moves.
+    /// Corrections wander, rest now and then, are lost, return and end. By differences, the offset keeps the speed
+    /// and acceleration left to corrections; the return ends at rest on the plan.
     #[test]
     fn it_never_steps() {
         let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
@@ -193,7 +194,7 @@ mod tests {
                 if random.chance(0.004) {
                     mode = (random.within(0.0, 4.0)) as u32;
                 }
-                // What is asked moves with a quarter of the limits.
+                // The requested correction moves with a quarter of the limits.
                 for i in 0..machine.axes.len() {
                     let [most, brisk, _] = off.limits[i].map(|limit| 0.25 * limit);
                     speed[i] = (speed[i] + brisk * period * random.within(-1.0, 1.0)).clamp(-most, most);

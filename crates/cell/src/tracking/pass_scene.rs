@@ -18,32 +18,32 @@ use seamwright_tracking::actuator::{DeflectionLimits, HeadTracking};
 use seamwright_tracking::beam::{BeamReplay, BeamTracking, DeviationRecord, Replay};
 use seamwright_tracking::lead::OwnCurve;
 
-/// Places along a pass at which sensors and axes are looked at before it is welded.
+/// Number of positions along a pass at which sensors and axes are checked before the weld.
 pub(super) const PLACES: u32 = 120;
-/// What is needed for a place on the seam to be known before the torch is there, beside the sensor's lead, mm.
+/// Distance needed to know a position on the seam before the torch arrives, beyond the sensor's lead, mm.
 pub(crate) const SIGHTING_MM: f64 = 6.0;
 
-/// One pass of a weld, with what is hidden: where its seams truly are.
+/// One pass of a weld, with the hidden true positions of its seams.
 pub(crate) struct PassScene<'a> {
     path: &'a dyn TorchPath,
     pass: &'a Pass,
     distortion: Option<&'a Distortion>,
     whole: Whole,
-    /// One for each torch that welds.
+    /// One seam for each torch that welds.
     seams: Vec<Seam>,
 }
 
-/// The whole weld, which all its passes are bent and turned with.
+/// The whole weld; all its passes bend and turn together with it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Whole {
-    /// About it the part is turned, mm.
+    /// Centre of the part's rotation, mm.
     middle: DVec3,
-    /// Of the longest pass, mm.
+    /// Length of the longest pass, mm.
     length_mm: f64,
 }
 
 impl Whole {
-    /// Of these passes: the middle is that of the longest.
+    /// Creates it from these passes; the middle is that of the longest.
     pub(crate) fn of(passes: &[(&dyn TorchPath, &Pass)]) -> Self {
         let longest = passes.iter().map(|(path, _)| *path).max_by(|a, b| a.length().total_cmp(&b.length()));
         let Some(path) = longest else { return Self { middle: DVec3::ZERO, length_mm: 0.0 } };
@@ -67,17 +67,16 @@ impl<'a> PassScene<'a> {
         Self { path, pass, distortion, whole, seams }
     }
 
-    /// The pass.
     pub(super) fn pass(&self) -> &'a Pass {
         self.pass
     }
 
-    /// What a beam has found by the path length of the pass, by that of its seam.
+    /// Converts deviations found by a beam from the path length of the pass to that of its seam.
     pub(super) fn on_seam(&self, found: &DeviationRecord) -> DeviationRecord {
         self.along(&self.seams[0]).on_seam(found)
     }
 
-    /// What guides the heads that weld it, and what corrects them.
+    /// Returns the devices that guide the heads of the pass, and the carrier that corrects them.
     ///
     /// # Errors
     /// A machine whose sensors do not lead and whose beam does not look; axes that cannot correct.
@@ -91,10 +90,11 @@ impl<'a> PassScene<'a> {
         Ok(Correction { eyes, carrier })
     }
 
-    /// The heads that weld it, corrected; by what is `stored` of the seam instead of what the beam sees, if there is something.
+    /// Returns the corrected heads of the pass. If there are `stored` deviations of the seam, they replace the beam's
+    /// view.
     ///
     /// # Errors
-    /// Settings that cannot work, as too short a lead; stored deviations that do not cover the pass.
+    /// Invalid settings, such as too short a lead; stored deviations that do not cover the pass.
     pub(crate) fn heads<'b>(
         &'b self,
         machine: &'b Machine,
@@ -110,7 +110,7 @@ impl<'a> PassScene<'a> {
         heads.collect()
     }
 
-    /// What sees the joint of each head, in simulation.
+    /// Returns the simulated devices that see the joint of each head.
     pub(crate) fn twins<'b>(&'b self, correction: &Correction<'_>, seed: u64) -> ArrayVec<HeadTwin<'b>, 2> {
         let twins = self.seams.iter().enumerate().map(|(number, seam)| {
             let own = seed.wrapping_mul(8).wrapping_add(number as u64);
@@ -123,10 +123,10 @@ impl<'a> PassScene<'a> {
         twins.collect()
     }
 
-    /// Where each head's weld and joint truly are.
+    /// Returns the true positions of each head's weld and joint.
     ///
     /// # Errors
-    /// A torch that does not go along the seam's line.
+    /// A torch that does not follow the seam's line.
     pub(crate) fn truths<'b>(
         &'b self,
         machine: &Machine,
@@ -139,7 +139,8 @@ impl<'a> PassScene<'a> {
         Ok(truths.map(truth).collect())
     }
 
-    /// The torch goes along the seam's line, or swings about it: no blend leads it off; two torches and a beam do not weave.
+    /// Checks that the torch follows the seam's line or swings about it: without blends, and without weaving by two
+    /// torches or a beam.
     fn check_plain(&self, machine: &Machine, planned: &PassMotion) -> Result<(), Error> {
         let what = if self.path.swing(0.0).is_some() && (self.seams.len() > 1 || machine.deflection.is_some()) {
             if self.seams.len() > 1 { "weaves with two torches" } else { "weaves with a beam" }
@@ -204,13 +205,13 @@ impl<'a> PassScene<'a> {
         }
     }
 
-    /// Where the path lengths of this pass lie on its seam.
+    /// Returns the position of this pass on its seam.
     fn along(&self, seam: &Seam) -> Along {
         Along { begin_mm: self.pass.begin_mm.get(), reverse: self.pass.reverse, round_mm: seam.round_mm }
     }
 }
 
-/// A sensor so far ahead as its file describes it.
+/// Model of a sensor with this lead, as its file describes it.
 fn model((sensor, lead_mm): (&Sensor, f64)) -> SensorModel {
     SensorModel {
         period_s: sensor.period_s,
@@ -220,7 +221,7 @@ fn model((sensor, lead_mm): (&Sensor, f64)) -> SensorModel {
     }
 }
 
-/// What guides the heads of a pass, and what takes them off their planned paths.
+/// Devices that guide the heads of a pass, and the carrier that moves them off their planned paths.
 pub(crate) struct Correction<'a> {
     eyes: Eyes<'a>,
     pub(crate) carrier: Carrier<'a>,

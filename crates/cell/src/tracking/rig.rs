@@ -12,48 +12,48 @@ use seamwright_servo::SetPoint;
 use seamwright_tracking::actuator::{Alarm, Cause, HeadTracking, Slide, SlideLimits};
 use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, SampleBuffer, Settings};
 
-/// How the seam is followed.
+/// Method by which the seam is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Not at all.
+    /// No correction.
     Uncorrected,
-    /// As DUALBEAM-2013, one step a sample.
+    /// As DUALBEAM-2013, one step per sample.
     OneStep,
-    /// As DUALBEAM-2013 at high speed, each step in as many parts as there are cycles.
+    /// As DUALBEAM-2013 at high speed, each step divided into one part per cycle.
     Subdivided,
     /// By path length.
     Tracked,
 }
 
 impl Method {
-    /// All of them.
+    /// All methods.
     pub const ALL: [Self; 4] = [Self::Uncorrected, Self::OneStep, Self::Subdivided, Self::Tracked];
 }
 
-/// What became of one head's weld.
+/// Result of one head's weld.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// 99 % of the weld lie within this distance of the seam, lateral and height together, mm.
     pub p99_mm: f64,
-    /// All of it does.
+    /// Maximum distance, mm.
     pub most_mm: f64,
-    /// Half of it does.
+    /// Median distance, mm.
     pub median_mm: f64,
-    /// Way that was welded, mm: what was gone over twice counts twice.
+    /// Welded distance, mm; stretches welded twice count twice.
     pub welded_mm: f64,
-    /// Where the torch was stopped before the end, mm.
+    /// Position at which the torch was stopped before the end, mm.
     pub stopped_mm: Option<f64>,
-    /// The worst alarm.
+    /// Most severe alarm.
     pub alarm: Option<Alarm>,
-    /// Where the first alarm came, mm.
+    /// Position of the first alarm, mm.
     pub alarm_mm: Option<f64>,
-    /// What was wrong with the sensor at the end.
+    /// Fault of the sensor at the end.
     pub cause: Option<Cause>,
-    /// How often set-points turned since the fault of the scene, the more of both axes.
+    /// Number of reversals of set-points since the fault of the scene, the larger of both axes.
     pub turns: u32,
-    /// The greatest part of a limit that set-points used: stroke, speed, acceleration, jerk; the worse of both axes.
+    /// Maximum share of each limit used by set-points: stroke, speed, acceleration, jerk; the worse of both axes.
     pub used: [f64; 4],
-    /// Every tenth of a second: place of the torch, miss, slide; mm.
+    /// Every tenth of a second: position of the torch, miss, slide; mm.
     pub places: Vec<(f64, DVec2, DVec2)>,
 }
 
@@ -61,7 +61,7 @@ pub struct Outcome {
 /// the same weld.
 ///
 /// # Errors
-/// [`Error::Cell`] for drives that are none, [`Error::Settings`] for settings that cannot work, as a lead too short.
+/// [`Error::Cell`] for invalid drives, [`Error::Settings`] for invalid settings, such as a lead too short.
 pub fn run(scenario: &Scenario, machine: &Machine, method: Method, seed: u64) -> Result<Vec<Outcome>, Error> {
     let cycle_s = machine.servo_period_s;
     let mut drives = Drives::new(machine, seed)?;
@@ -86,7 +86,7 @@ pub fn run(scenario: &Scenario, machine: &Machine, method: Method, seed: u64) ->
     Ok(heads.into_iter().map(|head| head.outcome(end)).collect())
 }
 
-/// What sends the slides.
+/// Source of the slides' set-points.
 enum Follower {
     None,
     Samples { buffer: SampleBuffer, slides: Box<[Slide; 2]>, own: OwnCurve },
@@ -112,7 +112,7 @@ struct Head<'a> {
     next_place_s: f64,
 }
 
-/// Way between places that are kept for plots, s.
+/// Time between positions kept for plots, s.
 const PLACE_S: f64 = 0.1;
 
 impl<'a> Head<'a> {
@@ -137,7 +137,7 @@ impl<'a> Head<'a> {
                 let [x, y] = limits.map(|l| Slide::new(l, cycle_s));
                 let slides = Box::new([x?, y?]);
                 let parts = if method == Method::OneStep { 1 } else { (model.period_s / cycle_s).round() as u32 };
-                // The paper matches lead and speed: what sensor and slide are late by is matched too.
+                // The paper matches lead and speed; the delay of sensor and slide is matched too.
                 let late = model.latency_s + slides[0].lag_s() + model.period_s * if parts == 1 { 0.5 } else { 1.0 };
                 let lead = model.lead_mm - scenario.speed_mm_s * late;
                 let buffer = SampleBuffer::new(lead, scenario.speed_mm_s, model.period_s, parts);
@@ -183,7 +183,7 @@ impl<'a> Head<'a> {
         })
     }
 
-    /// One cycle; the greatest part of its speed that the torch may have in the next.
+    /// Runs one cycle; returns the maximum feed override of the torch in the next.
     fn cycle(&mut self, drives: &mut Drives, t: f64, travel: &Travel<'_>) -> f64 {
         let (s, speed) = (travel.s, travel.speed);
         self.sensor.look(&self.world, t, s, self.slide);
@@ -213,7 +213,7 @@ impl<'a> Head<'a> {
             }
             Follower::Samples { buffer, own, .. } => {
                 let sure = arrived.filter(|m| m.confidence >= self.least_confidence);
-                // The slide is read when the sample is there.
+                // The slide is read when the sample arrives.
                 buffer.sample(sure.map(|m| m.offset - own.at(s).offset), self.slide);
             }
         }
@@ -235,7 +235,7 @@ impl<'a> Head<'a> {
                     self.outcome.cause = orders.cause;
                     self.outcome.alarm = self.outcome.alarm.max(orders.alarm);
                 }
-                // Before the seam nothing can be known of it.
+                // The seam is unknown before its start.
                 (orders.slide, if s < 0.0 { 1.0 } else { orders.pace })
             }
         }
@@ -277,13 +277,13 @@ impl<'a> Head<'a> {
     }
 }
 
-/// How a scene's sensor is followed: what the file of such a sensor would say.
+/// Tracking settings for a scene's sensor, as the file of such a sensor would give them.
 fn settings(scenario: &Scenario, scene: &HeadScene, cycle_s: f64) -> Settings {
     let tack_mm = scene.displacement.tacks.iter().map(|(from, to)| to - from).fold(0.0, f64::max);
     Settings { tack_mm, ..scene.sensor.settings(cycle_s, scenario.speed_mm_s) }
 }
 
-/// Both axes of the cross slide of head `number`, and their limits.
+/// Returns both axes of the cross slide of head `number`, and their limits.
 fn slides(machine: &Machine, number: usize) -> Result<([usize; 2], [SlideLimits; 2]), Error> {
     let none = || Error::NoSlide { machine: machine.name.clone(), head: number + 1 };
     let mut axes = machine.heads.get(number).ok_or_else(none)?.slides.iter();

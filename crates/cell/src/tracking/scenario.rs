@@ -5,25 +5,25 @@ use seamwright_geometry::Pose;
 use seamwright_program::TorchPath;
 use seamwright_tracking::lead::SeamFrame;
 
-/// A taught seam: the torch's frame by path length, some way beyond both ends too.
+/// A taught seam: the torch's frame by path length, also some way beyond both ends.
 pub struct Seam {
-    /// mm.
+    /// Length, mm.
     pub length_mm: f64,
-    /// By path length.
+    /// Frame by path length.
     pub frame: Box<dyn Fn(f64) -> SeamFrame + Send + Sync>,
-    /// Of a closed seam, the way once round, mm: less than the length where the weld overlaps its start.
+    /// Circumference of a closed seam, mm: less than the length where the weld overlaps its start.
     pub round_mm: Option<f64>,
 }
 
 impl Seam {
-    /// Along x; lateral is y, height z.
+    /// Creates a straight seam along x; lateral is y, height z.
     #[must_use]
     pub fn straight(length_mm: f64) -> Self {
         let frame = |s: f64| SeamFrame { point: DVec3::X * s, along: DVec3::X, lateral: DVec3::Y, height: DVec3::Z };
         Self { length_mm, frame: Box::new(frame), round_mm: None }
     }
 
-    /// An arc in the plane of lateral (y, towards the centre) or of height (z, `upright`), of `radius_mm`.
+    /// Creates an arc of `radius_mm` in the plane of lateral (y, towards the centre) or of height (z, `upright`).
     #[must_use]
     pub fn arc(length_mm: f64, radius_mm: f64, upright: bool) -> Self {
         let (side, other) = if upright { (DVec3::Z, DVec3::NEG_Y) } else { (DVec3::Y, DVec3::Z) };
@@ -38,8 +38,9 @@ impl Seam {
         Self { length_mm, frame: Box::new(frame), round_mm: None }
     }
 
-    /// Of a torch's path, the frame of its line every half millimetre: height is against the torch's direction, square to the way.
-    /// A closed one goes round; beyond the ends of another it goes on straight.
+    /// Creates the seam of a torch's path, with the frame of its line every half millimetre. Height is opposite to
+    /// the torch's direction, square to the way. A closed seam goes round; others continue straight beyond their
+    /// ends.
     #[must_use]
     pub fn along(path: &dyn TorchPath) -> Self {
         const STEP_MM: f64 = 0.5;
@@ -64,7 +65,7 @@ impl Seam {
     }
 }
 
-/// The way once round a seam with these frames `step` mm apart, if it comes back to its start.
+/// Circumference of a seam with these frames `step` mm apart, if it returns to its start.
 fn round(frames: &[SeamFrame], step: f64) -> Option<f64> {
     let first = &frames[0];
     let back = |frame: &SeamFrame| {
@@ -77,7 +78,7 @@ fn round(frames: &[SeamFrame], step: f64) -> Option<f64> {
     frames.iter().enumerate().skip(half.max(1)).find_map(|(i, frame)| Some(i as f64 * step - back(frame)?))
 }
 
-/// Between two frames `step` mm apart, by Hermite's cubic; beyond them straight on.
+/// Interpolates between two frames `step` mm apart by Hermite's cubic; extrapolates straight.
 fn between(a: &SeamFrame, b: &SeamFrame, part: f64, step: f64) -> SeamFrame {
     if !(0.0..=1.0).contains(&part) {
         let (end, way) = if part < 0.0 { (a, part) } else { (b, part - 1.0) };
@@ -95,26 +96,26 @@ fn between(a: &SeamFrame, b: &SeamFrame, part: f64, step: f64) -> SeamFrame {
 
 /// One head in a scenario.
 pub struct HeadScene {
-    /// What it was taught.
+    /// Taught seam.
     pub seam: Seam,
-    /// Where its seam is.
+    /// Displacement of its seam.
     pub displacement: Displacement,
-    /// How its part is placed.
+    /// Placement of its part.
     pub placement: Placement,
     /// Its sensor.
     pub sensor: SensorModel,
-    /// The place of the torch from which its slide does not move any more, mm.
+    /// Position of the torch from which its slide is stuck, mm.
     pub stuck_mm: Option<f64>,
 }
 
 impl HeadScene {
-    /// On a straight seam, with the usual sensor 20 mm ahead.
+    /// Creates a head on a straight seam, with the usual sensor 20 mm ahead.
     #[must_use]
     pub fn straight(length_mm: f64, displacement: Displacement) -> Self {
         Self::on(Seam::straight(length_mm), displacement)
     }
 
-    /// On a seam, with the usual sensor 20 mm ahead.
+    /// Creates a head on a seam, with the usual sensor 20 mm ahead.
     #[must_use]
     pub fn on(seam: Seam, displacement: Displacement) -> Self {
         let sensor = SensorModel::usual(20.0);
@@ -124,18 +125,18 @@ impl HeadScene {
 
 /// A weld to be tracked.
 pub struct Scenario {
-    /// In words.
+    /// Name in words.
     pub name: String,
-    /// The fastest, and what the papers' buffers are matched to, mm/s.
+    /// Maximum speed, to which the papers' buffers are matched, mm/s.
     pub speed_mm_s: f64,
-    /// The torch's way; it begins a lead before the seam.
+    /// Way of the torch; it starts a lead before the seam.
     pub legs: Vec<Leg>,
     /// One head or two.
     pub heads: Vec<HeadScene>,
 }
 
 impl Scenario {
-    /// From end to end at one speed.
+    /// Creates a weld from end to end at one speed.
     #[must_use]
     pub fn steady(name: &str, speed_mm_s: f64, heads: Vec<HeadScene>) -> Self {
         let length = heads.iter().map(|h| h.seam.length_mm).fold(f64::INFINITY, f64::min);
@@ -143,7 +144,7 @@ impl Scenario {
     }
 }
 
-/// Both heads on seams that are bent in opposite ways.
+/// Displaces the seams of both heads in opposite ways.
 pub(super) fn opposite(displacement: &Displacement) -> [Displacement; 2] {
     let mirrored = displacement.parts.iter().map(|part| part.scaled(DVec2::new(-1.0, 0.7))).collect();
     [displacement.clone(), Displacement { parts: mirrored, tacks: displacement.tacks.clone() }]

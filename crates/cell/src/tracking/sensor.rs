@@ -8,55 +8,56 @@ use seamwright_tracking::lead::{Measurement, Settings};
 use seamwright_vision::stripe::{JointKind, StripeReader, StripeTask};
 use std::collections::VecDeque;
 
-/// What goes wrong with a sensor, from a place of the torch on.
+/// Fault of a sensor, from a position of the torch on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fault {
-    /// Nothing comes any more.
+    /// No measurement arrives any more.
     Silent,
-    /// The same value comes again and again.
+    /// The same value arrives again and again.
     Frozen,
-    /// Anything comes.
+    /// Random values arrive.
     Wild,
-    /// Everything comes so much later, s.
+    /// Every measurement arrives later by this time, s.
     Late(f64),
-    /// Its clock jumps by so much, s.
+    /// The clock jumps by this time, s.
     ClockStep(f64),
 }
 
-/// What a leading sensor sees with.
+/// Input of a leading sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sees {
-    /// Offsets with noise: as if images had been read.
+    /// Offsets with noise, as if images had been read.
     Offsets,
-    /// Images of a laser stripe across a joint of this section, made hard like this, read as those of a real sensor.
+    /// Images of a laser stripe across a joint of this section, with these disturbances, read as those of a real
+    /// sensor.
     Stripes(Section, JointKind, StripeDisturbances),
 }
 
-/// How a leading sensor sees.
+/// Model of a leading sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensorModel {
-    /// By how much it leads, mm.
+    /// Lead, mm.
     pub lead_mm: f64,
-    /// From exposure to exposure, s.
+    /// Time between exposures, s.
     pub period_s: f64,
-    /// From exposure to arrival, s.
+    /// Time from exposure to arrival, s.
     pub latency_s: f64,
-    /// By how much arrivals, and exposures, come sooner or later, at most, as a part of the period.
+    /// Maximum variation of arrivals and exposures, as a share of the period.
     pub jitter: f64,
-    /// Standard deviation, mm.
+    /// Standard deviation of the noise, mm.
     pub noise_mm: f64,
-    /// Part of all measurements that is anything within 3 mm, with full confidence.
+    /// Share of measurements that are random within 3 mm, with full confidence.
     pub outliers: f64,
-    /// Half of what it sees, mm.
+    /// Half of the field of view, mm.
     pub field_mm: f64,
-    /// What goes wrong, and from which place of the torch on, mm.
+    /// Fault, and the position of the torch from which it occurs, mm.
     pub fault: Option<(f64, Fault)>,
-    /// What it sees with.
+    /// Input of the sensor.
     pub sees: Sees,
 }
 
 impl SensorModel {
-    /// 100 exposures a second, 15 ms late, 0.02 mm of noise.
+    /// Returns the usual model: 100 exposures a second, 15 ms late, 0.02 mm of noise.
     #[must_use]
     pub const fn usual(lead_mm: f64) -> Self {
         let (period_s, latency_s, noise_mm) = (0.01, 0.015, 0.02);
@@ -64,7 +65,8 @@ impl SensorModel {
         Self { lead_mm, period_s, latency_s, jitter: 0.0, noise_mm, outliers: 0.0, field_mm, fault: None, sees }
     }
 
-    /// How such a sensor is followed, with cycles of `cycle_s` and up to `speed_mm_s`: what it would be described with.
+    /// Returns the tracking settings for such a sensor, as its file would give them, with cycles of `cycle_s` and up
+    /// to `speed_mm_s`.
     pub(super) fn settings(&self, cycle_s: f64, speed_mm_s: f64) -> Settings {
         let late = 1.5 * self.period_s;
         Settings {
@@ -78,12 +80,12 @@ impl SensorModel {
     }
 }
 
-/// A sensor at work.
+/// A sensor in operation.
 #[derive(Debug)]
 pub(super) struct Sensor {
     model: SensorModel,
     random: Pcg64Mcg,
-    /// When it exposed first.
+    /// Time of the first exposure.
     begun_s: Option<f64>,
     next_s: f64,
     count: u64,
@@ -92,7 +94,7 @@ pub(super) struct Sensor {
     reader: StripeReader,
 }
 
-/// Columns and rows of the images of stripes, and how large a pixel is, mm.
+/// Columns and rows of the stripe images, and the size of a pixel, mm.
 const STRIPE_PX: [usize; 2] = [640, 512];
 const STRIPE_MM_PER_PX: f64 = 0.04;
 
@@ -105,14 +107,14 @@ impl Sensor {
             begun_s: None,
             next_s: 0.0,
             count: 0,
-            // Few are under way at once.
+            // Few measurements are in transit at once.
             under_way: VecDeque::with_capacity(64),
             frozen: None,
             reader: StripeReader::new(),
         }
     }
 
-    /// Exposes if it is time, with the torch at `s` and the slide at `slide`.
+    /// Exposes if due, with the torch at `s` and the slide at `slide`.
     pub(super) fn look(&mut self, world: &World<'_>, t: f64, s: f64, slide: DVec2) {
         let begun = *self.begun_s.get_or_insert(t);
         if t + 1e-9 < self.next_s {
@@ -143,7 +145,7 @@ impl Sensor {
         self.under_way.push_back((arrives, measured));
     }
 
-    /// The next measurement that has arrived at `t`; none inside if it saw nothing.
+    /// Returns the next measurement that has arrived at `t`; the inner `None` means that the sensor saw no joint.
     pub(super) fn arrived(&mut self, t: f64) -> Option<Option<Measurement>> {
         let i = self.under_way.iter().position(|(due, _)| *due <= t + 1e-9)?;
         self.under_way.remove(i).map(|(_, m)| m)
@@ -155,7 +157,7 @@ impl Sensor {
             return None;
         }
         if world.displacement.is_tacked(world.along.place(place)) {
-            // Mostly nothing, else the tack's own shape, and the reader does not trust it.
+            // Mostly no measurement, else the tack's own shape, which the reader does not trust.
             let faint = 0.35 * uniform(&mut self.random);
             return (self.random.next_u64() % 5 < 2).then(|| (self.anything(1.0) + DVec2::new(0.5, 0.8), faint));
         }
@@ -173,7 +175,7 @@ impl Sensor {
         Some((offset + noise, 0.95))
     }
 
-    /// What is read from an image of the joint's stripe at `offset`.
+    /// Reads an image of the joint's stripe at `offset`.
     fn read(
         &mut self,
         section: Section,

@@ -1,4 +1,5 @@
-//! Single welds that tracking must get through: a long T-joint, a saddle out of place, a seam that heat draws. Rows against limits.
+//! Single welds that tracking must pass: a long T-joint, a misplaced saddle, a seam drawn by heat. Rows against
+//! limits.
 
 use super::Error;
 use super::scenario::opposite;
@@ -13,7 +14,7 @@ fn gate(frames: &str, what: &'static str, value: f64, limit: f64, unit: &'static
     Gate { frames: frames.to_owned(), what, value, limit: Limit::Most(limit), unit }
 }
 
-/// A T-joint of 3 m on a skin of 3 m radius whose fillets drift apart by 4 mm, both tracked at 20 mm/s.
+/// Welds a T-joint of 3 m on a skin of 3 m radius, both fillets tracked at 20 mm/s. The fillets drift apart by 4 mm.
 ///
 /// # Errors
 /// Those of [`run`].
@@ -27,7 +28,7 @@ pub fn t_joint_rows(machine: &Machine) -> Result<Vec<Gate>, Error> {
     rows_of("T-joint of 3 m, fillets drift apart by 4 mm", &scenario, machine)
 }
 
-/// A seam in space whose part is misplaced by 2 mm and turned by 0.5 degrees, 1 mm out of round, at 20 mm/s.
+/// Welds a seam in space at 20 mm/s, with a part misplaced by 2 mm, turned by 0.5 degrees and 1 mm out of round.
 ///
 /// # Errors
 /// Those of [`run`].
@@ -45,16 +46,16 @@ pub fn misplaced_rows(name: &str, path: &dyn TorchPath, machine: &Machine) -> Re
     rows_of(name, &Scenario::steady(name, 20.0, vec![head]), machine)
 }
 
-/// How far heat draws a seam, lateral and height, mm, and how far behind the pool it goes on.
+/// Movement of a seam by heat, lateral and height, mm, and its decay length behind the pool.
 const DRAWN: DVec2 = DVec2::new(1.0, 0.5);
 const BEHIND_MM: f64 = 150.0;
-/// How far ahead of the pool it reaches: little, and far.
+/// Decay lengths ahead of the pool: short, and long.
 const AHEAD_MM: [f64; 2] = [60.0, 300.0];
-/// What tracking may add to what moves where no sensor sees it, mm.
+/// Deviation that tracking may add to movement that no sensor sees, mm.
 const TRACKED_MM: f64 = 0.05;
 
-/// A straight seam that the heat of its own weld draws aside at 20 mm/s: what moves between sensor and torch no sensor ahead
-/// can see, so that much more is allowed.
+/// Welds a straight seam at 20 mm/s that the heat of its own weld draws aside. A sensor ahead cannot see movement
+/// between itself and the torch, so the limit allows that much more.
 ///
 /// # Errors
 /// Those of [`run`].

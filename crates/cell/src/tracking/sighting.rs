@@ -1,25 +1,25 @@
-//! How far a torch can go back before a pass so that its sensors see the start.
+//! Distance that a torch can go back before a pass so that its sensors see the start.
 
 use seamwright_clearance::Limits;
 use seamwright_machine::{Course, Joints, MAX_AXES, Surroundings};
 
-/// Places at which the way is looked at, mm apart.
+/// Distance between checked positions of the way, mm.
 pub(super) const STEP_MM: f64 = 0.5;
 
-/// The way back from the start of a pass: positions of the axes every so many mm, from the start on.
+/// The way back from the start of a pass: equidistant positions of the axes, from the start on.
 pub(super) struct Sighting {
     pub(super) step_mm: f64,
-    /// At least that of the start.
+    /// Positions of the axes, at least that of the start.
     pub(super) places: Vec<Joints>,
 }
 
 impl Sighting {
-    /// Its length, mm.
+    /// Returns its length, mm.
     pub(super) fn way_mm(&self) -> f64 {
         self.step_mm * (self.places.len() - 1) as f64
     }
 
-    /// The way on which everything keeps clear of everything, mm, and who comes too near beyond it.
+    /// Returns the length of the way without collisions, mm, and the pair that comes too near beyond it.
     pub(super) fn clear_mm(&self, around: &Surroundings<'_>) -> (f64, Option<String>) {
         let whole = self.way_mm();
         if around.is_empty() || whole <= 0.0 {
@@ -29,7 +29,7 @@ impl Sighting {
             Limits { cutoff_mm: around.greatest_least_mm() + 1.0, precision_mm: 0.2, smallest: 1e-3 * self.step_mm };
         let stretches = match around.along(self, self.places.len(), &limits) {
             Ok(profile) => profile.stretches,
-            // What cannot be looked at is not clear.
+            // A failed check counts as not clear.
             Err(error) => return (0.0, Some(error.to_string())),
         };
         let first = stretches.into_iter().min_by(|a, b| a.from.total_cmp(&b.from));

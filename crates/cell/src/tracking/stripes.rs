@@ -1,4 +1,4 @@
-//! Welds tracked by what is read from images of laser stripes: everything from the pixel to the slide.
+//! Welds tracked with images of laser stripes: everything from the pixel to the slide.
 
 use super::{Displacement, Error, HeadScene, Method, Part, Scenario, Sees, run};
 use crate::eyes::stripe::{Section, StripeDisturbances};
@@ -12,8 +12,8 @@ use std::f64::consts::TAU;
 const LENGTH: f64 = 80.0;
 const SPEED: f64 = 20.0;
 
-/// A fillet and a V groove that bend by 1 mm and more, seen by stripe sensors: on ground steel, and beside a burning arc on
-/// bright steel. Rows against limits.
+/// Welds a fillet and a V groove that bend by 1 mm and more, with stripe sensors: on ground steel, and beside a
+/// burning arc on bright steel. Returns rows against limits.
 ///
 /// # Errors
 /// Those of [`run`].

@@ -1,19 +1,19 @@
 use glam::DVec2;
 use seamwright_tracking::actuator::SlideLimits;
 
-/// Distances of a weld from its seam, by way.
+/// Distances of a weld from its seam, weighted by path length.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Tally {
     misses: Vec<(f64, f64)>,
 }
 
 impl Tally {
-    /// A miss over so much of the way, mm.
+    /// Adds a miss over this stretch of the way, mm.
     pub(super) fn add(&mut self, miss: DVec2, way: f64) {
         self.misses.push((miss.length(), way));
     }
 
-    /// The distance within which this part of the way lies; infinite of no way.
+    /// Returns the distance within which this part of the way lies; infinite if empty.
     pub(super) fn quantile(&mut self, part: f64) -> f64 {
         self.misses.sort_by(|a, b| a.0.total_cmp(&b.0));
         let whole: f64 = self.misses.iter().map(|m| m.1).sum();
@@ -27,19 +27,19 @@ impl Tally {
         self.misses.last().map_or(f64::INFINITY, |m| m.0)
     }
 
-    /// The way that was welded, mm.
+    /// Returns the welded distance, mm.
     pub(super) fn way(&self) -> f64 {
         self.misses.iter().map(|m| m.1).sum()
     }
 }
 
-/// Watches the set-points of one axis of a slide, by differences.
+/// Monitors the set-points of one axis of a slide, by differences.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Watch {
     limits: SlideLimits,
     cycle_s: f64,
     last: [f64; 4],
-    /// The greatest part of a limit that was used: stroke, speed, acceleration, jerk.
+    /// Maximum used share of each limit: stroke, speed, acceleration, jerk.
     pub(super) used: [f64; 4],
 }
 
@@ -68,10 +68,10 @@ impl Watch {
     }
 }
 
-/// Less than this of a set-point's way back is noise, mm.
+/// Reversals of a set-point below this are noise, mm.
 const NOISE_MM: f64 = 0.05;
 
-/// Counts how often set-points turn: what oscillates turns again and again.
+/// Counts reversals of set-points: oscillations reverse again and again.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Turns {
     extreme: Option<f64>,

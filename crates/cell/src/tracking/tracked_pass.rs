@@ -1,4 +1,4 @@
-//! A pass that is tracked: the way to where its start is seen, the weld, the way back to the plan.
+//! A tracked pass: the move to see its start, the weld, the return to the plan.
 
 use super::carrier::Wanted;
 use super::live_head::{HeadOrders, HeadReport, Step};
@@ -11,14 +11,14 @@ use seamwright_machine::{Joints, Machine, Surroundings};
 use seamwright_motion::PassMotion;
 use seamwright_tracking::actuator::{Alarm, OverAxes, Slide, SlideLimits};
 
-/// Slowest pace that is gone at; less is a stop.
+/// Minimum feed override; below it the torch stops.
 const SLOWEST: f64 = 0.01;
-/// Time for a move to where the start can be seen beyond that at its speed, s.
+/// Time for the move to see the start, in addition to that at its speed, s.
 const SLACK_S: f64 = 60.0;
-/// Corrections that come to rest do so by themselves for so long, then they are braked, s.
+/// Time in which corrections come to rest by themselves before they are braked, s.
 const SETTLES_S: f64 = 0.1;
 
-/// A pass, what guides its heads, and what carries corrections out.
+/// A pass, the guides of its heads, and the carrier of its corrections.
 pub(super) struct TrackedPass<'a> {
     machine: &'a Machine,
     planned: &'a PassMotion,
@@ -28,26 +28,26 @@ pub(super) struct TrackedPass<'a> {
     correction: Correction<'a>,
     off: OffPath,
     look: Look<'a>,
-    /// Why the move to see the start is cut short, if it is.
+    /// Reason why the move to see the start is cut short, if it is.
     cut: Option<String>,
-    /// Where it begins, mm.
+    /// Start of the pass, mm.
     from_mm: f64,
-    /// What the heads felt last: path length, and if it wove.
+    /// Last path length of the heads, and whether they wove there.
     felt: Option<(f64, bool)>,
-    /// Cycles for which it has been at rest.
+    /// Number of cycles at rest.
     rested: u32,
     returns: bool,
-    /// It has been begun before.
+    /// The pass was started before.
     pub(super) used: bool,
 }
 
-/// What is done before a pass is run. Nothing of it is dropped before the pass is: that would cost a cycle.
+/// Preparation before a pass is run. It is dropped only with the pass: earlier would cost a cycle.
 struct Look<'a> {
     /// The torch goes back along the seam or its extension and forward again, with the arc off.
     sight: Option<Box<Sight<'a>>>,
-    /// It has been there.
+    /// The move is complete.
     sighted: bool,
-    /// Then it rests, for so many cycles yet.
+    /// Remaining cycles at rest after the move.
     gaze: u64,
 }
 
@@ -57,7 +57,7 @@ impl Look<'_> {
     }
 }
 
-/// A move to where the start is seen.
+/// A move to see the start.
 struct Sight<'a> {
     mover: Slide,
     over: OverAxes<'a>,
@@ -72,7 +72,7 @@ struct Sight<'a> {
 }
 
 impl<'a> TrackedPass<'a> {
-    /// Pass `number` (from 1), to be begun at `from_mm`; `around` is what the move to see the start keeps clear of.
+    /// Creates pass `number` (from 1), to start at `from_mm`; the move to see the start keeps clear of `around`.
     pub(super) fn new(
         (machine, planned, number): (&'a Machine, &'a PassMotion, usize),
         heads: ArrayVec<LiveHead<'a>, 2>,
@@ -102,19 +102,19 @@ impl<'a> TrackedPass<'a> {
         pass
     }
 
-    /// The number of cycles that the beams need to look at the start.
+    /// Returns the number of cycles that the beams need to look at the start.
     fn gaze(&self) -> u64 {
         let look_s = self.heads.iter().filter_map(LiveHead::look_s).fold(0.0, f64::max);
         (look_s / self.machine.servo_period_s).ceil() as u64
     }
 
-    /// What is done first; finds out how far the torch can go back, and why not farther.
+    /// Prepares the first look: determines how far the torch can go back, and why no farther.
     fn first_look(&mut self, around: Option<&Surroundings<'_>>) -> Look<'a> {
         let wanted = self.heads.iter().filter_map(LiveHead::sighting_mm);
         let Some((way, speed)) = wanted.reduce(|a, b| (a.0.max(b.0), a.1.min(b.1))) else {
             return Look::gaze(self.gaze());
         };
-        // What is welded once more must be known too.
+        // The overlap, which is welded again, must be known too.
         let overlap = if self.from_mm > 0.0 { self.planned.sequence.overlap_mm.get() } else { 0.0 };
         let way = way + overlap;
         let period = self.machine.servo_period_s;
@@ -123,7 +123,7 @@ impl<'a> TrackedPass<'a> {
         let over = self.correction.carrier.carrying();
         let directions = [frame.along, frame.height];
         let Ok(most) = over.limits(std::iter::once((start, directions)), 2.0 * way) else { return Look::gaze(0) };
-        // Half: what the axes have to do for the same way changes along it.
+        // Half of the limits: the axes' share in the same motion changes along the way.
         let limits = SlideLimits {
             acceleration: 0.5 * most.acceleration,
             jerk: 0.5 * most.jerk,
@@ -139,8 +139,8 @@ impl<'a> TrackedPass<'a> {
         Look { sight: Some(Box::new(sight)), ..Look::gaze(self.gaze()) }
     }
 
-    /// Of `way` mm back from the start as much as the axes reach and nothing stands in the way of: known before anything
-    /// moves, and told if it is less.
+    /// Returns the part of `way` mm back from the start that the axes reach without collision. It is determined
+    /// before any motion, and reported if it is shorter.
     fn free_way(&mut self, way: f64, around: Option<&Surroundings<'_>>) -> f64 {
         let start = self.planned.path.at(self.from_mm);
         let frame = |s: f64| self.heads[0].frame(self.from_mm + s).point;
@@ -159,7 +159,7 @@ impl<'a> TrackedPass<'a> {
         clear
     }
 
-    /// A cycle of the look at the start; none when it is over. No allocation.
+    /// Runs a cycle of the look at the start; returns `None` when it is over. Does not allocate.
     pub(super) fn look(&mut self, seen: &Seen<'_>, goes: bool) -> Option<Guided> {
         let from = self.from_mm;
         let period = self.machine.servo_period_s;
@@ -177,13 +177,13 @@ impl<'a> TrackedPass<'a> {
                 }
                 let (start, frame) = (self.planned.path.at(from), self.heads[0].frame(from));
                 let by = self.heads[0].frame(from + sight.at).point - frame.point;
-                // Reached on the way as when it was probed.
+                // Reachable, as probed before.
                 sight.there = sight.over.shifted(&start, by).unwrap_or(sight.there);
                 let (at, there, back) = (sight.at, sight.there, sight.back);
                 let step = Step { t: seen.t_s, s: from + at, speed: (at - before) / period, welds: false };
                 let rests = !goes && step.speed == 0.0;
                 if !back {
-                    // On the way there nothing is looked at.
+                    // The joint is not observed on the way back.
                     self.felt = Some((step.s, false));
                     return Some(self.guided(&there, 1.0, None, SeamOrders::default()));
                 }
@@ -200,10 +200,10 @@ impl<'a> TrackedPass<'a> {
         Some(self.correct(seen, &step, (&start, false, !goes)).0)
     }
 
-    /// Whether the pass may be run after that.
+    /// Checks whether the pass may be run after the look.
     pub(super) fn ready(&mut self) -> Result<(), Trouble> {
         let (mut worst, from) = (None, self.from_mm);
-        // All of them: each tells what is wrong.
+        // Checks all heads, so that each reports its alarm.
         for (number, head) in self.heads.iter_mut().enumerate() {
             if let Err(alarm) = head.ready(from) {
                 worst = worst.or(Some(Trouble::Stop(detail(number, alarm))));
@@ -214,7 +214,7 @@ impl<'a> TrackedPass<'a> {
         Err(trouble)
     }
 
-    /// A cycle of the pass. No allocation.
+    /// Runs a cycle of the pass. Does not allocate.
     pub(super) fn follow(&mut self, seen: &Seen<'_>, planned: &Planned<'_>) -> Guided {
         let Planned { s_mm, speed, travels, rests, q } = *planned;
         let step = Step { t: seen.t_s, s: s_mm, speed, welds: travels };
@@ -223,13 +223,13 @@ impl<'a> TrackedPass<'a> {
             let stopped = stops.then_some(s_mm);
             self.heads.iter_mut().for_each(|head| head.stopped(stopped));
         } else {
-            // Only what welds, or would, is slowed down and stopped.
+            // Only a pass that welds, or would weld, is slowed down and stopped.
             (guided.pace, guided.trouble) = (1.0, None);
         }
         guided
     }
 
-    /// A cycle of all heads, and the axes beside the planned positions `q`; true if the torch is to stop.
+    /// Runs a cycle of all heads and offsets the axes from the planned positions `q`; true if the torch is to stop.
     fn correct(&mut self, seen: &Seen<'_>, step: &Step, (q, weaves, rests): (&Joints, bool, bool)) -> (Guided, bool) {
         if let Some((s, wove)) = self.felt {
             let position = &seen.reports.drives.position;
@@ -266,14 +266,15 @@ impl<'a> TrackedPass<'a> {
         (self.guided(q, pace, trouble, seam), stops)
     }
 
-    /// The axes beside the planned positions `q`.
+    /// Offsets the axes from the planned positions `q`.
     fn guided(&mut self, q: &Joints, pace: f64, trouble: Option<Trouble>, seam: SeamOrders) -> Guided {
         let q = self.off.positions(q);
         let (v, a) = self.off.rates(&q);
         Guided { q, v, a, pace, trouble, seam }
     }
 
-    /// A cycle of the way back to the planned positions `q`; none when they are there. No allocation.
+    /// Runs a cycle of the return to the planned positions `q`; returns `None` once they are reached. Does not
+    /// allocate.
     pub(super) fn settle(&mut self, q: &Joints, goes: bool) -> Option<Guided> {
         if !goes {
             self.returns = false;
@@ -290,12 +291,12 @@ impl<'a> TrackedPass<'a> {
         Some(self.guided(q, 1.0, None, SeamOrders::default()))
     }
 
-    /// What is known of each head.
+    /// Returns the estimate of each head.
     pub(super) fn tracked(&self) -> [Option<Tracked>; 2] {
         std::array::from_fn(|i| self.heads.get(i).and_then(LiveHead::tracked))
     }
 
-    /// What each head has to say.
+    /// Returns the report of each head.
     pub(super) fn reports(&self) -> Vec<HeadReport> {
         let cut = self.cut.as_ref().map(|cause| super::AlarmAt {
             at_mm: self.from_mm,
@@ -311,18 +312,18 @@ impl<'a> TrackedPass<'a> {
     }
 }
 
-/// Told where the start of a pass may not be seen.
+/// Alarm of a pass whose start may not be seen.
 const CUT_SHORT: &str = "the move to see the start is cut short";
 
-/// Alarms that a number has room for.
+/// Number of alarm codes reserved per head.
 const ROOM: u8 = 16;
 
-/// An alarm of a head as a number.
+/// Encodes an alarm of a head as a number.
 fn detail(head: usize, alarm: Alarm) -> u8 {
     ROOM * head as u8 + alarm as u8
 }
 
-/// What an alarm no. 24 ([`crate::executive::Alarm::Tracking`]) means by its number: in words, and of which head, from 0.
+/// Decodes the number of an alarm no. 24 ([`crate::executive::Alarm::Tracking`]): its text, and its head, from 0.
 #[must_use]
 pub fn trouble(detail: u8) -> Option<(&'static str, usize)> {
     let alarm = Alarm::ALL.into_iter().find(|alarm| *alarm as u8 == detail % ROOM)?;

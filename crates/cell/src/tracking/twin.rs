@@ -1,4 +1,4 @@
-//! The simulated twins of what sees the joint: they know where it truly is, and where the torch truly is.
+//! Simulated devices that see the joint. They know its true position and that of the torch.
 
 use super::World;
 use super::beam::{BeamEye, Glance, Hidden, Noise, Shown, UnderWay};
@@ -14,10 +14,10 @@ use seamwright_tracking::beam::{Beam, Picture};
 use seamwright_tracking::lead::SeamFrame;
 use std::collections::VecDeque;
 
-/// Cycles that are remembered for exposures.
+/// Number of recent cycles kept for exposures.
 const RECENT: usize = 12;
 
-/// Where the gun truly was after a cycle.
+/// True position of the gun after a cycle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct At {
     t: f64,
@@ -26,22 +26,22 @@ pub(super) struct At {
     tip: DVec3,
 }
 
-/// What sees the joint of one head in a pass.
+/// Simulated device that sees the joint of one head in a pass.
 pub(crate) struct HeadTwin<'a> {
     number: usize,
     world: World<'a>,
     eye: TwinEye,
 }
 
-/// With what.
+/// Kind of device.
 pub(super) enum TwinEye {
-    /// A sensor ahead, and where it was carried to in the last period: lateral and height from the planned path, mm.
+    /// A sensor ahead, and its displacement in the last period: lateral and height from the planned path, mm.
     Leading(Box<Sensor>, DVec2),
     /// The beam.
     Beam { noise: Noise, pictures: UnderWay, recent: VecDeque<At> },
 }
 
-/// The simulated seam as the eye of a beam.
+/// The simulated seam as the camera of a beam.
 struct WorldEye<'a, 'b>(&'a World<'b>, &'a mut Noise);
 
 impl BeamEye for WorldEye<'_, '_> {
@@ -67,7 +67,7 @@ impl<'a> HeadTwin<'a> {
         Self { number, world, eye }
     }
 
-    /// A period at whose end the axes are at `q`.
+    /// Runs a period at whose end the axes are at `q`.
     fn step(&mut self, machine: &Machine, orders: &SeamOrders, q: &Joints, report: &mut SensorReport) {
         let (t, s) = (orders.t_s, orders.s_mm);
         let tip = machine.forward_of(self.number, q).point;
@@ -75,7 +75,7 @@ impl<'a> HeadTwin<'a> {
             TwinEye::Leading(sensor, carried) => {
                 sensor.look(&self.world, t, s, *carried);
                 let frame = (self.world.taught)(s);
-                // It swings with the torch.
+                // The sensor swings with the torch.
                 *carried = lateral_and_height(seen_in(tip - frame.point, &frame));
                 report.measured[self.number] = sensor.arrived(t).flatten();
             }
@@ -84,7 +84,7 @@ impl<'a> HeadTwin<'a> {
                     && let Some(at) = at(recent, exposed_s)
                 {
                     let torch = SeamFrame { point: at.tip, ..(self.world.taught)(at.s) };
-                    // A simulated seam is seen wherever it is looked for.
+                    // A simulated seam is visible wherever the search starts.
                     let glance = Glance { t_s: exposed_s, axes: &at.axes, torch, s_mm: at.s, from: (0.0, None) };
                     let taken = pictures.look(&mut WorldEye(&self.world, noise), &glance);
                     debug_assert!(taken.is_ok());
@@ -99,7 +99,7 @@ impl<'a> HeadTwin<'a> {
     }
 }
 
-/// Where the gun was at `t_s`, between two cycles.
+/// Interpolates the position of the gun at `t_s` between two cycles.
 fn at(recent: &VecDeque<At>, t_s: f64) -> Option<At> {
     let after = recent.iter().position(|at| at.t >= t_s).unwrap_or(recent.len().checked_sub(1)?);
     let (a, b) = (recent.get(after.saturating_sub(1))?, recent.get(after)?);
@@ -108,17 +108,17 @@ fn at(recent: &VecDeque<At>, t_s: f64) -> Option<At> {
     Some(At { t: t_s, s: a.s + part * (b.s - a.s), axes, tip: a.tip.lerp(b.tip, part) })
 }
 
-/// Everything that sees the joints of a program, in simulation.
+/// All simulated devices that see the joints of a program.
 pub struct SimulatedSensors<'a> {
     machine: &'a Machine,
-    /// Of each pass; none of one that is not tracked.
+    /// Devices of each pass; empty for a pass that is not tracked.
     passes: Vec<ArrayVec<HeadTwin<'a>, 2>>,
-    /// The pass that is looked at, counted from 0.
+    /// Observed pass, counted from 0.
     now: Option<usize>,
 }
 
 impl<'a> SimulatedSensors<'a> {
-    /// None at all.
+    /// Creates an instance without sensors.
     #[must_use]
     pub fn none(machine: &'a Machine) -> Self {
         Self::new(machine, Vec::new())

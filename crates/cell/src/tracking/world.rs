@@ -3,98 +3,99 @@ use glam::{DQuat, DVec2, DVec3};
 use seamwright_tracking::beam::DeviationRecord;
 use seamwright_tracking::lead::SeamFrame;
 
-/// A part that is placed wrong as a whole, in the work frame.
+/// Placement error of a whole part, in the work frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placement {
-    /// By how much it is shifted, mm.
+    /// Shift, mm.
     pub shift: DVec3,
-    /// How it is turned about `about`.
+    /// Rotation about `about`.
     pub turn: DQuat,
-    /// mm.
+    /// Centre of the rotation, mm.
     pub about: DVec3,
 }
 
 impl Placement {
-    /// Where it was taught.
+    /// Placement as taught.
     pub const RIGHT: Self = Self { shift: DVec3::ZERO, turn: DQuat::IDENTITY, about: DVec3::ZERO };
 }
 
-/// The hidden truth of one seam: where it was taught, and where it is.
+/// Hidden truth of one seam: taught and true position.
 pub struct World<'a> {
-    /// The taught seam by path length, some way beyond its ends too.
+    /// The taught seam by path length, also some way beyond its ends.
     pub taught: &'a (dyn Fn(f64) -> SeamFrame + Sync),
-    /// What bends it.
+    /// Displacement of the seam.
     pub displacement: Displacement,
-    /// How its part is placed.
+    /// Placement of its part.
     pub placement: Placement,
-    /// Where on the seam the displacement counts.
+    /// Position of the pass on the seam, to which the displacement refers.
     pub along: Along,
-    /// Between which path lengths there is a joint, mm; none: everywhere.
+    /// Start and end of the joint by path length, mm; `None`: everywhere.
     pub ends_mm: Option<(f64, f64)>,
 }
 
-/// Where the path lengths of a pass lie on its seam.
+/// Position of a pass on its seam.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Along {
-    /// Where it begins, mm.
+    /// Start of the pass on the seam, mm.
     pub begin_mm: f64,
-    /// True if it runs against the seam.
+    /// True if the pass runs against the seam.
     pub reverse: bool,
-    /// Of a closed seam, the way once round, mm: beyond it the seam is what it was there.
+    /// Circumference of a closed seam, mm: beyond it the seam repeats.
     pub round_mm: Option<f64>,
 }
 
 impl Along {
-    /// The place on the seam at path length `s` of the pass, mm.
+    /// Returns the position on the seam at path length `s` of the pass, mm.
     #[must_use]
     pub fn place(&self, s: f64) -> f64 {
         let place = self.begin_mm + if self.reverse { -s } else { s };
         self.round_mm.map_or(place, |round| place.rem_euclid(round))
     }
 
-    /// What a pass has found, by the seam's path length instead of its own.
+    /// Converts deviations found by a pass to the seam's path length.
     #[must_use]
     pub fn on_seam(&self, found: &DeviationRecord) -> DeviationRecord {
         if self.reverse { found.turned(self.begin_mm) } else { found.moved(self.begin_mm) }
     }
 
-    /// What is known of a seam, by the path length of a pass.
+    /// Converts deviations of a seam to the path length of a pass.
     #[must_use]
     pub fn of_pass(&self, stored: &DeviationRecord) -> DeviationRecord {
         if self.reverse { stored.turned(self.begin_mm) } else { stored.moved(-self.begin_mm) }
     }
 }
 
-/// How far a crossing of a plane is looked for to both sides of where it should be, mm.
+/// Search range for a crossing of a plane, to both sides of its expected position, mm.
 const REACH_MM: f64 = 12.0;
 
 impl World<'_> {
-    /// Where the seam is at path length `s` of the taught one while the pool is at `pool`.
+    /// Returns the position of the seam at path length `s` of the taught one while the pool is at `pool`.
     #[must_use]
     pub fn place(&self, s: f64, pool: f64) -> DVec3 {
         let frame = (self.taught)(s);
         let place = self.along.place(s);
-        // Heat knows how far the pool is, the same way round.
+        // Heat sees the pool at the distance `s - pool`, with the same sign.
         let by = self.displacement.at(place, place - (s - pool));
         let by = if self.along.reverse { DVec2::new(-by.x, by.y) } else { by };
         let bent = frame.point + by.x * frame.lateral + by.y * frame.height;
         self.placement.about + self.placement.turn * (bent - self.placement.about) + self.placement.shift
     }
 
-    /// Way from path length `s` to where the joint ends, mm; infinite of one that goes round.
+    /// Returns the distance from path length `s` to the end of the joint, mm; infinite for a closed one.
     #[must_use]
     pub fn left(&self, s: f64) -> f64 {
         self.ends_mm.map_or(f64::INFINITY, |(_, end)| end - s)
     }
 
-    /// True if there is a joint at path length `s`.
+    /// Returns true if there is a joint at path length `s`.
     #[must_use]
     pub fn has(&self, s: f64) -> bool {
         self.ends_mm.is_none_or(|(from, to)| (from..=to).contains(&s))
     }
 
-    /// Where the seam goes through the plane square to the torch's way, `ahead` mm before the torch at `s`, from the
-    /// taught torch: lateral and height, mm; and the path length there. None where it does not within reach.
+    /// Intersects the seam with the plane square to the torch's way, `ahead` mm before the torch at `s`. Returns
+    /// lateral and height from the taught torch, mm, and the path length there; `None` without an intersection within
+    /// reach.
     #[must_use]
     pub fn crossing(&self, s: f64, ahead: f64, pool: f64) -> Option<(DVec2, f64)> {
         let frame = (self.taught)(s);
@@ -104,7 +105,7 @@ impl World<'_> {
             let off = off(place);
             (DVec2::new(off.dot(frame.lateral), off.dot(frame.height)), place)
         };
-        // The way is nearly straight: mostly a few steps from where it should be are enough (secants).
+        // The way is nearly straight: mostly a few secant steps from the expected position are enough.
         let (mut before, mut place) = ((s + ahead, way(s + ahead)), s + ahead);
         place -= before.1;
         for _ in 0..6 {
@@ -138,7 +139,8 @@ impl World<'_> {
         Some(found(place))
     }
 
-    /// How far the weld is from the seam, lateral and height, mm, with the torch at `s` and its slide at `slide`.
+    /// Returns the deviation of the weld from the seam, lateral and height, mm, with the torch at `s` and its slide
+    /// at `slide`.
     #[must_use]
     pub fn miss(&self, s: f64, slide: DVec2) -> Option<DVec2> {
         self.crossing(s, 0.0, s).map(|(seam, _)| slide - seam)
@@ -178,7 +180,7 @@ mod tests {
         }
     }
 
-    /// A circle shifted as a whole: where a line goes through it is in closed form.
+    /// A circle shifted as a whole: its intersection with a line has a closed form.
     #[test]
     fn of_a_shifted_circle() {
         let shift = DVec3::new(1.3, -0.8, 0.6);

@@ -1,4 +1,4 @@
-//! Planned welds, scripts for their operators, what was seen.
+//! Planned welds, scripts for their operators, records of cycles.
 
 // Not every test uses all of it.
 #![allow(dead_code)]
@@ -30,7 +30,7 @@ impl Planned {
         Self::with_reserve(job, 0.0)
     }
 
-    /// With so much of every axis' limits left.
+    /// Plans with this reserve of every axis' limits.
     pub(crate) fn with_reserve(job: &str, reserve: f64) -> Self {
         let welding = Welding::read("job.toml", job).unwrap();
         let program = &welding.program.value;
@@ -55,7 +55,7 @@ impl Planned {
     }
 }
 
-/// A weld that is tracked on a part that lies elsewhere; it lives as long as the test.
+/// A tracked weld on a displaced part; it lives as long as the test.
 pub(crate) struct Tracked {
     pub(crate) planned: &'static Planned,
     pub(crate) passes: &'static [(&'static dyn TorchPath, &'static Pass)],
@@ -81,7 +81,7 @@ impl Tracked {
         SimulatedCell::new(&self.planned.machine, self.passes.to_vec(), &self.planned.motion, conditions)
     }
 
-    /// Runs a script; what the judge saw of each cycle, and where the program was left.
+    /// Runs a script; returns the judge's sample of each cycle, and the position at which the program was left.
     pub(crate) fn play(&self, faults: &[Fault], script: &mut Script<'_>) -> (Vec<Sample>, Option<Place>) {
         let cell = self.cell_with(faults);
         let work = cell.work(Start::at_home(&self.planned.motion)).unwrap();
@@ -97,7 +97,7 @@ impl Tracked {
     }
 }
 
-/// A script, and who judges the weld.
+/// A script, and the judge of its weld.
 struct Judged<'a, 'b, 'c> {
     pub(crate) judge: Judge<'a>,
     pub(crate) script: &'b mut Script<'c>,
@@ -119,20 +119,20 @@ impl Port for Judged<'_, '_, '_> {
     }
 }
 
-/// An operator with a script: each line waits for its moment, then asks.
+/// An operator with a script: each line waits for its condition, then asks.
 pub(crate) struct Script<'a> {
     pub(crate) lines: Vec<(When<'a>, Ask)>,
     pub(crate) next: usize,
     pub(crate) asked: bool,
     pub(crate) cycles: Vec<Seen>,
     pub(crate) notes: Vec<Note>,
-    /// The list of alarms, as notes tell of it.
+    /// The list of alarms, derived from notes.
     alarms: AlarmList,
 }
 
 pub(crate) type When<'a> = Box<dyn Fn(&Seen) -> bool + 'a>;
 
-/// What is kept of a cycle.
+/// Record of a cycle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Seen {
     pub(crate) t: f64,
@@ -210,7 +210,7 @@ pub(crate) fn held<'a>() -> When<'a> {
     Box::new(|c| c.mode == Mode::Hold && c.phase == Some(RunPhase::Held))
 }
 
-/// From off to ready.
+/// Lines from off to ready.
 pub(crate) fn up<'a>() -> Vec<(When<'a>, Ask)> {
     vec![(in_mode(Mode::Off), Ask::SwitchOn), (Box::new(|c| c.mode == Mode::Idle && c.powered), Ask::Home)]
 }
@@ -219,12 +219,12 @@ pub(crate) fn weld<'a>() -> Vec<(When<'a>, Ask)> {
     vec![(in_mode(Mode::Ready), Ask::Arm), (in_mode(Mode::Ready), Ask::StartWeld)]
 }
 
-/// From ready to the end.
+/// Lines from ready to the end.
 pub(crate) fn down<'a>() -> Vec<(When<'a>, Ask)> {
     vec![(in_mode(Mode::Ready), Ask::SwitchOff), (in_mode(Mode::Off), Ask::Quit)]
 }
 
-/// Runs a script on simulated devices; where the program was left.
+/// Runs a script on simulated devices; returns the position at which the program was left.
 pub(crate) fn play(planned: &Planned, start: Start, script: &mut Script<'_>) -> Option<Place> {
     let machine = &planned.machine;
     let mut devices = DeviceSet {

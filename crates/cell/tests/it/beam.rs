@@ -1,4 +1,4 @@
-//! Beam mode on half an oblique ring on a cylinder, as in EBW-2004: out of place, tracked, and replayed on a later pass.
+//! Beam mode on half an oblique ring on a cylinder, as in EBW-2004: misplaced, tracked, and replayed on a later pass.
 
 use seamwright_cell::eyes::{SeamLine, Station};
 use seamwright_cell::tracking::beam::{BeamJob, beam_rows, moved_since};
@@ -13,7 +13,7 @@ struct Ring {
 }
 
 impl Ring {
-    /// From `start` (degrees) on, and again from `later` on.
+    /// Plans a pass from `start` (degrees) on, and a second one from `later` on.
     fn new(start: u32, later: u32, end: u32) -> Self {
         let job = include_str!("../../../../examples/oblique-girth.toml");
         let job = |start: u32| {
@@ -48,8 +48,8 @@ impl Ring {
     }
 }
 
-/// Real pixels once, and points with noise for some seeds: missed by about 2 mm without tracking, by 0.05 mm with it, and
-/// the later pass lies on the first one.
+/// Real pixels once, and points with noise for some seeds. The miss is about 2 mm without tracking and 0.05 mm with
+/// it; the later pass lies on the first one.
 #[test]
 fn half_a_ring() {
     let soak: u64 = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|s| s.parse().ok()).unwrap_or(1);
@@ -61,7 +61,7 @@ fn half_a_ring() {
     }
 }
 
-/// A part that was moved by 0.4 mm between the passes: the replay is refused and tells by how much.
+/// A part was moved by 0.4 mm between the passes: the replay is refused and reports the displacement.
 #[test]
 fn a_part_that_was_moved_is_not_welded_by_what_is_stored() {
     let moved = Ring::new(30, 42, 90).with(|job| moved_since(job, 1)).unwrap();

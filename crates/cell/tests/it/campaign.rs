@@ -1,4 +1,4 @@
-//! Every fault in every situation of the executive.
+//! Injects every fault in every situation of the executive.
 
 use crate::common::{Planned, SADDLE, Tracked};
 use seamwright_cell::campaign::{self, Case, Outcome, Situation, Stage, TrackedStage};
@@ -8,7 +8,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-/// Runs `run` on what a campaign needs, made for this thread.
+/// Runs `run` on the stage of the fault injection, made for this thread.
 fn on_stage<T>(run: impl FnOnce(Stage<'_>) -> T) -> T {
     let planned = Planned::new(SADDLE);
     let (begin, end) = (planned.work(Start::at_home(&planned.motion)), planned.work(planned.near_end()));
@@ -22,14 +22,14 @@ fn on_stage<T>(run: impl FnOnce(Stage<'_>) -> T) -> T {
     run(Stage { machine: &planned.machine, begin: &begin, end: &end, tracked: Some(on_sensors) })
 }
 
-/// A weld that rides a sensor's loss out takes a minute.
+/// A weld that rides out a sensor's loss takes a minute.
 fn takes_long(case: Case) -> bool {
     use Situation as S;
     case.device == Device::Sensors && matches!(case.situation, S::DryRun | S::Approach | S::Preflow | S::Strike)
 }
 
-/// Every device, every fault, every situation: the cell ends as it must, the process is off a cycle later, set-points keep
-/// every limit, and the alarm names the cause.
+/// Every device, every fault, every situation: the cell ends as required, the process is off a cycle later,
+/// set-points keep every limit, and the alarm names the cause.
 #[test]
 fn whatever_fails_the_cell_ends_as_it_must() {
     on_stage(|stage| {
@@ -45,21 +45,21 @@ fn told(outcome: &Outcome) -> String {
     format!("{outcome:?}\n    expected {:?}", campaign::expected(outcome.case))
 }
 
-/// Seeds of the soak, times SEAMWRIGHT_SOAK; and how long it may take, s.
+/// Seeds of the soak, times SEAMWRIGHT_SOAK; and its maximum duration, s.
 const SEEDS: u64 = 20;
-const MOST_S: u64 = 3600;
-/// One of so many seeds has the faults of sensors too, which take most of the time.
+const MAX_S: u64 = 3600;
+/// One of this many seeds includes the faults of sensors, which take most of the time.
 const WITH_SENSORS: u64 = 50;
 
-/// The whole campaign with thousands of seeds, each of which chooses the moment in the situation; every fourth one chooses it within
-/// twenty seconds, in situations that last. As many as fit into an hour on all cores.
+/// Injects every fault with thousands of seeds, each of which determines the moment in the situation. In situations
+/// that last, every fourth seed chooses it within twenty seconds. Runs as many as fit into an hour on all cores.
 #[test]
 #[ignore = "thousands of campaigns: make soak"]
 fn thousands_of_moments_of_every_fault() {
     let (seeds, begun) = (SEEDS * soak().unwrap_or(5), Instant::now());
     let (next, done) = (AtomicU64::new(0), Mutex::new((0, Vec::new(), Vec::new())));
     let lane = |stage: Stage<'_>| {
-        while begun.elapsed().as_secs() < MOST_S {
+        while begun.elapsed().as_secs() < MAX_S {
             let seed = next.fetch_add(1, Ordering::Relaxed);
             if seed >= seeds {
                 break;
@@ -81,7 +81,7 @@ fn thousands_of_moments_of_every_fault() {
     assert!(failed.is_empty(), "{} of {}:\n{}", failed.len(), outcomes.len(), failed.join("\n"));
 }
 
-/// Every case once, at the moment that `seed` chooses.
+/// Runs every case once, at the moment that `seed` determines.
 fn moments(stage: Stage<'_>, seed: u64) -> Vec<Outcome> {
     use Situation as S;
     let with_sensors = seed % WITH_SENSORS == WITH_SENSORS - 1;
@@ -95,7 +95,7 @@ fn moments(stage: Stage<'_>, seed: u64) -> Vec<Outcome> {
     cases.map(run).collect()
 }
 
-/// How much is tried beyond the quick.
+/// Returns the factor of the soak, if one is requested.
 fn soak() -> Option<u64> {
     std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|n| n.parse().ok())
 }

@@ -1,4 +1,4 @@
-//! Simulated welds round a right angle: stopped at, and blended.
+//! Simulated welds round a right angle: with a stop, and blended.
 
 use glam::DVec3;
 use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};

@@ -1,4 +1,5 @@
-//! What every process source and all inputs must do, simulated or on Modbus, with and without a plan of faults before them.
+//! Conformance of every process source and all inputs, simulated or on Modbus, with and without a fault plan before
+//! them.
 
 use crate::modbus_cell::{PERIOD_S, parts, welder};
 use crate::modbus_server::TestServer;
@@ -12,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// Drives are not what is tested here.
+/// Drives are not tested here.
 struct NoDrives;
 
 impl Drives for NoDrives {
@@ -30,23 +31,23 @@ impl Drives for NoDrives {
 /// All three conditions of the test cell are met.
 const MET: u64 = 0b111;
 
-/// Something that happens to the devices.
+/// An event that happens to the devices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Event {
-    /// They do not report for a while.
+    /// The devices do not report for a while.
     Silence,
-    /// They lose their power for a while.
+    /// The devices lose power for a while.
     Restart,
-    /// They do not get orders any more.
+    /// The devices get no more orders.
     Loss,
 }
 
-/// Source and inputs, and the world behind them.
+/// Source and inputs, and their environment.
 struct Bench<S, I> {
     set: DeviceSet<NoDrives, S, I>,
     orders: Orders,
     reports: Reports,
-    /// What an event does to the devices, and whether it begins or ends.
+    /// Applies the start or end of an event to the devices.
     happens: Box<dyn FnMut(Event, bool)>,
     /// True while arc or beam is there.
     lit: Box<dyn Fn(&S) -> bool>,
@@ -54,7 +55,7 @@ struct Bench<S, I> {
 }
 
 impl<S: Source, I: Inputs> Bench<S, I> {
-    /// Cycles until `done`, or so many.
+    /// Runs up to `most` cycles until `done`.
     fn cycles(&mut self, most: usize, done: impl Fn(&Self) -> bool) -> bool {
         for _ in 0..most {
             self.orders.watchdog = !self.orders.watchdog;
@@ -77,7 +78,7 @@ impl<S: Source, I: Inputs> Bench<S, I> {
         self.reports.source.age_s < 0.05 && self.reports.inputs_age_s < 0.05
     }
 
-    /// On, and burning as it reports.
+    /// Strikes the arc until it is reported.
     fn strike(&mut self) {
         self.orders.process.on = false;
         assert!(self.cycles(2000, |b| b.is_fresh() && b.reports.source.ready && !b.reports.source.burning));
@@ -87,14 +88,14 @@ impl<S: Source, I: Inputs> Bench<S, I> {
     }
 }
 
-/// What must hold of any process source and inputs.
+/// Checks the conformance of any process source and inputs.
 fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
     assert!(!bench.is_fresh(), "nothing is known yet");
     assert!(bench.cycles(2000, Bench::is_fresh));
     let starts = (bench.reports.source.starts, bench.reports.inputs_starts);
     assert!(starts.0 >= 1 && starts.1 >= 1);
 
-    // Orders get through, reports come back.
+    // Orders arrive, reports return.
     bench.orders.process.values = [f64::NAN; 16];
     bench.orders.process.values[0] = 150.0;
     bench.strike();
@@ -109,7 +110,7 @@ fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
         bench.strike();
         let starts = (bench.reports.source.starts, bench.reports.inputs_starts);
         (bench.happens)(*event, true);
-        // A silence shows as age, and what was reported stays.
+        // A silence shows as age; the last report stays.
         let before = bench.reports;
         let old = |b: &Bench<S, I>| b.reports.source.age_s > 0.15 && b.reports.inputs_age_s > 0.15;
         if *event != Event::Loss {
@@ -140,7 +141,7 @@ fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
 
 const EVENTS: [Event; 3] = [Event::Silence, Event::Restart, Event::Loss];
 
-/// Simulated devices fail by plans of faults: each kind before all.
+/// Simulated devices fail by fault plans: the same kind before source and inputs.
 fn simulated(event: Event) -> Bench<impl Source, impl Inputs> {
     let kind = match event {
         Event::Silence => FaultKind::Silent,
@@ -170,7 +171,7 @@ fn the_simulated_twins_conform() {
     }
 }
 
-/// What happens to the device on the network; a loss of the cycle is what the bench does itself.
+/// Applies events to the device on the network; the bench itself causes a loss of the cycle.
 fn on_modbus<S, I>(server: TestServer, source: S, inputs: I) -> Bench<S, I> {
     let server = Arc::new(std::sync::Mutex::new(server));
     let other = Arc::clone(&server);
@@ -203,7 +204,7 @@ fn modbus_conforms() {
 type FaultySource = Faulty<ModbusSource, SourceReport>;
 type FaultyInputs = Faulty<ModbusInputs, InputBits>;
 
-/// A plan of faults stands before devices on Modbus as before simulated ones: as if it were not there until a fault comes ..
+/// A fault plan works before devices on Modbus as before simulated ones: without effect until a fault comes ..
 #[test]
 fn modbus_conforms_behind_a_plan_of_faults() {
     let (bench, _) = faulty(FaultKind::Silent);
@@ -220,7 +221,7 @@ fn faulty(kind: FaultKind) -> (Bench<FaultySource, FaultyInputs>, Arc<AtomicBool
     (on_modbus(server, source, inputs), told)
 }
 
-/// .. and then does to them what it does to those.
+/// .. and then with the same effect as on those.
 #[test]
 fn faults_come_over_modbus_devices() {
     for kind in FaultKind::ALL {

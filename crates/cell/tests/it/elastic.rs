@@ -1,5 +1,5 @@
-//! The example saddle on drives with resonance, backlash, friction and dead time, all axes tuned: how far the torch
-//! strays.
+//! The example saddle on drives with resonance, backlash, friction and dead time, all axes tuned: deviation of the
+//! torch.
 
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]
@@ -11,7 +11,7 @@ use seamwright_machine::{
 use seamwright_motion::WeldMotion;
 use seamwright_weld::Welding;
 
-/// The shipped saddle welder with its drives made elastic. The first mode of the whole box is the lowest.
+/// Returns the shipped saddle welder with elastic drives. The first mode of the whole box is the lowest.
 fn elastic() -> String {
     let mut text = shipped("saddle-4axis").unwrap().text.to_owned();
     for (axis, keys) in [
@@ -33,7 +33,7 @@ fn elastic() -> String {
     text
 }
 
-/// The same machine with every position loop as tuned.
+/// Returns the same machine with every position loop tuned.
 fn tuned(mut machine: Machine) -> Machine {
     for axis in &mut machine.axes {
         let found = tune_axis(axis, machine.servo_period_s).unwrap();
@@ -77,8 +77,8 @@ fn a_tuned_elastic_machine_stays_near_the_seam() {
     for axis in &summary.axes {
         println!("{} {:?} current {}", axis.axis, axis.following_error, axis.current);
     }
-    // A hundredth all along, and a thousandth more in the first hundredths of a millimetre, where axes break away that came from
-    // the other side.
+    // A hundredth of a millimetre all along. A thousandth more in the first hundredths of a millimetre, where axes
+    // that came from the other side break away.
     assert!(summary.path_error_mm.max <= 0.012, "{:?} at {}", summary.path_error_mm, summary.path_error_at_mm);
     // Without tuning, lost motion alone is more than that.
     assert!(untuned.path_error_mm.max > 2.0 * summary.path_error_mm.max, "{:?}", untuned.path_error_mm);

@@ -7,8 +7,8 @@ use seamwright_machine::{Clamped, Joints, Surroundings};
 use seamwright_motion::jog;
 use seamwright_motion::pace::RunPhase;
 
-/// A weld without disturbance is the planned one: gas, arc, travel and crater take their times from when the arc burns, the
-/// set-points are those of the path, all of it is welded, and the cell is home again.
+/// A weld without disturbance follows the plan. Gas, arc, travel and crater are timed from arc ignition on, the
+/// set-points are those of the path. All of it is welded, and the cell is home again.
 #[test]
 fn a_weld_is_the_planned_one() {
     let planned = short();
@@ -24,7 +24,7 @@ fn a_weld_is_the_planned_one() {
     let delay = time(&|c| c.phase == Some(RunPhase::TravelDelay) && c.burning);
     assert!((delay - sequence.travel_delay_s.get()).abs() < 5.0 * period, "{delay}");
     assert!((time(&|c| c.phase == Some(RunPhase::Crater)) - sequence.crater_s.get()).abs() < 3.0 * period);
-    // The pace comes up from standing in some twenty periods.
+    // The feed override rises from standstill in some twenty periods.
     let travel = time(&|c| c.phase == Some(RunPhase::Travel));
     assert!((travel - motion.law.duration()).abs() < 0.03, "{travel} {}", motion.law.duration());
     assert!(time(&|c| c.gas) > time(&|c| c.on) + sequence.postflow_s.get() + sequence.preflow_s.get() - 0.01);
@@ -41,7 +41,8 @@ fn a_weld_is_the_planned_one() {
     );
 }
 
-/// A hold stops on the path with the crater filled; going on needs arming, and overlaps; reverse goes back without process.
+/// A hold stops on the path with the crater filled. Resuming needs arming, and overlaps; reverse goes back without
+/// process.
 #[test]
 fn held_welds_go_on_with_overlap() {
     let planned = short();
@@ -62,7 +63,7 @@ fn held_welds_go_on_with_overlap() {
     let overlap = planned.motion.passes[0].sequence.overlap_mm.get();
     let stopped = script.cycles.iter().find(|c| c.mode == Mode::Hold && c.phase == Some(RunPhase::Held)).unwrap();
     assert!(stopped.welded > 15.0 && stopped.welded < 17.0);
-    // Going back stops where it is told to.
+    // Going back stops where the hold is requested.
     let back =
         script.cycles.iter().filter(|c| c.mode == Mode::Hold).map(|c| c.place.s_mm).fold(f64::INFINITY, f64::min);
     assert!(back > 8.0 && back < 10.0, "{back}");
@@ -74,7 +75,7 @@ fn held_welds_go_on_with_overlap() {
     }
 }
 
-/// A stop gives the program up where it is; it is gone on with from there, with overlap, by planning the way there.
+/// A stop leaves the program at its position. It resumes from there, with overlap, by a planned approach.
 #[test]
 fn a_stopped_weld_is_gone_on_with() {
     let planned = short();
@@ -88,7 +89,7 @@ fn a_stopped_weld_is_gone_on_with() {
     assert!(left.pass == 1 && left.s_mm > 20.0 && left.s_mm < 21.0, "{left:?}");
     let stop = script.cycles.iter().position(|c| c.mode == Mode::Ready && c.place.s_mm > 20.0).unwrap();
     assert!(script.cycles[stop + 1..].iter().all(|c| !c.on));
-    // Another day: from home to there.
+    // On another day: from home to there.
     let around = Surroundings::new(&planned.machine, &Clamped::default()).unwrap();
     let start = Start::at_place(&planned.machine, &around, &planned.motion, &planned.machine.home(), left).unwrap();
     let mut lines = up();
@@ -101,7 +102,7 @@ fn a_stopped_weld_is_gone_on_with() {
     assert!((first.place.s_mm - (left.s_mm - 6.0)).abs() < 1e-6, "{first:?}");
 }
 
-/// The override slows a weld and a jog ends by itself when the hand is away; what has no meaning is refused.
+/// The override slows a weld; a jog ends by itself without requests; invalid requests are refused.
 #[test]
 fn hands_on_the_keys() {
     let planned = short();
@@ -114,7 +115,7 @@ fn hands_on_the_keys() {
     for _ in 0..600 {
         lines.push((in_mode(Mode::Jog), Ask::Jog(jog::Command::Speeds(speeds))));
     }
-    // Away for half a second: at rest, and an alarm.
+    // No requests for half a second: at rest, and an alarm.
     lines.push((Box::new(|c| c.t > 3.0), Ask::StartWeld));
     lines.push((in_mode(Mode::Jog), Ask::Hold));
     lines.push((in_mode(Mode::Ready), Ask::Arm));
@@ -132,7 +133,8 @@ fn hands_on_the_keys() {
     assert!(silent);
 }
 
-/// The hand sends the axes to a place: they arrive there and stand; away from the keys, or told to hold, they stop on the way.
+/// The operator sends the axes to a position: they arrive there and stand. Without requests, or on a hold, they stop
+/// on the way.
 #[test]
 fn a_hand_sends_the_axes_to_a_place() {
     let planned = short();
@@ -148,7 +150,7 @@ fn a_hand_sends_the_axes_to_a_place() {
             lines.push((Box::new(|c| c.t > 4.0), Ask::StartJog));
         }
         lines.push((in_mode(Mode::Teach), Ask::Hold));
-        // Power goes only at rest.
+        // Power can be switched off only at rest.
         lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 6.0), Ask::Override(1.0)));
         lines.extend(down());
         let mut script = Script::new(lines);
@@ -165,8 +167,8 @@ fn a_hand_sends_the_axes_to_a_place() {
     }
 }
 
-/// Another program is loaded at rest with the power on and the references kept; never while something runs. What stands against
-/// a start is told in full.
+/// Another program is loaded at rest with the power on and the references kept; never during a run. All conditions
+/// that prevent a start are reported.
 #[test]
 fn a_program_is_changed_at_rest() {
     let planned = short();
@@ -200,8 +202,8 @@ fn a_program_is_changed_at_rest() {
     assert_eq!(script.modes(), modes);
 }
 
-/// Random commands at random times: the process is on only in a weld or a hold, power and motion come only when asked for,
-/// set-points keep every limit.
+/// Random commands at random times. The process is on only in a weld or a hold, power and motion come only on
+/// request, and set-points keep every limit.
 #[test]
 fn no_command_does_harm() {
     let planned = short();
@@ -234,7 +236,7 @@ fn no_command_does_harm() {
             };
             lines.push((Box::new(move |c| c.t >= t), ask));
         }
-        // A stop, and the end: asked again while the axes come to rest.
+        // A stop, and the end: requested again while the axes come to rest.
         lines.push((Box::new(move |c| c.t >= t), Ask::Stop));
         lines.extend(
             (0..9000)
@@ -245,7 +247,7 @@ fn no_command_does_harm() {
         for w in script.cycles.windows(3) {
             let [a, b, c] = w else { unreachable!() };
             assert!(!c.on || matches!(b.mode, Mode::Weld | Mode::Hold), "seed {seed}: {c:?}");
-            // While drives look for their references set-points do not count.
+            // During homing, set-points do not count.
             if w.iter().any(|c| !c.powered || c.mode == Mode::Homing) || a.mode == Mode::Homing {
                 continue;
             }

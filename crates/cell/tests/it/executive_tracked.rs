@@ -1,4 +1,4 @@
-//! Tracking under the executive: holds, going back, sensors that fail, on a part that lies elsewhere.
+//! Tracking under the executive: holds, going back, failing sensors, on a displaced part.
 
 use crate::common::{SADDLE, Script, Tracked, When, at, down, held, in_mode, up, weld};
 use seamwright_cell::Sample;
@@ -14,7 +14,7 @@ fn part() -> Tracked {
     Tracked::new(&job)
 }
 
-/// No set-point of any axis has more than its speed, acceleration and jerk, by differences.
+/// Checks that set-points of all axes keep speed, acceleration and jerk, by differences.
 fn keeps_limits(part: &Tracked, samples: &[Sample]) {
     let machine = &part.planned.machine;
     let period = machine.servo_period_s;
@@ -40,14 +40,14 @@ fn ends<'a>(mut lines: Vec<(When<'a>, Ask)>) -> Vec<(When<'a>, Ask)> {
     lines
 }
 
-/// A hold, a way back and going on with overlap: the correction is that of the place, nothing steps, what is held stands still, and
-/// all of the weld lies in the joint.
+/// A hold, a way back and a resume with overlap. The correction belongs to the position, no set-point steps, held
+/// axes stand still, and the whole weld lies in the joint.
 #[test]
 fn what_is_held_keeps_its_corrections() {
     let part = part();
     let mut lines: Vec<(When<'_>, Ask)> = up().into_iter().chain(weld()).collect();
     lines.push((at(60.0), Ask::Hold));
-    // Some seconds.
+    // Waits some seconds.
     let waited = std::cell::Cell::new(0);
     lines.push((Box::new(move |c| waited.replace(waited.get() + 1) > 5000 && c.mode == Mode::Hold), Ask::Arm));
     lines.push((held(), Ask::Resume));
@@ -59,7 +59,7 @@ fn what_is_held_keeps_its_corrections() {
     let mut script = Script::new(ends(lines));
     let (samples, left) = part.play(&[], &mut script);
     assert_eq!((left, script.refused()), (None, vec![]), "{:?}", script.notes);
-    // The part is shifted along its seam too: the joint ends before the plan does.
+    // The part is shifted along its seam too: the joint ends before the plan.
     let length = part.planned.motion.passes[0].path.length();
     let early = |n: &Note| matches!(n, Note::Alarm(r) if r.reaction != Reaction::Tell || r.place.s_mm < length - 3.0);
     assert!(!script.notes.iter().any(early), "{:?}", script.notes);
@@ -71,7 +71,7 @@ fn what_is_held_keeps_its_corrections() {
         assert!(head(s).miss.length() < 0.06 || s.set.law.s < 0.5, "{}: {:?}", s.set.law.s, head(s));
         assert!(head(s).seam.length() > 0.5);
     }
-    // What is welded twice, and gone back along without the process, has one correction.
+    // Stretches welded twice, and gone back along without the process, have one correction.
     let mut first: Vec<Option<glam::DVec2>> = vec![None; 3000];
     let mut again = 0;
     for s in samples.iter().filter(|s| s.pass == 1 && s.set.law.s > 1.0) {
@@ -81,7 +81,7 @@ fn what_is_held_keeps_its_corrections() {
         assert!(cell.get_or_insert(correction).distance(correction) < 0.05, "{}: {correction}", s.set.law.s);
     }
     assert!(again > 5000, "{again}");
-    // A hold of some seconds: after a moment nothing moves at all.
+    // In a hold of some seconds nothing moves after a moment.
     let rests = samples.windows(500).filter(|w| {
         // The crater is filled.
         let held = w.iter().all(|s| s.mode == Mode::Hold && s.pass == 1 && s.set.phase == Phase::Air);
@@ -95,8 +95,8 @@ fn what_is_held_keeps_its_corrections() {
     assert!(stands > 100, "{stands}");
 }
 
-/// A sensor that falls silent: told, slowed, held with the process off at once, and the cause by its name; when it is mended the
-/// torch goes back past where it was lost, and the weld is finished in the joint.
+/// A sensor falls silent. The alarm names the cause; the torch slows down, then holds with the process off at once.
+/// After the repair the torch goes back past the position of the loss, and the weld is finished in the joint.
 #[test]
 fn a_sensor_that_falls_silent_and_is_mended() {
     let part = part();

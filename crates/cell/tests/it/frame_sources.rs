@@ -1,4 +1,4 @@
-//! What every source of frames does, and what each refuses.
+//! Conformance of every source of frames, and its refusals.
 
 use seamwright_cell::frames::{
     FrameError, FrameSource, FrameStream, HEADER_BYTES, LIST, Recorded, Recorder, TimedFrame, decode, write_frame,
@@ -32,7 +32,7 @@ fn frames() -> Vec<TimedFrame> {
         .collect()
 }
 
-/// The conformance of a source that has `frames`: all of them, in order, to the last bit, then none for good.
+/// Checks a source that has `frames`: all of them, in order, to the last bit, then none for good.
 fn conforms(source: &mut dyn FrameSource, frames: &[TimedFrame]) {
     for frame in frames {
         assert_eq!(source.next().unwrap().as_ref(), Some(frame));
@@ -67,7 +67,7 @@ fn a_socket_conforms() {
     let address = listener.local_addr().unwrap().to_string();
     let sender = std::thread::spawn(move || {
         let (mut socket, _) = listener.accept().unwrap();
-        // In pieces, as networks do.
+        // Sends pieces, as networks do.
         for piece in stream(&frames()).chunks(13) {
             socket.write_all(piece).unwrap();
             socket.flush().unwrap();
@@ -89,7 +89,7 @@ fn a_socket_that_says_nothing_is_given_up() {
     assert!(FrameStream::connect("no-such-host.invalid:1", Duration::from_millis(100)).is_err());
 }
 
-/// The first error of a stream of these bytes.
+/// Returns the first error of a stream of these bytes.
 fn refused(bytes: &[u8]) -> FrameError {
     let mut source = FrameStream::new(bytes, "test".to_owned());
     for _ in 0..100 {
@@ -108,7 +108,7 @@ fn refused(bytes: &[u8]) -> FrameError {
 #[test]
 fn streams_that_are_none_are_refused() {
     let good = stream(&frames());
-    // Cut off anywhere but between frames.
+    // Cuts anywhere but between frames.
     let first = stream(&frames()[..1]).len();
     for cut in [1, HEADER_BYTES - 1, HEADER_BYTES, HEADER_BYTES + 9, first - 1, good.len() - 1] {
         assert!(matches!(refused(&good[..cut]), FrameError::Truncated { .. }), "{cut}");
@@ -133,7 +133,7 @@ fn streams_that_are_none_are_refused() {
     let mut late = good.clone();
     late[24..32].copy_from_slice(&1e9f64.to_le_bytes());
     assert!(matches!(refused(&late), FrameError::Time { frame: 1, .. }));
-    // An absurd picture is not made room for before it comes.
+    // An absurd picture gets no memory before its data arrive.
     let mut absurd = good[..HEADER_BYTES].to_vec();
     absurd[8..16].copy_from_slice(&[0, 64, 0, 0, 0, 64, 0, 0]);
     assert!(matches!(refused(&absurd), FrameError::Truncated { .. }));
@@ -143,7 +143,7 @@ fn streams_that_are_none_are_refused() {
 fn folders_that_are_none_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path();
-    // A folder or list that is not there is a wrong name, no failure of the surroundings.
+    // A missing folder or list is a wrong name, not a failure of the environment.
     for missing in [path.to_owned(), path.join("none")] {
         let e = Recorded::open(&missing, &AXES).unwrap_err();
         assert!(!e.is_environment() && e.to_string().contains("allowed: "), "{e}");
@@ -165,7 +165,7 @@ fn folders_that_are_none_are_refused() {
     assert_eq!(line(&format!("{head}a.png,0,1\n")), 2);
     assert_eq!(line(&format!("{head}../a.png,0,1,2,\n")), 2);
     assert_eq!(line(&format!("{head}/etc/a.png,0,1,2,\n")), 2);
-    // Images are read when their turn comes.
+    // Images are read in turn.
     record(path, &frames());
     let image = path.join("000001.png");
     let bytes = std::fs::read(&image).unwrap();
@@ -184,7 +184,7 @@ fn kinds_of_images_are_read() {
     assert_eq!(decode(pgm).unwrap(), Image::U8 { width: 3, height: 2, pixels: vec![0, 16, 32, 48, 64, 255] });
     let deep = b"P5 2 1 65535\n\x01\x02\xff\xff";
     assert_eq!(decode(deep).unwrap(), Image::U16 { width: 2, height: 1, pixels: vec![0x0102, 0xffff] });
-    // Grey in colour stays as grey as it was.
+    // Grey in colour images keeps its value.
     let ppm = b"P6 1 1 255\n\x50\x50\x50";
     assert_eq!(decode(ppm).unwrap(), Image::U8 { width: 1, height: 1, pixels: vec![0x50] });
 }

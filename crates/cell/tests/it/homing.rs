@@ -1,4 +1,4 @@
-//! Axes that go home once their references are found.
+//! Axes that move home once their references are found.
 
 use crate::common::{Script, Seen, When, in_mode, up};
 use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
@@ -10,7 +10,7 @@ fn machine(order: &str) -> Machine {
     Machine::read("m.toml", &text).unwrap()
 }
 
-/// Where axes stand before: y, z, a, b, x beside home.
+/// Axis positions before: y, z, a, b, x beside home.
 fn beside(machine: &Machine) -> Joints {
     let mut q = machine.home();
     for (q, by) in q.iter_mut().zip([60.0, -9.0, 0.1, -0.1, 7.0]) {
@@ -30,7 +30,7 @@ fn play(machine: &Machine, script: &mut Script<'_>) {
     Executive::new(machine, &mut devices, &mut *script).serve(Some(&work));
 }
 
-/// The lines of a homing with `more` in it, and the end.
+/// Returns the lines of a homing with `more` in it, and the end.
 fn lines(more: Vec<(When<'static>, Ask)>) -> Script<'static> {
     let mut lines: Vec<(When<'static>, Ask)> = up().into_iter().collect();
     lines.extend(more);
@@ -39,7 +39,7 @@ fn lines(more: Vec<(When<'static>, Ask)>) -> Script<'static> {
     Script::new(lines)
 }
 
-/// One after another in the order of the file, within the limits; axes that are not named stay.
+/// Axes move one after another in the order of the file, within the limits; unnamed axes stay.
 #[test]
 fn axes_go_home_in_order() {
     let machine = machine("home_order = [\"z\", \"x\", \"a\"]");
@@ -54,7 +54,7 @@ fn axes_go_home_in_order() {
         let wanted = if goes(i) { home[i] } else { from[i] };
         assert!((q[i] - wanted).abs() < 0.01, "{i}: {} {wanted}", q[i]);
     }
-    // Where the references come positions change their meaning: the drives' twins are off by 0.37 before.
+    // When references are found, positions change their meaning: the simulated drives are off by 0.37 before.
     let jumps = |pair: &[Seen]| (pair[1].q[1] - pair[0].q[1]).abs() > 0.3;
     let known = script.cycles.windows(2).rposition(jumps).unwrap() + 1;
     let mut moved = Vec::new();
@@ -71,7 +71,7 @@ fn axes_go_home_in_order() {
     assert_eq!(names, ["z", "x", "a"]);
 }
 
-/// Held on the way it is ready where it stands; without an order nothing moves.
+/// After a hold on the way it is ready in place; without an order nothing moves.
 #[test]
 fn it_stands_where_it_is_held() {
     let machine = machine("home_order = [\"y\"]");
@@ -102,7 +102,7 @@ fn orders_that_cannot_be() {
     }
 }
 
-/// With references known one axis goes home alone, and the others stay.
+/// With known references one axis moves home alone, and the others stay.
 #[test]
 fn one_axis_goes_home_alone() {
     let machine = machine("home_order = [\"z\", \"x\"]");
@@ -119,7 +119,7 @@ fn one_axis_goes_home_alone() {
     }
 }
 
-/// Not before an axis that the file says goes first, and there are no others.
+/// An axis is refused before one that precedes it in the file, and so are unknown axes.
 #[test]
 fn one_axis_keeps_to_the_order_of_the_file() {
     let machine = machine("home_order = [\"y\", \"x\"]");

@@ -1,11 +1,11 @@
-//! What the follower keeps on simulated frames: the gates of `bench vision`.
+//! Acceptance tests of the follower on simulated frames: those of `bench vision`.
 
 use seamwright_cell::eyes::gates::{follow, joint_gates};
 use seamwright_cell::eyes::scene::{Kind, scene};
 use seamwright_cell::gate::Gate;
 use seamwright_vision::joint::{End, Follower, Options, Start};
 
-/// Frames a kind: 50, or 1000 with SEAMWRIGHT_SOAK=20.
+/// Frames per kind: 50, or 1000 with SEAMWRIGHT_SOAK=20.
 fn frames() -> u64 {
     50 * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse::<u64>().ok()).unwrap_or(1).min(20)
 }
@@ -17,8 +17,8 @@ fn gates_hold() {
     assert!(broken.is_empty(), "{broken:#?}");
 }
 
-/// Tacks at the edge of a shadow and joints in it, of other seeds than the gates': seen no longer in the frame as it is, they go
-/// on on its top-hat. What was sure before the tack stays sure, and nothing sure is wrong.
+/// Tacks at the edge of a shadow and joints in it, with other seeds than the acceptance tests. Hidden in the frame, they
+/// continue on its top-hat. Confident rows before the tack stay confident, and none is wrong.
 #[test]
 fn joints_go_on_where_edges_of_light_hide_them() {
     let mut follower = Follower::new(Options::default());
@@ -33,7 +33,7 @@ fn joints_go_on_where_edges_of_light_hide_them() {
     assert!(6 * sure > ways, "{sure} of {ways}");
 }
 
-/// Wide joints that meet slowly: at first the other one is followed, without confidence; then straight on is.
+/// Wide joints that meet slowly: at first the other one is followed without confidence, then the straight one.
 #[test]
 fn joints_go_straight_on_where_others_meet_them() {
     let mut follower = Follower::new(Options::default());
@@ -45,8 +45,8 @@ fn joints_go_straight_on_where_others_meet_them() {
     }
 }
 
-/// The rim of a tack beside the edge of a shadow is left again (367, 573, 661), salt is looked through on a coarser level (951), a joint
-/// that begins on the edge is found (474), and one that was lost before the rim goes on to it (691).
+/// The follower leaves the rim of a tack beside the edge of a shadow (367, 573, 661). It ignores salt on a
+/// coarser level (951). It finds a joint that starts on the edge (474), and continues one lost before the rim (691).
 #[test]
 fn joints_go_on_behind_what_hides_them() {
     let mut follower = Follower::new(Options::default());
@@ -58,7 +58,7 @@ fn joints_go_on_behind_what_hides_them() {
     }
 }
 
-/// What is told of a joint is not looked past: with another width told, nothing is seen where `step` 474 begins.
+/// A given width is respected: with another width, no joint is seen at the start of `step` 474.
 #[test]
 fn a_told_width_is_not_looked_past() {
     let scene = scene(Kind::Step, 474, 512);

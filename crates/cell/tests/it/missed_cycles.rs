@@ -1,4 +1,4 @@
-//! Cycles that are missed again and again, and what must be noticed all the same.
+//! Repeatedly missed cycles, and the alarms that must be raised nevertheless.
 
 use crate::common::{Script, in_mode, short, up, weld};
 use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
@@ -11,12 +11,12 @@ use seamwright_machine::Machine;
 struct Gappy<D> {
     devices: D,
     period_s: f64,
-    /// Every so many exchanges so many cycles are missed.
+    /// Number of exchanges between losses, and cycles missed in each.
     every: u32,
     lost: u32,
     exchanges: u32,
     slack: Option<Slack>,
-    /// Time for which the arc burns before the inputs die, s; infinite: they live.
+    /// Time for which the arc burns before the inputs die, s; infinite if they live.
     dies_after_s: f64,
     burns_s: f64,
     /// Age of the inputs since they died, s.
@@ -34,7 +34,7 @@ impl<D: Devices> Devices for Gappy<D> {
         }
         if self.burns_s > self.dies_after_s {
             reports.inputs_age_s = self.age_s.unwrap_or(0.0) + passed;
-            // As old as they were when the arc was ordered off.
+            // Age at which the arc was ordered off.
             if orders.process.on {
                 self.age_s = Some(reports.inputs_age_s);
             }
@@ -69,8 +69,8 @@ fn gappy(machine: &Machine, lost: u32, every: u32) -> Gappy<impl Devices + use<>
     }
 }
 
-/// Inputs, with the emergency stop among them, die in a weld on a desktop that misses some cycles in each fifty milliseconds: the arc
-/// is off as soon as without missed cycles, and no cycle is too many for the drives.
+/// Inputs, including the emergency stop, die in a weld on a desktop that misses some cycles in each fifty
+/// milliseconds. The arc is off as soon as without missed cycles, and the drives tolerate every loss.
 #[test]
 fn dead_inputs_end_a_weld_although_cycles_are_missed_all_the_time() {
     let planned = short();
@@ -79,7 +79,7 @@ fn dead_inputs_end_a_weld_although_cycles_are_missed_all_the_time() {
     let mut devices = Gappy { dies_after_s: 1.0, ..gappy(machine, cycles(0.005), cycles(0.045)) };
     let mut lines = up();
     lines.extend(weld());
-    // It is refused until everything has come to rest.
+    // Refused until everything has come to rest.
     lines.extend((0..5000).map(|_| (in_mode(Mode::Fault), Ask::Quit)));
     let mut script = Script::new(lines);
     let work = planned.work(Start::at_home(&planned.motion));
@@ -90,7 +90,7 @@ fn dead_inputs_end_a_weld_although_cycles_are_missed_all_the_time() {
     assert!(age_s < 0.2, "the arc burns {age_s} s after the inputs died");
 }
 
-/// Too many missed cycles are noted when they become too many, not at each one of them.
+/// Too many missed cycles are noted once, when they become too many.
 #[test]
 fn too_many_missed_cycles_are_noted_once() {
     let planned = short();

@@ -1,4 +1,4 @@
-//! Modbus TCP against a server in this process: what is particular to it.
+//! Modbus TCP against a server in this process: its particular behaviour.
 
 use crate::modbus_cell::{MAP, PERIOD_S, VALUES, device, parts, welder};
 use crate::modbus_server::{Bank, TestServer};
@@ -35,7 +35,7 @@ impl Cell {
         self.inputs.exchange(self.watchdog, &mut self.bits);
     }
 
-    /// Cycles of 1 ms until `done`, for up to 5 s.
+    /// Runs cycles of 1 ms until `done`, for up to 5 s.
     fn until(&mut self, what: &str, mut done: impl FnMut(&Self) -> bool) {
         for _ in 0..5000 {
             self.cycle();
@@ -55,7 +55,7 @@ impl Cell {
     }
 }
 
-/// Waits for something that the server sees.
+/// Waits until the server's tables meet `done`.
 fn eventually(server: &TestServer, what: &str, done: impl Fn(&Bank) -> bool) {
     for _ in 0..2500 {
         if done(&server.bank()) {
@@ -85,7 +85,7 @@ fn orders_are_coded_as_the_map_says() {
         assert_eq!((bank.holding[0], &bank.holding[2..4]), (1234, &[0, 0x40f0][..]));
         assert!(bank.coils[0] && bank.coils[1]);
     }
-    // What is not asked for any more goes to its safe value.
+    // Values no longer requested go to their safe value.
     (cell.orders.values[0], cell.orders.on) = (f64::NAN, false);
     cell.until("off", |c| !c.report.burning);
     eventually(&server, "safe current", |b| b.holding[0] == 50);
@@ -101,7 +101,7 @@ fn orders_are_coded_as_the_map_says() {
 
 #[test]
 fn outputs_are_safe_without_a_cycle() {
-    // The cycle stands still, and goes on as if nothing had been: the arc does not.
+    // The cycle stands still, and continues as if uninterrupted: the arc does not.
     let server = TestServer::new(welder);
     let mut cell = Cell::new(parts(&server));
     cell.strike(100.0);
@@ -118,11 +118,11 @@ fn outputs_are_safe_without_a_cycle() {
     cell.orders.on = false;
     cell.cycle();
     cell.strike(100.0);
-    // It is dropped.
+    // The cell is dropped.
     drop(cell);
     assert!(is_safe(&server.bank()));
 
-    // Whoever runs the cycle panics.
+    // The thread of the cycle panics.
     let mut cell = Cell::new(parts(&server));
     cell.strike(100.0);
     assert!(server.bank().coils[1]);
@@ -134,14 +134,15 @@ fn outputs_are_safe_without_a_cycle() {
     assert!(is_safe(&server.bank()));
 }
 
-/// The connection is lost and made again while the arc is ordered: it is off, and stays off until it was ordered off.
+/// The connection is lost and made again while the arc is ordered. The arc is off, and stays off until it was ordered
+/// off.
 #[test]
 fn a_new_connection_begins_without_arc() {
     let mut server = TestServer::new(welder);
     let mut cell = Cell::new(parts(&server));
     for round in 2..5 {
         cell.strike(100.0);
-        // Too short for ages to tell: the count of starts does.
+        // Too short for the ages to show: the count of starts does.
         server.stop();
         server.start();
         cell.until("a new start", |c| c.report.starts == round && c.bits.starts == round);
@@ -175,8 +176,8 @@ fn the_watchdog_counts_and_a_bit_toggles() {
     }
 }
 
-/// Without a watchdog nothing is written while nothing changes, and a poll is two requests: discrete inputs, and input registers
-/// that lie near each other.
+/// Without a watchdog nothing is written while nothing changes. A poll is two requests: discrete inputs, and input
+/// registers that lie near each other.
 #[test]
 fn only_what_changes_is_written() {
     let server = TestServer::new(welder);
@@ -198,7 +199,7 @@ fn only_what_changes_is_written() {
     }
     let polled = (traffic.get().polls - polls) as usize;
     assert_eq!(counts().0, writes);
-    // One more may be on its way.
+    // One more may be in transit.
     let read = counts().1 - reads;
     assert!(polled > 10 && read.abs_diff(2 * polled) <= 2, "{read} requests in {polled} polls");
     cell.orders.values[1] = 8.0;
@@ -206,7 +207,7 @@ fn only_what_changes_is_written() {
     assert_eq!(traffic.get().connections, 1);
 }
 
-/// A device that does not have what lies between two registers is asked for each alone.
+/// A device with missing registers between two others gets a request for each alone.
 #[test]
 fn gaps_that_are_not_there() {
     let server = TestServer::new(welder);
@@ -220,7 +221,7 @@ fn gaps_that_are_not_there() {
     assert_eq!(cell.bits.bits, 0b111);
 }
 
-/// A heart-beat that stands still is as good as silence; the connection stays.
+/// A constant heart-beat counts as silence; the connection stays.
 #[test]
 fn a_heartbeat_that_stops() {
     let server = TestServer::new(welder);
@@ -234,7 +235,7 @@ fn a_heartbeat_that_stops() {
     assert_eq!(cell.report.starts, 1);
 }
 
-/// What the device refuses to take is told as silence: it does not do what it is ordered.
+/// A refused write is reported as silence, because the device does not execute its orders.
 #[test]
 fn a_device_that_takes_no_orders() {
     let server = TestServer::new(welder);
@@ -253,7 +254,8 @@ fn a_device_that_takes_no_orders() {
     eventually(&server, "written in the end", |b| b.holding[0] == 900);
 }
 
-/// While the device refuses another output, off does not wait for the next poll: of many times, half take far less than a poll.
+/// While the device refuses another output, off does not wait for the next poll: the median time is far shorter than
+/// a poll.
 #[test]
 fn off_does_not_wait_for_the_poll_while_another_output_is_refused() {
     let server = TestServer::new(welder);
@@ -265,7 +267,7 @@ fn off_does_not_wait_for_the_poll_while_another_output_is_refused() {
         cell.strike(100.0);
         server.bank().holes.insert(0);
         cell.orders.values[0] = 90.0;
-        // It is refused.
+        // The write is refused.
         for _ in 0..20 {
             cell.cycle();
             std::thread::sleep(Duration::from_millis(1));
@@ -304,7 +306,7 @@ fn what_cannot_be_connected() {
     assert!(error.contains(&address) && error.contains("refused"), "{error}");
 }
 
-/// Looking reads all registers and writes none; what the device does not have is told by name.
+/// A look reads all registers and writes none; missing registers are reported by name.
 #[test]
 fn looking_changes_nothing() {
     let server = TestServer::new(welder);
@@ -326,8 +328,8 @@ fn looking_changes_nothing() {
     assert!(row("reports.fault").raw.is_some(), "its neighbours are read all the same");
 }
 
-/// An order to be off does not wait for the answer to a question: questions stay unanswered, and off is there long before the
-/// time-out of one.
+/// An order to switch off does not wait for the answer to a read request. Requests stay unanswered, and off arrives
+/// long before their time-out.
 #[test]
 fn off_waits_for_no_answer_to_a_question() {
     let server = TestServer::new(welder);
@@ -338,7 +340,7 @@ fn off_waits_for_no_answer_to_a_question() {
         cell.strike(100.0);
         let reads = server.bank().reads;
         server.mute(true);
-        // A question is under way.
+        // A read request is in transit.
         cell.until("silence", |c| c.report.age_s > 0.05);
         cell.orders.on = false;
         let ordered = Instant::now();
@@ -350,7 +352,8 @@ fn off_waits_for_no_answer_to_a_question() {
     }
 }
 
-/// A device that takes one connection only: told at the start, with what to do; with `connections = 1` it works.
+/// A device that accepts only one connection is reported at the start, with the cure; with `connections = 1` it
+/// works.
 #[test]
 fn a_device_that_takes_one_connection() {
     let server = TestServer::single(welder);
@@ -358,7 +361,7 @@ fn a_device_that_takes_one_connection() {
     let two = device(&server.address.to_string(), MAP);
     let error = connect(&two, &values).unwrap_err().to_string();
     assert!(error.contains("connections = 1"), "{error}");
-    // Another one: this one may not have noticed yet that it is free.
+    // Another server: this one may not have noticed yet that it is free.
     let server = TestServer::single(welder);
     let map = MAP.replace("unit = 1", "unit = 1\nconnections = 1");
     let parts = connect(&device(&server.address.to_string(), &map), &values).unwrap();
@@ -373,7 +376,7 @@ fn a_device_that_takes_one_connection() {
     assert_eq!((traffic.get().connections, traffic.get().safe), (1, Some(Ok(()))));
 }
 
-/// Ages are by the clock: a cell that stood still finds its reports old, although it has counted no cycle.
+/// Ages follow the clock: after a standstill the reports are old, although no cycle was counted.
 #[test]
 fn reports_grow_old_while_no_cycle_comes() {
     let server = TestServer::new(welder);
@@ -385,7 +388,7 @@ fn reports_grow_old_while_no_cycle_comes() {
     assert!(cell.report.age_s > 0.3 && cell.bits.age_s > 0.3, "{} {}", cell.report.age_s, cell.bits.age_s);
 }
 
-/// What cannot be made safe is said.
+/// A failure to reach the safe state is reported.
 #[test]
 fn a_device_that_has_gone_is_not_said_to_be_safe() {
     let mut server = TestServer::new(welder);

@@ -1,4 +1,4 @@
-//! The end that nobody orders: by a signal, or by a fault of the program.
+//! Shutdown without an order: by a signal, or by a fault of the program.
 
 use crate::common::{Planned, Script, When, at, in_mode, short, up, weld};
 use crate::modbus_cell::{PERIOD_S, parts, welder};
@@ -13,11 +13,11 @@ use seamwright_cell::realtime::{Shutdown, ShutdownCause, guarded};
 use seamwright_machine::shipped;
 use std::time::{Duration, Instant};
 
-/// A script, and a flag that is set when something is seen for the first time.
+/// A script, and a flag that is set when a condition is first met.
 struct Flagged<'a, F> {
     script: Script<'a>,
     when: F,
-    /// Cycles when the flag was set.
+    /// Number of cycles when the flag was set.
     set: Option<usize>,
 }
 
@@ -42,12 +42,12 @@ impl<F: Fn(&Script<'_>) -> bool> Port for Flagged<'_, F> {
     }
 }
 
-/// How to get into a mode, and what is seen there.
+/// Lines that lead into a mode, and the condition there.
 struct Way {
     lines: Vec<(When<'static>, Ask)>,
-    /// When the flag is set.
+    /// Condition that sets the flag.
     when: Box<dyn Fn(&Script<'_>) -> bool>,
-    /// What takes the cell into a fault.
+    /// Fault that takes the cell into the fault mode.
     fault: Option<Fault>,
 }
 
@@ -77,7 +77,7 @@ impl Way {
     }
 }
 
-/// Goes a way until the flag is set; what was seen, and how often until then.
+/// Runs a way until the flag is set; returns the record, and its number of cycles until then.
 fn shut_down(planned: &Planned, way: Way) -> (Script<'static>, usize) {
     let machine = &planned.machine;
     let period = machine.servo_period_s;
@@ -95,7 +95,8 @@ fn shut_down(planned: &Planned, way: Way) -> (Script<'static>, usize) {
     (port.script, port.set.expect("it ended before"))
 }
 
-/// From every mode: no process with the very next orders, rest within the limits, power off, the end, and no order obeyed any more.
+/// From every mode: no process with the very next orders, rest within the limits, power off, the end. Further orders
+/// are ignored.
 #[test]
 fn a_shutdown_ends_every_mode_without_an_order() {
     let planned = short();
@@ -103,7 +104,7 @@ fn a_shutdown_ends_every_mode_without_an_order() {
     for mode in Mode::ALL {
         let mut way = Way::into(mode);
         if mode != Mode::Off {
-            // What comes after is not heard.
+            // Later orders are ignored.
             way.lines.push((in_mode(Mode::Off), Ask::SwitchOn));
             way.lines.push((in_mode(Mode::Idle), Ask::Home));
         }
@@ -122,7 +123,7 @@ fn a_shutdown_ends_every_mode_without_an_order() {
     }
 }
 
-/// The thread of the cycle panics: its devices hear that everything is off, before they are dropped.
+/// The thread of the cycle panics: its devices receive the order to switch off before they are dropped.
 #[test]
 fn a_panic_of_the_cycle_orders_the_devices_off() {
     let server = TestServer::new(welder);

@@ -1,4 +1,4 @@
-//! The simulated cell on the example saddle: repeatable, honest about what the drives do.
+//! The simulated cell on the example saddle: repeatable, with realistic drives.
 
 use seamwright_cell::executive::Mode;
 use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};
@@ -37,7 +37,7 @@ fn good_drives_weld_well_and_repeatably() {
     assert!(summary.path_error_mm.max < 0.05 && summary.path_error_mm.max > 0.0);
     assert!(summary.speed_ripple.unwrap() < 0.06, "{:?}", summary.speed_ripple);
     let (again, same) = run(shipped_text(), 1).unwrap();
-    // In the air there are places that are no numbers, equal to nothing.
+    // During transfer moves some values are NaN, which equals nothing.
     let welded = |samples: &[Sample]| format!("{:?}", samples.iter().filter(|s| s.pass > 0).collect::<Vec<_>>());
     assert!(summary == again && welded(&samples) == welded(&same));
     let (other, _) = run(shipped_text(), 2).unwrap();
@@ -60,13 +60,13 @@ fn the_summary_is_that_of_the_samples() {
 
 #[test]
 fn worse_drives_weld_worse() {
-    // As slow as it must be that the following error stays below what trips the cell: 1 mm at rest.
+    // Slow enough that the following error stays below the trip limit of the cell: 1 mm at rest.
     let slow = |text: &str| text.replace("max_speed_mm_s = 100", "max_speed_mm_s = 6");
     let soft = slow(shipped_text()).replace("velocity_bandwidth_hz = 40", "velocity_bandwidth_hz = 8\nkp_per_s = 10");
     let (good, _) = run(&slow(shipped_text()), 1).unwrap();
     let (bad, _) = run(&soft, 1).unwrap();
     assert!(bad.path_error_mm.max > 5.0 * good.path_error_mm.max);
-    // A pure proportional loop lags by speed / Kp, here 0.5 mm, and swings on a velocity loop hardly faster.
+    // A pure proportional loop lags by speed / Kp, here 0.5 mm, and oscillates with a slow velocity loop.
     assert!((bad.axes[0].following_error.max - 0.5).abs() < 0.2, "{:?}", bad.axes[0].following_error);
 }
 
@@ -85,7 +85,8 @@ fn impossible_drives_are_refused() {
     assert!(run(&text, 1).unwrap_err().to_string().starts_with("drive of axis x"));
 }
 
-/// A woven weld is judged by its distance from the woven path, found by brute force here, and by its speed along the seam.
+/// A woven weld is evaluated by its distance from the woven path, found by brute force here, and by its speed along
+/// the seam.
 #[test]
 fn a_woven_weld_is_judged_by_its_woven_path() {
     let (job, machine) = (include_str!("../../../../examples/weave.toml"), shipped("torch-5axis").unwrap().text);

@@ -1,4 +1,4 @@
-//! Drives by pulses: every cycle's count and every edge's place over random motion, and motors that lose steps.
+//! Drives by pulses: every cycle's count and every edge's position over random motion, and motors that lose steps.
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -17,7 +17,7 @@ fn machine(change: &[(&str, &str)]) -> Result<Machine, String> {
     Machine::read("m.toml", &format!("{text}\n[devices.drives.steps]")).map_err(|e| e.to_string())
 }
 
-/// Drives with power and references, and their report.
+/// Returns drives with power and references, and their report.
 fn ready(machine: &Machine) -> (StepDrives, Orders, DriveReport) {
     let mut drives = StepDrives::new(machine, machine.devices.steps.as_ref().unwrap()).unwrap();
     let mut orders = Orders { power: true, home: true, ..Orders::default() };
@@ -32,7 +32,7 @@ fn ready(machine: &Machine) -> (StepDrives, Orders, DriveReport) {
     (drives, orders, report)
 }
 
-/// What hears the lines: counts, and looks at the driver's times, all in ticks.
+/// Listens to the lines: counts, and checks the driver's times, all in ticks.
 #[derive(Clone, Copy, Default)]
 struct Driver {
     count: i64,
@@ -66,8 +66,8 @@ impl Driver {
     }
 }
 
-/// Random speeds, accelerations, resolutions and driver's times, as far as the machine file is not refused: after each cycle the
-/// pulses are the set-point rounded to steps.
+/// Random speeds, accelerations, resolutions and driver's times, unless the machine file is refused. After each cycle
+/// the pulses are the set-point rounded to steps.
 #[test]
 fn the_count_is_the_rounded_set_point() {
     let mut accepted = 0;
@@ -104,7 +104,7 @@ fn the_count_is_the_rounded_set_point() {
         let mut pushes = [0.0f64; 5];
         for cycle in 0..4000 {
             for (i, axis) in machine.axes.iter().enumerate() {
-                // Now and then another acceleration, up to the highest; near the end of a range it turns round.
+                // Now and then another acceleration, up to the maximum.
                 if uniform() < 0.01 {
                     pushes[i] = axis.max_acceleration * (3.0 * uniform() - 1.5).clamp(-1.0, 1.0);
                 }
@@ -129,7 +129,7 @@ fn the_count_is_the_rounded_set_point() {
     assert!(accepted > 15, "{accepted}");
 }
 
-/// A set-point that jumps is gone to as fast as the driver takes pulses, back and forth.
+/// A jump of the set-point is followed as fast as the driver accepts pulses, back and forth.
 #[test]
 fn a_jump_is_caught_up_with() {
     let machine = machine(&[
@@ -159,8 +159,8 @@ fn a_jump_is_caught_up_with() {
     }
 }
 
-/// Ramps within the torque curve are followed; with a hundredth of the torque the motor stands, and the following error says so.
-/// After power was off and on again the axis is where it is, and moves from there.
+/// Ramps within the torque curve are followed. With a hundredth of the torque the motor stands, and the following
+/// error shows it. After a power cycle the axis keeps its position, and moves from there.
 #[test]
 fn steps_are_lost_beyond_the_torque() {
     for (torque, holds) in [("[8.5, 7.6, 6.8, 4.6, 3.1, 2.2]", true), ("[0.4, 0.35, 0.3, 0.2, 0.1, 0.05]", false)] {
@@ -184,7 +184,7 @@ fn steps_are_lost_beyond_the_torque() {
             continue;
         }
         assert!(worst > 2.0 && report.following_error[0] > 2.0, "{worst} {report:?}");
-        // As the executive does without power: set-points where the axes are.
+        // As the executive does without power: set-points at the axes.
         orders.power = false;
         for _ in 0..200 {
             drives.exchange(&orders, &mut report);
@@ -193,7 +193,7 @@ fn steps_are_lost_beyond_the_torque() {
         }
         assert!(report.powered && report.following_error[0].abs() < 0.05, "{report:?}");
         let stood = report.position[0];
-        // Slowly it can.
+        // A slow motion succeeds.
         for _ in 0..2000 {
             orders.set[0].position += 1e-3;
             drives.exchange(&orders, &mut report);
@@ -202,7 +202,7 @@ fn steps_are_lost_beyond_the_torque() {
     }
 }
 
-/// Who does not take the pulses in time stops the drives: they say so.
+/// A receiver that does not take the pulses in time stops the drives, which report a fault.
 #[test]
 fn a_stream_that_tears_is_a_fault() {
     let machine = machine(&[]).unwrap();

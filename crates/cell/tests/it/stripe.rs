@@ -1,4 +1,4 @@
-//! Stripes whose truth is known: the gates, and what a plainer reader makes of the same images.
+//! Stripes of known truth: the acceptance tests, and a comparison with a simpler reader.
 
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
@@ -12,7 +12,7 @@ use seamwright_machine::{Machine, Sight, StripeSensor, shipped};
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{JointKind, Quantity, StripeReader, StripeTask};
 
-/// Scenes a kind: 50, or 1000 with SEAMWRIGHT_SOAK=20.
+/// Scenes per kind: 50, or 1000 with SEAMWRIGHT_SOAK=20.
 fn cases() -> u64 {
     50 * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse::<u64>().ok()).unwrap_or(1).min(20)
 }
@@ -20,12 +20,12 @@ fn cases() -> u64 {
 /// First seed. No threshold was chosen on seeds from 3000 on.
 const FIRST_SEED: u64 = 3000;
 
-/// Part of the images beside the arc in which a joint is believed that is not there: a reflection that goes on from the end
-/// of a plate in its line looks like more of it. And gates of silence that are missed by a few images in fifty.
+/// Share of the images beside the arc with a false joint: a reflection that continues the line of a plate looks like
+/// more of it. SILENT lists limits of silence that a few images in fifty exceed.
 const WRONG_BESIDE_THE_ARC: f64 = 0.02;
 const SILENT: [(&str, f64); 3] = [("v", 60.0), ("lap", 55.0), ("j", 60.0)];
 
-/// What a gate must be at most here: its limit, or what is accepted instead. The table shows it as missed.
+/// Returns the accepted maximum: the limit, or the exception here. The table shows the latter as missed.
 fn accepted(gate: &Gate) -> f64 {
     let Limit::Most(limit) = gate.limit else { panic!("{gate:?}: all of them are for the most") };
     match gate.what {
@@ -47,7 +47,7 @@ fn gates_hold() {
             if gate.is_kept() { "" } else { "  <-- not kept" }
         );
         assert!(value.is_finite());
-        // Times are for builds with full optimisation, on machines that do nothing else.
+        // Time limits apply to optimised builds on idle machines.
         if *unit != "ms" && *value > accepted(gate) {
             broken.push(gate);
         }
@@ -58,7 +58,7 @@ fn gates_hold() {
     assert!(broken.is_empty(), "{broken:#?}");
 }
 
-/// The brightest pixel of every column, in mm.
+/// Returns the brightest pixel of every column, in mm.
 fn argmax(scene: &StripeScene, image: &StripeImage) -> Vec<DVec2> {
     let Image::U8 { width, height, pixels } = &image.image else { panic!("8 bits") };
     let place = |c: usize| {
@@ -68,7 +68,7 @@ fn argmax(scene: &StripeScene, image: &StripeImage) -> Vec<DVec2> {
     (0..*width).map(place).collect()
 }
 
-/// The corner of the two lines that most points are within 0.1 mm of, one after the other: plain RANSAC.
+/// Returns the corner of two lines found in sequence, each with the most points within 0.1 mm: plain RANSAC.
 fn ransac_corner(points: &[DVec2], seed: u64) -> Option<DVec2> {
     let random = &mut Pcg64Mcg::seed_from_u64(seed);
     let mut rest = points.to_vec();
@@ -95,8 +95,8 @@ fn ransac_corner(points: &[DVec2], seed: u64) -> Option<DVec2> {
     Some(a + t * u)
 }
 
-/// On easy images both find the corner; with reflections and saturation the plain one is often far off and cannot know,
-/// while ours is right or says that it does not know.
+/// On easy images both find the corner. With reflections and saturation the plain one is often far off without an
+/// indication, while ours is right or not confident.
 #[test]
 fn argmax_and_ransac_lose_on_reflections() {
     let mut reader = StripeReader::new();
@@ -150,7 +150,7 @@ fn profiles_in_mm_are_read() {
     }
 }
 
-/// Through the camera of a shipped machine: perspective, and rows more than twice as long as columns.
+/// Uses the camera of a shipped machine: perspective, and rows more than twice as long as columns.
 #[test]
 fn joints_through_the_sensor_of_a_machine() {
     let machine = Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap();
@@ -176,7 +176,7 @@ fn joints_through_the_sensor_of_a_machine() {
     }
 }
 
-/// What a sensor gives: angles, areas, mismatch, against the closed forms of the section.
+/// Quantities of a sensor: angles, areas, mismatch, against the closed forms of the section.
 #[test]
 fn quantities_are_those_of_the_section() {
     let mut reader = StripeReader::new();

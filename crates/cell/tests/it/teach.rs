@@ -1,4 +1,4 @@
-//! Teaching in simulation: the machines that ship, seams that are not where they should be, the hidden truth at the end.
+//! Teaching in simulation: the shipped machines, misplaced seams, the hidden truth at the end.
 
 use glam::DVec3;
 use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine, Station};
@@ -14,7 +14,7 @@ use seamwright_tracking::teach::{
 use seamwright_weld::{NoFiles, Welding};
 use std::time::{Duration, Instant};
 
-/// Longest tack that is coasted over, pixels: 10 mm.
+/// Maximum length of a bridged tack, pixels: 10 mm.
 const LONGEST_GAP_PX: f64 = 100.0;
 
 const PLACED_WRONG: Distortion = Distortion { shift_mm: 1.5, turn: 0.005, bend_mm: 1.5 };
@@ -27,7 +27,7 @@ struct Bench {
 }
 
 impl Bench {
-    /// A job; `machine` is the text of a machine file other than the one that ships.
+    /// Plans a job; `machine` is the text of a machine file other than the shipped one.
     fn new(job: &str, machine: Option<&str>) -> Self {
         let welding = Welding::read("job.toml", job).unwrap();
         let text = machine.unwrap_or_else(|| shipped(&welding.program.value.machine).unwrap().text);
@@ -44,7 +44,7 @@ impl Bench {
         Self { welding, machine, nominal, planned }
     }
 
-    /// Where the planned weld has its axes nearest to a point.
+    /// Returns the axis positions of the planned weld nearest to a point.
     fn guide(&self, point: DVec3) -> Option<Joints> {
         let way = self.nominal.foot(point)?.way;
         Some(self.planned.path.at(way.min(self.planned.path.length())))
@@ -83,7 +83,7 @@ fn teach_actual(
     let guide = |point| bench.guide(point);
     let carrier = Carrier::new(machine, sensor, &around, Some(&guide), bench.planned.path.at(0.0));
     let mut rig = SimulatedRig::new((machine, sensor), carrier, eye);
-    // The operator puts the cross on the joint's start, as well as one can.
+    // The operator puts the cross on the joint's start, with a realistic error.
     let (start, _) = actual.at(0.0);
     let (_, along) = nominal.at(0.0);
     let across = start.normal.cross(along);
@@ -121,12 +121,12 @@ fn no_one() -> NoOperator {
     NoOperator::default()
 }
 
-/// Leans as a job's torch may, another way at each place.
+/// Tilts the torch within a job's limits, differently at each position.
 fn lean(p: &LinePoint) -> Lean {
     Lean { work: 0.2 * (0.01 * p.way).sin(), travel: 0.1, first_is_left: true }
 }
 
-/// What every taught line must be, and its programs.
+/// Checks every taught line, and its programs.
 fn check(name: &str, seed: u64, bench: &Bench, taught: &Taught) {
     let t = &taught.truth;
     let axes = torch_axes(&taught.smooth, &lean);
@@ -164,11 +164,11 @@ fn check(name: &str, seed: u64, bench: &Bench, taught: &Taught) {
     for program in [arcs, spline] {
         assert!(program.curves.max_error() <= 0.05);
         assert!(program.curves.counts().iter().sum::<usize>() * 5 < taught.smooth.len());
-        // It is a program: it reads back, its pass is as long as the taught line, and all along it the tip is on the line
-        // and the torch is as it was found.
+        // It is a program: it reads back, and its pass is as long as the taught line. All along it the tip is on the
+        // line and the torch has the attitude found.
         let text = program.program.to_toml().unwrap();
         let again = Welding::read_with("taught.toml", &text, &NoFiles).unwrap();
-        // What the machine has to keep clear of is what it was while teaching.
+        // The machine's surroundings are those during teaching.
         let part = |welding: &Welding| -> Vec<_> {
             let clamped = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap();
             clamped.part.iter().map(|solid| (solid.name().to_owned(), *solid.pose())).collect()
@@ -196,7 +196,7 @@ fn check(name: &str, seed: u64, bench: &Bench, taught: &Taught) {
     }
 }
 
-/// The greatest angle between the torch and where it should be over the actual seam, rad.
+/// Returns the maximum angle between the torch and its attitude over the actual seam, rad.
 fn turned(taught: &Taught, axes: &[DVec3]) -> f64 {
     let off = |(p, axis): (&LinePoint, &DVec3)| {
         let foot = taught.actual.foot(p.point)?;
@@ -268,7 +268,7 @@ fn an_s_with_tacks() {
     }
 }
 
-/// Jogs to where the joint comes out of the tack.
+/// Jogs to the end of the tack, where the joint appears.
 struct Helper<'a> {
     actual: &'a SeamLine,
     way: f64,
@@ -298,15 +298,15 @@ fn a_long_tack_is_asked_about() {
     assert_eq!((taught.run.end.clone(), helper.asked), (Some(End::JointEnd), 1), "{:?}", taught.run.asked);
     assert!(taught.truth.across_max <= 0.1 && taught.truth.end <= 0.3, "{:?}", taught.truth);
     assert!((35.0..50.0).contains(&taught.truth.bridged), "{:?}", taught.truth);
-    // With nobody there what was found up to the tack is kept.
+    // Without an operator, the joint found up to the tack is kept.
     let mut alone = no_one();
     let taught = teach(&bench, (PLACED_WRONG, &[tack], 3), &mut alone);
     assert!(alone.asked && taught.run.end == Some(End::Operator));
     assert!((taught.line.length() - tack.0).abs() < 1.5, "{}", taught.line.length());
 }
 
-/// The end is where the joint is seen to end, whether the nominal seam ends before it or after it; far before that the
-/// operator is asked, since a long tack looks the same.
+/// The end is the visible end of the joint, whether the nominal seam ends before or after it. Far before the nominal
+/// end the operator is asked, since a long tack looks the same.
 #[test]
 fn the_end_is_found_by_sight() {
     let bench = Bench::new(S_CURVE, None);
@@ -339,7 +339,7 @@ fn the_end_is_found_by_sight() {
 fn limits_and_zones_end_it() {
     let text = shipped("ebw-7axis").unwrap().text;
     let bench = Bench::new(S_CURVE, None);
-    // The carriage ends in the middle of the S; or something stands there that the gun must keep out of.
+    // The carriage ends in the middle of the S; or an obstacle stands there that the gun must keep clear of.
     let short = text.replacen("range_mm = [-1000, 1000]", "range_mm = [-1000, 40]", 1);
     let zone = "[[zones]]\nname = \"clamp\"\nkind = \"forbidden\"\non = \"base\"\nwatch = [\"torch\"]\n[[zones.solids]]\n\
         shape.box = { size_mm = [100, 600, 500] }\nat = { move_mm = [180, 0, 60] }\n\n[drives.x]";
@@ -349,7 +349,7 @@ fn limits_and_zones_end_it() {
         let taught = teach(&bench, (PLACED_WRONG, &[], 1), &mut no_one());
         let Some(End::Limit(why)) = &taught.run.end else { panic!("{:?}", taught.run.end) };
         assert!(why.contains(what), "{why}");
-        // The last frame sees some way beyond it.
+        // The last frame shows some way beyond it.
         assert!(taught.line.length() > 100.0 && taught.line.length() < 250.0, "{}", taught.line.length());
         let x = bench.machine.axis("x").unwrap();
         assert!(taught.run.axes.iter().all(|q| bench.machine.axes[x].outside(q[x]).is_none()));

@@ -1,4 +1,4 @@
-//! Jobs whose parts lie elsewhere than planned, welded on simulated machines with tracking and without.
+//! Jobs with displaced parts, welded on simulated machines with tracking and without.
 
 use seamwright_cell::executive::Mode;
 use seamwright_cell::tracking::{Distortion, RESERVE, cross_talk};
@@ -20,12 +20,12 @@ fn weld(job: &str, distortion: &str, tracking: bool, seed: u64) -> Result<Weld, 
     welds(job, distortion, tracking, seed, 1)
 }
 
-/// The job's passes so many times, one after the other.
+/// Welds the job's passes `times` times, one after the other.
 fn welds(job: &str, distortion: &str, tracking: bool, seed: u64, times: usize) -> Result<Weld, Error> {
     replayed(job, distortion, tracking, seed, times, None)
 }
 
-/// The same, corrected by what is stored, if there is something.
+/// Welds the same, corrected by the stored deviations, if there are any.
 fn replayed(
     job: &str,
     distortion: &str,
@@ -60,7 +60,8 @@ const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
 const T_JOINT: &str = include_str!("../../../../examples/t-joint.toml");
 const MISPLACED: &str = include_str!("../../../../examples/distortions/misplaced.toml");
 
-/// The greatest part of a limit that any axis uses between set-points, by differences: speed and acceleration.
+/// Returns the maximum share of a limit that any axis uses between set-points, by differences: speed and
+/// acceleration.
 fn used(weld: &Weld) -> (f64, f64) {
     let period = weld.machine.servo_period_s;
     let mut used = (0.0f64, 0.0f64);
@@ -76,12 +77,12 @@ fn used(weld: &Weld) -> (f64, f64) {
     used
 }
 
-/// Nothing follows set-points before the references are found, and without power.
+/// Set-points are not followed before the references are found, or without power.
 fn followed(samples: &[Sample]) -> bool {
     samples.iter().all(|s| matches!(s.mode, Mode::Weld | Mode::Hold))
 }
 
-/// The greatest part of its jerk that any axis uses between set-points, by differences: its part, time and axis.
+/// Returns the maximum share of its jerk that any axis uses between set-points, by differences: share, time and axis.
 fn jerk(weld: &Weld) -> (f64, f64, String) {
     let period = weld.machine.servo_period_s;
     let mut worst = (0.0, 0.0, String::new());
@@ -112,8 +113,8 @@ fn jerk_stays_within_its_limit() {
     }
 }
 
-/// A saddle that is misplaced by 2 mm and half a degree, oval and wavy, on a machine without a cross slide: its own axes
-/// bring the weld into the joint, and every set-point of every axis is within its limits.
+/// A saddle that is misplaced by 2 mm and half a degree, oval and wavy, on a machine without a cross slide. Its own
+/// axes bring the weld into the joint, and every set-point of every axis is within its limits.
 #[test]
 fn a_misplaced_saddle_over_the_machines_axes() {
     let tracked = weld(SADDLE, MISPLACED, true, 1).unwrap();
@@ -123,15 +124,15 @@ fn a_misplaced_saddle_over_the_machines_axes() {
     assert!(head.tracked && head.stopped_mm.is_none() && head.alarms.is_empty(), "{head:?}");
     assert!(head.miss_p99_mm < 0.05, "{head:?}");
     assert!(!other.tracked && other.miss_p99_mm > 2.0, "{other:?}");
-    // What the tracked weld says of one without tracking is what that one finds.
+    // The tracked weld's figures for a weld without tracking match that weld.
     assert!((head.untracked_p99_mm - other.miss_p99_mm).abs() < 0.02, "{head:?} {other:?}");
     assert!(plain.summary.path_error_mm.max > 2.0 && tracked.summary.path_error_mm.max < 0.3);
     let (speed, acceleration) = used(&tracked);
     assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
 }
 
-/// An open seam ends, on a part that lies a little back, before the plan does: nothing is wrong with that. It is, if nothing
-/// of its end was seen over more than a tack.
+/// On a part that lies a little back, an open seam ends before the plan does: no alarm. An end unseen over more than
+/// a tack is an alarm.
 #[test]
 fn the_end_of_an_open_seam_is_no_alarm() {
     let job = include_str!("../../../../examples/first-weld.toml");
@@ -150,7 +151,8 @@ fn the_end_of_an_open_seam_is_no_alarm() {
     assert!(head.alarms.iter().any(|alarm| alarm.alarm == "torch beyond what was seen"), "{head:?}");
 }
 
-/// Two fillets that are displaced in different ways, each by its own cross slide; and the same seed gives the same weld.
+/// Two fillets that are displaced in different ways, each followed by its own cross slide; the same seed gives the
+/// same weld.
 #[test]
 fn two_fillets_with_their_own_slides() {
     let apart = "schema = 1\n[[displacement]]\nhead = 1\nramp = { from_mm = 0, to_mm = 800, by = { lateral_mm = 2, height_mm = -0.5 } }\n\
@@ -168,8 +170,8 @@ fn two_fillets_with_their_own_slides() {
     assert_eq!(first.samples.len(), second.samples.len());
 }
 
-/// Two passes, each tracked: between them the axes go back to the plan, and nowhere does a set-point jump; the second sees
-/// the same part and is as good as the first.
+/// Two passes, each tracked: between them the axes return to the plan, and no set-point jumps. The second sees the
+/// same part and is as good as the first.
 #[test]
 fn two_passes_without_a_jump() {
     let far = "schema = 1\n[placement]\nshift_mm = [1, -1.5, 1]\nturn = [0, 0, 1]\nangle_deg = 0.3\n\
@@ -184,8 +186,8 @@ fn two_passes_without_a_jump() {
     assert!(weld.summaries.iter().all(|s| s.findings(&Tolerance::default(), 1).iter().all(|f| f.allowed)));
 }
 
-/// Two heads whose fillets drift apart by more than the slides reach: slowed down, then stopped, without a jump; the weld is
-/// no success, and nothing is welded after it.
+/// Two heads whose fillets drift apart by more than the slides reach: slowed down, then stopped, without a jump. The
+/// weld fails, and the next pass is not welded.
 #[test]
 fn heads_that_drift_too_far_apart_stop() {
     let apart = "schema = 1\n[[displacement]]\nhead = 1\nramp = { from_mm = 100, to_mm = 1100, by = { lateral_mm = 16 } }\n\
@@ -203,7 +205,7 @@ fn heads_that_drift_too_far_apart_stop() {
     assert!(second.heads.is_empty() && weld.samples.iter().all(|s| s.pass < 2));
 }
 
-/// A joint that the sensor never sees: told, and stopped.
+/// A joint that the sensor never sees: an alarm, and a stop.
 #[test]
 fn a_joint_that_is_never_seen() {
     let hidden = "schema = 1\n[placement]\nshift_mm = [0, 0, 14]\n";
@@ -216,7 +218,7 @@ fn a_joint_that_is_never_seen() {
     );
 }
 
-/// A part that lies farther off than the slides reach: the gantry that carries them takes over what is common to both.
+/// A part displaced by more than the slides reach: the gantry that carries them takes over the common part.
 #[test]
 fn axes_take_over_from_slides_near_their_ends() {
     let far = "schema = 1\n[placement]\nshift_mm = [0, 10, 0]\n\
@@ -232,7 +234,7 @@ fn axes_take_over_from_slides_near_their_ends() {
     assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
 }
 
-/// What one head corrects is hardly felt by the other, although the carrier of both takes its part.
+/// One head's corrections hardly affect the other, although the carrier of both takes its part.
 #[test]
 fn heads_do_not_disturb_each_other() {
     let welding = Welding::read("job.toml", T_JOINT).unwrap();
@@ -246,7 +248,7 @@ fn heads_do_not_disturb_each_other() {
     assert!(gate.is_kept(), "{gate:?}");
 }
 
-/// A seam that nothing displaces is not made worse than its sensor's noise.
+/// A seam without displacement is welded within its sensor's noise.
 #[test]
 fn a_part_that_lies_right() {
     let still = weld(SADDLE, "schema = 1\n", true, 2).unwrap();
@@ -254,7 +256,7 @@ fn a_part_that_lies_right() {
     assert!(head.untracked_most_mm < 1e-6 && head.miss_p99_mm < 0.03, "{head:?}");
 }
 
-/// A joint that leaves the reach of the machine's correction: the weld stops, and says why.
+/// A joint that leaves the reach of the machine's correction: the weld stops, and reports the cause.
 #[test]
 fn what_cannot_be_reached_stops_the_weld() {
     let far = "schema = 1\n[[displacement]]\nwave = { length_mm = 1600, by = { lateral_mm = 12 } }\n";
@@ -270,7 +272,7 @@ fn what_cannot_be_reached_stops_the_weld() {
     assert!(after.clone().count() > 0 && after.clone().all(|s| !s.arc()), "the arc is off for good");
 }
 
-/// A machine without a sensor that leads cannot track, and says what it would need.
+/// A machine without a leading sensor cannot track, and reports the missing key.
 #[test]
 fn a_machine_that_cannot_see_ahead() {
     let Err(error) = weld(include_str!("../../../../examples/ellipse.toml"), "schema = 1\n", true, 1) else { panic!() };
@@ -280,14 +282,14 @@ fn a_machine_that_cannot_see_ahead() {
 const HALF_RING: &str = include_str!("../../../../examples/half-ring.toml");
 const HALF_RING_MISPLACED: &str = include_str!("../../../../examples/distortions/half-ring.toml");
 
-/// Where pass `pass` lies beside the planned line, by path length on the seam, mm.
+/// Returns the lateral offset of pass `pass` from the planned line, by path length on the seam, mm.
 fn course(weld: &Weld, pass: usize, begin_mm: f64) -> Vec<(f64, f64)> {
     let samples = weld.samples.iter().filter(|s| s.pass == pass && s.travels()).step_by(20);
     samples.filter_map(|s| Some((begin_mm + s.set.law.s, s.heads[0]?.correction.x))).collect()
 }
 
-/// An electron beam looks ahead while it welds a half-ring that lies 2 mm elsewhere, and its cosmetic pass, begun elsewhere
-/// and faster, lies on the first one without tracking: within 0.02 mm.
+/// An electron beam looks ahead while it welds a half-ring displaced by 2 mm. Its cosmetic pass, started elsewhere
+/// and faster, lies within 0.02 mm of the first one without tracking.
 #[test]
 fn a_beam_tracks_and_its_cosmetic_pass_replays() {
     let weld = weld(HALF_RING, HALF_RING_MISPLACED, true, 1).unwrap();
@@ -329,8 +331,8 @@ fn held_axes_stand_still_while_a_pass_is_tracked() {
     assert!(head.tracked && head.untracked_p99_mm > 1.5 && head.miss_p99_mm < 0.05, "{head:?}");
 }
 
-/// What a beam found corrects another weld of the same part; of a part that was moved since it is refused before the beam is on,
-/// and so is a joint that cannot be seen.
+/// Deviations found by a beam correct another weld of the same part. For a part moved since, they are refused before
+/// the beam is on. An invisible joint is refused too.
 #[test]
 fn stored_deviations_that_fit_and_that_do_not() {
     let found = weld(HALF_RING, HALF_RING_MISPLACED, true, 1).unwrap();
@@ -354,7 +356,7 @@ fn stored_deviations_that_fit_and_that_do_not() {
     }
 }
 
-/// A post stands where the torch would go back to so that its sensor sees the start: the move ends before it, and that is told.
+/// A post blocks the move back to see the start: the move ends before it, and this is reported.
 #[test]
 fn the_move_to_see_the_start_keeps_clear() {
     let post = "\n[[fixtures]]\nname = \"post\"\nshape.cylinder = { radius_mm = 10, length_mm = 200 }\n\
@@ -370,14 +372,14 @@ fn the_move_to_see_the_start_keeps_clear() {
         let start = weld.samples.iter().position(Sample::arc).unwrap();
         let tip = |q| weld.machine.forward(q).point;
         let first = tip(&weld.samples[start].set.q);
-        // The way from home comes to the start first.
+        // The approach from home reaches the start first.
         let there = weld.samples.iter().position(|s| tip(&s.set.q).distance(first) < 0.1).unwrap();
         weld.samples[there..start].iter().map(|s| tip(&s.set.q).distance(first)).fold(0.0, f64::max)
     };
     assert!(back(&near) < back(&free) - 1.0, "{} {}", back(&near), back(&free));
 }
 
-/// A torch that weaves 4 mm wide is tracked: its line lies in the joint, and the weave swings about that.
+/// A torch that weaves 4 mm wide is tracked: its line lies in the joint, and the weave swings about it.
 #[test]
 fn a_woven_pass_is_tracked() {
     let weave = "[weld.weave]\nfigure = \"sine\"\nwidth_mm = 4\nfrequency_hz = 1\nfade_mm = 5\n";

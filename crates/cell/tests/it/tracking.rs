@@ -1,4 +1,4 @@
-//! Welding with tracking in simulation: quick looks at what `seamwright bench tracking` measures in full.
+//! Simulated welding with tracking: quick versions of the tests that `seamwright bench tracking` runs in full.
 
 use glam::DVec2;
 use seamwright_cell::tracking::faults::fault_rows;
@@ -12,7 +12,7 @@ fn machine() -> Machine {
     Machine::read("machine", shipped("dual-laser-10axis").unwrap().text).unwrap()
 }
 
-/// Of the gates: one at each speed, both heads, and the papers' algorithms worse.
+/// Acceptance tests: one at each speed, both heads, and the papers' algorithms worse.
 #[test]
 fn fast_and_slow() {
     let machine = machine();
@@ -29,7 +29,7 @@ fn fast_and_slow() {
     }
 }
 
-/// What happens to one seam does nothing to the other head.
+/// Displacement of one seam does not affect the other head.
 #[test]
 fn no_cross_talk() {
     let quiet = Displacement::of(Part::Shift(DVec2::new(0.3, 0.2)));
@@ -43,12 +43,14 @@ fn no_cross_talk() {
     assert_eq!(still[1], moving[1]);
 }
 
-/// How much is tried: `SEAMWRIGHT_SOAK` asks for all that `seamwright bench tracking` prints, of many seeds.
+/// Extent of the tests: `SEAMWRIGHT_SOAK` requests everything that `seamwright bench tracking` prints, with many
+/// seeds.
 fn soak() -> Option<u64> {
     std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|s| s.parse().ok())
 }
 
-/// Every scenario of the gates at 100 mm/s, or all of them: each head within its limit, never stopped, no slide's limit broken.
+/// Every scenario of the acceptance tests at 100 mm/s, or all of them: each head within its limit, never stopped, all
+/// limits of the slides kept.
 #[test]
 fn every_gate() {
     let machine = machine();
@@ -66,8 +68,8 @@ fn every_gate() {
     }
 }
 
-/// Everything that fails: the miss is what the seam's own course explains, the alarm names the cause, the weld is stopped, and
-/// nothing oscillates.
+/// Every fault: the seam's own course explains the miss, the alarm names the cause, the weld is stopped, and no axis
+/// oscillates.
 #[test]
 fn every_fault() {
     for row in fault_rows(&machine(), soak().map_or(5, |soak| 30.min(5 * soak))).unwrap() {

@@ -1,10 +1,10 @@
-//! A small cell on the test server: its map, and the welding source that the server then is.
+//! A small cell on the test server: its map, and the welding source that the server simulates.
 
 use super::modbus_server::{Bank, TestServer};
 use seamwright_cell::devices::modbus::{ModbusParts, connect};
 use seamwright_machine::{Machine, ModbusDevice, shipped};
 
-/// Process values of the job that is welded.
+/// Process values of the welded job.
 pub(crate) const VALUES: [&str; 2] = ["current_a", "wire_m_min"];
 /// Period of the cycle, s.
 pub(crate) const PERIOD_S: f64 = 1e-3;
@@ -37,19 +37,19 @@ heartbeat = { input = 0 }
 current_a = { input = 10, type = "i16", scale = 0.1 }
 "#;
 
-/// The device of `map` at `address`.
+/// Returns the device of `map` at `address`.
 pub(crate) fn device(address: &str, map: &str) -> ModbusDevice {
     let machine = shipped("ellipse-xy").unwrap().text;
     let text = format!("{machine}\n[devices.io.modbus]\naddress = \"{address}\"\n{map}");
     Machine::read("m.toml", &text).unwrap_or_else(|e| panic!("{e}")).devices.modbus.remove(0)
 }
 
-/// The device of [`MAP`] on `server`, connected.
+/// Connects the device of [`MAP`] on `server`.
 pub(crate) fn parts(server: &TestServer) -> ModbusParts {
     connect(&device(&server.address.to_string(), MAP), &VALUES.map(str::to_owned)).unwrap()
 }
 
-/// A welding source that burns while it is on, with all inputs as they should be and a heart-beat.
+/// Simulates a welding source that burns while it is on, with all inputs met and a heart-beat.
 pub(crate) fn welder(bank: &mut Bank) {
     let on = bank.coils[1];
     (bank.discrete[0], bank.discrete[3], bank.discrete[8], bank.discrete[9]) = (true, true, true, on);

@@ -1,4 +1,4 @@
-//! A Modbus TCP device for tests: four tables, a welding source if it is told to be one, and faults.
+//! A Modbus TCP device for tests: four tables, an optional welding source, and faults.
 
 // Not every test needs all of it.
 #![allow(dead_code)]
@@ -15,18 +15,18 @@ use tokio_modbus::server::Service;
 use tokio_modbus::server::tcp::{Server, accept_tcp_connection};
 use tokio_modbus::{ExceptionCode, Request, Response};
 
-/// What the device has, and what was asked of it.
+/// Tables of the device, and counts of its requests.
 pub(crate) struct Bank {
     pub(crate) coils: Vec<bool>,
     pub(crate) discrete: Vec<bool>,
     pub(crate) holding: Vec<u16>,
     pub(crate) input: Vec<u16>,
-    /// Registers (holding and input) that it does not have.
+    /// Missing registers (holding and input).
     pub(crate) holes: HashSet<u16>,
-    /// Requests to read and to write so far.
+    /// Numbers of read and write requests so far.
     pub(crate) reads: usize,
     pub(crate) writes: usize,
-    /// Done before each request: what the device does by itself.
+    /// Behaviour of the device itself, run before each request.
     pub(crate) works: fn(&mut Bank),
 }
 
@@ -35,15 +35,15 @@ pub(crate) struct TestServer {
     pub(crate) address: SocketAddr,
     bank: Arc<Mutex<Bank>>,
     silent: Arc<AtomicBool>,
-    /// Questions (requests to read) stay unanswered, orders do not.
+    /// Read requests stay unanswered, write requests do not.
     mute: Arc<AtomicBool>,
-    /// Takes one connection at a time: others are closed at once.
+    /// Accepts one connection at a time: others are closed at once.
     single: bool,
     running: Option<(Arc<AtomicBool>, JoinHandle<()>)>,
 }
 
 impl TestServer {
-    /// Runs at a free port of this computer.
+    /// Starts the server at a free port of this computer.
     pub(crate) fn new(works: fn(&mut Bank)) -> Self {
         let bank = Bank {
             coils: vec![false; 65536],
@@ -62,7 +62,7 @@ impl TestServer {
         server
     }
 
-    /// The same, but it takes one connection at a time.
+    /// Starts a server that accepts one connection at a time.
     pub(crate) fn single(works: fn(&mut Bank)) -> Self {
         let mut server = Self::new(works);
         server.stop();
@@ -71,7 +71,7 @@ impl TestServer {
         server
     }
 
-    /// Takes questions and does not answer them; orders are obeyed and answered.
+    /// Accepts read requests without answering them; write requests are executed and answered.
     pub(crate) fn mute(&self, mute: bool) {
         self.mute.store(mute, Ordering::SeqCst);
     }
@@ -80,12 +80,12 @@ impl TestServer {
         self.bank.lock().unwrap()
     }
 
-    /// Takes requests and does not answer them; those stay unanswered for ever.
+    /// Accepts requests without ever answering them.
     pub(crate) fn silence(&self, silent: bool) {
         self.silent.store(silent, Ordering::SeqCst);
     }
 
-    /// Ends all connections, and takes none.
+    /// Ends all connections and accepts none.
     pub(crate) fn stop(&mut self) {
         if let Some((stop, thread)) = self.running.take() {
             stop.store(true, Ordering::SeqCst);
@@ -93,7 +93,7 @@ impl TestServer {
         }
     }
 
-    /// Takes connections, at the same port as before.
+    /// Accepts connections at the same port as before.
     pub(crate) fn start(&mut self) {
         let stop = Arc::new(AtomicBool::new(false));
         let listener = std::net::TcpListener::bind(self.address).unwrap();
@@ -111,7 +111,7 @@ impl TestServer {
                 let connected = |stream: tokio::net::TcpStream, from| {
                     stream.set_nodelay(true).unwrap();
                     let device = device.clone();
-                    // What a connection holds as long as it is open.
+                    // Held by a connection as long as it is open.
                     let free = !single || Arc::strong_count(&open) == 1;
                     let held = Arc::clone(&open);
                     async move {

@@ -2,7 +2,7 @@
 
 use super::modbus_server::Bank;
 
-/// Its registers, as in a machine file.
+/// Registers of the source, as in a machine file.
 pub(crate) const MAP: &str = r#"
 [devices.welder.modbus.inputs]
 e_stop_ok = { discrete = 0 }
@@ -19,7 +19,7 @@ voltage_v = { holding = 1, scale = 0.01 }
 burning = { discrete = 4 }
 "#;
 
-/// What it does by itself.
+/// Behaviour of the source itself.
 pub(crate) fn welder(bank: &mut Bank) {
     bank.discrete[..3].fill(true);
     bank.discrete[4] = bank.coils[1];

@@ -1,4 +1,4 @@
-//! Is a heap of triangles a closed surface?
+//! Checks that triangles form a closed surface, and orients them.
 
 use crate::ClearanceError;
 use crate::shape::FARTHEST_MM;
@@ -11,12 +11,12 @@ type Faces = Vec<[u32; 3]>;
 /// An edge of a triangle: its lower and higher corner, the triangle, and whether it goes from low to high there.
 type Edge = (u32, u32, u32, bool);
 
-/// The triangles, all turned alike in each piece of the surface, and one corner of each piece.
+/// The triangles, consistently oriented in each piece of the surface, and one corner of each piece.
 pub(super) fn closed(triangles: &[[DVec3; 3]]) -> Result<(Vec<[DVec3; 3]>, Vec<DVec3>), ClearanceError> {
     check(triangles)?;
     let (points, mut faces) = welded(triangles);
     faces.retain(|[a, b, c]| a != b && b != c && c != a);
-    // Slivers with three corners on a line may be what closes a seam between other triangles.
+    // Slivers with three corners on a line may close a seam between other triangles.
     let flat = |f: &[u32; 3]| {
         let [a, b, c] = f.map(|i| points[i as usize]);
         (b - a).cross(c - a) == DVec3::ZERO
@@ -59,7 +59,7 @@ fn welded(triangles: &[[DVec3; 3]]) -> (Vec<DVec3>, Faces) {
     let mut points = Vec::new();
     let mut numbers = HashMap::new();
     let mut number = |p: &DVec3| {
-        // 0 and -0 are one place.
+        // 0 and -0 are the same coordinate.
         let p = *p + DVec3::ZERO;
         *numbers.entry(p.to_array().map(f64::to_bits)).or_insert_with(|| {
             points.push(p);
@@ -95,7 +95,7 @@ fn paired(points: &[DVec3], faces: &Faces) -> Result<Vec<[Edge; 2]>, ClearanceEr
     }
 }
 
-/// Turns triangles so that neighbours agree; returns one triangle of each piece.
+/// Reverses triangles so that neighbours agree in orientation; returns one triangle of each piece.
 fn turned_alike(faces: &mut Faces, edges: &[[Edge; 2]]) -> Vec<u32> {
     let mut neighbours = vec![Vec::with_capacity(3); faces.len()];
     for [x, y] in edges {

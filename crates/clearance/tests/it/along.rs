@@ -1,4 +1,4 @@
-//! Bounds along motions against dense looking.
+//! Bounds along motions against dense sampling.
 
 use crate::common::{KINDS, Uniform, cases, shape, solid};
 use glam::{DAffine3, DQuat, DVec3};
@@ -10,7 +10,7 @@ struct Screw {
     rate: f64,
     about: DVec3,
     velocity: DVec3,
-    /// How far the group's solids reach from `about`.
+    /// Maximum distance of the group's solids from `about`.
     reach: f64,
     length: f64,
     start: DAffine3,
@@ -55,12 +55,12 @@ fn a_thin_plate_between_two_stations_is_found() {
         let scene =
             Scene::new(vec![group("torch", vec![tip.clone()]), group("part", vec![plate])], vec![watch]).unwrap();
         let motion = straight(DVec3::ZERO, DVec3::X * 1000.0);
-        // Stations 100 mm apart: none comes near the plate.
+        // Stations 100 mm apart: all are far from the plate.
         let profile = scene.along(&motion, 10, &LIMITS).unwrap();
         let [stretch] = &profile.stretches[..] else { panic!("{:?}", profile.stretches) };
         // Nearer than 1 mm: half the plate, the radius and 1 mm, on both sides.
         assert!((stretch.from - (x - 1.6)).abs() < 0.02 && (stretch.to - (x + 1.6)).abs() < 0.02, "{stretch:?} {x}");
-        // It touches; what was found says so to within the precision, and the bound without it.
+        // It touches: the sample shows it to within the precision, the bound exactly.
         assert!(stretch.at_least_mm == 0.0 && stretch.nearest.distance < 0.12, "{stretch:?}");
         assert!((stretch.s - x).abs() < 0.75 && stretch.nearest.place.is_some());
         let cell = (x / 100.0) as usize;
@@ -121,14 +121,14 @@ fn cell_bounds_hold_between_all_places() {
                 motion.frames(s, &mut frames);
                 let d = scene.evaluate(0, &frames, 200.0).distance;
                 least = least.min(d);
-                // What is too near is in a stretch, and what is not at the end of one is not.
+                // Violations are inside a stretch; stretches contain only distances close to the limit or below.
                 let within = profile.stretches.iter().any(|x| (x.from..=x.to).contains(&s));
                 assert!(d >= least_mm || within, "{d} at {s} is in no stretch");
                 assert!(d < 1.1 * least_mm + 0.2 || !within, "{d} at {s} is in a stretch below {least_mm}");
             }
             let bound = profile.traces[0].cells[k].at_least_mm;
             assert!(bound <= least.min(100.0) + 1e-9, "cell {k}: {bound} above {least}");
-            // Near enough too: the precision, and half a step of the dense looking.
+            // The bound is also tight: to the precision, and half a step of the dense sampling.
             let speed = motion.greatest_speed(0, 1, from, to);
             let short = 0.1 + 0.1 * least + speed * (to - from) / 80.0;
             assert!(bound >= least.min(100.0) - short, "cell {k}: {bound} for {least}");
@@ -151,10 +151,10 @@ fn permitted_zones_are_walked_too() {
     let scene = Scene::new(vec![group("torch", vec![ball]), group("base", Vec::new())], vec![watch]).unwrap();
     let profile = scene.along(&straight(DVec3::ZERO, DVec3::X * 150.0), 15, &LIMITS).unwrap();
     let [stretch] = &profile.stretches[..] else { panic!("{:?}", profile.stretches) };
-    // The second box ends at 120: room of 2 mm is left until 113.
+    // The second box ends at 120: a margin of 2 mm is left until 113.
     assert!((stretch.from - 113.0).abs() < 0.02 && (stretch.to - 150.0).abs() < 1e-12, "{stretch:?}");
     assert!((stretch.nearest.distance + 35.0).abs() < 1e-9 && (stretch.s - 150.0).abs() < 1e-12);
-    // Where the boxes change, 35: room 50 - 35 - 5.
+    // At the change of boxes, 35: a margin of 50 - 35 - 5.
     let least = (0..10).map(|k| profile.traces[0].cells[k].at_least_mm).fold(f64::INFINITY, f64::min);
     assert!(least <= 10.0 && least > 8.5, "{least}");
 }
@@ -183,7 +183,7 @@ fn the_work_is_bounded() {
         let profile = scene.along(&motion, 100, &Limits { smallest: 0.1, ..LIMITS }).unwrap();
         (profile, motion.1.get())
     };
-    // Far off: a few looks. Sliding along exactly at the limit, or with no speed bound: not below the smallest cell.
+    // Far away: a few samples. Sliding exactly at the limit, or without a speed bound: not below the smallest cell.
     assert!(look(-1000.0, 1.0).1 < 10);
     for (z, speed) in [(-6.000_001, 1.0), (-50.0, f64::INFINITY), (-50.0, f64::NAN)] {
         let (profile, looks) = look(z, speed);

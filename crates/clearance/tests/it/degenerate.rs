@@ -1,5 +1,5 @@
-//! Distances of bodies that are degenerate, tiny, huge, touching, concentric or apart by less than any rounding: always a
-//! number, never more than the distance of their centres, and never a panic.
+//! Distances of bodies that are degenerate, tiny, huge, touching, concentric or closer than rounding: always a number,
+//! at most the distance of their centres, and never a panic.
 
 use crate::common::{Uniform, cases};
 use glam::{DAffine3, DQuat, DVec3};
@@ -7,7 +7,7 @@ use seamwright_clearance::{Mesh, Shape, Solid, nearest};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-/// A number from those at which arithmetic stumbles.
+/// A random number from values that are difficult for floating-point arithmetic.
 fn hard(random: &mut Uniform) -> f64 {
     let all = [0.0, -0.0, 5e-324, 1e-308, 1e-200, 1e-160, 1e-100, 1e-30, 1e-16, 1e-9, 1e-3, 1.0, 10.0, 800.0, 1e6, 9e6];
     let value = all[random.in_range(0.0, all.len() as f64) as usize];
@@ -44,7 +44,7 @@ fn shape(random: &mut Uniform) -> Shape {
     }
 }
 
-/// A mesh of four triangles, thin or tiny; a ball if there is none such.
+/// A mesh of four triangles, thin or tiny; a ball if they form no valid mesh.
 fn tetrahedron(random: &mut Uniform) -> Shape {
     let p = [0; 4].map(|_| DVec3::from_array([0; 3].map(|_| hard(random).clamp(-1e6, 1e6))));
     let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map(|f| f.map(|i| p[i]));
@@ -75,7 +75,7 @@ fn any_two_bodies_have_a_distance() {
         let text = || format!("case {case}: {near:?}\n{a:?} in {}\n{b:?} in {}", frames[0], frames[1]);
         assert!(near.distance >= 0.0 && near.distance < limit, "{}", text());
         assert!(near.on_a.is_finite() && near.on_b.is_finite(), "{}", text());
-        // Centres of all but meshes and half-spaces are inside; a sphere around each bounds what may be between.
+        // Centres of all but meshes and half-spaces are inside; a sphere around each bounds the distance.
         let [(p, r), (q, s)] = [(&a, frames[0]), (&b, frames[1])].map(|(solid, frame)| {
             let (centre, reach) = solid.sphere();
             (frame.transform_point3(centre), reach)

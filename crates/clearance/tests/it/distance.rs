@@ -1,4 +1,4 @@
-//! Distances of all pairs of shapes against other ways to get them.
+//! Distances of all pairs of shapes against independent methods.
 
 use crate::common::{self, KINDS, Uniform, brute_force, bumpy_torus, cases, shape, solid};
 use glam::{DAffine3, DQuat, DVec3};
@@ -21,7 +21,7 @@ fn all_pairs_of_shapes_agree_with_projections_in_turns() {
     let mut worst = 0.0f64;
     for i in 0..KINDS {
         for j in 0..KINDS {
-            // Mesh with mesh is dear the other way.
+            // Brute force is expensive for mesh with mesh.
             let count = if (i, j) == (7, 7) { 20 } else { 60 };
             let mut apart = 0;
             for _ in 0..cases(count) {
@@ -33,18 +33,18 @@ fn all_pairs_of_shapes_agree_with_projections_in_turns() {
                 let other = brute_force((&s, &pose_s), (&t, &pose_t), 20_000);
                 assert!(near.distance <= other + 1e-9, "{s:?} {t:?} {pose_s} {pose_t}: {} {other}", near.distance);
                 if near.distance == 0.0 && other > 1e-6 && (i == 7 || j == 7) {
-                    // One may be inside the mesh: its surface knows nothing of that. Tested elsewhere.
+                    // One may be inside the mesh, which brute force on its surface does not detect. Tested elsewhere.
                     continue;
                 }
                 if (i, j) == (6, 6) {
                     continue;
                 }
-                // In turns it is slow where the bodies touch: then its distance may be well above 0.
+                // Alternating projections converge slowly for touching bodies: their distance may then be well above 0.
                 let short = if other > 1e-3 { (other - near.distance) / (1.0 + other) } else { 0.0 };
                 worst = worst.max(short);
                 assert!(short < 1e-6, "{s:?} {t:?} {pose_s} {pose_t}: {} {other}", near.distance);
                 apart += usize::from(other > 1e-3);
-                // The points are on the bodies, and that far apart.
+                // The points are on the bodies, and the distance apart.
                 if near.distance > 0.0 {
                     let seen = near.on_a.distance(near.on_b);
                     assert!((seen - near.distance).abs() < 1e-5 * (1.0 + seen), "{s:?} {t:?} {seen} {}", near.distance);
@@ -87,7 +87,7 @@ fn closed_forms() {
     }
 }
 
-/// Least distance of two segments: ends with segments, and the common perpendicular if its feet are on both.
+/// Minimum distance of two segments: ends with segments, and the common perpendicular if its feet are on both.
 fn segments(a: [DVec3; 2], b: [DVec3; 2]) -> f64 {
     let to = |p: DVec3, [u, v]: [DVec3; 2]| {
         let d = v - u;

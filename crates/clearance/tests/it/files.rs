@@ -1,4 +1,4 @@
-//! Solids in TOML and meshes in STL: what is read, and what is said of mistakes.
+//! Solids in TOML and meshes in STL: parsing, and the messages for mistakes.
 
 use crate::common;
 
@@ -181,7 +181,7 @@ fn every_mistake_in_an_stl_is_named() {
         assert!(text.contains(says) && text.contains(cure), "{what}: {text}");
         assert_eq!((error.line, error.key.as_str()), (2, "solid[0].shape.stl.file"), "{what}: {text}");
     }
-    // The place is on the edge that is open.
+    // The reported point is on the open edge.
     let mut open = cube();
     open.truncate(11);
     let Err(ClearanceError::Open { edges: 3, at }) = Mesh::new(&open) else { panic!() };
@@ -217,13 +217,13 @@ fn triangles_without_area_and_turned_ones_do_no_harm() {
     triangles.push([a, a, b]);
     triangles.push([a, (a + b) / 2.0, b]);
     assert_eq!(Mesh::new(&triangles).unwrap().triangles().len(), 12);
-    // A sliver that joins a split edge to a whole one is needed.
+    // A sliver that joins a split edge to a whole one is kept.
     let mut split = cube();
     let [a, b, c] = split.swap_remove(0);
     let middle = (a + b) / 2.0;
     split.extend([[a, middle, c], [middle, b, c], [a, b, middle]]);
     assert_eq!(Mesh::new(&split).unwrap().triangles().len(), 14);
-    // Any turned round: the inside stays inside.
+    // With reversed triangles the inside stays inside.
     for i in 0..12 {
         let mut turned = cube();
         turned[i].swap(0, 1);

@@ -1,10 +1,10 @@
-//! Room in permitted zones against surface points.
+//! Margins in permitted zones against surface points.
 
 use crate::common::{self, KINDS, Uniform, cases, shape, solid};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Group, Scene, Shape, Solid, Watch};
 
-/// Points of the body, its extreme ones among them.
+/// Points of the body, including its extreme ones.
 fn points(shape: &Shape, random: &mut Uniform) -> Vec<DVec3> {
     let round = |radius: f64, z: f64| {
         (0..400).map(move |i| {
@@ -28,7 +28,7 @@ fn points(shape: &Shape, random: &mut Uniform) -> Vec<DVec3> {
     }
 }
 
-/// Room of a point in a zone, in the zone's frame.
+/// Margin of a point in a zone, in the zone's frame.
 fn room_of(zone: &Shape, p: DVec3) -> f64 {
     match *zone {
         Shape::Box { size } => (size / 2.0 - p.abs()).min_element(),
@@ -71,7 +71,7 @@ fn room_is_the_least_over_the_bodys_points() {
         };
         assert!(found.distance <= other + 1e-9, "{body:?} in {zone:?}: {} over {other}", found.distance);
         assert!(found.distance >= other - more, "{body:?} in {zone:?}: {} for {other}", found.distance);
-        // The points are as far apart as is said.
+        // The distance of the points equals the reported one.
         let place = found.place.unwrap();
         assert!((place.on_a.distance(place.on_b) - found.distance.abs()).abs() < 1e-9);
         inside += usize::from(found.distance > 0.0);

@@ -28,7 +28,7 @@ fn read_or_not(printed: Result<(), Failure>) -> Result<(), Failure> {
     }
 }
 
-/// What there is to be said about one job.
+/// Findings against one job.
 fn check(job: &Path, args: &CheckArgs) -> Result<Vec<Finding>, Failure> {
     let loaded = load(job)?;
     Ok(planning::try_plan(&loaded, &args.planning)?.map_or_else(|findings| findings, |motion| motion.findings))
@@ -61,7 +61,7 @@ fn several(args: &CheckArgs) -> Result<(), Failure> {
     if args.json {
         read_or_not(print_json(&all))?;
     }
-    // Each was told of where it belongs.
+    // Each error was reported with its job.
     match worst {
         Err(Failure::Input(_) | Failure::Document(_)) => Err(Failure::Input("not every job could be read".to_owned())),
         worst => worst,

@@ -116,7 +116,7 @@ fn play<I: Iterator<Item = Joints>>(
     if law.stops() > 0 {
         told += &format!("; {} stops to plan ahead: a longer --window-s would avoid them", law.stops());
     }
-    // Nothing can be done if standard error is closed.
+    // Errors are ignored: standard error may be closed.
     let _ = writeln!(io::stderr(), "{told}");
     Ok(())
 }
@@ -139,7 +139,7 @@ struct Points<'a, R> {
     kind: Kind,
     near: Joints,
     around: &'a Surroundings<'a>,
-    /// Where clearance was looked at last.
+    /// Axis positions at the last clearance check.
     clear: Option<Joints>,
     failed: &'a RefCell<Option<Failure>>,
 }
@@ -205,8 +205,8 @@ impl<'a, R: BufRead> Points<'a, R> {
         Some(problem.map_or(Ok(q), |message| Err(self.unreachable(&message))))
     }
 
-    /// What of the machine comes too near to something else on the straight way of the axes to `q`, looked at every mm
-    /// or degree.
+    /// Reports a part of the machine that comes too near to something else on the straight way of the axes to `q`,
+    /// checked at every mm or degree.
     fn too_near(&mut self, q: &Joints) -> Option<String> {
         let from = self.clear.unwrap_or(*q);
         let axes = self.machine.axes.iter().zip(from.iter().zip(q));

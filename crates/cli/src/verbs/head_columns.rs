@@ -5,7 +5,7 @@ use seamwright_project::run_rows::head_names;
 
 /// Columns of a trace that say where weld and joint truly are: of each head that welds, where that is simulated.
 pub(super) struct HeadColumns {
-    /// What ends the names of each head's columns.
+    /// Suffixes of each head's columns.
     heads: Vec<String>,
     /// The torch is a beam that corrects.
     beam: bool,
@@ -28,7 +28,7 @@ const NAMES: [(&str, &str); 11] = [
 
 /// And of a beam.
 const BEAM_NAMES: [(&str, &str); 2] = [("deflection_mm", "mm"), ("beam_on_weld", "1")];
-const MOST: usize = NAMES.len() + BEAM_NAMES.len();
+const MAX_COLUMNS: usize = NAMES.len() + BEAM_NAMES.len();
 
 impl HeadColumns {
     pub(super) fn new(loaded: &Loaded, conditions: &Conditions<'_>) -> Self {
@@ -47,11 +47,11 @@ impl HeadColumns {
     pub(super) fn values(&self, sample: &Sample) -> impl Iterator<Item = f64> {
         let (heads, count) = (self.heads.len(), NAMES.len() + if self.beam { BEAM_NAMES.len() } else { 0 });
         let heads = sample.heads.into_iter().take(heads);
-        heads.flat_map(move |head| head.map_or([f64::NAN; MOST], values).into_iter().take(count))
+        heads.flat_map(move |head| head.map_or([f64::NAN; MAX_COLUMNS], values).into_iter().take(count))
     }
 }
 
-fn values(head: HeadSample) -> [f64; MOST] {
+fn values(head: HeadSample) -> [f64; MAX_COLUMNS] {
     let HeadSample { seam, correction, miss, tracked, beam } = head;
     let [sigma, sight, lateral, height, confidence] = tracked.map_or([f64::NAN; 5], |t| {
         [t.sigma_mm, f64::from(t.sight as u8), t.deviation_mm[0], t.deviation_mm[1], t.confidence]

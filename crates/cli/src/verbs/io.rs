@@ -22,7 +22,7 @@ pub(crate) fn run(args: &IoArgs) -> Result<(), Failure> {
         )));
     }
     let begun = Instant::now();
-    // A device that cannot be reached at the start is told at once; one that is lost later shows by its ages.
+    // An unreachable device is an error at the start; one that is lost later shows by its ages.
     for (_, looker) in &mut devices {
         looker.look().map_err(|e| Failure::Environment(e.to_string()))?;
     }

@@ -83,8 +83,8 @@ fn inverse(machine: &Machine, values: &[f64], near: &Joints, continuous: bool) -
     let far = |s: &Solution| -> f64 {
         machine.axes.iter().zip(s.joints.iter().zip(near)).map(|(a, (p, q))| ((p - q) / a.max_speed).powi(2)).sum()
     };
-    // Where the direction cannot be met, the branch that comes nearest to it; then the one nearest to where the axes
-    // are.
+    // If the direction cannot be met, the branch that comes nearest to it is used; then the one nearest to the present
+    // axis positions.
     let cost = |s: &Solution| (s.attitude_error * 1e6).round() * 1e6 + far(s);
     let best = found.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
     best.ok_or_else(|| "no positions reach the pose".to_owned())

@@ -7,8 +7,8 @@ use seamwright_machine::{AxisSet, Clamped, Joints, Machine, Surroundings};
 use seamwright_motion::jog::{PointToPoint, State};
 use std::io::{self, Write};
 
-/// More set-points are a mistake in the period.
-const MOST_SET_POINTS: f64 = 1e9;
+/// Maximum number of set-points; more are a mistake in the period.
+const MAX_SET_POINTS: f64 = 1e9;
 
 pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
     let machine = load::machine(&args.machine)?;
@@ -27,9 +27,9 @@ pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
     let planned = plan.plan(&State::at_rest(&from), &to, percent / 100.0);
     planned.map_err(|e| Failure::Input(format!("{e}\n   allowed: motions of up to two hours")))?;
     let count = (plan.duration() / period).ceil();
-    if count > MOST_SET_POINTS {
+    if count > MAX_SET_POINTS {
         let message = format!("--period-ms {}: {count:.1e} set-points", period * 1e3);
-        return Err(Failure::Input(format!("{message}\n   allowed: up to {MOST_SET_POINTS:.0e}; a longer period")));
+        return Err(Failure::Input(format!("{message}\n   allowed: up to {MAX_SET_POINTS:.0e}; a longer period")));
     }
     let clearance = clearance(&machine, &args.machine, &plan)?;
     write(&machine, &plan, period, count as u64, args.json)?;
@@ -70,7 +70,7 @@ fn positions(machine: &Machine, option: &str, words: &[String], others: &Joints)
     Ok(q)
 }
 
-/// What is to be said of distances; a failure if something comes too near.
+/// Reports the distances; fails if something comes too near.
 fn clearance(machine: &Machine, file: &str, plan: &PointToPoint) -> Result<String, Failure> {
     let wrong = |e: &dyn std::fmt::Display| Failure::Input(format!("{file}: {e}"));
     let around = Surroundings::new(machine, &Clamped::default()).map_err(|e| wrong(&e))?;

@@ -1,4 +1,4 @@
-//! How the simulated part lies, and whether its passes are tracked, from the command line.
+//! Position of the simulated part, and whether its passes are tracked, from the command line.
 
 use crate::args::part::PartArgs;
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use seamwright_project::part::Part;
 use seamwright_tracking::beam::DeviationRecord;
 use std::path::Path;
 
-/// The part that the arguments tell of.
+/// The part that the arguments describe.
 pub(super) fn read(args: &PartArgs) -> Result<Part, Failure> {
     let distortion = match &args.distortion {
         Some(path) => Some(Distortion::read(&path.display().to_string(), &files::read(path)?)?),
@@ -19,7 +19,7 @@ pub(super) fn read(args: &PartArgs) -> Result<Part, Failure> {
     Ok(Part { distortion, replay, tracking })
 }
 
-/// What an earlier weld has found of the seam.
+/// Deviations of the seam that an earlier weld has measured.
 fn stored(path: &Path) -> Result<DeviationRecord, Failure> {
     let record = DeviationRecord::from_csv(&path.display().to_string(), &files::read(path)?);
     record.map_err(|e| Failure::Input(e.to_string()))

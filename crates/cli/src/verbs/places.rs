@@ -9,7 +9,7 @@ use seamwright_weld::SeamCurve;
 /// Most points along a seam: more would be written without end.
 const MAX_POINTS: u32 = 10_000_000;
 
-/// Where points are asked for.
+/// Requested points.
 pub(super) enum Places {
     /// Path lengths with their angles, degrees.
     Angles(Vec<(f64, f64)>),

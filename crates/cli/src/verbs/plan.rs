@@ -24,7 +24,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     // A plan that leaves its procedure is written all the same: its report shows where.
     let motion = planning::try_plan(&loaded, &args.planning)?.map_err(Failure::Findings)?;
-    // What cannot be posted is known before anything is written.
+    // Posts are made first: if one fails, no file is written.
     let mut dialects: Vec<Dialect> = args.post.iter().map(|dialect| (*dialect).into()).collect();
     dialects.dedup();
     let posts = dialects.into_iter().map(|dialect| post(&loaded, &motion, dialect));
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     judge(report)
 }
 
-/// Where a plan goes if the command line does not say: a folder called as the job, in `out`.
+/// Default output of a plan: a folder with the name of the job, in `out`.
 fn usual_output(job: &Path) -> PathBuf {
     Path::new("out").join(job.file_stem().unwrap_or(job.as_os_str()))
 }
@@ -140,7 +140,7 @@ pub(super) fn finish(output: Output, report: &WeldReport, json: bool) -> Result<
     if json { print_json(report) } else { print_text(&summary(report, &paths)) }
 }
 
-/// How far the weld lies from a seam that is elsewhere than planned: tracked, and without.
+/// Deviation of the weld from a seam that is elsewhere than planned: tracked, and without.
 fn tracking(text: &mut String, s: &Summary) {
     for head in &s.heads {
         let (p99, most) = (head.miss_p99_mm, head.miss_most_mm);
@@ -170,7 +170,7 @@ fn tracking(text: &mut String, s: &Summary) {
     }
 }
 
-/// How a beam corrected.
+/// Correction by a beam.
 fn beam_line(beam: &BeamSummary) -> String {
     let by = if beam.replayed { "replayed: " } else { "" };
     let fit = beam.fit.map_or_else(String::new, |fit| {
@@ -279,7 +279,7 @@ fn clearance_text(pass: &PassFigures) -> Option<String> {
     Some(format!("{:.2} mm: {between}", c.nearest_mm))
 }
 
-/// What a simulated pass did.
+/// Result of a simulated pass.
 fn simulated(text: &mut String, s: &Summary) {
     if !s.welded {
         let _ = writeln!(text, "  welded       nothing of it (simulated)");

@@ -11,7 +11,7 @@ use seamwright_post::{Control, Dialect, Feed, Interpolation, Level, Options, Ver
 use seamwright_project::posting::{self, Unproven};
 use std::io::{self, Write as _};
 
-/// A weld that may stray further is none.
+/// Maximum tolerance of a weld's path, mm.
 const WIDEST_MM: f64 = 10.0;
 /// Bounds of how far the tip's speed may be off inside blocks, percent: below them the words' decimals would show.
 const MIN_PERCENT: f64 = 0.1;
@@ -65,7 +65,7 @@ pub(super) fn proven(
         Unproven::Failure(failure) => failure,
         Unproven::Wrong(lines) => {
             let mut err = io::stderr().lock();
-            // Nothing can be done if standard error is closed.
+            // Errors are ignored: standard error may be closed.
             let _ = writeln!(err, "the part program is not what was planned, and is not written:");
             lines.iter().for_each(|line| drop(writeln!(err, "  {line}")));
             Failure::Printed

@@ -1,7 +1,7 @@
 use seamwright_motion::{SetPoint, WeldMotion};
 use seamwright_program::Program;
 
-/// How long the arc has been on, and how long until it goes off, s; infinite where that is not known.
+/// Time since the arc went on, and time until it goes off, s; infinite if unknown.
 pub(super) type Clock = (f64, f64);
 
 /// The process columns of a table with a row a set-point.

@@ -17,7 +17,7 @@ use std::io::{self, Write as _};
 /// Most of a corner that a torch may cut off: the tolerance of a pass that does not say another.
 const WIDEST_MM: f64 = 0.5;
 
-/// What was read, for other programs.
+/// Result of reading, for other programs.
 #[derive(Debug, Serialize)]
 struct Summary<'a> {
     seamwright: &'static str,
@@ -63,7 +63,7 @@ pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
     let program = to_program(&machine, &control, &reading.program, &start, (&args.machine, blend))
         .map_err(|e| Failure::Input(format!("{file}: {e}")))?;
     let written = program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
-    // What is written is read by all other verbs: a program that they refuse is none.
+    // The written program must be accepted by all other verbs, so it is read back.
     Program::read(&file, &written)?;
     tell(&file, dialect, &reading, &program)?;
     if let Some(path) = &args.output {

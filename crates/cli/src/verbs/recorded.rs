@@ -1,4 +1,4 @@
-//! Where the rows of a weld go: a trace in the output folder, or a recording in the library that is copied there.
+//! Destination of a weld's rows: a trace in the output folder, or a recording in the library that is copied there.
 
 use crate::args::records::RecordArgs;
 use crate::failure::Failure;
@@ -45,14 +45,14 @@ impl TraceFile {
     }
 }
 
-/// What happened in a weld.
+/// Alarms and events of a weld.
 #[derive(Clone, Copy)]
 pub(super) struct Happened<'a> {
     pub(super) alarms: &'a [Alarm],
     pub(super) events: &'a [Event],
 }
 
-/// Where the rows of a weld go.
+/// Destination of a weld's rows.
 pub(super) enum Rows {
     /// Into a trace.
     Trace(Box<TraceFile>),

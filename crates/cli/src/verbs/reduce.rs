@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::rows::{Cell, Rows, print_json};
 use glam::DVec3;
-use seamwright_geometry::reduce::{GREATEST_COORDINATE_MM, Method, Reduction, Shape, Span, reduce};
+use seamwright_geometry::reduce::{MAX_COORDINATE_MM, Method, Reduction, Shape, Span, reduce};
 use serde_json::{Value, json};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write as _};
@@ -51,9 +51,9 @@ fn read(source: &str, input: impl BufRead) -> Result<(Vec<DVec3>, Vec<Vec<f64>>)
             row.map_err(|failure| cured(failure, "correct the line, or take a column of no axis out of the file"))?;
         let point = DVec3::new(row[0], row[1], row[2]);
         axes.iter_mut().zip(&row[3..]).for_each(|(column, value)| column.push(*value));
-        let far = |(_, value): &(&str, f64)| value.abs() > GREATEST_COORDINATE_MM;
+        let far = |(_, value): &(&str, f64)| value.abs() > MAX_COORDINATE_MM;
         if let Some((name, value)) = PLACE.into_iter().zip(point.to_array()).find(far) {
-            let allowed = format!("-{GREATEST_COORDINATE_MM:e} to {GREATEST_COORDINATE_MM:e}");
+            let allowed = format!("-{MAX_COORDINATE_MM:e} to {MAX_COORDINATE_MM:e}");
             let error = reader.error(name, &value.to_string(), "is too far away", &allowed);
             return Err(cured(error, "correct the line; coordinates are in mm"));
         }
@@ -103,7 +103,7 @@ fn rows(points: usize, reduction: &Reduction) -> Result<(), Failure> {
     let lines = spans.iter().filter(is_line).count();
     let mut told = format!("{points} points; lines: {lines}, arcs: {}", spans.len() - lines);
     told += &format!("; greatest error {:.3e} mm; spans needed at least: {}", greatest(spans), reduction.at_least);
-    // Nothing can be done if standard error is closed.
+    // Errors are ignored: standard error may be closed.
     let _ = writeln!(io::stderr(), "{told}");
     Ok(())
 }

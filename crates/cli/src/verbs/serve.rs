@@ -43,7 +43,7 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
     let (names, cameras, program) = (args.host.clone(), args.camera.clone(), this_program());
     let settings = Settings { bind: args.bind, names, tls, data, machine, folder, values, cameras, program, job };
     let ready = |url: &str| {
-        // Whoever started it may not listen: it runs all the same.
+        // Errors are ignored: the server runs without a reader of its output, too.
         drop(print_text(&format!("{url}\n")));
         if args.open {
             open(url);
@@ -90,7 +90,7 @@ fn taken(job: &str, jobs: &Path) -> Result<String, Failure> {
         Some(_) => Ok(name),
         None if EXAMPLES.iter().any(|e| e.text == text && name == format!("{}.toml", e.name)) => Ok(name),
         None => {
-            // What is wrong is not taken.
+            // An invalid job is refused.
             load_text(job, &text, jobs)?;
             files::write(&inside, &text).map(|()| name)
         }
@@ -100,6 +100,6 @@ fn taken(job: &str, jobs: &Path) -> Result<String, Failure> {
 /// Opens an address in the browser, as the system does it.
 fn open(url: &str) {
     let opener = if cfg!(target_os = "macos") { "open" } else { "xdg-open" };
-    // Where there is none the address has been printed.
+    // Errors are ignored: without a browser the printed address remains.
     drop(Command::new(opener).arg(url).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn());
 }

@@ -38,7 +38,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         judge(report)?;
         return desk.judge();
     }
-    // What happened was printed instead.
+    // The events were printed instead.
     output.finish()?;
     desk.judge()?;
     judge(report)
@@ -49,8 +49,8 @@ pub(super) fn judge(report: WeldReport) -> Result<(), Failure> {
     if report.findings.iter().all(|f| f.allowed) { Ok(()) } else { Err(Failure::Findings(report.findings)) }
 }
 
-/// Welds in simulation; adds the trace, the report, what happened and the deviations that a beam found to `output`, and records the
-/// weld if it is to be. What happens is printed if something is to fail.
+/// Welds in simulation; adds the trace, the report, the events and the deviations that a beam found to `output`, and
+/// records the weld if requested. With faults to be injected the events are printed.
 pub(super) fn weld(
     loaded: &Loaded,
     motion: &WeldMotion,
@@ -84,7 +84,7 @@ pub(super) fn weld(
     Ok((report, desk))
 }
 
-/// What each pass did, in numbers and in curves.
+/// Results of each pass, in numbers and in curves.
 type Simulated = (Vec<Summary>, Vec<SimulationCurves>);
 
 /// Runs the simulation; its rows go into the output or the library.
@@ -129,7 +129,7 @@ fn trace(
     let (left, end) = (executive.left(), executive.now());
     drop(executive);
     for fault in conditions.faults.iter().filter(|f| matches!(f.when, When::At(t) if t > end)) {
-        // Nothing can be done if standard error is closed.
+        // Errors are ignored: standard error may be closed.
         let _ = writeln!(std::io::stderr(), "note: {fault} never came: everything was over at {end:.1} s");
     }
     let Watched { judge, rows, curves, failed, .. } = watched;

@@ -91,7 +91,7 @@ fn it_ends_where_nothing_follows() {
     let (run, phases, note) = ran("ellipse", "t_s,command,value\n4,abort,\n60,resume,\n");
     assert!(phases.last().unwrap() == "ended" && note.is_empty(), "{note}");
     assert!(column(&run, "t_s").last().unwrap() < &30.0);
-    // At an override of 0 from the start it waits until it is told to go on.
+    // At an override of 0 from the start it waits for the command to go on.
     let (_, phases, _) = ran("ellipse", "t_s,command,value\n0,override,0\n3,override,100\n5,resume,\n");
     assert!(phases[..1200].iter().all(|p| p != "travel") && phases.last().unwrap() == "ended");
     // Air moves go on; JSON has the same rows.

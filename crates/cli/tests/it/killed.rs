@@ -1,5 +1,5 @@
-//! `run` killed with -9 at any moment of a weld: the library is whole, the trace can be read, the next run tells the place, and goes
-//! on there with the overlap that the job asks.
+//! `run` killed with -9 at any moment of a weld: the library is whole, the trace can be read. The next run reports the
+//! position, and goes on there with the overlap that the job asks.
 
 use crate::common::{bad, free_example, good, run, run_with};
 use seamwright_record::trace::Trace;
@@ -11,9 +11,9 @@ use std::time::Duration;
 
 /// Overlap of a restart, mm.
 const OVERLAP: f64 = 3.0;
-/// How far the place that the next run tells may be off, mm.
+/// Maximum error of the position that the next run reports, mm.
 const OFF: f64 = 1.0;
-/// What is welded in the last second, of which the trace may know nothing, mm.
+/// Weld of the last second, which the trace may lack, mm.
 const LAST_SECOND: f64 = 5.0;
 /// Before the weld, and in it: the place is asked every 50 ms.
 const BEGIN: &str = "on\nhome\nwait ready\narm\nweld\n";
@@ -39,7 +39,7 @@ fn job(folder: &Path) -> String {
     path.display().to_string()
 }
 
-/// The last place that a run told of before it was killed: whether in the pass, mm.
+/// The last position that a run reported before it was killed: whether in the pass, mm.
 fn last_place(text: &str) -> Option<(bool, f64)> {
     let line = text.lines().rfind(|line| line.contains("state") && line.contains("inputs"))?;
     let s = line.split(", s ").nth(1)?.split(' ').next()?.parse().ok()?;
@@ -54,7 +54,8 @@ fn welded(trace: &Path) -> Vec<f64> {
     rows
 }
 
-/// Welds from `from`, mm, and is killed after `after`; the end of the bead as the killed run last told it.
+/// Welds from `from`, mm, and is killed after `after`. Returns the end of the bead in the last report of the killed
+/// run.
 fn killed_weld(arguments: &[&str], from: f64, after: Duration) -> f64 {
     let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
         .args(arguments)

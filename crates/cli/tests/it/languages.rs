@@ -6,10 +6,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-/// What is the same word there, or is no word of a language.
+/// Words that are the same in all languages, or belong to none.
 const SAME: [&str; 11] =
     ["seamwright", "rms", "iso", "utc", "csv", "svg", "report", "json", "oscillation", "mag", "min"];
-/// What German shares with English.
+/// Words that German shares with English.
 const GERMAN: [&str; 10] =
     ["name", "position", "plan", "orange", "hand", "simulation", "interpolation", "links", "zone", "was"];
 /// Keys of files, which cures name.
@@ -40,7 +40,7 @@ fn words_of(text: &str) -> BTreeSet<String> {
 fn names(report: &Value) -> BTreeSet<String> {
     let mut text = ["title", "file", "machine", "posts"].map(|key| report[key].to_string()).join(" ");
     text += &["number", "title"].map(|key| report["procedure"][key].to_string()).concat();
-    // What stands between names of bodies, and what is called so by the program.
+    // Words between names of bodies, and names given by the program.
     let mut bodies = String::new();
     for pass in report["passes"].as_array().unwrap() {
         text += &format!("{} {} ", pass["name"], pass["procedure"]["run"]);
@@ -59,7 +59,7 @@ fn cut(page: &str) -> Vec<&str> {
     page.split("</text>").filter(|text| text.ends_with('…')).map(|text| text.rsplit('>').next().unwrap()).collect()
 }
 
-/// What a run writes in every language is the English page said in it.
+/// The files of a run in every language are translations of the English page.
 fn in_all_languages(arguments: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     let written = |language: &str| {

@@ -1,5 +1,5 @@
-//! Bad input: one screen that names file, line, key, value and what is allowed; exit code 2; nothing written. Jobs that
-//! cannot be welded: exit code 1 with every finding.
+//! Invalid input: one screen that names file, line, key, value and the allowed values; exit code 2; no files written.
+//! Jobs that the machine cannot weld: exit code 1 with every finding.
 
 use crate::common::{self, example, free_example, run, run_with};
 use std::fs;

@@ -1,4 +1,5 @@
-//! Names of examples and machines stand for their files; what is none says what is meant. Outputs go where they are named.
+//! Names of examples and machines stand for their files; for an unknown name the closest one is suggested. Outputs go
+//! to the named path.
 
 use crate::common::{bad, example, good, root, run};
 use serde_json::Value;
@@ -20,7 +21,7 @@ fn an_example_is_taken_by_its_name() {
     fs::write(folder.path().join("saddle"), "schema = 1\ntitle = 5\n").unwrap();
     let output = seam("saddle");
     assert!(output.status.code() == Some(2) && String::from_utf8_lossy(&output.stderr).contains("title"));
-    // What ships is welded on the machine that ships, whatever lies around.
+    // A shipped example is welded on the shipped machine, even with another machine file in the folder.
     fs::create_dir(folder.path().join("machines")).unwrap();
     fs::write(folder.path().join("machines/ellipse-xy.toml"), "broken").unwrap();
     assert!(run_in(folder.path(), &["check", "ellipse"]).status.success());

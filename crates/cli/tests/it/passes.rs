@@ -77,7 +77,7 @@ fn the_tip_runs_along_each_bead_as_asked() {
             assert!((speed - 0.5 * (v[i] + v[i + 1])).abs() < 1e-3 * speed, "pass {p}: {speed} told {}", v[i]);
         }
         steady[p] += usize::from(speed > 0.997 * asked(p, s[i]).min(asked(p, s[i + 1])));
-        // How far from the seam: as far as the rows say, to within the seam's bend.
+        // The distance from the seam is that of the rows, to within the seam's bend.
         if i % 50 == 0 {
             let nearest = root.iter().map(|&k| distance(&tip[i], &tip[k])).fold(f64::INFINITY, f64::min);
             let (low, high) = [(0.0, 0.02), (3.1, 4.0), (3.1, 3.3), (3.4, 5.1)][p - 1];

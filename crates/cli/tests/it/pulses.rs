@@ -261,7 +261,7 @@ fn a_cell_whose_drives_are_pulses() {
     assert!(pulses > 1000, "{pulses}");
     let high = dump.wires.iter().zip(&last).find(|(name, (_, value))| name.ends_with("step") && *value);
     assert_eq!(high, None);
-    // A stream that cannot be begun ends the run before anything moves.
+    // A stream that fails to start ends the run before anything moves.
     fs::remove_file(at("pulses.vcd")).unwrap();
     fs::create_dir(at("pulses.vcd")).unwrap();
     let refused = run_with(&arguments, "on\n");

@@ -118,7 +118,7 @@ fn mistakes_have_line_and_column() {
     assert_eq!(out.status.code(), Some(2));
 }
 
-/// What cannot be told is not written.
+/// Posts state their proof; text that the control cannot express is not written.
 #[test]
 fn posts_say_how_they_were_proven() {
     let dir = tempfile::tempdir().unwrap();

@@ -39,7 +39,7 @@ fn a_weld_is_recorded_found_and_exported() {
     assert_eq!(ids(&list(&["--since", "2020-01-01"])), [2, 1]);
     let rows = good(&["records", "list", "--data", &data]);
     assert_eq!(table(&rows).1.len(), 2);
-    // What is shown is what was recorded.
+    // The verb shows the recorded values.
     let shown = json(&["records", "show", "1", "--data", &data, "--json"]);
     assert!(shown["part"] == "P-1" && shown["result"] == "good" && shown["welder"] == "A. Welder", "{shown}");
     assert!(good(&["records", "show", "1", "--data", &data]).contains("P-1"));
@@ -167,7 +167,7 @@ fn bad_input() {
         let arguments = ["records", "export", "1", "-o", &out, "--data", &data, "--language", wrong];
         ended(2, &arguments, &["--language", "allowed: en, uk, zh, de, ru"]);
     }
-    // What was there is not a folder; a part without a library; a library of a later version.
+    // A file instead of the folder; a part without a library; a library of a later version.
     let job = example("ellipse");
     let simulate = ["simulate", &job, "-o", &out];
     let file = Path::new(&data).join("library.sqlite").display().to_string();
@@ -207,7 +207,7 @@ fn names_that_look_like_formulas_are_texts_in_tables() {
     simulate(folder.path(), &data, "=HYPERLINK(\"http://x\";\"P\")", "3");
     let rows = good(&["records", "list", "--data", &data]);
     assert!(rows.contains("'=HYPERLINK(") && !rows.contains(",=") && !rows.contains(",\"="), "{rows}");
-    // What programs read is as it was given.
+    // JSON has the text unchanged.
     let listed = json(&["records", "list", "--data", &data, "--json"]);
     assert_eq!(listed[0]["part"], "=HYPERLINK(\"http://x\";\"P\")");
 }

@@ -17,7 +17,7 @@ fn events(folder: &Path) -> Vec<Value> {
     text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
 }
 
-/// An arc that goes out: off in the next cycle, held, given up, the place told; the trace shows all of it.
+/// An arc that goes out: off in the next cycle, held, given up, the position reported; the trace shows all of it.
 #[test]
 fn a_lost_arc_in_virtual_time() {
     let folder = tempfile::tempdir().unwrap();
@@ -144,7 +144,7 @@ fn a_weld_survives_the_power() {
     let listed = good(&["records", "list", "--data", &data]);
     assert!(listed.contains("interrupted"), "{listed}");
 
-    // Nothing left to weld, or no such pass.
+    // No rest to weld, or no such pass.
     assert!(bad(2, &["run", &job, "-o", &out, "--from", "1,500"]).contains("up to 118.4"));
     assert!(bad(2, &["run", &job, "-o", &out, "--from", "3,5"]).contains("passes 1 to 1"));
     assert!(bad(2, &["run", &job, "-o", &out, "--from", "somewhere"]).contains("PASS,MM"));

@@ -33,7 +33,7 @@ fn eventually(what: &str, done: impl Fn() -> bool) {
     panic!("not within 30 s: {what}");
 }
 
-/// The arc burns by the device; stopped, it is off; at the end outputs are safe and the traffic is told.
+/// The arc burns by the device; stopped, it is off; at the end outputs are safe and the traffic is reported.
 #[test]
 fn a_weld_by_a_device_on_modbus() {
     let server = TestServer::new(welder);
@@ -75,7 +75,7 @@ fn what_cannot_be_connected_is_told_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
     let out_text = out.display().to_string();
-    // Nobody is there.
+    // The device is unreachable.
     let address = TestServer::new(welder).address.to_string();
     let job_path = job(folder.path(), &address, MAP);
     let message = bad(3, &["run", &job_path, "-o", &out_text]);

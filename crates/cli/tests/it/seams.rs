@@ -61,7 +61,7 @@ fn the_tube_plate_welds_as_printed_and_with_every_choice() {
     let report: serde_json::Value = serde_json::from_str(&report).unwrap();
     assert_eq!(report["seam"]["kind"], "rounded rectangle");
     let blends = report["findings"].as_array().unwrap().iter().filter(|f| f["kind"] == "blend").count();
-    // Its corners, from lines into arcs, are blended within less than a micrometre: nothing to tell.
+    // Its corners, from lines into arcs, are blended within less than a micrometre, so no blend is reported.
     assert_eq!(blends, 0, "{report:#}");
     // Everywhere within 0.05 mm of the rounded rectangle.
     let t = table(&good(&["motion", &example("tube-plate"), "--period-ms", "5"]));

@@ -30,7 +30,7 @@ fn the_torchs_angles_are_drawn_and_listed() {
         assert!((a[i] - bead[i]).abs() < 1e-9 && (b[i] - a[i] - 40.0).abs() < 1e-9, "{} {} {}", a[i], b[i], bead[i]);
     }
     assert!(column(&leaning.0, "torch_travel_angle_deg").iter().all(|angle| (angle - 8.0).abs() < 1e-9));
-    // What is new stands behind what was there.
+    // New columns follow the old ones.
     assert_eq!(leaning.0.0[13..], ["height_mm", "torch_work_angle_deg", "torch_travel_angle_deg"]);
 }
 

@@ -1,4 +1,4 @@
-//! The panel as a program: it tells its address, answers, ends in order, and says what is wrong.
+//! The panel as a program: it prints its address, answers, shuts down in order, and reports errors.
 
 use crate::common::bad;
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
@@ -46,7 +46,7 @@ fn the_panel_answers_and_ends_in_order() {
     assert!(TcpStream::connect(address).is_err());
 }
 
-/// Whatever ends it does so in order: a closed terminal (SIGHUP) too.
+/// Every signal shuts it down in order: a closed terminal (SIGHUP) too.
 #[test]
 fn every_signal_ends_the_panel_in_order() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! Speeds, periods and limits that cannot be: each has a clear error or finding.
+//! Invalid speeds, periods and limits: each has a clear error or finding.
 
 use crate::common::{self, example, free_example, root, run};
 use serde_json::Value;
@@ -131,7 +131,7 @@ fn the_procedure_s_least_speed() {
         assert!(text.contains("50.000 mm/s") && text.contains(&format!("axis {axis} with its speed limit")), "{text}");
         assert!(f["cure"].as_str().unwrap().contains("least_speed_mm_s"));
     }
-    // Where the second stretch begins and ends, the tip has that speed.
+    // At the start and at the end of the second stretch the tip has that speed.
     let output = run(&["motion", &path, "--period-ms", "20"]);
     assert_eq!((output.status.code(), output.stdout.len()), (Some(1), 0));
     let ends = ["from_mm", "to_mm"].map(|key| forbidding[1][key].as_f64().unwrap());
@@ -143,7 +143,7 @@ fn the_procedure_s_least_speed() {
         // Within the millisecond that lies before the row.
         assert!((v[i] - 50.0).abs() < 0.05, "{end}: {}", v[i]);
     }
-    // Run-up and run-down are told, not forbidden: they go over into stretches that are.
+    // The acceleration and deceleration phases are notes, not errors: they go over into forbidden stretches.
     let notes: Vec<&Value> = found.iter().filter(|f| f["allowed"] == true).collect();
     assert_eq!(notes.len(), 2);
     assert_eq!((&notes[0]["to_mm"], &notes[1]["from_mm"]), (&forbidding[0]["from_mm"], &forbidding[4]["to_mm"]));

@@ -164,7 +164,7 @@ fn an_image_upside_down_gets_a_hint() {
     let mut csv = "y_mm,z_mm\n".to_owned();
     scene().profile(0.02, 0.0, 0.0, 3).iter().for_each(|p| csv += &format!("{},{}\n", p.x, -p.y));
     assert!(bad(1, &["stripe", &file("turned.csv", csv.as_bytes()), "--joint", "v"]).contains("hint: upside down"));
-    // What is no joint either way gets none.
+    // An image without a joint in either orientation gets no hint.
     let dark = pgm("dark.pgm", &Image::U8 { width: 300, height: 200, pixels: vec![7; 60000] });
     assert!(!bad(1, &["stripe", &dark, "--joint", "v"]).contains("hint"));
 }

@@ -194,7 +194,7 @@ fn frames(folder: &str) -> Vec<TimedFrame> {
     std::iter::from_fn(|| recorded.next().unwrap()).collect()
 }
 
-/// Sends frames to whoever connects, once; the address, and what it was told.
+/// Sends frames to the first client. Returns the address, and the commands received.
 fn sender(frames: Vec<TimedFrame>, driven: bool) -> (String, std::thread::JoinHandle<Vec<String>>) {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let address = format!("tcp://{}", listener.local_addr().unwrap());
@@ -217,7 +217,8 @@ fn sender(frames: Vec<TimedFrame>, driven: bool) -> (String, std::thread::JoinHa
     (address, sender)
 }
 
-/// How far axes are off the straight way from `a` to `b`: the greatest of all, mm and degrees, where the first three are nearest.
+/// Distance of axes from the straight way from `a` to `b`: the maximum of all, mm and degrees, at the station where the
+/// first three are nearest.
 fn off(a: &[f64], b: &[f64], at: &[f64]) -> f64 {
     let dot = |p: &[f64], q: &[f64]| (0..3).map(|k| (p[k] - a[k]) * (q[k] - a[k])).sum::<f64>();
     let part = (dot(at, b) / dot(b, b).max(1e-9)).clamp(0.0, 1.0);
@@ -243,7 +244,7 @@ fn taught_from_frames_that_are_sent() {
     thread.join().unwrap();
     assert_eq!(std::fs::read_to_string(&sent).unwrap(), recorded);
     assert_eq!(frames(&again), frames(&kept));
-    // The sender is told where to move: where the simulated machine went. Its first frame only shows where it stands.
+    // The sender gets the moves of the simulated machine. Its first frame only shows its position.
     let all = frames(&kept);
     let asked_first: Vec<TimedFrame> =
         std::iter::once(TimedFrame { t_s: 0.0, ..all[0].clone() }).chain(all.clone()).collect();
@@ -264,7 +265,7 @@ fn taught_from_frames_that_are_sent() {
     }
     let (a, b) = (number(&report(&sent), "length_mm"), number(&report(&program), "length_mm"));
     assert!((a - b).abs() < 0.5 && !simulated.is_empty(), "{a} {b}");
-    // Too few frames; one that never comes; bytes that are none; nobody there.
+    // Too few frames; a frame that never comes; invalid bytes; no sender.
     let (address, thread) = sender(all[..3].to_vec(), false);
     assert!(bad(1, &["teach", &job, "--frames", &address, "-o", &sent]).contains("the frames are at their end"));
     thread.join().unwrap();
@@ -300,7 +301,7 @@ fn the_operator_is_asked_and_it_goes_on() {
     let folder = folder.path();
     let (job, program) = (short(folder), path(folder, "taught.toml"));
     let lost = ["teach", &job, "--frames", "simulated", "--seed", "4", "--tack", "30,55", "-o", &program];
-    // Nobody is asked where there is nobody.
+    // Without an operator there is no question.
     assert_eq!(run(&lost).status.code(), Some(1));
     assert!(report(&program).contains("\"ended\": \"lost\""));
     let up_to = number(&report(&program), "length_mm");
@@ -311,7 +312,8 @@ fn the_operator_is_asked_and_it_goes_on() {
         let output = run_with(&ask, input);
         (output.status.code(), String::from_utf8(output.stderr).unwrap(), String::from_utf8(output.stdout).unwrap())
     };
-    // Mistakes are told and asked again; then a point behind the tack, near enough to the hidden joint.
+    // Mistakes are reported and the question is repeated; then a point behind the tack, near enough to the hidden
+    // joint.
     let mistakes = "there\n1,2\n900,0,60\n15,12,60.5,0,0,0\n1,2,nan\n";
     let (code, told, printed) = answered(&format!("{mistakes}19.5,13.9,60.5\n"));
     for why in ["lost after ", "not three or six numbers", "not within 15 mm", "no length", "taught.png"] {

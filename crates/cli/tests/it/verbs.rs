@@ -229,7 +229,7 @@ fn a_search_ends_when_its_time_is_over() {
     assert!(text.contains("finding (search): no plan within 0.001 s") && text.contains("--time-limit"), "{text}");
     assert_eq!(run(&["check", &job, "--time-limit", "0"]).status.code(), Some(2));
     assert_eq!(run(&["plan", &job, "-o", "never", "--time-limit", "nan"]).status.code(), Some(2));
-    // What the cure asks for is an option wherever a weld is planned.
+    // The option in the operator action exists in every verb that plans a weld.
     for verb in ["simulate", "run"] {
         let said = bad(1, &[verb, &job, "-o", "never", "--time-limit", "0.001"]);
         assert!(said.contains("no plan within 0.001 s") && said.contains("--time-limit"), "{verb}: {said}");

@@ -17,7 +17,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value}"))
 }
 
-/// What the tile called `label` shows.
+/// Value of the tile called `label`.
 fn tile(page: &str, label: &str) -> f64 {
     let tile = page.split("<dl class=\"tile").find(|tile| tile.contains(&format!("<dt>{label}</dt>"))).unwrap();
     let value = tile.split("<dd class=\"value\">").nth(1).unwrap().split('<').next().unwrap();
@@ -112,7 +112,7 @@ fn what_is_found_in_many_passes_is_said_once() {
     let messages: Vec<&str> =
         report["findings"].as_array().unwrap().iter().map(|f| f["message"].as_str().unwrap()).collect();
     let all = messages.len();
-    // The same sentence is one that differs in numbers alone: the first words tell it from the others here.
+    // Sentences that differ in numbers alone count as the same: here their first words distinguish them.
     let start = |message: &&str| message.split_whitespace().take(3).collect::<Vec<_>>().join(" ");
     let mut starts: Vec<String> = messages.iter().map(start).collect();
     starts.sort_unstable();

@@ -6,51 +6,51 @@ use glam::{DAffine3, DVec3};
 /// A touched point.
 #[derive(Clone, Copy)]
 pub struct Touch<'a> {
-    /// Where, mm, in the measuring frame.
+    /// Position in the measuring frame, mm.
     pub point: DVec3,
     /// The nominal surface that was touched, in the part's frame.
     pub surface: &'a dyn SignedDistance,
-    /// How far outside the surface the point is meant to be, mm: the radius of the probe's ball, or 0.
+    /// Nominal distance of the point outside the surface, mm: the radius of the probe's ball, or 0.
     pub outside: f64,
 }
 
-/// Where the part fits the touched points best, in the sense of least squares of their distances.
+/// Least-squares fit of a part to touched points, by their distances from its surfaces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BestFit {
     /// Maps the part's frame to the measuring frame.
     pub transform: DAffine3,
-    /// Distance of each point from its surface less what it should be, mm: positive outside.
+    /// Distance of each point from its surface less the nominal one, mm: positive outside.
     pub residuals: Vec<f64>,
-    /// By how much the touched surfaces stand farther out than their nominal ones, mm; none if it was not asked for or
-    /// the points do not tell it.
+    /// Offset of the touched surfaces outside their nominal ones, mm; none if not requested or not determined by the
+    /// points.
     pub growth: Option<f64>,
-    /// Motions of the part that the points do not see, in the measuring frame. They are left as they were at the start.
+    /// Motions of the part that the points do not determine, in the measuring frame. They keep their start values.
     pub free: Vec<Motion>,
     /// Standard deviations; none if there are no more points than unknowns.
     pub deviation: Option<Deviation>,
 }
 
-/// Fits worse than this part of the points' spread are not believed before other starts have been tried.
+/// Fits worse than this fraction of the points' spread are accepted only after other starts have been tried.
 const SURE: f64 = 1e-3;
-/// A part turned farther than this, rad, fits by a symmetry and not because it stands there.
+/// A part turned farther than this, rad, fits only by a symmetry.
 const FARTHEST_TURN: f64 = 1.2;
 /// Other starts are turned by this angle about the three directions, rad.
 const OTHER_START: f64 = 0.4;
-/// Longest step, as part of the points' spread: the surfaces bend, and long steps lead to other valleys.
+/// Longest step, as a fraction of the points' spread: surfaces are curved, and long steps lead to other minima.
 const LONGEST_STEP: f64 = 0.3;
-const MOST_STEPS: usize = 200;
-/// Steps below this part of the points' spread are rounding.
+const MAX_ITERATIONS: usize = 200;
+/// Steps below this fraction of the points' spread are rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// The rigid motion, near `start`, that brings the nominal surfaces to the touched points (Gauss-Newton with
-/// Levenberg-Marquardt damping; steps are the shortest possible, so that motions which the points do not see stay out).
-/// With `growing`, one more unknown lets all surfaces stand farther out by the same amount.
+/// Levenberg-Marquardt damping; steps are the shortest possible, so that undetermined motions stay zero). With
+/// `growing`, one more unknown lets all surfaces stand farther out by the same amount.
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] without a point, [`Error::NoFit`] if points are not finite, or nothing
-/// is found within about 70 degrees of the start.
+/// [`Error::TooFewPoints`] without a point, [`Error::NoFit`] if points are not finite, or no fit is found within about
+/// 70 degrees of the start.
 pub fn best_fit(touches: &[Touch], start: &DAffine3, growing: bool) -> Result<BestFit, Error> {
-    // A decomposition of what is not finite would not end.
+    // The decomposition of a matrix that is not finite would not terminate.
     if !start.is_finite() || touches.iter().any(|t| !(t.point.is_finite() && t.outside.is_finite())) {
         return Err(Error::NoFit);
     }
@@ -67,7 +67,7 @@ pub fn best_fit(touches: &[Touch], start: &DAffine3, growing: bool) -> Result<Be
     anywhere_near::<6>(touches, start).map(|fit| fit.finish::<6>(touches))
 }
 
-/// The best of the fits from `start` and, if that one is bad, from starts turned away from it.
+/// The best fit from `start` and, if that one is poor, from starts turned away from it.
 fn anywhere_near<const N: usize>(touches: &[Touch], start: &DAffine3) -> Result<State, Error> {
     let twists = Twists::about(touches.iter().map(|t| t.point));
     let good = (SURE * twists.reach).powi(2) * touches.len() as f64;
@@ -76,7 +76,7 @@ fn anywhere_near<const N: usize>(touches: &[Touch], start: &DAffine3) -> Result<
     for turn in std::iter::once(DVec3::ZERO).chain(turns) {
         let turn = (turn * OTHER_START * twists.reach).to_array();
         let turned = twists.motion(&[0.0, 0.0, 0.0, turn[0], turn[1], turn[2]]) * *start;
-        // Moved first and turned then: a part that is far off would be turned over by its own distance.
+        // Translate first, then rotate: otherwise a large offset would turn the part over.
         let (moved, _) = State::at(touches, turned, 0.0).descend::<3>(touches, &twists);
         let (found, at_rest) = moved.descend::<N>(touches, &twists);
         if at_rest && found.near(start) && best.as_ref().is_none_or(|b| found.cost < b.cost) {
@@ -90,7 +90,7 @@ fn anywhere_near<const N: usize>(touches: &[Touch], start: &DAffine3) -> Result<
     best.ok_or(Error::NoFit)
 }
 
-/// A place of the part with what the points say there.
+/// A pose of the part with its residuals.
 struct State {
     transform: DAffine3,
     growth: f64,
@@ -120,11 +120,11 @@ impl State {
         trace > 1.0 + 2.0 * FARTHEST_TURN.cos()
     }
 
-    /// How the residuals change when the part moves; the first three unknowns are the move, three more the turn, and
-    /// the seventh is the growth.
+    /// Jacobian of the residuals by the part's motion: three unknowns for the translation, three for the rotation, the
+    /// seventh for the growth.
     fn rows<const N: usize>(&self, touches: &[Touch], twists: &Twists) -> Vec<[f64; N]> {
         let row = |(touch, normal): (&Touch, &DVec3)| {
-            // The part moves under a point that stays.
+            // The part moves, the point stays.
             let six = twists.row(touch.point, -*normal);
             std::array::from_fn(|k| six.get(k).copied().unwrap_or(-1.0))
         };
@@ -136,11 +136,11 @@ impl State {
         Seen::new(&self.rows::<N>(touches, &twists))
     }
 
-    /// Goes downhill in the first `N` unknowns, and says if the bottom was reached.
+    /// Minimises the cost in the first `N` unknowns; true if it converged.
     fn descend<const N: usize>(mut self, touches: &[Touch], twists: &Twists) -> (Self, bool) {
         let mut damping = 0.0f64;
         let mut seen = Seen::new(&self.rows::<N>(touches, twists));
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_ITERATIONS {
             let mut step = seen.step(&self.residuals, damping);
             let size = step.iter().map(|v| v * v).sum::<f64>().sqrt();
             let shorter = (LONGEST_STEP * twists.reach / size).min(1.0);
@@ -151,7 +151,7 @@ impl State {
             if size <= ROUNDING * twists.reach {
                 return (if next.cost < self.cost { next } else { self }, true);
             }
-            // Near the bottom the cost is flat to rounding while steps still go the right way.
+            // Near the minimum the cost is flat to rounding, but steps still improve the pose.
             if next.cost <= self.cost * (1.0 + 1e-12) {
                 self = next;
                 seen = Seen::new(&self.rows::<N>(touches, twists));
@@ -176,7 +176,7 @@ impl State {
     }
 }
 
-/// Takes the rounding out of a rigid motion that is a product of many.
+/// Removes the accumulated rounding of a rigid motion.
 trait Orthonormal {
     fn orthonormal(self) -> Self;
 }

@@ -15,14 +15,14 @@ pub struct DatumFit {
     pub point: Vec<f64>,
 }
 
-/// The part's frame from touches (the centre of a ball of `radius` mm, or points with 0) of a face in its plane z =
-/// 0, of a face along its x axis (y = 0) and of a face at its origin (x = 0): the plane fixes z and two tilts, the
-/// line the turn about z and y, the point x. The part lies at z < 0, y > 0 and x > 0 of these faces. z and x point
-/// the way they do in the `nominal` placement.
+/// The part's frame from touches (the centre of a ball of `radius` mm, or points with 0) of a face in its plane z = 0,
+/// of a face along its x axis (y = 0) and of a face at its origin (x = 0): the plane fixes z and two tilts, the line
+/// the turn about z and y, the point x. The part lies at z < 0, y > 0 and x > 0 of these faces. z and x point as in the
+/// `nominal` placement.
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] with fewer than 3, 2 and 1 touches; [`Error::Gathered`] if those of the plane lie on a
-/// line or those of the line in one place.
+/// [`Error::TooFewPoints`] with fewer than 3, 2 and 1 touches; [`Error::Gathered`] if those of the plane lie on a line
+/// or those of the line at one position.
 pub fn plane_line_point(
     (plane, line, point): (&[DVec3], &[DVec3], &[DVec3]),
     radius: f64,

@@ -1,8 +1,8 @@
-//! Rigid motions from measured points: where a part stands, told by touching it.
+//! Rigid motions from measured points: the pose of a part found by touching it.
 //!
-//! Everywhere a fit maps the nominal part's frame to the frame in which the points were measured.
+//! All fits map the nominal part's frame to the frame in which the points were measured.
 //!
-//! - [`fit_pairs`]: points that have a nominal place each.
+//! - [`fit_pairs`]: points with nominal positions.
 //! - [`plane_line_point`]: touches of three faces that define the frame.
 //! - [`three_points`]: a plane with two marks on it; [`chuck`]: a face and a round.
 //! - [`best_fit`]: touches of surfaces with a [`SignedDistance`](crate::SignedDistance).

@@ -1,7 +1,7 @@
 use glam::{DAffine3, DVec3};
 use std::fmt;
 
-/// A small rigid motion that measured points do not see.
+/// A small rigid motion that measured points do not determine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Motion {
     /// Moving along a unit vector.
@@ -12,7 +12,7 @@ pub enum Motion {
         point: DVec3,
         /// Unit direction of the axis.
         direction: DVec3,
-        /// Way along the axis a turn, mm.
+        /// Distance along the axis per turn, mm.
         pitch: f64,
     },
 }
@@ -52,7 +52,7 @@ impl fmt::Display for Motion {
     }
 }
 
-/// The direction or its opposite, whichever has its largest part positive: words then do not depend on rounding.
+/// The direction or its opposite, whichever has its largest part positive: messages then do not depend on rounding.
 pub(crate) fn positive(v: DVec3) -> DVec3 {
     let largest = v.to_array().into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs()));
     if largest.is_some_and(|x| x < 0.0) { -v } else { v }

@@ -3,7 +3,7 @@ use crate::Error;
 use glam::{DAffine3, DMat3, DVec3};
 use nalgebra::{DMatrix, Matrix3};
 
-/// A rigid motion from points that have a nominal place each.
+/// A rigid motion from points with nominal positions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairFit {
     /// Maps nominal to measured points.
@@ -13,7 +13,7 @@ pub struct PairFit {
     /// With three points: by how much the measured triangle's sides from point 1 to 2, 2 to 3 and 3 to 1 are longer
     /// than the nominal ones, mm.
     pub sides: Option<[f64; 3]>,
-    /// Standard deviations; none with three points, which leave nothing over to judge them by in this construction.
+    /// Standard deviations; none with three points, which leave no redundancy.
     pub deviation: Option<Deviation>,
 }
 
@@ -46,10 +46,10 @@ pub fn fit_pairs(pairs: &[(DVec3, DVec3)]) -> Result<PairFit, Error> {
     Ok(PairFit { transform, residuals, sides, deviation })
 }
 
-/// Checks that `points` of `what` spread in more than `dimensions` directions: 0 in more than a place, 1 in more than a
-/// line. Their principal directions, widest first, as columns, and their middle.
+/// Checks that `points` of `what` spread in more than `dimensions` directions: 0 for more than a position, 1 for more
+/// than a line. Returns their principal directions, widest first, as columns, and their mean.
 pub(crate) fn spread(points: &[DVec3], what: &'static str, dimensions: usize) -> Result<(DMat3, DVec3), Error> {
-    // A decomposition of what is not finite would not end.
+    // The decomposition of a matrix that is not finite would not terminate.
     if !points.iter().all(|p| p.is_finite()) {
         return Err(Error::NoFit);
     }

@@ -3,38 +3,39 @@ use crate::Error;
 use glam::{DAffine3, DMat3, DVec3};
 use nalgebra::{Matrix3, SymmetricEigen};
 
-/// Touches at least: with two there is a direction about which nothing is told.
-const LEAST: usize = 3;
+/// Minimum number of touches: two leave one direction undetermined.
+const MIN_TOUCHES: usize = 3;
 
-/// An error of a touch may come out so much larger in the tip. Two attitudes 20 degrees apart are as good.
-const MOST_AMPLIFIED: f64 = 4.0;
+/// Maximum amplification of a touch's error in the tip. Two attitudes 20 degrees apart reach it.
+const MAX_AMPLIFICATION: f64 = 4.0;
 
-/// A point of a body found by bringing it to one fixed point from several attitudes.
+/// A point of a body, found by touching one fixed point from several attitudes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PivotFit {
-    /// The point in the body's frame, mm; 0 along what is not seen.
+    /// The point in the body's frame, mm; 0 along undetermined directions.
     pub tip: DVec3,
     /// The fixed point in the measuring frame, mm.
     pub point: DVec3,
     /// Distance of the body's point from the fixed one at each touch, mm.
     pub residuals: Vec<f64>,
-    /// Unit vectors in the body's frame along which the attitudes do not tell where its point is, perpendicular to each other.
+    /// Undetermined directions of the point: perpendicular unit vectors in the body's frame.
     pub unseen: Vec<DVec3>,
-    /// Standard deviation of `tip` along the frame's axes, estimated from the residuals, mm; what is not seen is not in it.
+    /// Standard deviation of `tip` along the frame's axes, estimated from the residuals, mm; undetermined directions
+    /// are not included.
     pub deviation: DVec3,
     /// Largest angle between two attitudes, rad.
     pub apart: f64,
 }
 
-/// Where a point of a body (the tip of a tool) lies in the body's frame, from the frames in which the body stood when that point
-/// was at one fixed point: `frame * tip = point` for all of them, in the sense of least squares. It is linear in both; with the
-/// means over all frames taken off, the fixed point is gone.
+/// Finds a point of a body (the tip of a tool) in its frame, from poses with that point at one fixed point: `frame *
+/// tip = point` for all of them, by least squares. It is linear in both; subtracting the means over all frames
+/// eliminates the fixed point.
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] with fewer than three frames; [`Error::Alike`] if their attitudes tell nothing.
+/// [`Error::TooFewPoints`] with fewer than three frames; [`Error::Alike`] if their attitudes are too similar.
 pub fn pivot(frames: &[DAffine3]) -> Result<PivotFit, Error> {
-    if frames.len() < LEAST {
-        return Err(Error::TooFewPoints { what: "the tip", given: frames.len(), least: LEAST });
+    if frames.len() < MIN_TOUCHES {
+        return Err(Error::TooFewPoints { what: "the tip", given: frames.len(), least: MIN_TOUCHES });
     }
     let n = frames.len() as f64;
     let mean = frames.iter().fold(DMat3::ZERO, |sum, f| sum + f.matrix3) * (1.0 / n);
@@ -50,7 +51,7 @@ pub fn pivot(frames: &[DAffine3]) -> Result<PivotFit, Error> {
     let (mut tip, mut unseen, mut variance, mut seen) = (DVec3::ZERO, Vec::new(), DVec3::ZERO, 0);
     for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
         let along = DVec3::new(vector[0], vector[1], vector[2]);
-        if *value < 1.0 / (MOST_AMPLIFIED * MOST_AMPLIFIED) {
+        if *value < 1.0 / (MAX_AMPLIFICATION * MAX_AMPLIFICATION) {
             unseen.push(along);
             continue;
         }
@@ -64,7 +65,7 @@ pub fn pivot(frames: &[DAffine3]) -> Result<PivotFit, Error> {
     let at: Vec<DVec3> = frames.iter().map(|f| f.transform_point3(tip)).collect();
     let point = at.iter().sum::<DVec3>() / n;
     let residuals: Vec<f64> = at.iter().map(|p| p.distance(point)).collect();
-    // Three numbers a touch; unknown are the point and what is seen of the tip.
+    // Three equations per touch; unknowns are the point and the determined directions of the tip.
     let spare = (3 * frames.len() - 3 - seen) as f64;
     let squares: f64 = residuals.iter().map(|r| r * r).sum();
     let deviation = (variance * (squares / spare)).map(f64::sqrt);
@@ -87,7 +88,7 @@ mod tests {
     use super::*;
     use glam::DQuat;
 
-    /// Evenly spread from -1 to 1.
+    /// Uniform from -1 to 1.
     fn numbers(seed: u64) -> impl FnMut() -> f64 {
         let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
         move || {
@@ -105,8 +106,8 @@ mod tests {
         DVec3::new(random(), random(), random())
     }
 
-    /// `n` frames of a body whose point `tip` is at `point`, off by `sigma` in each coordinate, turned by up to `most` rad about
-    /// axes that `axis` gives.
+    /// `n` frames of a body with its point `tip` at `point`, off by `sigma` in each coordinate. They turn by up to
+    /// `most` rad about axes from `axis`.
     fn frames(
         (tip, point): (DVec3, DVec3),
         (n, most, sigma): (usize, f64, f64),
@@ -123,7 +124,8 @@ mod tests {
         (0..n).map(one).collect()
     }
 
-    /// Without noise the tip comes out; with it, as far off as the deviation says: the mean of (error / deviation)^2 is 1.
+    /// Without noise the tip is exact; with noise its error matches the deviation: the mean of (error / deviation)^2 is
+    /// 1.
     #[test]
     fn the_tip_comes_out_as_well_as_it_says() {
         let (mut sum, mut count) = (0.0, 0.0);
@@ -143,15 +145,15 @@ mod tests {
             let off = (fit.tip - tip) / fit.deviation;
             sum += off.length_squared();
             count += 3.0;
-            assert!(fit.tip.distance(tip) < 5.0 * MOST_AMPLIFIED * 0.1, "{seed}: {fit:?}");
+            assert!(fit.tip.distance(tip) < 5.0 * MAX_AMPLIFICATION * 0.1, "{seed}: {fit:?}");
         }
         assert!(count > 3.0 * 450.0, "{count}");
-        // The deviation is estimated from few residuals, which makes tails: a little above 1.
+        // The deviation is estimated from few residuals; heavy tails bring the mean a little above 1.
         let mean = sum / count;
         assert!((0.9..1.4).contains(&mean), "{mean}");
     }
 
-    /// Turned about one axis only, the tip is told across it, and nothing is made up along it.
+    /// Turned about one axis only, the tip is found across the axis and stays 0 along it.
     #[test]
     fn what_attitudes_do_not_tell_stays() {
         for seed in 0..200 {

@@ -1,27 +1,27 @@
-//! Where a part stands, from touched points: a plane with two marks on it, or a face and a round in a chuck.
+//! Pose of a part from touched points: a plane with two marks on it, or a face and a round in a chuck.
 
 use super::plane_line_point;
 use crate::Error;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// A round that was touched on less than this part of its circumference has no certain middle, rad.
-const LEAST_ARC: f64 = TAU / 3.0;
-/// Steps of Gauss and Newton to the circle of least squares: after a good first guess a few are enough.
+/// Minimum arc over which a round must be touched, rad; on less, its centre is uncertain.
+const MIN_ARC: f64 = TAU / 3.0;
+/// Maximum number of Gauss-Newton steps to the circle of least squares; a few suffice after a good first guess.
 const STEPS: usize = 50;
 
-/// The part's frame in the work frame, and how far the points are from it.
+/// The part's frame in the work frame, and the residuals of the points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placing {
     /// The part's frame in the work frame.
     pub transform: DAffine3,
-    /// Distances of the points from what they lie on, mm, positive outside: first list, second, third.
+    /// Distances of the points from their features, mm, positive outside: first list, second, third.
     pub residuals: [Vec<f64>; 3],
     /// Radius of the round, mm, if there is one.
     pub radius_mm: Option<f64>,
 }
 
-/// Plane, frame of it with `x` along, and the height of the plane along its normal.
+/// Frame of the plane with x along `along`, the plane's height along its normal, and the residuals.
 fn plane(points: &[DVec3], radius: f64, nominal: &DAffine3, along: DVec3) -> Result<(DMat3, f64, Vec<f64>), Error> {
     let from = points.first().copied().unwrap_or_default();
     let fit = plane_line_point((points, &[from, from + along], &[from]), radius, nominal)?;
@@ -29,11 +29,13 @@ fn plane(points: &[DVec3], radius: f64, nominal: &DAffine3, along: DVec3) -> Res
     Ok((fit.transform.matrix3, fit.transform.translation.dot(z), fit.plane))
 }
 
-/// The part's frame from touches (centres of a ball of `radius` mm, or points with 0) of the plane z = 0, of its origin and of a place
-/// on its x axis. The normal points the way it does in `nominal`; marks are touched with the ball on the plane.
+/// The part's frame from touches of the plane z = 0, of its origin and of a point on its x axis. Touches are centres of
+/// a ball of `radius` mm, or points with 0. The normal points as in `nominal`; marks are touched with the ball on the
+/// plane.
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] with fewer than 3, 1 and 1; [`Error::Gathered`] if those of the plane lie on a line, or both marks in one place.
+/// [`Error::TooFewPoints`] with fewer than 3, 1 and 1; [`Error::Gathered`] if those of the plane lie on a line, or both
+/// marks coincide.
 pub fn three_points(
     [face, origin, direction]: [&[DVec3]; 3],
     radius: f64,
@@ -49,7 +51,7 @@ pub fn three_points(
     let fit = plane_line_point((face, &[o, d], &[o]), radius, nominal)?;
     let z = fit.transform.matrix3.z_axis;
     let height = fit.transform.translation.dot(z);
-    // Which way x points is said by the marks, not by the nominal placement.
+    // The marks decide the direction of x, not the nominal placement.
     let x = fit.transform.matrix3.x_axis;
     let x = if (d - o).dot(x) < 0.0 { -x } else { x };
     let at = o + (height - o.dot(z)) * z;
@@ -61,11 +63,12 @@ pub fn three_points(
     })
 }
 
-/// The part's frame from touches (centres of a ball of `radius` mm, or points with 0) of its face z = 0 and of a round about its z axis:
-/// the axis of a chuck that holds it. The normal points the way it does in `nominal`; the turn about the axis stays as it is there.
+/// The part's frame from touches (centres of a ball of `radius` mm, or points with 0) of its face z = 0 and of a round
+/// about its z axis: the axis of a chuck that holds it. The normal points as in `nominal`; the turn about the axis is
+/// kept from it.
 ///
 /// # Errors
-/// In words: too few points (3 and 3), points of the face on a line, a round that was touched on less than a third of it.
+/// A message for: too few points (3 and 3), points of the face on a line, a round touched on less than a third of it.
 pub fn chuck(face: &[DVec3], round: &[DVec3], radius: f64, nominal: &DAffine3) -> Result<Placing, String> {
     if round.len() < 3 {
         return Err(Error::TooFewPoints { what: "the round", given: round.len(), least: 3 }.to_string());
@@ -75,9 +78,9 @@ pub fn chuck(face: &[DVec3], round: &[DVec3], radius: f64, nominal: &DAffine3) -
     let flat: Vec<DVec2> = round.iter().map(|p| (frame.transpose() * *p).truncate()).collect();
     let (middle, r) = circle(&flat).ok_or("the points of the round lie on a line or in one place")?;
     let gap = widest_gap(&flat, middle);
-    if TAU - gap < LEAST_ARC {
+    if TAU - gap < MIN_ARC {
         let seen = (TAU - gap).to_degrees();
-        let least = LEAST_ARC.to_degrees();
+        let least = MIN_ARC.to_degrees();
         return Err(format!("the round was touched over {seen:.0} degrees only; at least {least:.0} are needed"));
     }
     Ok(Placing {
@@ -95,7 +98,8 @@ fn widest_gap(points: &[DVec2], middle: DVec2) -> f64 {
     angles.windows(2).map(|pair| pair[1] - pair[0]).fold(round, f64::max)
 }
 
-/// The circle of least squares of distances: middle and radius. A first guess is linear in them (I. Kasa, 1976), then Gauss and Newton.
+/// The circle of least squares of distances: centre and radius. Starts from the linear fit (I. Kasa, 1976), then
+/// Gauss-Newton.
 fn circle(points: &[DVec2]) -> Option<(DVec2, f64)> {
     let n = points.len() as f64;
     let mean = points.iter().sum::<DVec2>() / n;
@@ -162,12 +166,12 @@ mod tests {
             let on = |x: f64, y: f64| part.transform_point3(DVec3::new(x, y, radius));
             let face = [on(0.0, 0.0), on(200.0, 3.0), on(-20.0, 150.0), on(80.0, 90.0)];
             let (o, d) = (on(0.0, 0.0), on(if seed % 3 == 0 { 30.0 } else { 250.0 }, 0.0));
-            // Nominally it lies otherwise, and about the normal anyhow.
+            // The nominal pose is tilted, and turned about the normal.
             let nominal = part * DAffine3::from_rotation_x(0.2 * next()) * DAffine3::from_rotation_z(3.0 * next());
             let found = three_points([&face, &[o], &[d]], radius, &nominal).unwrap();
             assert!(near(&found.transform, &part), "{seed}: {:?} {part:?}", found.transform);
             assert!(found.residuals.iter().flatten().all(|r| r.abs() < 1e-7), "{seed}: {:?}", found.residuals);
-            // A mark that was touched half a millimetre too high shows, and moves nothing.
+            // A mark touched half a millimetre too high shows in the residual and moves nothing.
             let high = o + 0.5 * part.matrix3.z_axis;
             let found = three_points([&face, &[high], &[d]], radius, &nominal).unwrap();
             assert!((found.residuals[1][0] - 0.5).abs() < 1e-7);
@@ -206,7 +210,7 @@ mod tests {
         }
     }
 
-    /// The circle is that of least squares: none that is a little beside it is better.
+    /// The circle is that of least squares: no slightly different circle fits better.
     #[test]
     fn no_circle_beside_it_is_nearer_to_the_points() {
         for seed in 0..100 {

@@ -1,17 +1,17 @@
-/// Deviations below this are nobody's fault, mm.
+/// Smaller deviations never count as outliers, mm.
 const FINEST_MM: f64 = 1e-3;
 
-/// From the median of absolute deviations to the standard deviation of a normal distribution.
+/// Factor from the median absolute deviation to the standard deviation of a normal distribution.
 const MAD_TO_SIGMA: f64 = 1.482_602_218_505_602;
 
-/// Root of the mean square; 0 of nothing.
+/// Root of the mean square; 0 for an empty list.
 pub fn rms(values: &[f64]) -> f64 {
     let sum: f64 = values.iter().map(|v| v * v).sum();
     (sum / values.len().max(1) as f64).sqrt()
 }
 
-/// Which of the residuals `values` (mm) lie farther from their median than three standard deviations, estimated from
-/// the median of those distances, so that the outliers themselves do not hide each other.
+/// Flags the residuals `values` (mm) farther from their median than three standard deviations. The deviation is
+/// estimated from the median of those distances, so that outliers do not hide each other.
 pub fn outliers(values: &[f64]) -> Vec<bool> {
     let middle = median(values.to_vec());
     let spread = MAD_TO_SIGMA * median(values.iter().map(|v| (v - middle).abs()).collect());

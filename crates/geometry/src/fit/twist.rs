@@ -3,14 +3,14 @@ use glam::{DAffine3, DQuat, DVec3};
 use nalgebra::{DMatrix, DVector, SVD};
 use std::f64::consts::TAU;
 
-/// Part of the strongest singular value below which a motion counts as not seen by the points: moved by 1 mm at their
-/// scale, they would tell a few micrometres, which no probe does.
+/// Fraction of the largest singular value below which a motion is undetermined: a move of 1 mm at the points' scale
+/// would change residuals by a few micrometres, below any probe's resolution.
 const UNSEEN: f64 = 2e-3;
 
-/// Points nearer together than this tell nothing about turns.
-const LEAST_REACH_MM: f64 = 10.0;
+/// Minimum spread of the points for rotations, mm.
+const MIN_REACH_MM: f64 = 10.0;
 
-/// Standard deviations of a fit, estimated from its residuals; motions that the points do not see are not in it.
+/// Standard deviations of a fit, estimated from its residuals; undetermined motions are not included.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
     /// The point that they hold for: the middle of the measured points, mm.
@@ -30,15 +30,15 @@ pub(crate) struct Twists {
 }
 
 impl Twists {
-    /// The ones about the middle of `points`.
+    /// Twists about the mean of `points`.
     pub(crate) fn about(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> Self {
         let n = points.len().max(1) as f64;
         let at = points.clone().sum::<DVec3>() / n;
         let spread: f64 = points.map(|p| (p - at).length_squared()).sum();
-        Self { at, reach: (spread / n).sqrt().max(LEAST_REACH_MM) }
+        Self { at, reach: (spread / n).sqrt().max(MIN_REACH_MM) }
     }
 
-    /// How a quantity with the gradient `gradient` by the place of `point` changes by each of the six numbers.
+    /// Derivatives of a quantity by the six numbers, from its `gradient` by the position of `point`.
     pub(crate) fn row(&self, point: DVec3, gradient: DVec3) -> [f64; 6] {
         let turn = (point - self.at).cross(gradient) / self.reach;
         [gradient.x, gradient.y, gradient.z, turn.x, turn.y, turn.z]
@@ -52,14 +52,14 @@ impl Twists {
     }
 }
 
-/// A system of equations for a step, taken apart into what the points see and what they do not.
+/// A system of equations for a step, split into determined and undetermined directions.
 pub(crate) struct Seen {
     svd: SVD<f64, nalgebra::Dyn, nalgebra::Dyn>,
     least: f64,
 }
 
 impl Seen {
-    /// Takes a matrix of rows apart; `N` is the number of unknowns.
+    /// Decomposes a matrix given by rows; `N` is the number of unknowns.
     pub(crate) fn new<const N: usize>(rows: &[[f64; N]]) -> Self {
         // At least as many rows as unknowns, so that the unseen directions come out as well.
         let matrix = DMatrix::from_fn(rows.len().max(N), N, |i, j| rows.get(i).map_or(0.0, |row| row[j]));
@@ -68,7 +68,7 @@ impl Seen {
         Self { svd, least }
     }
 
-    /// Number of directions that are seen.
+    /// Number of determined directions.
     pub(crate) fn rank(&self) -> usize {
         self.svd.singular_values.iter().filter(|s| **s > self.least).count()
     }
@@ -91,7 +91,7 @@ impl Seen {
         self.svd.singular_values.len()
     }
 
-    /// Standard deviations of the first six unknowns, if there are more residuals than directions seen.
+    /// Standard deviations of the first six unknowns, if there are more residuals than determined directions.
     pub(crate) fn deviation(&self, twists: &Twists, residuals: &[f64]) -> Option<Deviation> {
         let spare = residuals.len().checked_sub(self.rank()).filter(|n| *n > 0)?;
         let variance = residuals.iter().map(|r| r * r).sum::<f64>() / spare as f64;
@@ -105,14 +105,14 @@ impl Seen {
         Some(Deviation { at: twists.at, shift: DVec3::new(sigma(0), sigma(1), sigma(2)), turn })
     }
 
-    /// The motions that are not seen: first moves, then turns, whose axes are as near to the points as they can be.
+    /// The undetermined motions: first translations, then rotations about axes as near to the points as possible.
     pub(crate) fn free(&self, twists: &Twists) -> Vec<Motion> {
         let Some(vt) = &self.svd.v_t else { return Vec::new() };
         let unseen: Vec<usize> = (0..self.unknowns()).filter(|i| self.svd.singular_values[*i] <= self.least).collect();
         if unseen.is_empty() {
             return Vec::new();
         }
-        // Combinations of the unseen motions, sorted by how much turn is in them.
+        // Combinations of the undetermined motions, sorted by their share of rotation.
         let turns =
             DMatrix::from_fn(
                 unseen.len().max(3),
@@ -144,7 +144,7 @@ impl Seen {
 }
 
 /// Directions that span the same space as the unit vectors `span`, perpendicular to each other, as near to the frame's
-/// axes as they can be.
+/// axes as possible.
 pub(super) fn axes_first(span: Vec<DVec3>) -> Vec<DVec3> {
     let inside = |e: DVec3| span.iter().map(|m| e.dot(*m) * *m).sum::<DVec3>();
     let mut candidates = [DVec3::X, DVec3::Y, DVec3::Z].map(inside);

@@ -1,4 +1,4 @@
-//! Discs on the sphere of directions, drawn in a plane where they stay discs.
+//! Discs on the sphere of directions, projected to discs in a plane.
 
 use glam::{DVec2, DVec3};
 
@@ -24,8 +24,8 @@ impl Chart {
         Self { pole, right, up }
     }
 
-    /// The directions within the angle asin(`near` / |`v`|) of `v`, where `near` < |`v`|. None if they are not a disc
-    /// in this chart because they hold, or nearly hold, the point opposite to the pole.
+    /// The directions within the angle asin(`near` / |`v`|) of `v`, where `near` < |`v`|. None if they contain, or
+    /// nearly contain, the point opposite to the pole, and so are no disc in this chart.
     pub(super) fn disc(&self, v: DVec3, near: f64) -> Option<Disc> {
         let length = v.length();
         let (c, sine) = (v / length, near / length);
@@ -34,7 +34,7 @@ impl Chart {
         (below > 1e-3).then_some(Disc { centre, radius: sine / below })
     }
 
-    /// The direction at a place of the chart, a unit vector.
+    /// The direction at a position of the chart, a unit vector.
     pub(super) fn direction(&self, at: DVec2) -> DVec3 {
         let square = at.length_squared();
         ((1.0 - square) * self.pole + 2.0 * (at.x * self.right + at.y * self.up)) / (1.0 + square)
@@ -42,12 +42,12 @@ impl Chart {
 }
 
 impl Disc {
-    /// Whether the disc has the place, or misses it by rounding.
+    /// True if the disc contains the position, to rounding.
     fn has(&self, at: DVec2) -> bool {
         at.distance_squared(self.centre) <= (self.radius * (1.0 + 1e-9) + 1e-15).powi(2)
     }
 
-    /// Where two circles cross; circles inside each other or apart do not.
+    /// Intersections of two circles; none if one is inside the other or they are apart.
     fn crossings(&self, other: &Self) -> Option<[DVec2; 2]> {
         let way = other.centre - self.centre;
         let far = way.length();
@@ -62,7 +62,7 @@ impl Disc {
     }
 }
 
-/// A place that all discs have: the mean of the corners of what they have in common. None if there is no such place.
+/// A position common to all discs: the mean of the corners of their intersection. None if it is empty.
 pub(super) fn common(discs: &[Disc]) -> Option<DVec2> {
     let (mut sum, mut corners) = (DVec2::ZERO, 0u32);
     for (i, one) in discs.iter().enumerate() {
@@ -78,14 +78,14 @@ pub(super) fn common(discs: &[Disc]) -> Option<DVec2> {
     if corners > 0 {
         return Some(sum / f64::from(corners));
     }
-    // Without corners it is one whole disc, the smallest.
+    // Without corners the intersection is the smallest disc.
     let least = discs.iter().min_by(|a, b| a.radius.total_cmp(&b.radius))?;
     let inside = |disc: &Disc| disc.centre.distance(least.centre) + least.radius <= disc.radius * (1.0 + 1e-9) + 1e-15;
     discs.iter().all(inside).then_some(least.centre)
 }
 
-/// The last disc and two others with nothing in common, if what all have in common became empty by the last. By Helly's
-/// theorem there are such in a plane; rounding may hide them.
+/// The last disc and two others without a common position, if the last disc made the intersection of all empty. By
+/// Helly's theorem they exist in a plane; rounding may hide them.
 pub(super) fn apart(discs: &[Disc]) -> Option<[usize; 3]> {
     let last = discs.len() - 1;
     for i in 0..last {
@@ -142,7 +142,7 @@ mod tests {
                 Some(at) => assert!(discs.iter().all(|d| d.has(at))),
                 None => assert!(!seen, "{discs:?}"),
             }
-            // Helly: if three by three have common places, all have.
+            // Helly: if every three discs intersect, all do.
             let first = (2..=discs.len()).find(|n| common(&discs[..*n]).is_none());
             assert!(first.is_none_or(|n| apart(&discs[..n]).is_some()));
         }

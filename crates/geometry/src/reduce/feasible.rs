@@ -1,20 +1,20 @@
-//! Which runs one span stands for, and proofs that there is none for many runs at once.
+//! Spans for runs, and proofs for many runs at once that no span exists.
 
 use super::measure::{Bow, Course, Fault, measure};
 use super::run::{Found, Near, Run, Witness};
 use super::track::Track;
 use super::{Shape, Span};
 
-/// Why runs were refused, tried first on the next one.
+/// Reasons of earlier refusals, tried first on the next run.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Memory {
     witness: Option<Witness>,
     axis: Option<usize>,
-    /// Where the points of the last run turned back, if that was why.
+    /// Index at which the points of the last run turned back, if that was the reason.
     pub(super) back: Option<usize>,
 }
 
-/// What is known of the ends of runs.
+/// Known start of the runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ends {
     /// They start exactly here.
@@ -23,7 +23,7 @@ pub(super) enum Ends {
     Free,
 }
 
-/// How much is looked at for a proof.
+/// Number of points checked for a proof.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Care {
     /// A few points.
@@ -34,7 +34,7 @@ pub(super) enum Care {
 
 impl Track<'_> {
     /// The span for the points from `first` to `last`, if there is one: the line, else the arc of least squares, else
-    /// the arc in the middle of those that are near enough to all points.
+    /// the middle one of the arcs within tolerance of all points.
     pub(super) fn span(&self, first: usize, last: usize, memory: &mut Memory) -> Option<Span> {
         memory.back = None;
         let line = |max_error| Span { first, last, shape: Shape::Line, max_error };
@@ -63,7 +63,7 @@ impl Track<'_> {
             }
             Found::GivenUp => return None,
         };
-        // Ends closer than that do not tell a short arc from nearly a full turn.
+        // Closer ends do not distinguish a short arc from nearly a full turn.
         let bow = Bow::new(&run, tangent).filter(|_| run.length > self.near)?;
         match measure(self, &run, &Course::Arc(bow)) {
             Ok(max_error) => {
@@ -80,7 +80,7 @@ impl Track<'_> {
         }
     }
 
-    /// The greatest distance from the place where a run starts and ends, if all its points are near that.
+    /// Maximum distance from the common start and end of a run, if all its points are within tolerance of it.
     fn standing(&self, first: usize, last: usize) -> Option<f64> {
         self.add_work(last - first);
         let away = |k: usize| self.points[k].distance(self.points[first]);
@@ -94,16 +94,16 @@ impl Track<'_> {
         Some(greatest)
     }
 
-    /// Whether it is proven that no span stands for any run that starts at `first` (or before, if free) and ends at
-    /// `last` or later.
+    /// True if it is proven that no run has a span that starts at `first` (or before, if free) and ends at `last` or
+    /// later.
     ///
-    /// Let such a span pass the points at `first` and `last` at a and m, at most the tolerance T away. The piece from
-    /// a to m, moved, turned and scaled so that its ends come to the two points, moves no point x by more than
-    /// `T |x - a| / |m - a|` if a stays, else by `T (1 + z^2)^(1/2)` with z the distance of x from the middle of a and
-    /// m in units of half of theirs. So there must be an arc between the two points within T and that. Points that turn
+    /// Suppose such a span passes the points at `first` and `last` at a and m, at most the tolerance T away. The piece
+    /// from a to m, moved, turned and scaled so that its ends come to the two points, moves no point x by more than `T
+    /// |x - a| / |m - a|` if a stays, else by `T (1 + z^2)^(1/2)` with z the distance of x from the middle of a and m
+    /// in units of half of theirs. So there must be an arc between the two points within T and that. Points that turn
     /// back over an end are within 3 T of it and left out.
     ///
-    /// At a glance only a few points are looked at, or many of a short run: a proof is still a proof.
+    /// With [`Care::Glance`] only a few points are checked, or many of a short run: the proof remains valid.
     pub(super) fn excluded(&self, (first, last): (usize, usize), ends: Ends, care: Care, memory: &mut Memory) -> bool {
         let growth = if ends == Ends::Free { (2.0, 0.0) } else { (1.0, 1.0) };
         if last < first + 2 {
@@ -140,15 +140,15 @@ impl Track<'_> {
         true
     }
 
-    /// Greatest distance of a run's points from the middle between its ends.
+    /// Maximum distance of a run's points from the middle between its ends.
     fn widest(&self, first: usize, last: usize) -> f64 {
         let middle = self.points[first].midpoint(self.points[last]);
         self.add_work(last - first);
         self.points[first..=last].iter().map(|p| p.distance_squared(middle)).fold(0.0, f64::max).sqrt()
     }
 
-    /// An end that no run from `first` (or before) goes beyond, at `least` or later: those proven excluded are found by
-    /// doubling, then by halving.
+    /// An upper bound of the end of runs from `first` (or before), at least `least`: found by doubling, then bisection,
+    /// over ends proven excluded.
     pub(super) fn reach(&self, first: usize, least: usize, ends: Ends, memory: &mut Memory) -> usize {
         let (mut open, mut next) = (least, least + 1);
         let mut closed = loop {
@@ -168,8 +168,8 @@ impl Track<'_> {
         closed - 1
     }
 
-    /// The longest run from `first` that ends at most at `most` and beyond `least`, if there is one: every end is
-    /// tried, from the last one down.
+    /// The longest run from `first` that ends beyond `least` and at most at `most`: every end is tried, from the last
+    /// one down.
     pub(super) fn longest(&self, first: usize, least: usize, most: usize, memory: &mut Memory) -> Option<Span> {
         let (mut last, mut turned) = (most, None);
         while last > least {
@@ -178,7 +178,7 @@ impl Track<'_> {
             }
             last -= 1;
             if let Some(back) = memory.back.filter(|back| turned != Some(*back) && *back > first) {
-                // Where points turn back, runs from there do not go far.
+                // Runs from a point where the track turns back are short.
                 turned = Some(back);
                 last = last.min(self.reach(back, back + 1, Ends::Free, &mut Memory::default()));
             }
@@ -186,7 +186,7 @@ impl Track<'_> {
         None
     }
 
-    /// From each point kept the longest run.
+    /// Takes the longest run from each kept point.
     pub(super) fn greedy(&self) -> Vec<Span> {
         let (mut spans, mut first) = (Vec::new(), 0);
         while first < self.end() {

@@ -1,26 +1,25 @@
-//! The fewest spans: bounds from both ends, then dynamic programming over what they leave open.
+//! The fewest spans: bounds from both ends, then dynamic programming over the remaining points.
 
 use super::Span;
 use super::feasible::{Care, Ends, Memory};
 use super::track::Track;
 
-/// Points looked at, for every point of the path, before the search for fewer spans ends.
+/// Limit of the search for fewer spans: points checked per point of the path.
 const EFFORT: u64 = 2000;
-/// The same for a path of any length.
-const LEAST_EFFORT: u64 = 100_000_000;
+/// Minimum of that limit for a short path, in points checked.
+const MIN_EFFORT: u64 = 100_000_000;
 
 const UNREACHED: u32 = u32::MAX;
 
-/// Spans, and a number that no reduction is below.
+/// Spans, and a lower bound of their number.
 pub(super) struct Fewest {
     pub(super) spans: Vec<Span>,
     pub(super) at_least: usize,
 }
 
-/// No more than k spans go further than to entry k from the start of the track.
+/// Bounds of the reach: k spans from the start of the track end at entry k at the latest.
 ///
-/// From every point up to the bound of one span less: how far could one more span go? Points before the bound before
-/// that were asked already.
+/// Entry k is the furthest end of a span from any point up to entry k - 1. Points up to entry k - 2 are already done.
 fn bounds(track: &Track, effort: u64) -> Vec<usize> {
     let mut bounds = vec![0];
     let (mut top, mut before) = (0, None);
@@ -31,7 +30,7 @@ fn bounds(track: &Track, effort: u64) -> Vec<usize> {
         let (mut step, mut first) = (1, top);
         loop {
             if track.work() > effort {
-                // Nothing that starts at the top or before goes beyond this either.
+                // This also bounds every run that starts at `top` or before.
                 far = track.reach(top, far.max(top + 1), Ends::Free, &mut Memory::default());
                 break;
             }
@@ -39,7 +38,7 @@ fn bounds(track: &Track, effort: u64) -> Vec<usize> {
             if first == least {
                 break;
             }
-            // Now and then a proof for all points further back.
+            // Tries at times a proof for all points further back.
             if top - first >= step {
                 step *= 2;
                 if far < track.end()
@@ -57,24 +56,24 @@ fn bounds(track: &Track, effort: u64) -> Vec<usize> {
     bounds
 }
 
-/// What is known from the starts asked before.
+/// Results of the earlier starts.
 #[derive(Default)]
 struct Asked {
     runs: Memory,
     barrier: Memory,
-    /// An end that the last start could not go beyond.
+    /// Upper bound of the end from the last start.
     most: usize,
 }
 
 impl Asked {
-    /// The furthest end of a run from `first`, or `far` if none goes beyond that.
+    /// The furthest end of a run from `first`, at least `far`.
     fn furthest(&mut self, track: &Track, first: usize, far: usize) -> usize {
         let least = far.max(first + 1);
         if least == track.end() || self.excluded(track, first, least + 1) {
             return least;
         }
         if self.most > least && self.excluded(track, first, self.most + 1) {
-            // Nearly the start asked before: nearly the same end.
+            // The start is close to the last one: so is the end.
             while self.excluded(track, first, self.most) {
                 self.most -= 1;
             }
@@ -89,7 +88,7 @@ impl Asked {
     }
 }
 
-/// For every point the first entry of the bounds that is not below it.
+/// For every point the index of the first bound that reaches it.
 fn levels(bounds: &[usize]) -> Vec<u32> {
     let mut levels = vec![0];
     for (level, pair) in bounds.windows(2).enumerate() {
@@ -101,7 +100,7 @@ fn levels(bounds: &[usize]) -> Vec<u32> {
 /// The fewest spans for a track; `back` is the same track backwards.
 pub(super) fn fewest(track: &Track, back: &Track) -> Fewest {
     let mut spans = track.greedy();
-    let effort = track.work() + (EFFORT * track.points.len() as u64).max(LEAST_EFFORT);
+    let effort = track.work() + (EFFORT * track.points.len() as u64).max(MIN_EFFORT);
     let ahead = bounds(track, effort);
     let at_least = ahead.len() - 1;
     if spans.len() > at_least {
@@ -138,16 +137,16 @@ enum Outcome {
     Spent,
 }
 
-/// Dynamic programming over the points that a better reduction could use.
+/// Dynamic programming over the points of a possible better reduction.
 struct Search<'a> {
     track: &'a Track<'a>,
-    /// Spans that it takes at least from the start to each point.
+    /// Minimum number of spans from the start to each point.
     ahead: Vec<u32>,
-    /// And from there to the end.
+    /// Minimum number of spans from each point to the end.
     behind: Vec<u32>,
-    /// Fewest spans to each point.
+    /// Fewest spans found to each point.
     least: Vec<u32>,
-    /// Where the last of them starts.
+    /// Start of the last of these spans.
     from: Vec<u32>,
     /// Only reductions with fewer spans count.
     better_than: u32,
@@ -174,7 +173,7 @@ impl Search<'_> {
         if self.least[end] < self.better_than { Outcome::Better } else { Outcome::NoBetter }
     }
 
-    /// No run that ends at `last` or later starts before this.
+    /// Lower bound of the start of runs that end at `last` or later.
     fn lowest(&self, low: usize, last: usize) -> usize {
         let mut step = 1;
         let (mut closed, mut open) = (low, last - 1);
@@ -197,11 +196,11 @@ impl Search<'_> {
         closed
     }
 
-    /// Finds the fewest spans to `last`, trying starts of runs by what it takes to get there.
+    /// Finds the fewest spans to `last`, trying starts of runs by the number of spans to them.
     fn reach(&mut self, low: usize, last: usize, memory: &mut Memory) {
         let most = self.better_than - self.behind[last];
         for spans in self.ahead[last]..most {
-            // Where the run to the point before started will mostly do again.
+            // The start of the run to the point before is mostly valid again.
             let guess = self.from[last - 1] as usize;
             let starts = (guess >= low).then_some(guess).into_iter().chain(low..last);
             for first in starts {

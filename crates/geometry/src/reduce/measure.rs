@@ -1,11 +1,11 @@
-//! A span measured against the points it stands for.
+//! Deviation of a span from the points of its run.
 
 use super::run::Run;
 use super::track::Track;
 use glam::DVec3;
 
-/// Greatest radius of an arc, mm: beyond it a printed centre no longer tells the arc.
-pub(super) const GREATEST_RADIUS_MM: f64 = 1e7;
+/// Maximum radius of an arc, mm: beyond it a printed centre no longer determines the arc.
+pub(super) const MAX_RADIUS_MM: f64 = 1e7;
 
 /// A line or an arc from the origin of a run to its other end.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +21,7 @@ pub(super) struct Bow {
     tangent: DVec3,
     /// Unit vector from the origin to the centre.
     pub(super) inward: DVec3,
-    /// About which it goes counter-clockwise from the origin.
+    /// Unit normal about which it goes counter-clockwise from the origin.
     pub(super) normal: DVec3,
     /// mm.
     pub(super) radius: f64,
@@ -30,13 +30,13 @@ pub(super) struct Bow {
 }
 
 impl Bow {
-    /// The arc along the run that starts in this direction; none if it is too nearly straight.
+    /// The arc along the run that starts in this direction; none if it is nearly straight.
     pub(super) fn new(run: &Run, tangent: DVec3) -> Option<Self> {
         let across = tangent.cross(run.way);
         let sine = across.length();
         let radius = 0.5 * run.length / sine;
-        // Not so for a radius that is no number either.
-        (radius <= GREATEST_RADIUS_MM).then(|| {
+        // False for a NaN radius too.
+        (radius <= MAX_RADIUS_MM).then(|| {
             let normal = across / sine;
             let sweep = 2.0 * sine.atan2(tangent.dot(run.way));
             Self { tangent, inward: normal.cross(tangent), normal, radius, sweep }
@@ -50,7 +50,7 @@ impl Bow {
     }
 }
 
-/// Where a span is nearest to a point: path length from the origin, and the distance (mm).
+/// The point of a span nearest to a given point: path length from the origin, and the distance (mm).
 #[derive(Debug, Clone, Copy)]
 struct Foot {
     at: f64,
@@ -93,19 +93,19 @@ impl Course {
     }
 }
 
-/// Why a span does not stand for its run.
+/// Reason why a span does not represent its run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Fault {
-    /// A point is too far away, or the span bulges over too far between two.
+    /// A point is too far away, or the span bulges too far between two points.
     Far,
     /// The points turn back from this one on.
     Back(usize),
-    /// A further column strays.
+    /// A further column leaves its tolerance.
     Axis,
 }
 
-/// The greatest distance (mm) of the run's points from the span, if all are near, passed in order, the span stays near
-/// the polyline and further columns are carried along.
+/// Maximum distance (mm) of the run's points from the span. Succeeds if the span keeps all conditions of the module's
+/// documentation.
 pub(super) fn measure(track: &Track, run: &Run, course: &Course) -> Result<f64, Fault> {
     let near = track.near * (1.0 + 1e-12);
     let whole = course.length(run);
@@ -165,7 +165,7 @@ fn bulges(track: &Track, run: &Run, course: &Course, k: usize, (one, other): (Fo
     greatest_between(away, at(furthest - 1), at(furthest + 1)) > near
 }
 
-/// The greatest value of a function with one hump, by golden section.
+/// Maximum of a unimodal function, by golden section.
 fn greatest_between(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     const PART: f64 = 0.381_966_011_250_105_1;
     let mut most = f64::max(value(low), value(high));

@@ -1,25 +1,25 @@
-//! Polylines to lines and arcs in space, whose ends are points of the polyline; or to a cubic spline through few of them
-//! ([`reduce_to_spline`]).
+//! Converts polylines to lines and arcs in space, whose ends are points of the polyline; or to a cubic spline through
+//! few of them ([`reduce_to_spline`]).
 //!
 //! A span stands for a run of points if
 //!
 //! - every point of the run is within the tolerance T of the span itself: the segment, or the arc with its extent;
 //! - between two points next to each other the span is within T of the straight line between them;
-//! - it passes the points in order, but for turning back by up to T, which counts as noise;
-//! - every further column is within its own tolerance of what goes linearly from the run's first point to its last, by
-//!   path length along the span and by path length along the points.
+//! - it passes the points in order; turning back by up to T counts as noise;
+//! - every further column is within its own tolerance of the linear course from first to last point, by path length
+//!   along span and points.
 //!
-//! Two points next to each other always have their line. An arc sweeps less than a full turn, since equal ends tell no
-//! centre: a circle takes two. Its ends are further apart than T; its radius is at most 10 km
-//! ([`GREATEST_RADIUS_MM`]). A run that ends where it starts is a line without length, if all its points are within T
-//! of that place.
+//! Two neighbouring points always have their line. An arc sweeps less than a full turn, since equal ends do not define
+//! a centre: a circle takes two. Its ends are further apart than T; its radius is at most 10 km
+//! ([`MAX_RADIUS_MM`]). A run that ends at its start is a line of length zero, if all its points are within T of
+//! that position.
 //!
-//! [`Method::Greedy`] is the one of EBW-2004 (Paton and others): the longest run from the first point for which a line
-//! or an arc is found, and again from its last point. *Longest* is meant literally: all ends are tried from the last
-//! one down, except those for which it is proven that there is no span. [`Method::Fewest`] never has more spans.
+//! [`Method::Greedy`] is the method of EBW-2004 (Paton and others): the longest run from the first point for which a
+//! line or an arc is found, and again from its last point. *Longest* is exact: all ends are tried from the last one
+//! down, except those proven to have no span. [`Method::Fewest`] never has more spans.
 //!
-//! How a span is found is told in `run.rs`; what makes it quick, in `feasible.rs`: three points that no arc comes near
-//! mostly exclude the next run too, and many at once.
+//! `run.rs` describes the search for a span, `feasible.rs` its acceleration: three points that exclude every arc mostly
+//! exclude the next run too, and many at once.
 
 mod discs;
 mod feasible;
@@ -38,26 +38,26 @@ use crate::error::positive;
 use glam::DVec3;
 use track::Track;
 
-/// Greatest radius of an arc, mm: beyond it a printed centre no longer tells the arc.
-pub const GREATEST_RADIUS_MM: f64 = measure::GREATEST_RADIUS_MM;
+/// Maximum radius of an arc, mm: beyond it a printed centre no longer determines the arc.
+pub const MAX_RADIUS_MM: f64 = measure::MAX_RADIUS_MM;
 
-/// Greatest coordinate, mm.
-pub const GREATEST_COORDINATE_MM: f64 = 1e9;
+/// Maximum absolute coordinate, mm.
+pub const MAX_COORDINATE_MM: f64 = 1e9;
 
 /// A line or an arc between two points of a polyline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
-    /// Index of the point where it starts.
+    /// Index of its first point.
     pub first: usize,
-    /// Index of the point where it ends; the next span starts there.
+    /// Index of its last point; the next span starts there.
     pub last: usize,
-    /// What it is.
+    /// Shape of the span.
     pub shape: Shape,
-    /// Greatest distance of the run's points from it, mm; never above the tolerance.
+    /// Maximum distance of the run's points from it, mm; at most the tolerance.
     pub max_error: f64,
 }
 
-/// What a span is.
+/// Shape of a span.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
     /// The straight line between its ends.
@@ -73,12 +73,12 @@ pub enum Shape {
     },
 }
 
-/// How a polyline is cut into runs.
+/// Method of cutting a polyline into runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// From the start the longest run that has a span, then the next.
     Greedy,
-    /// As few spans as can be.
+    /// The minimum number of spans.
     Fewest,
 }
 
@@ -89,8 +89,7 @@ pub struct Reduction {
     pub spans: Vec<Span>,
     /// A proven bound: no reduction within the tolerance has fewer spans than this. [`Method::Fewest`] ends with as
     /// many spans, unless the proof would take too long: on paths of very many points whose noise is near the
-    /// tolerance.
-    /// [`Method::Greedy`] proves nothing: 1, or 0 without spans.
+    /// tolerance. With [`Method::Greedy`] 1, or 0 without spans.
     pub at_least: usize,
 }
 
@@ -99,7 +98,7 @@ pub struct Reduction {
 ///
 /// # Errors
 /// [`Error::Size`] if a tolerance is not finite and positive, or a column is not as long as the points;
-/// [`Error::Place`] for the first value that is not finite, or a coordinate beyond [`GREATEST_COORDINATE_MM`].
+/// [`Error::Place`] for the first value that is not finite, or a coordinate beyond [`MAX_COORDINATE_MM`].
 pub fn reduce(
     points: &[DVec3],
     axes: &[Vec<f64>],
@@ -120,9 +119,9 @@ pub fn reduce(
     Ok(Reduction { spans: found.spans, at_least: found.at_least })
 }
 
-/// Tolerances, and values that are some.
+/// Checks that the tolerances and all values are valid.
 fn check(points: &[DVec3], axes: &[Vec<f64>], (tolerance, axis_tolerance): (f64, f64)) -> Result<(), Error> {
-    let in_range = |p: DVec3| p.is_finite() && p.abs().max_element() <= GREATEST_COORDINATE_MM;
+    let in_range = |p: DVec3| p.is_finite() && p.abs().max_element() <= MAX_COORDINATE_MM;
     positive("the tolerance", tolerance)?;
     positive("the tolerance of further columns", axis_tolerance)?;
     if let Some(index) = points.iter().position(|p| !in_range(*p)) {

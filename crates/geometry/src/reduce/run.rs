@@ -1,37 +1,37 @@
 //! All lines and arcs between two points: one direction each.
 //!
-//! An arc from a point O to a point E is told by its direction at O: the unit vector d, at the angle psi from the way
-//! e to E; it sweeps 2 psi, and psi = 0 is the line. Inversion about O with the radius L = |E - O| maps the arc to the
-//! ray that starts at E and goes along d, and a ball about a point q to a ball. So the arc is within `near` of q
-//! exactly if d is in a disc on the sphere of directions. In units of L, with x = q - O:
+//! An arc from a point O to a point E is determined by its direction at O: the unit vector d, at the angle psi from the
+//! direction e to E; it sweeps 2 psi, and psi = 0 is the line. Inversion about O with the radius L = |E - O| maps the
+//! arc to the ray from E along d. It maps a ball about a point q to a ball. So the arc is within `near` of q exactly if
+//! d is in a disc on the sphere of directions. In units of L, with x = q - O:
 //!
 //! `v = x - e (x^2 - near^2)`, d within the angle `asin(near / |v|)` of v, that is `|d x v| <= near` and `d . v > 0`.
 //!
-//! A point nearer than that to O or E asks for nothing. With `near` = 0 in v, `|d x v|` is thus the distance from the
-//! arc, but for terms of second order: the sum of its squares is least for the eigenvector of the sum of v v' with the
-//! greatest eigenvalue.
+//! A point nearer than that to O or E imposes no condition. With `near` = 0 in v, `|d x v|` is thus the distance from
+//! the arc to first order: the sum of its squares is least for the eigenvector of the sum of v v' with the greatest
+//! eigenvalue.
 
 use super::discs::{Chart, Disc, apart, common};
 use super::track::Track;
 use glam::{DMat3, DVec3};
 
-/// Rounds of adding what is violated most, after which a search gives up.
+/// Rounds of adding the worst violation, after which a search gives up.
 const ROUNDS: usize = 40;
 
-/// Chords that a first search looks at.
+/// Number of chords checked by a first search.
 const SAMPLES: usize = 32;
 
-/// Effort of a look at a witness, in points.
+/// Effort of checking a witness, in points.
 const GLANCE: usize = 32;
 
-/// How near the points must be to a span.
+/// Tolerance of the points' distance from a span.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Near {
     /// Distance at the start, mm.
     pub(super) at_start: f64,
-    /// What is added for every part of the distance from start to end.
+    /// Relative growth of the tolerance over the distance from start to end.
     pub(super) growth: f64,
-    /// Points nearer than this to the end, mm, ask for nothing.
+    /// Points nearer than this to the end, mm, impose no condition.
     pub(super) end: f64,
     /// The same at the start.
     pub(super) start: f64,
@@ -44,35 +44,35 @@ impl Near {
     }
 }
 
-/// Up to three places, by number, that no line or arc comes near enough to.
+/// Up to three positions, by number, that no line or arc satisfies together.
 pub(super) type Witness = [usize; 3];
 
-/// What a search ended with.
+/// Result of a search.
 pub(super) enum Found {
-    /// The direction of an arc that all points are near enough to.
+    /// The direction of an arc within tolerance of all points.
     Direction(DVec3),
-    /// There is none, as these places show.
+    /// No such arc exists: these positions prove it.
     None(Witness),
-    /// None was found.
+    /// The search ended without an arc or a proof.
     GivenUp,
 }
 
-/// A run of points from `first` to `last`, seen from the lesser of its end points: so that the same run backwards gives
-/// the same to the last bit.
+/// A run of points from `first` to `last`, seen from the smaller of its end points by coordinates: so the reversed run
+/// gives bitwise the same result.
 pub(super) struct Run<'a> {
     track: &'a Track<'a>,
     pub(super) first: usize,
     pub(super) last: usize,
     /// Seen from the last point.
     pub(super) flipped: bool,
-    /// Where it is seen from.
+    /// The end point that it is seen from, mm.
     pub(super) origin: DVec3,
     /// Unit vector to the other end.
     pub(super) way: DVec3,
     /// Distance of the ends, mm.
     pub(super) length: f64,
     near: Near,
-    /// Chords longer than the root of this have their middle looked at too.
+    /// Squared length, mm^2, above which the middle of a chord is checked too.
     long: f64,
 }
 
@@ -90,13 +90,13 @@ impl<'a> Run<'a> {
             end: (near.end / length).powi(2),
             start: (near.start / length).powi(2),
         };
-        // An arc with these ends has at least the radius length / 2, so shorter chords are bulged little over.
+        // An arc with these ends has at least the radius length / 2, so its bulge over shorter chords is small.
         let long = track.near * f64::max(4.0 * track.near, length);
         let way = (other - origin) / length;
         (length > 0.0).then_some(Self { track, first, last, flipped, origin, way, length, near: unit, long })
     }
 
-    /// What a place asks of the direction: v, and how near; none if nothing.
+    /// Condition of a position on the direction: v and the tolerance; none if unconditional.
     fn demand(&self, number: usize) -> Option<(DVec3, f64)> {
         let x = (self.track.place(number) - self.origin) / self.length;
         let square = x.length_squared();
@@ -113,7 +113,7 @@ impl<'a> Run<'a> {
         (v.length_squared() > small).then_some((v, near))
     }
 
-    /// Every demand between the ends, or of one chord in `stride`, in the order from the origin.
+    /// Visits every condition between the ends, or of one chord in `stride`, in order from the origin.
     fn each(&self, stride: usize, mut look: impl FnMut(usize, DVec3, f64)) {
         self.track.add_work((self.last - self.first) / stride);
         let mut at = |number: usize| {
@@ -146,7 +146,7 @@ impl<'a> Run<'a> {
             sum.z_axis += v.z * v;
             ahead += v;
         });
-        // Powers of the matrix, up to the 64th, leave the eigenvector; all columns are multiples of it.
+        // The 64th power of the matrix leaves the eigenvector; all columns are multiples of it.
         for _ in 0..6 {
             let scale = sum.x_axis.x + sum.y_axis.y + sum.z_axis.z;
             if scale <= 0.0 {
@@ -161,7 +161,7 @@ impl<'a> Run<'a> {
         if direction.dot(ahead) < 0.0 { -direction } else { direction }
     }
 
-    /// The place furthest outside its nearness to the arc with this direction; none if all are near enough.
+    /// The position with the worst violation by the arc with this direction; none if all are within tolerance.
     fn worst(&self, direction: DVec3, stride: usize) -> Option<usize> {
         let (mut most, mut worst) = (1.0 + 1e-12, None);
         self.each(stride, |number, v, near| {
@@ -174,7 +174,7 @@ impl<'a> Run<'a> {
         worst
     }
 
-    /// A direction that all places are near enough to, if there is one: that of least squares, if it will do.
+    /// Searches a direction that satisfies all positions, preferably that of least squares.
     pub(super) fn search(&self) -> Found {
         match self.sample() {
             Found::Direction(_) | Found::GivenUp if self.stride() > 1 => self.search_from(self.least_squares(1), 1),
@@ -182,7 +182,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The same in less time, with any direction that will do.
+    /// Searches any direction that satisfies all positions, which is faster.
     pub(super) fn search_any(&self) -> Found {
         match self.sample() {
             Found::Direction(direction) if self.stride() > 1 => self.search_from(direction, 1),
@@ -191,7 +191,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// A search among a few places, or all of a short run: if these have nothing in common, all have not.
+    /// Searches among a few positions, or all of a short run: if these contradict each other, all do.
     pub(super) fn sample(&self) -> Found {
         self.search_from(self.least_squares(self.stride()), self.stride())
     }
@@ -200,7 +200,8 @@ impl<'a> Run<'a> {
         ((self.last - self.first) / SAMPLES).max(1)
     }
 
-    /// Starts at a direction and looks at the worst places until these have nothing in common or all places agree.
+    /// Starts at a direction and adds the worst positions until these contradict each other or all positions are
+    /// satisfied.
     fn search_from(&self, pole: DVec3, stride: usize) -> Found {
         let Some(mut worst) = self.worst(pole, stride) else { return Found::Direction(pole) };
         let chart = Chart::new(pole);
@@ -222,7 +223,7 @@ impl<'a> Run<'a> {
         Found::GivenUp
     }
 
-    /// Whether these places show that no line or arc will do.
+    /// True if these positions prove that no line or arc exists.
     pub(super) fn excluded_by(&self, witness: &Witness) -> bool {
         let inside = |number: &usize| 2 * self.first < *number && *number < 2 * self.last;
         if !witness.iter().all(inside) {

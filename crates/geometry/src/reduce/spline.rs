@@ -8,25 +8,25 @@ use glam::DVec3;
 /// A polyline as a spline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SplineReduction {
-    /// Indices of the points that it goes through, the first and the last among them.
+    /// Indices of the interpolated points, including the first and the last.
     pub kept: Vec<usize>,
-    /// The natural cubic spline through them, by way along the polyline: its speed is nearly 1.
+    /// The natural cubic spline through them, by length along the polyline: its speed is nearly 1.
     pub spline: Spline,
-    /// Greatest distance of a point from it, mm; never above the tolerance.
+    /// Maximum distance of a point from it, mm; at most the tolerance.
     pub max_error: f64,
 }
 
-/// Reduces a polyline to the natural cubic spline, by way along the polyline, through few of its points, with every other
-/// point within `tolerance` (mm) of it; further columns (each as long as `points`, in any unit) are natural splines through the
-/// same points by the same parameter, within `axis_tolerance`. In any one frame.
+/// Reduces a polyline to the natural cubic spline, by length along it, through few of its points. All other points are
+/// within `tolerance` (mm) of it; further columns (each as long as `points`, in any unit) are natural splines through
+/// the same points by the same parameter, within `axis_tolerance`. In any one frame.
 ///
-/// Points are added in the middle of intervals that hold one too far away, until none does; then each is left out again
-/// if that may be, the one with the smallest jump of the third derivative first. So no single one is superfluous; that no
-/// other choice has fewer is not promised.
+/// Points are added in the middle of intervals with a point outside the tolerance, until all are within it. Then points
+/// are removed again while the tolerance holds, the one with the smallest jump of the third derivative first. So no
+/// single one is superfluous; another choice may still have fewer.
 ///
 /// # Errors
-/// As [`reduce`](super::reduce); [`Error::TooFewPoints`] of fewer than two points, [`Error::Knots`] of two points next to
-/// each other in one place.
+/// As [`reduce`](super::reduce); [`Error::TooFewPoints`] for fewer than two points, [`Error::Knots`] for two equal
+/// neighbouring points.
 pub fn reduce_to_spline(
     points: &[DVec3],
     axes: &[Vec<f64>],
@@ -64,7 +64,7 @@ struct Through {
 struct Thinning<'a> {
     points: &'a [DVec3],
     axes: &'a [Vec<f64>],
-    /// Way along the polyline up to each point, mm.
+    /// Length along the polyline up to each point, mm.
     ways: Vec<f64>,
     tolerance: f64,
     axis_tolerance: f64,
@@ -83,13 +83,13 @@ impl Thinning<'_> {
         Ok(Through { kept, spline, axes })
     }
 
-    /// The index between two kept ones that is nearest to the middle of the way.
+    /// The index between two kept ones that is nearest to the middle of their lengths.
     fn middle(&self, from: usize, to: usize) -> Option<usize> {
         let middle = 0.5 * (self.ways[from] + self.ways[to]);
         (from + 1..to).min_by(|a, b| (self.ways[*a] - middle).abs().total_cmp(&(self.ways[*b] - middle).abs()))
     }
 
-    /// Distance of point `i` from the spline; none if it or a column of it is too far.
+    /// Distance of point `i` from the spline; none if it or one of its columns exceeds the tolerance.
     fn away(&self, through: &Through, i: usize) -> Option<f64> {
         let Through { spline, axes, .. } = through;
         let foot = spline.foot(self.points[i], self.ways[i]);
@@ -99,7 +99,7 @@ impl Thinning<'_> {
         (away <= self.tolerance && axes.iter().zip(self.axes).all(carried)).then_some(away)
     }
 
-    /// The same with the first point less that can be left out, those with small jumps tried first.
+    /// The splines without the first point that can be removed, smallest jump tried first.
     fn without_one(&self, best: &Through) -> Result<Option<Through>, Error> {
         let knots = best.spline.knots();
         let jump = |k: usize| (best.spline.third(knots[k]) - best.spline.third(knots[k - 1])).length();
@@ -110,7 +110,7 @@ impl Thinning<'_> {
             kept.remove(k);
             let fewer = self.through(kept)?;
             let holds = |(from, to): (usize, usize)| (from..to).all(|i| self.away(&fewer, i).is_some());
-            // The new interval first: there it mostly fails.
+            // Checks the new interval first: failures are most likely there.
             let gap = (best.kept[k - 1], best.kept[k + 1]);
             if holds(gap) && holds((0, gap.0)) && holds((gap.1, self.points.len())) {
                 return Ok(Some(fewer));
@@ -162,10 +162,10 @@ mod tests {
             assert!(found.kept.len() < 60, "seed {seed}: {}", found.kept.len());
             assert_eq!((found.kept[0], found.kept.last()), (0, Some(&500)));
             let away = points.iter().step_by(5).map(|p| distance(&found.spline, *p)).fold(0.0, f64::max);
-            // By steps of some 0.1 mm along the curve the brute force is a little too far.
+            // With steps of about 0.1 mm along the curve the brute force slightly overestimates.
             assert!(found.max_error <= tolerance, "seed {seed}: {}", found.max_error);
             assert!(away <= found.max_error + 0.02, "seed {seed}: {away} {}", found.max_error);
-            // The column at the kept points is the column.
+            // The spline of the column passes through it at the kept points.
             let rows: Vec<(f64, f64)> =
                 found.kept.iter().zip(found.spline.knots()).map(|(i, u)| (*u, column[*i])).collect();
             let carried = CubicSpline::natural(&rows).unwrap();

@@ -1,4 +1,4 @@
-//! Against the plain definitions: every run asked by itself, every partition looked at.
+//! Tests against the plain definitions: every run checked by itself, every partition enumerated.
 
 use super::Span;
 use super::feasible::{Care, Ends, Memory};
@@ -32,8 +32,8 @@ fn cases(usual: u32) -> u32 {
     usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
 }
 
-/// Points along turning ways, with noise up to about the tolerance 1: many runs are just possible, or just not. Some
-/// points twice, some ways turned back, some closed.
+/// Points along curved paths, with noise up to about the tolerance 1: many runs are at the limit. Some points are
+/// doubled, some paths turn back, some are closed.
 fn points(random: &mut Random, count: usize) -> Vec<DVec3> {
     let (step, noise) = (random.within(0.3, 12.0), random.within(0.0, 1.2));
     let (mut at, mut way) = (10.0 * random.vector(), DVec3::X);
@@ -73,7 +73,7 @@ fn columns(random: &mut Random, count: usize) -> Vec<Vec<f64>> {
     vec![(0..count).map(next).collect()]
 }
 
-/// Which runs have a span, each asked by itself.
+/// Flags the runs that have a span, each checked by itself.
 fn table(track: &Track) -> Vec<Vec<bool>> {
     let n = track.points.len();
     let ask = |i: usize, j: usize| j > i && track.span(i, j, &mut Memory::default()).is_some();
@@ -84,7 +84,7 @@ fn ends(spans: &[Span]) -> Vec<usize> {
     spans.iter().map(|s| s.last).collect()
 }
 
-/// As printed: all ends from the last one down.
+/// As published: all ends from the last one down.
 fn printed(table: &[Vec<bool>]) -> Vec<usize> {
     let end = table.len() - 1;
     let (mut at, mut ends) = (0, Vec::new());
@@ -95,7 +95,7 @@ fn printed(table: &[Vec<bool>]) -> Vec<usize> {
     ends
 }
 
-/// The fewest spans by looking at every partition: bit k - 1 of a number says whether point k is an end.
+/// The fewest spans by enumerating every partition: bit k - 1 of a number is set if point k is an end.
 fn fewest_of_all(table: &[Vec<bool>]) -> usize {
     let end = table.len() - 1;
     let count = |partition: u32| {

@@ -1,20 +1,20 @@
 use glam::DVec3;
 use std::cell::Cell;
 
-/// What is reduced: points with their further columns, and what a span must hold to.
+/// The points to reduce with their further columns, and the tolerances of a span.
 pub(super) struct Track<'a> {
     pub(super) points: &'a [DVec3],
-    /// A column each.
+    /// Further columns.
     pub(super) axes: &'a [Vec<f64>],
-    /// How far a point may be from its span, mm.
+    /// Maximum distance of a point from its span, mm.
     pub(super) near: f64,
-    /// How far a further column may be from its linear course.
+    /// Maximum deviation of a further column from its linear course.
     pub(super) axis_near: f64,
     /// Squared distance of each point to the next.
     chords: Vec<f64>,
     /// Path length up to each point, if there are further columns.
     lengths: Vec<f64>,
-    /// Points looked at so far: the measure of effort.
+    /// Number of points checked so far: the measure of effort.
     work: Cell<u64>,
 }
 
@@ -43,7 +43,7 @@ impl<'a> Track<'a> {
         self.chords[k]
     }
 
-    /// The place with an even number 2k is point k; with an odd one 2k + 1 the middle between points k and k + 1.
+    /// Sample position by number: 2k is point k, 2k + 1 the middle between points k and k + 1.
     pub(super) fn place(&self, number: usize) -> DVec3 {
         let point = self.points[number / 2];
         if number.is_multiple_of(2) { point } else { point.midpoint(self.points[number / 2 + 1]) }
@@ -57,8 +57,8 @@ impl<'a> Track<'a> {
         self.work.get()
     }
 
-    /// Part of the way from `first` to `last` that lies before `k`, by path length along the points; by their number if
-    /// they are all in one place.
+    /// Fraction of the way from `first` to `last` before `k`, by path length along the points; by their number if all
+    /// coincide.
     fn part(&self, first: usize, last: usize, k: usize) -> f64 {
         let whole = self.lengths[last] - self.lengths[first];
         if whole > 0.0 {
@@ -68,15 +68,15 @@ impl<'a> Track<'a> {
         }
     }
 
-    /// How far the further columns at `k` are from the linear course between `first` and `last`, of which the part
-    /// `part` lies before it: the greatest.
+    /// Maximum deviation of the further columns at `k` from the linear course between `first` and `last`, at its
+    /// fraction `part`.
     pub(super) fn axis_error(&self, first: usize, last: usize, k: usize, part: f64) -> f64 {
         let error = |column: &Vec<f64>| (column[k] - (column[first] + part * (column[last] - column[first]))).abs();
         self.axes.iter().map(error).fold(0.0, f64::max)
     }
 
     /// Whether the further columns stay within their tolerance times `base` + `growth` * (the part of the way) of their
-    /// linear course; `seen` is a point tried first, and the one that forbids it afterwards.
+    /// linear course; `seen` is a point to try first, and on return the worst violation.
     pub(super) fn axes_hold(
         &self,
         (first, last): (usize, usize),

@@ -70,7 +70,7 @@ fn bodies(random: &mut Random) -> Vec<Body> {
     ]
 }
 
-/// Least distance over the surface: from a coarse grid, the best few cells zoomed in upon.
+/// Minimum distance over the surface: from a coarse grid, with the best few cells refined.
 fn searched(body: &Body, p: DVec3) -> f64 {
     let n = 40;
     let mut starts = Vec::new();
@@ -130,7 +130,7 @@ fn the_foot_lies_on_the_surface_and_the_normal_is_the_gradient() {
             assert!((foot.normal.length() - 1.0).abs() < 1e-12);
             let on = body.distance.foot(p - foot.distance * foot.normal);
             assert!(on.distance.abs() < 1e-9, "{} {p}: {foot:?} {on:?}", body.name);
-            // Away from places with two feet the distance has a gradient.
+            // Away from points with two feet the distance has a gradient.
             let along = random.direction();
             let (l, r) = (body.distance.foot(p - 1e-4 * along), body.distance.foot(p + 1e-4 * along));
             if (l.normal - r.normal).length() < 1e-3 {

@@ -1,4 +1,4 @@
-//! Rigid fits: exact points bring the displacement back; noise is averaged; what points do not see is told.
+//! Rigid fits: exact points recover the displacement; noise is averaged; undetermined motions are reported.
 
 use crate::common::{Random, apart, cases};
 use glam::{DAffine3, DVec3};
@@ -113,7 +113,7 @@ fn pairs_with_noise_are_at_the_least_sum_and_their_errors_shrink() {
             errors[which].push(off.length() / 0.1 * f64::from(n).sqrt());
         }
     }
-    // Both the errors in their own estimated deviations and those in noise / sqrt(n) are three normal numbers.
+    // The errors, both in units of their estimated deviations and of noise / sqrt(n), are three normal numbers.
     for errors in errors {
         for kind in 0..2 {
             let of_kind: Vec<f64> = errors.iter().skip(kind).step_by(2).copied().collect();
@@ -141,7 +141,7 @@ fn at_the_bottom(at: &DAffine3, reach: f64, sum: impl Fn(&DAffine3) -> f64) {
             };
             let (h, up, down) = (1e-3, moved(1e-3), moved(-1e-3));
             let (slope, bend) = ((up - down) / (2.0 * h), (up + down - 2.0 * least) / (h * h));
-            // A Newton step from here would go nowhere; unseen directions have neither slope nor bend.
+            // A Newton step from here would be zero; undetermined directions have zero slope and curvature.
             assert!(slope.abs() < 1e-6 * bend.abs() + 1e-7, "{axis} {turn}: {slope} {bend}");
         }
     }
@@ -310,7 +310,7 @@ fn a_turned_tube_s_axis_comes_back() {
         assert!((found.leans_to - (lean - direction).normalize()).length() < 1e-6 || tilt < 1e-4);
         assert!((found.growth.unwrap() - growth).abs() < MM && found.free.is_empty(), "{:?}", found.free);
         assert!(found.residuals.iter().all(|r| r.abs() < MM));
-        // The correction takes the nominal axis to the true one, and turns nothing about it.
+        // The correction maps the nominal axis to the true one, without a turn about it.
         assert!((found.correction.transform_point3(at) - at - eccentricity).length() < MM);
         assert!((found.correction.transform_vector3(direction) - axis).length() < RAD);
         let turned = found.correction.transform_vector3(direction.cross(axis));
@@ -318,7 +318,7 @@ fn a_turned_tube_s_axis_comes_back() {
     }
 }
 
-/// The words of what is free, sorted.
+/// Descriptions of the free motions, sorted.
 fn words(free: &[Motion]) -> Vec<String> {
     let mut words: Vec<String> = free.iter().map(ToString::to_string).collect();
     words.sort();
@@ -363,7 +363,7 @@ fn what_the_points_do_not_see_is_told_and_left_alone() {
     same(&lifted.transform, &DAffine3::from_translation(3.0 * DVec3::Z), "a lifted plate");
 }
 
-/// Axis points on the axis' foot from the origin, for comparing in words.
+/// Moves axis points to the axis' foot from the origin, so that descriptions compare equal.
 fn near_axis(motion: Motion) -> Motion {
     match motion {
         Motion::About { point, direction, pitch } => {

@@ -7,7 +7,7 @@ use seamwright_geometry::{
 };
 use std::f64::consts::TAU;
 
-/// A head's measures, and what is inside it, written down without any of the library.
+/// A head's dimensions and its inside, defined without the library.
 #[derive(Debug, Clone, Copy)]
 enum Form {
     Torispherical { crown: f64, knuckle: f64 },
@@ -63,7 +63,7 @@ impl Case {
         ((p - self.centre).cross(self.axis).length(), z)
     }
 
-    /// Where the crown goes over into the knuckle, if there is one: distance from the axis.
+    /// Border of the crown and the knuckle, if there is one: distance from the axis.
     fn border(&self) -> Option<f64> {
         match self.form {
             Form::Torispherical { crown, knuckle } => Some(crown * (self.radius - knuckle) / (crown - knuckle)),
@@ -73,7 +73,7 @@ impl Case {
         }
     }
 
-    /// Negative inside the head and its flange, which goes on without end.
+    /// Negative inside the head and its infinite flange.
     fn level(&self, p: DVec3) -> f64 {
         let (rho, z) = self.meridional(p);
         if z <= 0.0 || rho >= self.radius {
@@ -98,7 +98,7 @@ impl Case {
         }
     }
 
-    /// The last place of a line inside the head, searched from outside in small steps and then halved.
+    /// The last point of a line inside the head, searched from outside in small steps, then by bisection.
     fn brute(&self, foot: DVec3, d: DVec3) -> Option<DVec3> {
         let far = 6.0 * self.radius;
         let middle = (self.centre - foot).dot(d);
@@ -202,7 +202,7 @@ fn borders_between_zones_are_where_they_should_be_and_nothing_jumps_there() {
             assert!(off < 2e-9, "{case:?}: a break {off} mm from a border");
             let h = 1e-13;
             let (before, after) = (curve.edge(u - h), curve.edge(u + h));
-            // Where the wall leaves the head at a flat angle, everything is that much less well known.
+            // At a flat exit angle of the wall the accuracy is lower.
             let flat = 1e-9 * (1.0 + 0.01 / before.n2.dot(curve.tube().direction()).powi(2));
             let apart = after.point - before.point - 2.0 * h * before.d1;
             let turned = after.d1.normalize() - before.d1.normalize();

@@ -1,5 +1,5 @@
-//! Polylines to lines and arcs: what was drawn comes back; every promise is checked on the printed spans, by looking
-//! along them in small steps.
+//! Polylines to lines and arcs: the drawn shapes are recovered; every promise is checked on the printed spans, in small
+//! steps along them.
 
 use crate::common::{Random, cases};
 use glam::{DQuat, DVec3};
@@ -17,7 +17,7 @@ fn count(points: &[DVec3], tolerance: f64, method: Method) -> usize {
     run(points, tolerance, method).spans.len()
 }
 
-/// A span as a stranger draws it: the point at a part of its way.
+/// Draws a span independently of the library: the point at a fraction of its length.
 fn drawn(points: &[DVec3], span: &Span) -> Box<dyn Fn(f64) -> DVec3> {
     let (a, b) = (points[span.first], points[span.last]);
     match span.shape {
@@ -30,7 +30,7 @@ fn drawn(points: &[DVec3], span: &Span) -> Box<dyn Fn(f64) -> DVec3> {
     }
 }
 
-/// Distance of `p` from the piece of the span between two parts of its way, and where that is: by steps, then halving.
+/// Distance of `p` from the span and the fraction of its length there: by steps, then by bisection.
 fn nearest(at: &dyn Fn(f64) -> DVec3, p: DVec3, steps: u32) -> (f64, f64) {
     let away = |part: f64| at(part).distance(p);
     let part = |i: u32| f64::from(i) / f64::from(steps);
@@ -87,7 +87,7 @@ fn promises(points: &[DVec3], tolerance: f64, spans: &[Span]) {
     assert_eq!(at, points.len() - 1);
 }
 
-/// Lines and arcs with `steps` points each, that meet at angles; how many there are. Noise up to `noise` away.
+/// Lines and arcs with `steps` points each, that meet at angles, and their number. Noise up to `noise` mm.
 fn known(random: &mut Random, noise: f64) -> (Vec<DVec3>, usize) {
     let pieces = 1 + random.within(0.0, 6.0) as usize;
     let mut at = random.in_box(300.0);
@@ -119,7 +119,7 @@ fn known(random: &mut Random, noise: f64) -> (Vec<DVec3>, usize) {
 fn known_lines_and_arcs_come_back() {
     let mut random = Random::new(1);
     for _ in 0..cases(1000) {
-        // The sagitta between neighbours can be up to some mm: the tolerance is above it, or nothing could be reduced.
+        // The sagitta between neighbours can be up to some mm: the tolerance must be above it for any reduction.
         let (points, pieces) = known(&mut random, 0.05);
         let widest = points.windows(2).map(|w| w[0].distance(w[1])).fold(0.0, f64::max);
         let tolerance = 0.3 + widest * widest / 160.0;
@@ -184,7 +184,7 @@ fn far_from_the_origin_with_a_fine_tolerance() {
             assert!(found.spans.len() <= turns, "{} {radius}", found.spans.len());
             promises(&points, tolerance, &found.spans);
             if let (1, Shape::Arc { radius: r, centre: c, .. }) = (found.spans.len(), found.spans[0].shape) {
-                // As well as the points tell: their rounding over the sagitta.
+                // The accuracy that the points allow: their rounding over the sagitta.
                 let told = 1e-3 + 1e-9 / (1.0 - (0.5 * angle(59)).cos()).abs().max(1e-12);
                 let sagitta = radius * (1.0 - (0.5 * angle(59)).cos());
                 if sagitta > 100.0 * tolerance {

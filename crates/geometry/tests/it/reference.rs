@@ -1,5 +1,5 @@
-//! Intersection curves against values computed by others: `tests/data/intersections.json` (40-digit root finding on
-//! the implicit surfaces), the papers' closed forms, and the ellipse's length by the arithmetic-geometric mean.
+//! Intersection curves against independent values: `tests/data/intersections.json` (40-digit root finding on the
+//! implicit surfaces), the papers' closed forms, and the ellipse's length by the arithmetic-geometric mean.
 
 use glam::DVec3;
 use proptest::prelude::*;
@@ -184,7 +184,7 @@ proptest! {
         let bend = d2.length() + size;
         prop_assert!(((r.point - l.point) / (2.0 * h) - e.d1).length() < 1e-5 * bend);
         prop_assert!(((r.d1 - l.d1) / (2.0 * h) - d2).length() < 1e-2 * bend);
-        // Nothing of the body lies further out on the same wall line.
+        // Further out on the same wall line there is no point of the body.
         for k in 1..40 {
             let p = e.point + curve.tube().direction() * size * 0.2 * f64::from(k);
             prop_assert!(curve.body().value(p) > 0.0 || curve.body().beyond_apex(p) < 0.0);

@@ -74,7 +74,7 @@ fn points_directions_and_lengths() {
     }
 }
 
-/// Between any two places the curve is as long as a polygon of many points on it.
+/// Between any two parameters the curve is as long as a polygon of many points on it.
 #[test]
 fn a_polygon_on_it_is_as_long() {
     let mut random = Random::new(32);

@@ -5,7 +5,7 @@ use glam::DVec3;
 use nalgebra::{DMatrix, DVector};
 use seamwright_geometry::{Curve, End, Ends, Error, Spline, chord_lengths, fit_spline};
 
-/// Points along a turning way, `step` apart or so.
+/// Points along a curved path, about `step` apart.
 fn way(random: &mut Random, count: usize) -> Vec<DVec3> {
     let (mut at, mut along) = (random.in_box(500.0), random.direction());
     let step = random.within(0.5, 40.0);
@@ -192,7 +192,7 @@ fn cubics_and_straight_lines_are_reproduced() {
             );
             assert!(spline.third(x).distance(6.0 * c[3]) < 1e-2);
         }
-        // On a straight line by chord length, whatever the distances, it is the arc length.
+        // On a straight line the chord length is the arc length, at any spacing.
         let along = random.direction();
         let straight: Vec<DVec3> = u.iter().map(|x| c[0] + *x * along).collect();
         let tangents = Ends::Open(End::Slope(along), End::Jet(along, DVec3::ZERO));
@@ -204,7 +204,7 @@ fn cubics_and_straight_lines_are_reproduced() {
     }
 }
 
-/// Every point within the tolerance of a curve that is looked at densely, both ends kept, and few knots.
+/// Every point is within the tolerance of the densely sampled curve, both ends are kept, and knots are few.
 #[test]
 fn fits_keep_the_tolerance_with_few_knots() {
     let mut random = Random::new(5);

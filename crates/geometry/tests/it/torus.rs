@@ -7,7 +7,7 @@ use seamwright_geometry::{
 };
 use std::f64::consts::TAU;
 
-/// A pipe bend, and what is inside it, written down without the library.
+/// A pipe bend and its inside, defined without the library.
 #[derive(Debug, Clone, Copy)]
 struct Bend {
     centre: DVec3,
@@ -32,7 +32,7 @@ impl Bend {
         (q.cross(self.axis).length() - self.ring).hypot(q.dot(self.axis)) - self.pipe
     }
 
-    /// The last place of a line inside, in small steps from outside and then by halves.
+    /// The last point of a line inside, in small steps from outside, then by bisection.
     fn brute(&self, foot: DVec3, d: DVec3) -> Option<DVec3> {
         let far = 1.01 * (self.ring + self.pipe);
         let middle = (self.centre - foot).dot(d);
@@ -71,7 +71,7 @@ fn nozzles_agree_with_dense_root_finding() {
             Ok(curve) => curve,
             Err(e) => {
                 refused += 1;
-                // Somewhere the wall misses the pipe, touches it, or another part of it comes into the way.
+                // Some line of the wall misses the pipe, touches it, or meets another part of it first.
                 let (axis, x) = (tube.on_axis(bend.centre), d.any_orthonormal_vector());
                 let walls = (0..=240).map(|i| f64::from(i) * TAU / 240.0);
                 let walls = walls.map(|a| axis + tube.radius() * (a.cos() * x + a.sin() * d.cross(x)));

@@ -7,7 +7,7 @@ use seamwright_geometry::{
 };
 use std::f64::consts::{PI, TAU};
 
-/// Two round bodies, and what is inside them, written down without the library.
+/// A round body and its inside, defined without the library.
 #[derive(Debug, Clone, Copy)]
 struct Rod {
     point: DVec3,
@@ -76,7 +76,7 @@ impl Joint {
         self.chord.level(p).min(self.other.level(p))
     }
 
-    /// The last place of the wall's line inside, in small steps from outside and then by halves; and if it is on the
+    /// The last point of the wall's line inside, in small steps from outside, then by bisection; true if it is on the
     /// other branch.
     fn brute(&self, phi: f64) -> Option<(DVec3, bool)> {
         let (foot, d) = (self.foot(phi), self.branch.axis);
@@ -93,7 +93,7 @@ impl Joint {
     }
 }
 
-/// Where the brute curve goes over from one to the other body, by halves.
+/// Angles at which the brute curve changes from one body to the other, by bisection.
 fn brute_corners(joint: &Joint, places: u32) -> Vec<f64> {
     let on = |phi: f64| joint.brute(phi).map(|b| b.1);
     let step = TAU / f64::from(places);
@@ -161,7 +161,7 @@ fn trimmed_tubes_lie_on_both_bodies_with_their_corners_where_three_surfaces_meet
         }
         for at in breaks {
             let (before, behind) = (curve.point(at - 1e-13), curve.point(at));
-            // Where the wall's line nearly touches the other branch, places along it there are known less well.
+            // If the wall's line nearly touches the other branch, points along it are less accurate.
             assert!(before.distance(behind) < 1e-6, "{} {joint:?}", before.distance(behind));
             let corner = if curve.on_other(at) { before } else { behind };
             for rod in [joint.chord, joint.branch, joint.other] {
@@ -171,7 +171,7 @@ fn trimmed_tubes_lie_on_both_bodies_with_their_corners_where_three_surfaces_meet
         }
     }
     off.sort_by(f64::total_cmp);
-    // All but one in a hundred, at least, meet to rounding.
+    // At least 99 of 100 meet to rounding.
     let usual = off[off.len() * 99 / 100];
     assert!(usual < 1e-9, "{usual}");
     println!("corners meet to {usual:e} mm (99 of 100), {:e} mm (all)", off[off.len() - 1]);
@@ -187,7 +187,7 @@ fn corners_are_all_found() {
         let joint = Joint::random(&mut random);
         let Ok(curve) = joint.curve() else { continue };
         let brute = brute_corners(&joint, 360);
-        // Where pieces are shorter than the samples here, more may be found.
+        // Pieces shorter than the samples here may give more breaks.
         let breaks = curve.breaks();
         let short = breaks.windows(2).any(|b| b[1] - b[0] < 0.04);
         assert!(short || brute.len() == breaks.len(), "{brute:?} {breaks:?} {joint:?}");

@@ -54,7 +54,7 @@ pub(super) fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Ax
     let max_speed = limit("max_speed", "_s", step.max_speed_mm_s, step.max_speed_deg_s)?;
     let max_acceleration = limit("max_acceleration", "_s2", step.max_acceleration_mm_s2, step.max_acceleration_deg_s2)?;
     let jerk = unit_value(file, path, kind, ("max_jerk", "_s3"), step.max_jerk_mm_s3, step.max_jerk_deg_s3)?;
-    // `Axis::jerk` says what this means for motion.
+    // `Axis::jerk` defines the jerk for motion.
     let max_jerk = jerk.map_or(f64::INFINITY, Positive::get);
     let mut axis = Axis {
         name: name.clone(),

@@ -2,8 +2,7 @@ use super::File;
 use crate::{Axis, ControlFile};
 use seamwright_document::DocumentError;
 
-/// Checks what the file says of controls: axes that there are, addresses that can be told from each other and from
-/// words, codes that can be read.
+/// Checks the controls of the file: existing axes, unique and valid addresses, valid codes.
 pub(super) fn check(file: &File, axes: &[Axis]) -> Result<(), DocumentError> {
     let controls = &file.value.controls;
     let all = [

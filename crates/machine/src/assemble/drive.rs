@@ -4,12 +4,12 @@ use crate::{
 };
 use seamwright_document::{DocumentError, NonNegative, Positive};
 
-/// Notches that a position loop has places for.
+/// Maximum number of notches of a position loop.
 const NOTCHES: usize = 2;
-/// Damping of a resonance, if none is given: a steel structure with guides.
+/// Default damping of a resonance: a steel structure with guides.
 const DAMPING: f64 = 0.02;
 
-/// The keys of one kind of axis, in mm or degrees; the others have to be absent.
+/// The keys of one kind of axis, in mm or degrees; those of the other kind must be missing.
 #[derive(PartialEq)]
 struct Keys {
     inertia: Option<Positive>,
@@ -24,7 +24,7 @@ struct Keys {
     backlash_compensation: Option<NonNegative>,
 }
 
-/// None of them.
+/// All keys missing.
 const NO_KEYS: Keys = Keys {
     inertia: None,
     peak: None,

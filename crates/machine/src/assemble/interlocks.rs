@@ -1,15 +1,19 @@
 use super::File;
 use seamwright_document::DocumentError;
 
-/// Most conditions of a machine, and most inputs.
-const MOST: usize = 64;
+/// Maximum number of interlocks of a machine, and of inputs.
+const MAX_INTERLOCKS: usize = 64;
 
-/// Conditions with names and inputs of their own, none of which can never be met.
+/// Checks that interlocks have unique names and inputs and do not contradict each other.
 pub(super) fn check(file: &File) -> Result<(), DocumentError> {
     let all = &file.value.interlocks;
-    if all.len() > MOST {
+    if all.len() > MAX_INTERLOCKS {
         let message = format!("the machine has {} conditions", all.len());
-        return Err(file.error_at(&format!("interlocks[{MOST}]"), message, format!("up to {MOST}")));
+        return Err(file.error_at(
+            &format!("interlocks[{MAX_INTERLOCKS}]"),
+            message,
+            format!("up to {MAX_INTERLOCKS}"),
+        ));
     }
     for (i, one) in all.iter().enumerate() {
         let at = |key: &str| format!("interlocks[{i}].{key}");

@@ -1,4 +1,4 @@
-//! From the file's steps to axes, links and heads, with an address for everything that does not fit.
+//! Assembles axes, links and heads from the file's steps, with an address for every error.
 
 mod axis;
 mod controls;
@@ -19,11 +19,11 @@ use std::collections::BTreeMap;
 
 type File = Document<MachineFile>;
 
-/// How the bytes of a file named in the machine file are got.
+/// Reads the bytes of a file named in the machine file.
 pub(crate) type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
-/// Most heads of a machine.
-const MOST_HEADS: usize = 2;
+/// Maximum number of heads of a machine.
+const MAX_HEADS: usize = 2;
 
 /// Builds the machine.
 pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError> {
@@ -74,11 +74,11 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
     })
 }
 
-/// One torch, or up to two heads with steps and names of their own.
+/// Checks for one torch, or up to two heads with steps and unique names.
 fn check_heads(file: &File) -> Result<(), DocumentError> {
     let m = &file.value;
     match (m.torch.is_some(), m.heads.len()) {
-        (true, 0) | (false, 1..=MOST_HEADS) => {}
+        (true, 0) | (false, 1..=MAX_HEADS) => {}
         (true, _) => {
             let message = "the machine has both `[torch]` and `[[heads]]`";
             return Err(file.error_at("torch", message, "[torch] for one head, [[heads]] for several"));
@@ -87,8 +87,8 @@ fn check_heads(file: &File) -> Result<(), DocumentError> {
             return Err(file.error_at("", "the machine has no torch", "[torch] with `direction`, or two [[heads]]"));
         }
         (false, n) => {
-            let path = format!("heads[{MOST_HEADS}]");
-            return Err(file.error_at(&path, format!("the machine has {n} heads"), format!("up to {MOST_HEADS}")));
+            let path = format!("heads[{MAX_HEADS}]");
+            return Err(file.error_at(&path, format!("the machine has {n} heads"), format!("up to {MAX_HEADS}")));
         }
     }
     for (i, head) in m.heads.iter().enumerate() {
@@ -108,7 +108,7 @@ fn check_heads(file: &File) -> Result<(), DocumentError> {
     Ok(())
 }
 
-/// All axes in the order of the columns: tool, heads, work.
+/// Builds all axes in the order of the columns: tool, heads, work.
 fn axes(file: &File) -> Result<Vec<Axis>, DocumentError> {
     let m = &file.value;
     let mut branches: Vec<(String, &[StepFile])> = vec![("tool".to_owned(), &m.tool)];
@@ -136,7 +136,7 @@ fn axes(file: &File) -> Result<Vec<Axis>, DocumentError> {
     Ok(axes)
 }
 
-/// The axes that go home, by index.
+/// Indices of the axes that move to their home positions, in order.
 fn home_order(file: &File, axes: &[Axis]) -> Result<Vec<usize>, DocumentError> {
     let mut order = Vec::new();
     for (i, name) in file.value.home_order.iter().enumerate() {
@@ -153,7 +153,7 @@ fn home_order(file: &File, axes: &[Axis]) -> Result<Vec<usize>, DocumentError> {
     Ok(order)
 }
 
-/// No two things on one output: the arc would strike with the gas.
+/// Checks that outputs are unique: otherwise the arc would strike with the gas.
 fn check_io(file: &File) -> Result<(), DocumentError> {
     let io = &file.value.io;
     let digital = [("arc", io.arc), ("gas", io.gas), ("wire", io.wire)];

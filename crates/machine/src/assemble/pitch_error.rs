@@ -25,7 +25,7 @@ pub(super) fn pitch_error(file: &File, axis: &Axis, table: &PitchErrorFile) -> R
     let points: Vec<(f64, f64)> = at.iter().map(scale).zip(error.iter().map(scale)).collect();
     let spline = match axis.range {
         Some(_) => CubicSpline::level(&points),
-        // An axis without end stops comes round: so does its error.
+        // An axis without end stops is periodic, and so is its error.
         None => CubicSpline::periodic(&points, TAU),
     };
     let spline = spline.map_err(|_| {

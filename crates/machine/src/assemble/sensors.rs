@@ -1,4 +1,4 @@
-//! Sensors, and how their pixels become mm.
+//! Sensors and their maps from pixels to mm.
 
 use super::File;
 use crate::{CameraSensor, Links, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
@@ -6,12 +6,12 @@ use glam::{DMat3, DVec2, DVec3};
 use seamwright_document::{DocumentError, Finite, Positive};
 use seamwright_geometry::{HeightTable, Homography, MapParameters, PlaneMap};
 
-/// Most columns and rows of an image.
-const MOST_PX: u16 = 16384;
+/// Maximum number of columns and rows of an image.
+const MAX_PX: u16 = 16384;
 
-/// Time from frame to frame if the file does not say, s.
+/// Default time from frame to frame, s.
 const USUAL_PERIOD_S: f64 = 0.1;
-/// Time from an exposure to what was seen, s, and the noise of that, mm, if the file does not say.
+/// Default latency from an exposure to the result, s, and its noise, mm.
 const USUAL_LATENCY_S: f64 = 0.015;
 const USUAL_NOISE_MM: f64 = 0.02;
 
@@ -26,9 +26,9 @@ fn build(file: &File, links: &Links, name: &str, sensor: &SensorFile) -> Result<
         let names: Vec<&str> = links.named().iter().map(|f| f.name.as_str()).collect();
         return Err(file.unknown_name(&format!("{path}.on"), &sensor.on, &names));
     };
-    if let Some(i) = sensor.size_px.iter().position(|n| !(1..=MOST_PX).contains(n)) {
+    if let Some(i) = sensor.size_px.iter().position(|n| !(1..=MAX_PX).contains(n)) {
         let message = ["the image has no such width", "the image has no such height"][i];
-        return Err(file.error_at(&format!("{path}.size_px"), message, format!("1 to {MOST_PX} columns and rows")));
+        return Err(file.error_at(&format!("{path}.size_px"), message, format!("1 to {MAX_PX} columns and rows")));
     }
     let size_px = sensor.size_px.map(usize::from);
     let sight = match sensor.kind {
@@ -132,7 +132,7 @@ fn heights(file: &File, path: &str, sensor: &SensorFile) -> Result<HeightTable, 
             barrel: row.barrel.get(),
         };
         let map = PlaneMap::new(parameters).map_err(|e| file.error_at(&format!("{key}[{i}]"), e.to_string(), ""))?;
-        // The camera's z points away from it, that of the sensor towards it.
+        // The camera's z points away from it, the sensor's z towards it.
         table.push((-row.z_mm.get(), map));
     }
     if let [(_, map)] = table.as_slice() {

@@ -6,21 +6,21 @@ use crate::{Links, ZoneKind};
 use seamwright_clearance::{Solid, SolidFile};
 use seamwright_document::{DocumentError, Positive};
 
-/// Names of what a job puts into the machine.
+/// Names of the groups that a job adds to the machine.
 const FROM_JOB: [&str; 2] = ["part", "fixtures"];
 
-/// Least distance of two links, mm, if the file does not say.
-const LEAST_MM: f64 = 5.0;
+/// Default minimum distance of two links, mm.
+const MIN_LINK_DISTANCE_MM: f64 = 5.0;
 
-/// Least distance from a zone's surface, mm, if the file does not say.
-const ZONE_LEAST_MM: f64 = 1.0;
+/// Default minimum distance from a zone's surface, mm.
+const MIN_ZONE_MARGIN_MM: f64 = 1.0;
 
-/// Everything solid in the file.
+/// Solids and zones of the file.
 pub(super) fn solids(file: &File, links: &Links, load: Load) -> Result<LinkSolids, DocumentError> {
     let m = &file.value;
     let mut all = LinkSolids {
         solids: Vec::new(),
-        least_mm: m.clearance.least_mm.map_or(LEAST_MM, Positive::get),
+        least_mm: m.clearance.least_mm.map_or(MIN_LINK_DISTANCE_MM, Positive::get),
         ignored: Vec::new(),
         zones: Vec::new(),
     };
@@ -79,7 +79,7 @@ pub(super) fn solids(file: &File, links: &Links, load: Load) -> Result<LinkSolid
             kind: zone.kind,
             link: frame.link,
             watch: zone.watch.clone(),
-            least_mm: zone.least_mm.map_or(ZONE_LEAST_MM, Positive::get),
+            least_mm: zone.least_mm.map_or(MIN_ZONE_MARGIN_MM, Positive::get),
             solids: placed,
         });
     }

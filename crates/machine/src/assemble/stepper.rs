@@ -3,9 +3,9 @@ use crate::{Axis, AxisKind, Stepper, StepperFile, StepperMotor};
 use seamwright_document::{DocumentError, NonNegative, Positive};
 use std::f64::consts::TAU;
 
-/// The finest microstepping there is.
-const MOST_MICROSTEPS: u32 = 4096;
-/// Full steps of an electrical period of a two-phase motor.
+/// Maximum number of microsteps per full step.
+const MAX_MICROSTEPS: u32 = 4096;
+/// Full steps per electrical period of a two-phase motor.
 const PERIOD: u32 = 4;
 
 /// The stepper of `axis`.
@@ -18,8 +18,8 @@ pub(super) fn stepper(file: &File, axis: &Axis, s: &StepperFile) -> Result<Stepp
         return Err(file.error_at(&key("full_steps_per_turn"), message, "a multiple of 4, most often 200"));
     }
     let increasing = s.microsteps.windows(2).all(|w| w[0] < w[1]);
-    if s.microsteps.is_empty() || !increasing || s.microsteps.iter().any(|m| !(1..=MOST_MICROSTEPS).contains(m)) {
-        let allowed = format!("whole numbers from 1 to {MOST_MICROSTEPS}, increasing, at least one");
+    if s.microsteps.is_empty() || !increasing || s.microsteps.iter().any(|m| !(1..=MAX_MICROSTEPS).contains(m)) {
+        let allowed = format!("whole numbers from 1 to {MAX_MICROSTEPS}, increasing, at least one");
         return Err(file.error_at(&key("microsteps"), "the driver cannot be set so", allowed));
     }
     let (max_pulse_hz, min_pulse_s) = (s.max_pulse_hz.get(), s.min_pulse_us.get() * 1e-6);
@@ -63,7 +63,7 @@ fn of_kind(
     Ok(axis.from_file(value.get()))
 }
 
-/// The motor, if its keys are there.
+/// The motor, if the file has its keys.
 fn motor(file: &File, axis: &Axis, s: &StepperFile) -> Result<Option<StepperMotor>, DocumentError> {
     let path = format!("drives.{}.stepper", axis.name);
     let (inertia, rpm, torque) = match (&s.rotor_inertia_kg_m2, &s.torque_rpm, &s.torque_n_m) {

@@ -6,22 +6,22 @@ use glam::{DAffine3, DVec3};
 use seamwright_document::{Direction, Point};
 use seamwright_geometry::Pose;
 
-/// Grows the links from the clamped work through the base to the heads.
+/// Builds the links from the clamped work through the base to the heads.
 pub(super) struct Tree<'a> {
     axes: &'a [Axis],
     links: Links,
-    /// The link and the frame, in the work frame with all axes at zero, where the next step begins.
+    /// The link and the frame (in the work frame with all axes at zero) to which the next step attaches.
     link: usize,
     frame: DAffine3,
 }
 
-/// Both branches of the file put together: the links and the heads on them.
+/// Assembles both branches of the file: the links and the heads on them.
 pub(super) fn tree(file: &MachineFile, axes: &[Axis]) -> (Links, Vec<Head>) {
     let work = Link { parent: None, axes: AxisSet::default() };
     let links = Links { links: vec![work], ..Links::default() };
     let mut tree = Tree { axes, links, link: 0, frame: DAffine3::IDENTITY };
     tree.name("work");
-    // From the work to the base: the work's steps backwards, each undone.
+    // From the work to the base: the work's steps in reverse, each inverted.
     file.work.iter().rev().for_each(|step| tree.undo(step));
     tree.links.base = tree.link;
     tree.links.base_zero = tree.frame;
@@ -44,7 +44,7 @@ impl Tree<'_> {
         self.links.frames.push(NamedFrame { name: name.to_owned(), link: self.link, zero: self.frame });
     }
 
-    /// One step away from the base.
+    /// Adds one step away from the base.
     fn add(&mut self, step: &StepFile) {
         if let Some(fixed) = &step.fixed {
             self.frame *= fixed.affine();
@@ -54,7 +54,7 @@ impl Tree<'_> {
         }
     }
 
-    /// One step of the work's branch, seen from the work: what it carries has been left behind.
+    /// Adds the inverse of one step of the work's branch: the link it carries is already there.
     fn undo(&mut self, step: &StepFile) {
         if let Some(fixed) = &step.fixed {
             self.frame *= fixed.affine().inverse();

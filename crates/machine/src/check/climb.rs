@@ -1,13 +1,13 @@
 use super::random::ranges;
 use crate::{Joints, Machine};
 
-/// Steps are halved this often: from a quarter of a range to about 1e-11 of it.
+/// Number of halvings of the step: from a quarter of a range to about 1e-11 of it.
 const HALVINGS: usize = 34;
 /// Rounds over all axes between two halvings.
 const ROUNDS: usize = 6;
 
-/// Climbs from `start` to a place within the ranges where no step of one axis makes `height` greater (Hooke and Jeeves'
-/// exploratory moves with a pattern move); what is found is a local maximum. Stops early above `enough`.
+/// Climbs from `start` to a local maximum of `height` within the ranges, by Hooke and Jeeves' exploratory moves with a
+/// pattern move. Stops early above `enough`.
 pub(super) fn climb(machine: &Machine, start: &Joints, enough: f64, height: impl Fn(&Joints) -> f64) -> (Joints, f64) {
     let ranges = ranges(machine);
     let (mut q, mut best) = (*start, height(start));
@@ -29,7 +29,7 @@ pub(super) fn climb(machine: &Machine, start: &Joints, enough: f64, height: impl
             if best <= level || best > enough {
                 break;
             }
-            // The way that all axes went together once more.
+            // Pattern move: repeats the joint displacement of all axes.
             let mut next = q;
             for ((value, old), (low, high)) in next.iter_mut().zip(&before).zip(&ranges) {
                 *value = (2.0 * *value - old).clamp(*low, *high);

@@ -2,19 +2,19 @@ use super::random::Random;
 use crate::{AxisKind, Joints, Machine};
 use serde::Serialize;
 
-/// Positions at which the Jacobian is compared.
+/// Number of positions at which the Jacobian is compared.
 const POSES: u32 = 500;
 /// Steps of the differences, mm and rad: a compromise between their curvature and rounding.
 const STEP: (f64, f64) = (1e-2, 1e-4);
-/// Most that a column may be off, as a part of it.
+/// Maximum relative error of a column.
 const LIMIT: f64 = 1e-6;
 
-/// The Jacobian beside central differences of the forward kinematics.
+/// Comparison of the Jacobian with central differences of the forward kinematics.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct JacobianCheck {
     /// Positions compared.
     pub poses: u32,
-    /// Worst difference of a column, as a part of the column.
+    /// Worst relative difference of a column.
     pub relative: f64,
     /// Axis of the worst column.
     pub axis: String,
@@ -39,7 +39,7 @@ pub(super) fn check(machine: &Machine, seed: u64) -> JacobianCheck {
             let width = (q[i] + h) - (q[i] - h);
             let point = ((after.point - before.point) / width - columns[i].0).length();
             let direction = ((after.direction - before.direction) / width - columns[i].1).length();
-            // A column that is nothing, or nearly so, is compared with 1 mm per mm, or 1 mm per rad.
+            // A zero or small column is compared with 1 mm per mm, or 1 mm per rad.
             let off = (point / columns[i].0.length().max(1.0)).max(direction);
             if off.is_nan() || off > found.relative {
                 found.relative = if off.is_nan() { f64::INFINITY } else { off };

@@ -1,5 +1,5 @@
-//! Tests of a machine file on itself: does the inverse come back, does the Jacobian agree with differences, are the
-//! limits of a usual size, where is the machine singular, what does it reach. Seeded, without I/O.
+//! Self-tests of a machine file: round trip of the inverse, Jacobian against differences, plausible limits, singular
+//! configurations, reach. Seeded, without I/O.
 
 mod climb;
 mod jacobian;
@@ -28,7 +28,7 @@ use seamwright_document::Document;
 use serde::Serialize;
 use task::Task;
 
-/// How much is tried, and with which random numbers.
+/// Extent and random seed of a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CheckOptions {
     /// The same seed gives the same result.
@@ -37,7 +37,7 @@ pub struct CheckOptions {
     pub poses: u32,
 }
 
-/// Everything that the tests found; lengths in mm, angles in degrees, as in the file.
+/// Results of all tests; lengths in mm, angles in degrees, as in the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Check {
     /// Short name of the machine.
@@ -48,15 +48,15 @@ pub struct Check {
     pub seed: u64,
     /// True if every test passed; remarks do not count.
     pub passed: bool,
-    /// What failed, in words.
+    /// Descriptions of the failures.
     pub failures: Vec<String>,
-    /// Values that are not usual.
+    /// Unusual values.
     pub remarks: Vec<Remark>,
     /// The axes with their limits.
     pub axes: Vec<AxisFigures>,
     /// Each head alone.
     pub heads: Vec<HeadCheck>,
-    /// Both heads at once, on machines that can do that.
+    /// Both heads at once, on machines that support it.
     pub pair: Option<RoundTrip>,
 }
 
@@ -77,13 +77,13 @@ pub struct AxisFigures {
     pub range: Option<(f64, f64)>,
     /// Position after homing.
     pub home: f64,
-    /// Highest speed, 1/s.
+    /// Maximum speed, 1/s.
     pub max_speed: f64,
-    /// Highest acceleration, 1/s^2.
+    /// Maximum acceleration, 1/s^2.
     pub max_acceleration: f64,
-    /// Highest jerk, 1/s^3, if there is one.
+    /// Maximum jerk, 1/s^3; none without a limit.
     pub max_jerk: Option<f64>,
-    /// Time from rest to the highest speed at the highest acceleration, s.
+    /// Time from rest to the maximum speed at the maximum acceleration, s.
     pub to_speed_s: f64,
 }
 
@@ -92,20 +92,20 @@ pub struct AxisFigures {
 pub struct HeadCheck {
     /// Name of the head.
     pub name: String,
-    /// How positions are found for a pose, in words.
+    /// Description of the inverse kinematics.
     pub structure: String,
     /// Forward, inverse, forward.
     pub round_trip: RoundTrip,
     /// Jacobian and differences.
     pub jacobian: JacobianCheck,
-    /// Singular places.
+    /// Singular configurations.
     pub singular: Singularities,
     /// Reach.
     pub reach: Reach,
 }
 
 impl Check {
-    /// Steps that a check takes at most, for a progress bar.
+    /// Maximum number of steps of a check, for a progress bar.
     pub fn steps(machine: &Machine, options: &CheckOptions) -> u64 {
         let others = u64::from(singular::LOOKED_AT + reach::LOOKED_AT) + voxels::SIDE.pow(3) as u64;
         let pair = u64::from(machine.can_pair()) * u64::from(options.poses);

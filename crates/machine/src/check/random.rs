@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 pub(super) struct Random(Pcg64Mcg);
 
 impl Random {
-    /// One stream of numbers for each seed and `stream`, so that one test does not shift the numbers of the next.
+    /// An independent stream of numbers for each seed and `stream`, so that tests do not affect each other.
     pub(super) fn new(seed: u64, stream: u64) -> Self {
         Self(Pcg64Mcg::seed_from_u64(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(stream)))
     }

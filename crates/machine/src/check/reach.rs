@@ -6,22 +6,22 @@ use crate::{Joints, Machine};
 use glam::DVec3;
 use serde::Serialize;
 
-/// Random positions looked at.
+/// Number of random positions.
 pub(super) const LOOKED_AT: u32 = 20_000;
 
-/// Climbs to each side of a box, from the samples that are farthest out.
+/// Number of climbs to each side of a box, from the farthest samples.
 const CLIMBS: usize = 24;
 
-/// Where a head's tip can be, and how its torch can stand.
+/// Workspace of a head's tip and range of its torch attitude.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Reach {
     /// Lowest and highest corner of the box around all tips in the work frame, mm.
     pub work_box_mm: [[f64; 3]; 2],
     /// The same in the base frame, mm.
     pub base_box_mm: [[f64; 3]; 2],
-    /// What part of space, plane or line the tips fill in the work frame.
+    /// Part of space, plane or line reached by the tip in the work frame.
     pub volume: Volume,
-    /// Greatest angle of the torch from where it points at home, in the work frame, degrees.
+    /// Maximum angle of the torch from its direction at home, in the work frame, degrees.
     pub tilt_deg: f64,
 }
 
@@ -47,7 +47,7 @@ pub(super) fn find(machine: &Machine, seed: u64, step: &mut dyn FnMut()) -> Reac
     Reach { work_box_mm: work_box.map(|c| c.to_array()), base_box_mm: base_box.map(|c| c.to_array()), volume, tilt_deg }
 }
 
-/// The box around all places of `point`.
+/// The box around all positions of `point`.
 fn boxed(machine: &Machine, samples: &[(Joints, DVec3)], point: impl Fn(&Joints) -> DVec3) -> [DVec3; 2] {
     [-1.0, 1.0].map(|sense| {
         let side = |i: usize| sense * highest(machine, samples, |q| sense * point(q)[i]);
@@ -55,7 +55,7 @@ fn boxed(machine: &Machine, samples: &[(Joints, DVec3)], point: impl Fn(&Joints)
     })
 }
 
-/// The greatest height that is found by climbing from the highest of the samples.
+/// Maximum height found by climbing from the highest samples.
 fn highest(machine: &Machine, samples: &[(Joints, DVec3)], height: impl Fn(&Joints) -> f64) -> f64 {
     let mut heights: Vec<(f64, usize)> = samples.iter().enumerate().map(|(i, s)| (height(&s.0), i)).collect();
     let starts = CLIMBS.min(heights.len() - 1);

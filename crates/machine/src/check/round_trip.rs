@@ -8,16 +8,16 @@ use std::f64::consts::{PI, TAU};
 
 /// Below this conditioning the pose is near a singular one: in doubles it no longer determines every axis to 1e-9.
 pub(super) const NEAR_SINGULAR: f64 = 1e-3;
-/// Most that a tip may be off, mm for each metre of the machine.
+/// Maximum error of a tip, mm per metre of the machine.
 pub(super) const POINT: f64 = 1e-9;
-/// Most that a direction may be off, rad; near singular poses.
+/// Maximum error of a direction, rad: regular poses, and all poses.
 const DIRECTION: (f64, f64) = (1e-9, 1e-6);
-/// Most that axes may be off, mm or deg for each metre: closed form, Newton's method.
+/// Maximum error of axes, mm or deg per metre: closed form, Newton's method.
 const AXES: (f64, f64) = (1e-9, 1e-6);
-/// With Newton's method every so-many-th pose is solved from elsewhere too: that takes hundreds of starts.
+/// With Newton's method only every n-th pose is also solved from elsewhere, which takes hundreds of starts.
 const NUMERIC_STRIDE: u32 = 500;
 
-/// How well positions come back from their own poses.
+/// Round-trip errors of positions solved from their own poses.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct RoundTrip {
     /// Random positions tried.
@@ -26,35 +26,35 @@ pub struct RoundTrip {
     pub solutions: u64,
     /// Worst distance of the tip, mm.
     pub point_mm: f64,
-    /// Worst difference of the direction from what the solution says of itself, degrees.
+    /// Worst difference of the direction's error from the solution's attitude error, degrees.
     pub direction_deg: f64,
     /// Worst difference of an axis, mm or degrees, away from singular poses.
     pub axes_mm_or_deg: f64,
-    /// Poses near a singular one, where axes are not compared.
+    /// Number of poses near a singular one, whose axes are not compared.
     pub near_singular: u32,
-    /// Poses that no positions were found for.
+    /// Number of poses without a solution.
     pub unsolved: u32,
-    /// Poses whose own positions are not among the branches found from elsewhere.
+    /// Number of poses whose own positions are missing among the branches found from elsewhere.
     pub branch_missed: u32,
-    /// Of [`RoundTrip::unsolved`], those that are no fault: both tips with slides off centre turn the pair.
+    /// Number of acceptable poses in [`RoundTrip::unsolved`]: slides off centre turn the pair of tips.
     pub off_centre: u32,
     /// Positions of the worst tip or direction, in file units.
     pub worst_at: Vec<f64>,
-    /// True if everything came back.
+    /// True if all errors are within their limits.
     pub passed: bool,
     #[serde(skip)]
     regular_direction: f64,
 }
 
 impl RoundTrip {
-    /// Tips and direction at `solution` against the poses it is for.
+    /// Compares tips and directions at `solution` with its target poses.
     fn compare(&mut self, machine: &Machine, poses: &[Pose], q: &Joints, solution: &Solution, regular: bool) {
         self.solutions += 1;
         let mut off = 0.0f64;
         let mut point = 0.0f64;
         for (head, pose) in poses.iter().enumerate() {
             let again = machine.forward_of(head, &solution.joints);
-            // `max` passes over what is no number; here that is the worst of all.
+            // `f64::max` ignores NaN; here it counts as the worst value.
             let worst = |v: f64| if v.is_finite() { v } else { f64::INFINITY };
             point = point.max(worst((again.point - pose.point).length()));
             off = off.max(worst(angle_between(again.direction, pose.direction)));
@@ -86,7 +86,7 @@ pub(super) fn file_units(machine: &Machine, q: &Joints) -> Vec<f64> {
     machine.axes.iter().zip(q).map(|(a, v)| a.to_file(*v)).collect()
 }
 
-/// Greatest difference of the axes in `of`, mm or degrees; `turns`: whole turns count.
+/// Maximum difference of the axes in `of`, mm or degrees; with `turns`, whole turns count.
 fn difference(machine: &Machine, of: &Task, a: &Joints, b: &Joints, turns: bool) -> f64 {
     let off = of.axes.iter().map(|&axis| {
         let d = a[axis] - b[axis];
@@ -99,7 +99,7 @@ fn difference(machine: &Machine, of: &Task, a: &Joints, b: &Joints, turns: bool)
     off.fold(0.0, f64::max)
 }
 
-/// How large the machine is, m, at least 1: what rounding of its positions grows with.
+/// Size of the machine, m, at least 1: the rounding of its positions is proportional to it.
 fn size_m(machine: &Machine) -> f64 {
     let strokes = machine.axes.iter().filter(|a| a.kind == AxisKind::Linear).filter_map(|a| a.range);
     let far = strokes.map(|(low, high)| low.abs().max(high.abs())).fold(0.0, f64::max);
@@ -148,8 +148,8 @@ pub(super) fn one_head(task: &Task, seed: u64, poses: u32, step: &mut dyn FnMut(
     found
 }
 
-/// Both heads at once. With slides centred the positions must come back; off centre they turn the pair against its
-/// carrier, and some pairs of tips cannot be met: those that are, must be met exactly.
+/// Both heads at once. With centred slides the positions must be recovered. Off centre they turn the pair relative to
+/// its carrier, and some pairs of tips are unreachable; the others must be met exactly.
 pub(super) fn pair(machine: &Machine, seed: u64, poses: u32, step: &mut dyn FnMut()) -> RoundTrip {
     let mut random = Random::new(seed, 2);
     let slides = machine.heads[0].slides.union(machine.heads[1].slides);
@@ -178,7 +178,7 @@ pub(super) fn pair(machine: &Machine, seed: u64, poses: u32, step: &mut dyn FnMu
             found.axes_mm_or_deg = found.axes_mm_or_deg.max(off.fold(f64::INFINITY, f64::min));
         }
     }
-    // The frame between the tips is as long as they are apart: a hair of a tip turns it by much.
+    // The frame between the tips is as long as their distance: with close tips a small error turns it far.
     let apart = (machine.heads[0].chain.zero.point - machine.heads[1].chain.zero.point).length().max(1e-3);
     let axes = found.axes_mm_or_deg;
     found.axes_mm_or_deg = 0.0;
@@ -193,7 +193,7 @@ mod tests {
     use super::*;
     use crate::shipped;
 
-    /// A solution that is off by more than it may be is not passed, whichever part of it is off.
+    /// A solution with any part beyond its limit fails.
     #[test]
     fn what_does_not_come_back_fails() {
         let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();

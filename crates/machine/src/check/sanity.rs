@@ -3,7 +3,7 @@ use crate::{Axis, AxisKind, Clamped, Machine, MachineFile, StepFile, Surrounding
 use seamwright_document::Document;
 use serde::Serialize;
 
-/// A value that can be read, and is not what is usual.
+/// A valid but unusual value.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Remark {
     /// Path of the key.
@@ -12,9 +12,9 @@ pub struct Remark {
     pub line: usize,
     /// The value as written; empty if it is missing.
     pub value: String,
-    /// Why it is remarked upon.
+    /// The reason of the remark.
     pub why: String,
-    /// What to do.
+    /// The proposed action.
     pub cure: String,
 }
 
@@ -26,20 +26,20 @@ struct Remarks<'a> {
 impl Remarks<'_> {
     fn add(&mut self, key: &str, why: impl Into<String>, cure: impl Into<String>) {
         let place = self.file.error_at(key, "", "");
-        // A missing key has the place of the table that lacks it, and no value.
+        // A missing key has the line of its table, and no value.
         let value = if place.value.len() < 60 { place.value } else { String::new() };
         let (why, cure) = (why.into(), cure.into());
         self.all.push(Remark { key: key.to_owned(), line: place.line, value, why, cure });
     }
 
-    /// About a table that the file does not have.
+    /// Adds a remark on a missing table.
     fn missing(&mut self, key: &str, why: String, cure: String) {
         self.all.push(Remark { key: key.to_owned(), line: 0, value: String::new(), why, cure });
     }
 }
 
-/// Everything unusual in a machine file: values that are likely another unit or a slip. The thresholds stand in
-/// `check/usual.rs`, each with its reason.
+/// Lists unusual values of a machine file: likely other units or mistakes. `check/usual.rs` has the thresholds with
+/// their reasons.
 pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
     let mut remarks = Remarks { file, all: Vec::new() };
     let period = machine.servo_period_s;
@@ -68,7 +68,7 @@ pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
     remarks.all
 }
 
-/// A machine that nothing can be checked for collisions on, or that is not clear of itself where it homes.
+/// Remarks on a machine without shapes for collision checks, or with a collision at its home position.
 fn about_clearance(remarks: &mut Remarks, machine: &Machine) {
     if machine.solids.solids.is_empty() {
         let why = "the machine has no shapes: nothing can be checked for collisions";
@@ -78,7 +78,7 @@ fn about_clearance(remarks: &mut Remarks, machine: &Machine) {
             "[[shapes.torch]], and so on for what may collide".to_owned(),
         );
     }
-    // What a scene cannot be made of is an error elsewhere.
+    // An invalid scene is reported as an error elsewhere.
     let Ok(around) = Surroundings::new(machine, &Clamped::default()) else { return };
     let home = machine.home();
     if around.is_clear(&home) {
@@ -160,7 +160,7 @@ fn about_speed(remarks: &mut Remarks, key: &str, axis: &Axis) {
         let why = format!("{} {unit}/s is slower than such an axis goes", number(speed));
         return remarks.add(key, why, format!("the speed in {unit}/s; {} may have been meant", others.0));
     }
-    // Run-up and run-down at full acceleration need v^2 / a.
+    // Acceleration and deceleration phases at full acceleration need v^2 / a.
     let (room, needed) = (axis.range.map(|(l, h)| h - l), axis.max_speed.powi(2) / axis.max_acceleration);
     if let Some(room) = room.filter(|room| needed > *room) {
         let why = format!(
@@ -232,7 +232,7 @@ fn about_drive(remarks: &mut Remarks, axis: &Axis, period: f64) {
         let key = format!("{table}.encoder_counts_per_{unit}");
         remarks.add(&key, format!("one count is {} {unit}", number(count)), format!("counts per {unit} at the axis"));
     }
-    // A velocity loop needs several periods of the position loop in each of its own.
+    // A velocity loop's period must span several periods of the position loop.
     if drive.velocity_bandwidth_hz * period > 0.25 {
         let why = format!(
             "{} Hz is too fast for a position loop every {} ms",
@@ -256,7 +256,7 @@ fn about_pitch(remarks: &mut Remarks, axis: &Axis) {
     }
 }
 
-/// A number as people write it: four digits.
+/// Formats a number for reading: at most four decimals, none from 1000 on.
 fn number(value: f64) -> String {
     let text = if value.abs() >= 1000.0 { format!("{value:.0}") } else { format!("{value:.4}") };
     match text.contains('.') {

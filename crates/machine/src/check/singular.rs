@@ -8,58 +8,58 @@ use glam::DVec3;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
-/// Below this conditioning a place is singular: the search ends there.
+/// Maximum conditioning of a singular configuration, at which the search ends.
 const SINGULAR: f64 = 1e-7;
-/// Random positions looked at.
+/// Number of random positions.
 pub(super) const LOOKED_AT: u32 = 3000;
-/// Searches from the worst of them, and from any of them.
+/// Number of searches from the worst of them, and from any of them.
 const SEARCHES: (usize, usize) = (24, 16);
-/// How far an axis is moved to see whether the place depends on it: rad, or part of a stroke.
+/// Displacement of an axis to test if a configuration depends on it: rad, or fraction of a stroke.
 const MOVED: (f64, f64) = (0.05, 0.05);
-/// A place depends on an axis if moving it makes the conditioning better than this.
+/// A configuration depends on an axis if moving it raises the conditioning above this.
 const DEPENDS: f64 = 1e-4;
 
-/// Positions at which a place that one axis makes alone must be singular too, and the conditioning that is singular there.
+/// Number of other positions at which a singularity by one axis alone must persist, and the maximum conditioning there.
 const ELSEWHERE: u32 = 3;
 const NEARLY: f64 = 1e-5;
-/// Positions of an axis nearer to each other than this are one singular place, mm or degrees.
+/// Minimum distance of separate singular positions of an axis, mm or degrees.
 const APART: f64 = 0.5;
 
-/// Where some axis is left free, and how near to it welding is possible.
+/// Singular configurations, and the distance from them that welding needs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Singularities {
-    /// Singular places inside the ranges, each kind once.
+    /// Singular configurations inside the ranges, each kind once.
     pub places: Vec<SingularPlace>,
-    /// Conditioning of the best and the worst positions found: how much of a motion the worst way of moving the decided
-    /// axes leaves, a rad counting like 100 mm; 0 is singular.
+    /// Conditioning of the best and the worst positions found: the smallest singular value of the decided axes'
+    /// Jacobian, with a rad weighted as 100 mm; 0 is singular.
     pub conditioning: (f64, f64),
     /// The worst-conditioned positions, in file units.
     pub worst_at: Vec<f64>,
-    /// Part of the ranges in which a rotary axis must turn faster than it can for some typical weld.
+    /// Fraction of the ranges in which some typical weld exceeds the speed of a rotary axis.
     pub too_fast: f64,
     /// The typical weld: speed, mm/s, and radius of its bend, mm.
     pub typical: (f64, f64),
 }
 
-/// A singular place, or a family of them.
+/// A singular configuration, or a family of them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SingularPlace {
-    /// What happens there.
+    /// Description of the singularity.
     pub what: String,
-    /// Axes whose positions make it, with one set of such positions in file units.
+    /// The axes that determine it, with one set of positions in file units.
     pub at: Vec<(String, f64)>,
-    /// Of a single axis: other positions that do the same, in file units.
+    /// For a single axis: other positions with the same singularity, in file units.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub also: Vec<f64>,
-    /// True if other positions of these axes together do the same.
+    /// True if other combinations of these axes give the same singularity.
     pub family: bool,
-    /// How far from it the axis in `at` must be for a typical weld (mm or degrees), and the axis that is too slow
-    /// nearer by; none if no single axis tells the distance.
+    /// Minimum distance of the axis in `at` for a typical weld (mm or degrees), and the axis that is too slow below it;
+    /// none if several axes determine the singularity.
     pub margin: Option<(f64, String)>,
 }
 
 impl SingularPlace {
-    /// The place in one sentence.
+    /// Describes the configuration in one sentence.
     pub fn sentence(&self, unit: impl Fn(&str) -> &'static str) -> String {
         let number = |v: &f64| ((v * 1e3).round() / 1e3 + 0.0).to_string();
         let values = |v: &f64| std::iter::once(v).chain(&self.also).map(number).collect::<Vec<_>>().join(", ");
@@ -70,7 +70,7 @@ impl SingularPlace {
     }
 }
 
-/// Looks for singular places of a task inside the ranges; those of the arm, if one carries the torch.
+/// Searches singular configurations of a task inside the ranges; those of the arm, if one carries the torch.
 pub(super) fn find(task: &Task, seed: u64, step: &mut dyn FnMut()) -> Singularities {
     let arm = Task::of_arm(task.machine);
     let task = arm.as_ref().unwrap_or(task);
@@ -114,21 +114,21 @@ pub(super) fn find(task: &Task, seed: u64, step: &mut dyn FnMut()) -> Singularit
     }
 }
 
-/// The same kind of place; a family at other positions counts as the same.
+/// True for the same kind of configuration; a family at other positions counts as the same.
 fn same(a: &SingularPlace, b: &SingularPlace) -> bool {
     let near = a.at.iter().zip(&b.at).all(|(x, y)| (x.1 - y.1).abs() < 0.01);
     is_one_kind(a, b) && (a.family || near)
 }
 
-/// The same happens there by positions of the same axes.
+/// True for the same singularity by the same axes.
 fn is_one_kind(a: &SingularPlace, b: &SingularPlace) -> bool {
     let axes = |p: &SingularPlace| p.at.iter().map(|x| x.0.clone()).collect::<Vec<_>>();
-    // Which linear axes follow depends on where they are.
+    // The following linear axes depend on their positions.
     let what = |p: &SingularPlace| p.what.split(", with").next().unwrap_or_default().to_owned();
     what(a) == what(b) && axes(a) == axes(b)
 }
 
-/// Places of one kind that differ in the position of one axis as one, with the greatest margin.
+/// Merges configurations of one kind that differ in the position of one axis, with the largest margin.
 fn grouped(places: Vec<SingularPlace>) -> Vec<SingularPlace> {
     let mut groups: Vec<SingularPlace> = Vec::new();
     for place in places {
@@ -160,7 +160,7 @@ fn describe(task: &Task, q: &Joints) -> SingularPlace {
         let rates = (0..lost.len()).filter(|&i| task.is_rotary(i) == rotary).map(|i| lost[i].abs());
         rates.fold(0.0, f64::max)
     };
-    // A rad moves what is 100 mm away by 100 mm.
+    // A rad moves a point 100 mm away by 100 mm.
     let (turns, moves) = (super::TYPICAL_RADIUS_MM * greatest(true), greatest(false));
     let all = turns.max(moves);
     let part = |i: &usize| {
@@ -184,7 +184,7 @@ fn describe(task: &Task, q: &Joints) -> SingularPlace {
     SingularPlace { what, family: at.len() > 1, at, also: Vec::new(), margin }
 }
 
-/// True if the place is no longer singular with the axis a little elsewhere.
+/// True if a small displacement of the axis removes the singularity.
 fn depends(task: &Task, q: &Joints, axis: usize) -> bool {
     let (low, high) = ranges(task.machine)[axis];
     let by = match task.machine.axes[axis].kind {
@@ -196,13 +196,13 @@ fn depends(task: &Task, q: &Joints, axis: usize) -> bool {
     task.conditioning(&moved) > DEPENDS
 }
 
-/// Direction and a point of a decided axis, in the work frame.
+/// Direction of a decided axis and a point on it, in the work frame.
 fn line(task: &Task, q: &Joints, i: usize) -> (DVec3, DVec3) {
     let motion = task.machine.link_frames(q);
     task.machine.links.screw_at(task.axes[i], &motion).map_or((DVec3::ZERO, DVec3::ZERO), |s| (s.direction, s.at))
 }
 
-/// A motion of the decided axes that moves nothing, in words.
+/// Describes a motion of the decided axes that leaves the torch at rest.
 fn freedom_lost(task: &Task, q: &Joints, rotary: &[usize], linear: &[usize]) -> String {
     let tip = task.machine.forward(q);
     let names = |of: &[usize]| of.iter().map(|&i| task.name(i)).collect::<Vec<_>>().join(", ");
@@ -233,8 +233,8 @@ fn freedom_lost(task: &Task, q: &Joints, rotary: &[usize], linear: &[usize]) -> 
     }
 }
 
-/// The singular place of a six-axis arm by its usual name. Wrist and elbow are singular by one axis alone, wherever the
-/// others are; what is left is the shoulder's.
+/// Names the singularity of a six-axis arm. Wrist and elbow singularities depend on one axis alone; the remaining one
+/// is that of the shoulder.
 fn of_arm(task: &Task, q: &Joints) -> SingularPlace {
     let machine = task.machine;
     let [j1, j2, j3, j4, j5, j6] = [0, 1, 2, 3, 4, 5].map(|i| task.axes[i]);
@@ -264,7 +264,7 @@ fn of_arm(task: &Task, q: &Joints) -> SingularPlace {
     place(format!("shoulder singularity: the wrist is over axis {}", name(j1)), &[j2, j3], None)
 }
 
-/// A way that the tip of a machine with few axes cannot go, in words.
+/// Describes the lost direction of motion of the tip on a machine with few axes.
 fn point_lost(task: &Task, q: &Joints) -> String {
     let tip = task.machine.forward(q).point;
     if let Some((a, b)) = in_line(task, q, tip) {
@@ -280,14 +280,13 @@ fn point_lost(task: &Task, q: &Joints) -> String {
     let columns = task.columns(q);
     let points = columns.iter().map(|c| [c[0], c[1], c[2], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
     let found = svd(&points);
-    // Across the two ways that are left.
+    // Perpendicular to the two remaining directions.
     let way = |k: usize| found.left.get(k).map_or(DVec3::ZERO, |l| DVec3::new(l[0], l[1], l[2])).normalize_or_zero();
     let lost = way(0).cross(way(1));
     format!("the tip cannot move along ({:.2}, {:.2}, {:.2}) of the work", lost.x, lost.y, lost.z)
 }
 
-/// Two parallel rotary axes with the tip in the plane of both, if the machine has such: what each moves, the other does
-/// too.
+/// Finds two parallel rotary axes with the tip in the plane of both: both move the tip in the same direction.
 fn in_line<'a>(task: &'a Task, q: &Joints, tip: DVec3) -> Option<(&'a str, &'a str)> {
     let rotary: Vec<usize> = (0..task.axes.len()).filter(|&i| task.is_rotary(i)).collect();
     let lines: Vec<(DVec3, DVec3)> = rotary.iter().map(|&i| line(task, q, i)).collect();
@@ -304,8 +303,8 @@ fn in_line<'a>(task: &'a Task, q: &Joints, tip: DVec3) -> Option<(&'a str, &'a s
     None
 }
 
-/// How far the axis must be from the place before no rotary axis has to be faster than it can, in file units, and the
-/// axis that is too slow nearer by.
+/// Minimum distance of the axis from the singularity with all rotary axes fast enough, in file units, and the axis too
+/// slow below it.
 fn margin(task: &Task, q: &Joints, axis: usize) -> Option<(f64, String)> {
     let rotary: Vec<usize> = (0..task.axes.len()).filter(|&i| task.is_rotary(i)).collect();
     let judged: Vec<usize> = if rotary.is_empty() { (0..task.axes.len()).collect() } else { rotary };

@@ -2,7 +2,7 @@ use crate::{AxisKind, Joints, LinkFrames, Machine};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
 
-/// Which side of the base an axis is on, and so what it moves.
+/// Side of the base of an axis: it moves the torch or the work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// It carries the torch.
@@ -11,16 +11,16 @@ pub enum Side {
     Work,
 }
 
-/// Where an axis is and which way is positive, in the base frame.
+/// Position and positive direction of an axis, in the base frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisPlace {
     /// Index of the axis.
     pub axis: usize,
-    /// What it moves.
+    /// Its side: torch or work.
     pub side: Side,
-    /// A point on it, mm: on a linear axis where its carriage is, of one that moves the work where the work is.
+    /// A point on it, mm: the carriage of a linear axis, or the work if it moves the work.
     pub at: DVec3,
-    /// Unit direction: of positive motion of what it carries, or of the axis that this turns about (right-hand rule).
+    /// Unit direction: of positive motion of the carried body, or of its axis of rotation (right-hand rule).
     pub direction: DVec3,
 }
 
@@ -48,7 +48,7 @@ impl Machine {
         let frames = self.link_frames(q);
         let work = self.base_frame(&frames).inverse();
         let links = &self.links;
-        // Links grow from the work: those up to the base are on its side.
+        // Links are ordered from the work: those up to the base are on its side.
         let place = |link: usize| {
             let (_, found) = links.links[link].parent.as_ref()?;
             let screw = links.screw_at(found.axis, &frames)?;

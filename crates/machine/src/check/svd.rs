@@ -7,7 +7,7 @@ pub(super) const ROWS: usize = 9;
 /// Columns of a matrix, one an axis.
 pub(super) type Columns = ArrayVec<[f64; ROWS], MAX_AXES>;
 
-/// Singular values of a matrix with its right and left vectors, greatest first.
+/// Singular values of a matrix with its right and left vectors, in descending order.
 #[derive(Debug, Clone)]
 pub(super) struct Svd {
     pub(super) values: ArrayVec<f64, MAX_AXES>,
@@ -27,7 +27,7 @@ fn turn<const N: usize>(a: &mut [f64; N], b: &mut [f64; N], cos: f64, sin: f64) 
     }
 }
 
-/// One-sided Jacobi rotations (Hestenes 1958): small singular values come out as accurately as large ones.
+/// One-sided Jacobi rotations (Hestenes 1958): small singular values are as accurate as large ones.
 pub(super) fn svd(columns: &Columns) -> Svd {
     let mut left = columns.clone();
     let n = left.len();
@@ -70,7 +70,7 @@ mod tests {
     use super::*;
     use crate::check::random::Random;
 
-    /// The parts put together are the matrix again, the vectors are orthogonal; and a known rank is seen.
+    /// The product of the factors is the matrix, the vectors are orthogonal, and a known rank is found.
     #[test]
     fn parts_make_the_whole() {
         let mut random = Random::new(1, 0);

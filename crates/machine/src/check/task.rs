@@ -2,29 +2,28 @@ use super::svd::{Columns, Svd, svd};
 use crate::{AxisKind, Joints, MAX_AXES, Machine};
 use arrayvec::ArrayVec;
 
-/// A weld speed and a radius that are typical: the tip goes 10 mm/s round a bend of 100 mm, so that the torch turns by
-/// 0.1 rad/s.
+/// Typical weld speed: the tip moves at 10 mm/s around a bend of 100 mm radius, so that the torch turns at 0.1 rad/s.
 pub const TYPICAL_SPEED_MM_S: f64 = 10.0;
-/// See [`TYPICAL_SPEED_MM_S`].
+/// Typical bend radius: see [`TYPICAL_SPEED_MM_S`].
 pub const TYPICAL_RADIUS_MM: f64 = 100.0;
 
-/// With fewer axes than a pose needs the point comes first, and the direction as well as it can be.
+/// Weight of the direction with fewer axes than a pose needs: the point has priority.
 const FEW: f64 = 1e-3;
 
-/// What one head's pose asks of the axes that decide it.
+/// Task of one head: its pose, and the axes that decide it.
 #[derive(Debug, Clone)]
 pub(super) struct Task<'a> {
-    /// With the head in question as the first.
+    /// The machine, with the task's head as the first.
     pub(super) machine: &'a Machine,
     /// Axes that the pose decides.
     pub(super) axes: ArrayVec<usize, MAX_AXES>,
-    /// Freedoms of the tip's point that the axes give at most places.
+    /// Freedoms of the tip's point that the axes give in regular configurations.
     freedoms: usize,
     /// True if the roll about the torch counts too: the axes are those of a six-axis arm.
     with_roll: bool,
 }
 
-/// Axes of an arm that can bring its flange to any frame.
+/// Number of axes of an arm that can bring its flange to any frame.
 const ARM_AXES: usize = 6;
 
 impl<'a> Task<'a> {
@@ -38,8 +37,9 @@ impl<'a> Task<'a> {
         task
     }
 
-    /// The task of the six-axis arm that carries the first head's torch, if it is carried by one: to bring its flange to a
-    /// whole frame. The singular places of an arm are those of all its axes, whichever of them a torch's pose decides.
+    /// The task of the six-axis arm that carries the first head's torch, if there is one: to bring its flange to a
+    /// whole frame. An arm's singularities are those of all its axes, independent of the axes that a torch's pose
+    /// decides.
     pub(super) fn of_arm(machine: &'a Machine) -> Option<Self> {
         let screws = &machine.heads[0].chain.screws;
         let arm = &screws[screws.len().checked_sub(ARM_AXES)?..];
@@ -69,7 +69,7 @@ impl<'a> Task<'a> {
         self.axes.iter().map(column).collect()
     }
 
-    /// The columns with rad and mm made alike: a rad counts like the typical radius.
+    /// The columns with rad and mm on one scale: a rad is weighted as the typical radius.
     fn scaled(&self, q: &Joints) -> Columns {
         let mut columns = self.columns(q);
         for (i, c) in columns.iter_mut().enumerate() {
@@ -89,14 +89,14 @@ impl<'a> Task<'a> {
         columns
     }
 
-    /// Which motion of the axes is lost next, and how near: at 0 some motion of the decided axes moves nothing, or the
-    /// tip cannot go some way that it can go elsewhere. At most 1.
+    /// Conditioning of a configuration, at most 1. At 0 some motion of the decided axes leaves the torch at rest, or
+    /// the tip has lost a direction of motion.
     pub(super) fn conditioning(&self, q: &Joints) -> f64 {
         let all = svd(&self.scaled(q)).values.last().copied().unwrap_or(1.0);
         if self.is_few() { all.min(self.point_conditioning(q)) } else { all }
     }
 
-    /// The same for the tip's point alone: 0 where it has lost a freedom.
+    /// Conditioning of the tip's point alone: 0 if it has lost a freedom.
     pub(super) fn point_conditioning(&self, q: &Joints) -> f64 {
         match self.freedoms {
             0 => 1.0,
@@ -104,14 +104,14 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// Rates of the axes (mm or rad, not scaled) that together move nothing, or next to nothing.
+    /// Rates of the axes (mm or rad, not scaled) with the smallest motion of the torch.
     pub(super) fn lost(&self, q: &Joints) -> ArrayVec<f64, MAX_AXES> {
         let found = svd(&self.scaled(q));
         let Some(last) = found.right.last() else { return ArrayVec::new() };
         (0..self.axes.len()).map(|i| last[i] / self.scale(i)).collect()
     }
 
-    /// For each decided axis, the part of its highest speed that the typical weld needs at most, whichever way it goes.
+    /// For each decided axis, the maximum fraction of its maximum speed that the typical weld needs, in any direction.
     pub(super) fn need(&self, q: &Joints) -> ArrayVec<f64, MAX_AXES> {
         let weight = if self.is_few() { FEW } else { 1.0 };
         let mut columns = self.columns(q);
@@ -121,7 +121,7 @@ impl<'a> Task<'a> {
             c[3..].iter_mut().for_each(|x| *x *= weight * speed);
         }
         let Svd { values, right, left } = svd(&columns);
-        // Rows of the inverse, those of a direction back in their own measure.
+        // Rows of the inverse, with those of a direction in their own scale.
         let row = |i: usize, r: usize| -> f64 {
             (0..values.len()).map(|k| right[k][i] * left[k][r] / (values[k] * values[k]).max(1e-200)).sum()
         };

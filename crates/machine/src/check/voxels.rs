@@ -6,21 +6,21 @@ use std::collections::VecDeque;
 
 /// Voxels along each side of the box.
 pub(super) const SIDE: usize = 20;
-/// A point is reached within this part of the box' diagonal.
+/// Tolerance of a reached point, as a fraction of the box' diagonal.
 const REACHED: f64 = 1e-7;
-/// Steps towards a point.
+/// Maximum number of steps towards a point.
 const STEPS: usize = 60;
 
-/// What part of space the tip can reach, by one random point in each of 20 x 20 x 20 voxels.
+/// Part of space that the tip can reach, by one random point in each of 20 x 20 x 20 voxels.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Volume {
     /// 3 for a volume (mm^3), 2 for an area (mm^2), 1 for a length (mm), 0 for a point: the box is flat in the others.
     pub dimensions: u32,
-    /// The measure reached.
+    /// The reached measure.
     pub measure: f64,
     /// One standard deviation of it, from the voxels at the edge.
     pub deviation: f64,
-    /// The part of the box that is reached.
+    /// The reached fraction of the box.
     pub part_of_box: f64,
 }
 
@@ -75,7 +75,7 @@ impl Grid {
     }
 }
 
-/// One random point in each voxel is sought from the nearest voxel with known positions; then again from neighbours.
+/// Solves for one random point in each voxel, from the nearest voxel with known positions, then again from neighbours.
 pub(super) fn volume(
     machine: &Machine,
     samples: &[(Joints, DVec3)],
@@ -120,14 +120,14 @@ fn measured(grid: &Grid, reached: &[bool]) -> Volume {
     Volume {
         dimensions: sides.len() as u32,
         measure: whole * hit as f64 / cells,
-        // A voxel at the edge is in or out by chance.
+        // A voxel at the edge is inside or outside by chance.
         deviation: whole * (0.25 * edge as f64).sqrt() / cells,
         part_of_box: hit as f64 / cells,
     }
 }
 
-/// Goes from `start` towards `point` within the ranges: damped Gauss-Newton steps, axes that push against the end of
-/// their range being left out. Where it ends, and the distance left.
+/// Moves from `start` towards `point` within the ranges by damped Gauss-Newton steps, without axes that push against
+/// the end of their range. Returns the final positions and the remaining distance.
 fn towards(machine: &Machine, start: &Joints, point: DVec3, enough: f64) -> (Joints, f64) {
     let ranges = ranges(machine);
     let mut q = *start;
@@ -150,7 +150,7 @@ fn towards(machine: &Machine, start: &Joints, point: DVec3, enough: f64) -> (Joi
     (q, off.length())
 }
 
-/// The damped step of least length in parts of the ranges that the ends of these allow.
+/// The damped step of minimum length, relative to the ranges and within their ends.
 fn stepped(ranges: &[(f64, f64)], q: &Joints, column: impl Fn(usize) -> DVec3, off: DVec3, damping: f64) -> Joints {
     let mut stopped = vec![false; ranges.len()];
     let mut next = *q;

@@ -1,4 +1,4 @@
-//! Registers with their roles, with an address for everything that cannot be.
+//! Registers with their roles, with an address for every error.
 
 use super::modbus::{
     BitFile, ModbusDevice, ModbusFile, NumberFile, NumberType, Place, Register, Role, Scaled, Table, Word,
@@ -41,7 +41,7 @@ pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<Mod
     if !(1..=2).contains(&connections) {
         return Err(file.error_at(&format!("{at}.connections"), "this is not a sensible number", "1 or 2"));
     }
-    // An order to be off may wait for an answer that never comes.
+    // A command to switch off may wait for a missing answer.
     let switches = registers.iter().any(|r| r.role == Role::On);
     let longest = if switches { 1.0 } else { 5.0 };
     let poll_hz = within("poll_hz", device.poll_hz, 100.0, (20.0, 1000.0), "Hz")?;
@@ -58,7 +58,7 @@ pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<Mod
     })
 }
 
-/// Host and port; the usual port if none is given.
+/// Host and port; the default port if none is given.
 fn address(file: &File, at: &str, address: &str) -> Result<String, DocumentError> {
     let bad = |message: &str| {
         file.error_at(&format!("{at}.address"), message, "host:port, like 192.168.1.20:502 or [fe80::1]:502")
@@ -117,7 +117,7 @@ fn registers(file: &File, at: &str, device: &ModbusFile) -> Result<Vec<Register>
     Ok(registers)
 }
 
-/// The one table that is named, and the address in it.
+/// The single given table, and the address in it.
 fn table(file: &File, path: &str, given: &[(Table, Option<u16>)], role: &Role) -> Result<(Table, u16), DocumentError> {
     let writes = role.is_output();
     let allowed: Vec<&str> = given.iter().map(|g| g.0).filter(|t| !writes || may_write(*t)).map(Table::name).collect();
@@ -180,7 +180,7 @@ fn bit_register(file: &File, at: &str, name: String, role: Role, bit: &BitFile) 
     Ok(Register { name, role, place: Place { table, at: cell, word }, safe, unit: String::new() })
 }
 
-/// A register that counts, or changes in whatever way.
+/// Coding of a register that counts or changes in any way.
 const COUNT: Scaled = Scaled { kind: NumberType::U16, order: super::WordOrder::HighFirst, scale: 1.0, offset: 0.0 };
 
 fn number_register(
@@ -220,13 +220,13 @@ fn number_register(
     Ok(Register { name, role, place: Place { table, at: cell, word: Word::Number(scaled) }, safe, unit })
 }
 
-/// What the name of a process value ends in: `current_a` is in a, `wire_m_min` in m/min.
+/// Unit from the suffix of a process value's name: `current_a` is in a, `wire_m_min` in m/min.
 fn unit_of(name: &str) -> String {
     let tail = name.split_once('_').map_or("", |(_, tail)| tail);
     tail.replace('_', "/")
 }
 
-/// No two registers share a bit.
+/// Checks that no bit is shared by two registers.
 fn overlaps(file: &File, at: &str, registers: &[Register]) -> Result<(), DocumentError> {
     for (i, one) in registers.iter().enumerate() {
         if let Some(other) = registers[..i].iter().find(|other| meet(&one.place, &other.place)) {
@@ -246,7 +246,8 @@ fn meet(a: &Place, b: &Place) -> bool {
     a.table == b.table && !apart && !bits_apart
 }
 
-/// Roles over all devices: one process source, which can be watched; all inputs on one device, and none without a register.
+/// Checks the roles over all devices: one process source, with supervision; all inputs on one device, each with a
+/// register.
 pub(super) fn together(file: &File, devices: &[ModbusDevice]) -> Result<(), DocumentError> {
     let at = |device: &ModbusDevice, key: &str| format!("devices.{}.modbus.{key}", device.name);
     let mut with_source = devices.iter().filter(|d| d.registers.iter().any(|r| r.role.is_source()));

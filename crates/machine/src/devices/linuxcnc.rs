@@ -27,9 +27,9 @@ pub struct LinuxCnc {
     pub base_period_us: Option<u32>,
 }
 
-/// Set-points in store, if the file does not say.
+/// Default number of set-points in store.
 const STORE: u32 = 10;
-/// Longest name of an axis: HAL's names have up to 47 characters.
+/// Maximum length of an axis' name: HAL's names have up to 47 characters.
 const LONGEST_NAME: usize = 24;
 
 /// Checks one device.

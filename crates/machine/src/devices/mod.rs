@@ -1,4 +1,4 @@
-//! `[devices.<name>]`: where drives, process source, inputs and outputs are. What no entry names is simulated.
+//! `[devices.<name>]`: devices of drives, process source, inputs and outputs. All others are simulated.
 
 mod check;
 mod linuxcnc;
@@ -50,7 +50,7 @@ impl MachineDevices {
     }
 }
 
-/// Puts the devices of a machine file with these `axes` together.
+/// Assembles the devices of a machine file with these `axes`.
 pub(crate) fn devices(file: &Document<crate::MachineFile>, axes: &[Axis]) -> Result<MachineDevices, DocumentError> {
     let mut devices = MachineDevices::default();
     for (name, device) in &file.value.devices {

@@ -129,7 +129,7 @@ pub enum NumberType {
 }
 
 impl NumberType {
-    /// Registers that it takes.
+    /// Number of registers.
     pub fn registers(self) -> u16 {
         match self {
             Self::U16 | Self::I16 => 1,
@@ -137,7 +137,7 @@ impl NumberType {
         }
     }
 
-    /// Least and greatest number.
+    /// Minimum and maximum number.
     pub fn range(self) -> (f64, f64) {
         match self {
             Self::U16 => (0.0, f64::from(u16::MAX)),
@@ -171,15 +171,15 @@ pub struct ModbusDevice {
     pub unit: u8,
     /// Time from poll to poll, s.
     pub poll_s: f64,
-    /// Longest time for an answer, s.
+    /// Maximum time for an answer, s.
     pub timeout_s: f64,
-    /// Connections: 2, or 1 for orders and reports together.
+    /// Number of connections: 2, or 1 for commands and reports together.
     pub connections: u8,
     /// Time without a cycle after which outputs go to their safe states, s.
     pub watchdog_s: f64,
-    /// Longest time in which the heart-beat stays the same, s.
+    /// Maximum time without a change of the heart-beat, s.
     pub heartbeat_s: f64,
-    /// Registers with a role; none shares a bit with another.
+    /// Registers with a role; they share no bits.
     pub registers: Vec<Register>,
 }
 
@@ -188,17 +188,17 @@ pub struct ModbusDevice {
 pub struct Register {
     /// Its key in the device's table, like `inputs.door_closed`.
     pub name: String,
-    /// What it is for.
+    /// Its role.
     pub role: Role,
-    /// Where it is.
+    /// Its address and coding.
     pub place: Place,
-    /// The safe value of an output: of a bit 0 or 1.
+    /// The safe value of an output: 0 or 1 for a bit.
     pub safe: f64,
     /// Unit of its value; empty for bits.
     pub unit: String,
 }
 
-/// What a register is for.
+/// Role of a register.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Role {
     /// Input of the condition with this number.
@@ -213,7 +213,7 @@ pub enum Role {
     Set(String),
     /// The source could be switched on.
     Ready,
-    /// Arc or beam is there.
+    /// Arc or beam burns.
     Burning,
     /// The wire sticks.
     Stuck,
@@ -231,7 +231,7 @@ impl Role {
         matches!(self, Self::Gas | Self::On | Self::Watchdog | Self::Set(_))
     }
 
-    /// True for what belongs to the process source.
+    /// True for roles of the process source.
     pub fn is_source(&self) -> bool {
         !matches!(self, Self::Input(_) | Self::Watchdog | Self::Heartbeat)
     }
@@ -267,18 +267,18 @@ impl Table {
     }
 }
 
-/// Where a register is, and how its value is coded.
+/// Address of a register, and coding of its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
     /// The table.
     pub table: Table,
     /// Address of its first cell, from 0.
     pub at: u16,
-    /// What is there.
+    /// Its content.
     pub word: Word,
 }
 
-/// What is at a place.
+/// Content of an address.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Word {
     /// A coil or a discrete input.
@@ -292,18 +292,18 @@ pub enum Word {
 /// A number with its scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaled {
-    /// How it is coded.
+    /// Its coding.
     pub kind: NumberType,
     /// Order of the two registers of 32 bits.
     pub order: WordOrder,
-    /// The value is the number times this ..
+    /// Factor of the number: value = number * scale + offset.
     pub scale: f64,
-    /// .. plus this.
+    /// The value at the number 0.
     pub offset: f64,
 }
 
 impl Scaled {
-    /// Least and greatest value.
+    /// Minimum and maximum value.
     pub fn range(&self) -> (f64, f64) {
         let (low, high) = self.kind.range();
         let (a, b) = (low * self.scale + self.offset, high * self.scale + self.offset);
@@ -312,7 +312,7 @@ impl Scaled {
 }
 
 impl Place {
-    /// Cells that it takes.
+    /// Number of cells.
     pub fn cells(&self) -> u16 {
         match self.word {
             Word::Number(number) => number.kind.registers(),

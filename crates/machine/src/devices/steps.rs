@@ -13,11 +13,11 @@ pub struct StepsFile {
     pub tick_ns: Option<u32>,
 }
 
-/// The drives by step and direction pulses. Every axis has a stepper that meets its resolution with pulses that its driver
-/// takes, up to the axis' highest speed, and at reversals under its highest acceleration.
+/// The drives by step and direction pulses. Every axis has a stepper that meets its resolution with valid pulses for
+/// its driver. That holds up to the maximum speed, and at reversals under the maximum acceleration.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Steps {
-    /// File or named pipe that the pulses go to, beside the machine file.
+    /// File or named pipe for the pulses, beside the machine file.
     pub stream: Option<String>,
     /// Tick of the timer, ns.
     pub tick_ns: u32,
@@ -32,9 +32,9 @@ impl Steps {
     }
 }
 
-/// Tick, if the file does not say, ns.
+/// Default tick, ns.
 const TICK_NS: u32 = 100;
-/// Part of the highest frequency left for the rounding of positions.
+/// Fraction of the maximum frequency reserved for the rounding of positions.
 const RESERVE: f64 = 1e-6;
 
 /// Checks one device for machines with these axes.
@@ -63,7 +63,7 @@ pub(super) fn steps(
     Ok(steps)
 }
 
-/// The pulses that the motion of an axis may need can be made.
+/// Checks that all pulses for the motion of an axis can be generated.
 fn check(file: &Document<MachineFile>, name: &str, axis: &Axis, steps: &Steps) -> Result<(), DocumentError> {
     let Some(stepper) = &axis.stepper else {
         let message = format!("axis `{}` has no stepper that could take pulses", axis.name);
@@ -95,7 +95,7 @@ fn check(file: &Document<MachineFile>, name: &str, axis: &Axis, steps: &Steps) -
         );
         return Err(file.error_at(&at("max_pulse_hz"), message, allowed));
     }
-    // The first pulse after a reversal comes within a step of where the axis turned, and then goes on at its acceleration.
+    // The first pulse after a reversal comes within a step of the turning point; then the axis accelerates.
     let period_s = steps.period as f64 * steps.tick_s();
     let (way, a) = (1.0 / per_unit, axis.max_acceleration);
     let fastest = ((2.0 * a * way).sqrt() + 2.0 * a * period_s).min(axis.max_speed);
@@ -139,10 +139,11 @@ mod tests {
             ("[devices.a.steps]\n[devices.b.steps]", ("", ""), "devices.b.steps", "one device"),
             ("[devices.a.linuxcnc]\n[devices.b.steps]", ("", ""), "devices.b.steps", "one device"),
             ("[devices.a.steps]\n[devices.b.linuxcnc]", ("", ""), "devices.b.linuxcnc", "one device"),
-            // 320 pulses a mm: 32,000 a second at 100 mm/s. With ticks of 100 ns 31,000 Hz are 323 ticks, 32,052 Hz 312 ticks.
+            // 320 pulses per mm: 32,000 per second at 100 mm/s. With ticks of 100 ns 31,000 Hz are 323 ticks, 32,052 Hz
+            // 312 ticks.
             (steps, ("max_pulse_hz = 200000", "max_pulse_hz = 31000"), "max_pulse_hz", "up to 96.749"),
             (steps, ("max_pulse_hz = 200000", "max_pulse_hz = 32052"), "", ""),
-            // With ticks of 100 ns 15.64 us are 31,969 a second.
+            // With ticks of 100 ns 15.64 us are 31,969 per second.
             (steps, ("min_pulse_us = 2.5", "min_pulse_us = 7.8125"), "max_pulse_hz", "up to"),
             (steps, ("resolution_mm = 0.005", "resolution_mm = 0.0001"), "resolution_mm", "0.000390625 mm or more"),
             (steps, ("direction_setup_us = 5", "direction_setup_us = 990"), "direction_setup_us", "together"),

@@ -1,4 +1,4 @@
-//! Which axes a pose decides when there are more than it needs.
+//! Redundancy resolution: the axes that a pose decides if the chain has more than it needs.
 
 use crate::chain::{AxisSet, Chain, Joints};
 use crate::{Axis, AxisKind};
@@ -9,23 +9,23 @@ use std::f64::consts::PI;
 /// Freedoms of a point with a direction.
 const FREEDOMS: usize = 5;
 
-/// Configurations at which a choice is judged.
+/// Number of configurations at which a choice is judged.
 const JUDGED: u32 = 12;
-/// Axes that span less than this part of the unit volume everywhere cannot give every pose.
+/// Minimum fraction of the unit volume: axes that span less everywhere cannot reach every pose.
 const INDEPENDENT: f64 = 1e-6;
-/// Rotary axes with a smaller range than this are better left free, rad: decided by the pose they would leave it.
+/// Preferred minimum range of a rotary axis decided by the pose, rad: a narrower one would often leave its range.
 const NARROW: f64 = 0.5 * PI;
 
-/// The axes to hold so that the rest just suffices for a point and a direction.
+/// The axes to hold so that the rest exactly suffices for a point and a direction.
 ///
-/// With three independent linear axes: those with the longest strokes, and the two rotary axes that turn the torch best
-/// near home, on the torch side if both sides do; not those with narrow ranges. Otherwise the five axes that span the freedoms best over their
-/// ranges.
+/// With three independent linear axes: those with the longest strokes, and the two rotary axes that best turn the torch
+/// near home. Wide ranges and the torch side are preferred. Otherwise the five axes that span the freedoms best over
+/// their ranges.
 pub(crate) fn held(chain: &Chain, axes: &[Axis]) -> AxisSet {
     chain.axes().different(decided(chain, axes, AxisSet::default()))
 }
 
-/// The axes to hold so that those of `wanted` are among them and the rest still suffices, if there are such.
+/// The axes to hold, including those of `wanted`, so that the rest still suffices; none if impossible.
 pub(crate) fn held_with(chain: &Chain, axes: &[Axis], wanted: AxisSet) -> Option<AxisSet> {
     let without = decided(chain, axes, AxisSet::default());
     let decided = decided(chain, axes, wanted);
@@ -47,7 +47,7 @@ fn decided(chain: &Chain, axes: &[Axis], held: AxisSet) -> AxisSet {
     if left.iter().count() <= FREEDOMS { left } else { best_five(chain, axes, left) }
 }
 
-/// Greatest part of the unit volume that the axes of `five` span at positions spread over their ranges.
+/// Maximum fraction of the unit volume spanned by the axes of `five` at positions spread over their ranges.
 fn spread_volume(chain: &Chain, axes: &[Axis], five: AxisSet) -> f64 {
     let five: Vec<usize> = five.iter().collect();
     let volumes = (1..=JUDGED).map(|k| {
@@ -61,12 +61,12 @@ fn stroke(axis: &Axis) -> f64 {
     axis.range.map_or(4.0 * PI, |(low, high)| high - low)
 }
 
-/// How much of a rotary axis' range is there of what a decided axis should have, at most 1.
+/// Range of a rotary axis relative to the recommended one of a decided axis, at most 1; 1 for linear axes.
 fn room(axis: &Axis) -> f64 {
     if axis.kind == AxisKind::Rotary { (stroke(axis) / NARROW).min(1.0) } else { 1.0 }
 }
 
-/// Three linear axes that span space, the product of strokes and of their volume being greatest.
+/// Three linear axes that span space, with the maximum product of strokes and volume.
 fn best_triple(chain: &Chain, axes: &[Axis], linear: &[usize]) -> Option<AxisSet> {
     let direction = |axis: usize| chain.screws.iter().find(|s| s.axis == axis).map_or(DVec3::ZERO, |s| s.direction);
     let triples = subsets(linear, 3).into_iter().filter_map(|t| {
@@ -77,14 +77,15 @@ fn best_triple(chain: &Chain, axes: &[Axis], linear: &[usize]) -> Option<AxisSet
     triples.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, t)| t.into_iter().collect())
 }
 
-/// The two rotary axes that turn the torch best about home.
+/// The two rotary axes that best turn the torch about home.
 fn best_pair(chain: &Chain, axes: &[Axis], rotary: &[usize]) -> AxisSet {
     let home = super::home(axes);
     let columns = chain.jacobian(&home);
     let later = |axis: usize| chain.screws.iter().position(|s| s.axis == axis).unwrap_or(0) as f64;
     let score = |pair: &[usize]| {
         let [a, b] = [columns[pair[0]].1, columns[pair[1]].1];
-        // Near home first; where every pair is singular there, axes that are not parallel; then the torch side.
+        // Priority: rotation near home; if every pair is singular there, axes that are not parallel; then the torch
+        // side.
         let [u, v] =
             [pair[0], pair[1]].map(|p| chain.screws.iter().find(|s| s.axis == p).map_or(DVec3::ZERO, |s| s.direction));
         let home = (a.cross(b).length() * 10.0).round() / 10.0;
@@ -109,7 +110,7 @@ fn best_five(chain: &Chain, axes: &[Axis], of: AxisSet) -> AxisSet {
     best.into_iter().flatten().collect()
 }
 
-/// The part of the unit volume that five columns of the Jacobian span, each scaled to length 1.
+/// Fraction of the unit volume spanned by five columns of the Jacobian, each scaled to length 1.
 fn volume(tip: &Pose, columns: &[(DVec3, DVec3)], five: &[usize]) -> f64 {
     let (u, v) = tip.direction.any_orthonormal_pair();
     let mut rows: Vec<[f64; FREEDOMS]> = five
@@ -143,7 +144,7 @@ fn dot(a: &[f64; FREEDOMS], b: &[f64; FREEDOMS]) -> f64 {
 }
 
 /// The `k`-th of positions spread evenly over the axes' ranges: the additive recurrence with the generalised golden
-/// ratio, which leaves no part of the box empty for long.
+/// ratio, which fills the box uniformly.
 pub(crate) fn spread(axes: &[Axis], k: u32) -> Joints {
     let mut q = Joints::default();
     // The root of x^(n+1) = x + 1 for n = 12 axes.
@@ -153,7 +154,7 @@ pub(crate) fn spread(axes: &[Axis], k: u32) -> Joints {
         step /= ROOT;
         let (low, high) = axis.range.unwrap_or((-PI, PI));
         let (low, high) = match axis.kind {
-            // One turn is enough of a rotary axis.
+            // One turn of a rotary axis suffices.
             AxisKind::Rotary if high - low > 2.0 * PI => (0.5 * (low + high) - PI, 0.5 * (low + high) + PI),
             _ => (low, high),
         };

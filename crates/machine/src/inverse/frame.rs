@@ -5,9 +5,8 @@ use crate::chain::{AxisSet, Chain, Joints, MAX_AXES, Screw, Turn};
 use arrayvec::ArrayVec;
 use glam::{DMat3, DVec3};
 
-/// Three linear and three rotary axes that put a whole frame (a point and three directions) where it is wanted: two
-/// heads on one carrier need that. The rotary axes follow from the frame's directions, the linear ones from its
-/// point.
+/// Three linear and three rotary axes that bring a whole frame (point and three directions) to a target, for two heads
+/// on one carrier. The rotary axes follow from the frame's directions, the linear ones from its point.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FrameInverse {
     /// Screws from the work to the carrier.
@@ -35,8 +34,8 @@ impl FrameInverse {
         (independent(a, b) && independent(b, c)).then_some(Self { screws, linear, rotary })
     }
 
-    /// Positions of the shared axes that bring `from`, a frame fixed to the carrier and given where it is with all
-    /// axes at zero, to `to`; up to two branches. `near` decides what is left free. The other axes are as in `near`.
+    /// Positions of the shared axes that bring `from`, a frame fixed to the carrier and given at zero of all axes, to
+    /// `to`; up to two branches. Free turns and the other axes are as in `near`.
     pub(crate) fn solve(
         &self,
         from: &Frame,
@@ -59,7 +58,7 @@ impl FrameInverse {
                 turns[axis]
             };
             let (first, second) = (put(0, first), put(1, second));
-            // What the third has to do: any direction across it shows the angle.
+            // Turn of the third axis: any direction across it shows the angle.
             let across = c.any_orthonormal_vector();
             let wanted = second.back().of(b, first.back().of(a, turn * across));
             put(2, rotaries::one(c, across, wanted));

@@ -1,4 +1,4 @@
-//! Inverse kinematics, chosen from the arrangement of the axes and not from a name: closed forms where the arrangement
+//! Inverse kinematics, chosen from the arrangement of the axes and not from a name: a closed form if the arrangement
 //! has one, Newton's method otherwise.
 
 mod choice;
@@ -28,21 +28,21 @@ use two_linear::TwoLinear;
 pub struct Solution {
     /// Positions in machine-file order, mm or rad.
     pub joints: Joints,
-    /// Angle between the direction asked for and the one reached, rad: 0 where the axes can give any direction.
+    /// Angle between the requested and the reached direction, rad: 0 if the axes can reach any direction.
     pub attitude_error: f64,
-    /// True if an axis is left free by the pose; it then stands as in `near`.
+    /// True if the pose leaves an axis free; it then keeps its position of `near`.
     pub singular: bool,
 }
 
-/// Most branches that are returned.
+/// Maximum number of returned branches.
 pub const MAX_BRANCHES: usize = 16;
 
-/// Which branches are wanted.
+/// Selection of branches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Which {
     /// All.
     All,
-    /// The one whose rotary axes are nearest to where they are, and perhaps others.
+    /// The one with the rotary axes nearest to their current positions, and possibly others.
     Nearest,
 }
 
@@ -51,12 +51,12 @@ pub(crate) enum Which {
 pub struct Branches(ArrayVec<Solution, MAX_BRANCHES>);
 
 impl Branches {
-    /// The only one there is.
+    /// The single branch `solution`.
     pub fn one(solution: Solution) -> Self {
         Self(std::iter::once(solution).collect())
     }
 
-    /// Room for one more solution, all zero: filled in place, because copying costs as much as solving.
+    /// Adds a zero solution to fill in place, because copying costs as much as solving.
     pub(crate) fn add(&mut self) -> &mut Solution {
         let at = self.0.len().min(MAX_BRANCHES - 1);
         self.0.truncate(at);
@@ -66,12 +66,12 @@ impl Branches {
 }
 
 impl Branches {
-    /// Takes back the solution added last: its linear axes are flat.
+    /// Removes the solution added last: its linear axes are flat.
     fn take_back(&mut self) {
         self.0.pop();
     }
 
-    /// Nothing left of several branches is the reason of the last.
+    /// Returns the last `reason` as an error if no branch is left.
     fn any(&self, reason: Option<Unreachable>) -> Result<(), Unreachable> {
         if self.0.is_empty() { Err(reason.unwrap_or(Unreachable::Flat)) } else { Ok(()) }
     }
@@ -90,7 +90,7 @@ impl DerefMut for Branches {
     }
 }
 
-/// Why no axis positions reach a pose; lengths in mm, angles in rad.
+/// Reason why no axis positions reach a pose; lengths in mm, angles in rad.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Unreachable {
     /// The two rotary axes cannot give the direction.
@@ -113,13 +113,13 @@ pub enum Unreachable {
         "out of reach by {by:.3} mm: axis {axis} would be at {value:.6} mm, {beyond:.6} mm beyond its limit {limit} mm"
     )]
     OutOfReach {
-        /// How far the point is beyond what the linear axes reach, mm.
+        /// Distance of the point beyond the reach of the linear axes, mm.
         by: f64,
-        /// Name of the axis that lacks most.
+        /// Name of the axis with the largest excess.
         axis: String,
-        /// Where it would have to go, mm.
+        /// Its required position, mm.
         value: f64,
-        /// How far beyond, mm.
+        /// Its excess over the limit, mm.
         beyond: f64,
         /// Its limit, mm.
         limit: f64,
@@ -129,26 +129,26 @@ pub enum Unreachable {
     Range {
         /// Name of the axis.
         axis: String,
-        /// Where it would have to go, in the file's unit.
+        /// Its required position, in the file's unit.
         value: f64,
-        /// How far beyond, in the file's unit.
+        /// Its excess over the limit, in the file's unit.
         by: f64,
         /// The limit, in the file's unit.
         limit: f64,
         /// The file's unit: mm or deg.
         unit: &'static str,
     },
-    /// The machine's two heads have no way to both points.
+    /// The machine's two heads cannot reach both points.
     #[error("{0}")]
     Pair(&'static str),
 }
 
 impl Unreachable {
-    /// A number that orders reasons of one machine: how far it is from reachable, in mm or degrees.
+    /// Distance from reachability, in mm or degrees, to compare reasons of one machine.
     pub(crate) fn by(&self) -> f64 {
         match self {
             Self::Range { by, .. } | Self::OutOfReach { by, .. } => *by,
-            // A pose out of reach is farther than any out of range.
+            // A pose out of reach counts as farther than any out of range.
             Self::Direction { by } => 1e4 + by.to_degrees(),
             Self::Point { by } => 1e4 + by,
             Self::Flat | Self::Pair(_) => f64::INFINITY,
@@ -156,10 +156,10 @@ impl Unreachable {
     }
 }
 
-/// How a chain's positions are found for a pose.
+/// Inverse kinematics of a chain.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Inverse {
-    /// Axes that stay where they are in `near`: a pose has five freedoms, and the chain more axes.
+    /// Redundant axes, which keep their positions of `near`: a pose has five freedoms, and the chain more axes.
     pub(crate) held: AxisSet,
     form: Form,
 }
@@ -173,15 +173,15 @@ enum Form {
 }
 
 impl Inverse {
-    /// Chooses from the arrangement of the axes: a closed form where there is one for the chain or for the chain with
-    /// some axes held, else Newton's method.
+    /// Chooses from the arrangement of the axes: a closed form if one exists for the chain or for the chain with some
+    /// axes held, else Newton's method.
     pub(crate) fn of(chain: &Chain, axes: &[Axis]) -> Self {
         let held = choice::held(chain, axes);
         let active = chain.holding(held, &home(axes));
         Self { held, form: Form::of(&active, axes) }
     }
 
-    /// Chooses the same with the axes of `wanted` among those that stay, if the rest can still reach every pose.
+    /// Chooses the same with the axes of `wanted` among the held ones, if the rest can still reach every pose.
     pub(crate) fn holding(chain: &Chain, axes: &[Axis], wanted: AxisSet) -> Option<Self> {
         let held = choice::held_with(chain, axes, wanted)?;
         let active = chain.holding(held, &home(axes));
@@ -203,7 +203,7 @@ impl Inverse {
         }
     }
 
-    /// Adds every branch, or the one nearest to `near`, to `branches`; held axes stand as in `near`.
+    /// Adds every branch, or the one nearest to `near`, to `branches`; held axes keep their positions of `near`.
     pub(crate) fn solve(
         &self,
         chain: &Chain,
@@ -224,8 +224,8 @@ impl Inverse {
 }
 
 impl Inverse {
-    /// Adds the branches that Newton's method comes to from each of `starts`, if there is no closed form; with one, every
-    /// branch. Held axes stand as in `near`.
+    /// Adds the branches that Newton's method finds from each of `starts`; with a closed form, every branch. Held axes
+    /// keep their positions of `near`.
     pub(crate) fn solve_from(
         &self,
         chain: &Chain,
@@ -243,7 +243,7 @@ impl Inverse {
 }
 
 impl Form {
-    /// The closed form for the arrangement, or Newton's method. `chain` has no axes to spare.
+    /// The closed form for the arrangement, or Newton's method. `chain` has no redundant axes.
     fn of(chain: &Chain, axes: &[Axis]) -> Self {
         let of_kind =
             |kind| -> Vec<usize> { (0..chain.screws.len()).filter(|&i| chain.screws[i].kind == kind).collect() };
@@ -289,7 +289,7 @@ pub(crate) fn angle_between(u: DVec3, v: DVec3) -> f64 {
     2.0 * (u - v).length().atan2((u + v).length())
 }
 
-/// Positions of two linear axes along `a` and `b` that best give the displacement `d`, and what is left over.
+/// Positions of two linear axes along `a` and `b` that best give the displacement `d`, and the remainder.
 pub(crate) fn in_plane(a: DVec3, b: DVec3, d: DVec3) -> (f64, f64, DVec3) {
     let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
     let determinant = aa * bb - ab * ab;

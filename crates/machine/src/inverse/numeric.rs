@@ -8,27 +8,27 @@ use std::f64::consts::{PI, TAU};
 
 /// Newton's method with Levenberg and Marquardt's damping, for arrangements without a closed form.
 ///
-/// From a neighbour it finds that branch; to find all branches it starts from places spread over the axes' ranges. That
-/// finds every branch but those with a basin smaller than the spread: a test compares with brute force. With fewer than
-/// five axes the point is met exactly where it can be, the direction as well as it can be.
+/// From a neighbour it finds that branch; to find all branches it starts from positions spread over the axes' ranges.
+/// That finds every branch except those with a basin smaller than the spread: a test compares with brute force. With
+/// fewer than five axes the point is met exactly if possible, and the direction as closely as possible.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Numeric {
     axes: Vec<Axis>,
 }
 
-/// Most axes solved at once.
-const MOST: usize = 5;
-/// Starts for all branches.
+/// Maximum number of axes solved at once.
+const MAX_SOLVED_AXES: usize = 5;
+/// Number of starts for all branches.
 const STARTS: u32 = 600;
-/// Steps from one start; most need 4 to 8.
+/// Maximum number of steps from one start; most need 4 to 8.
 const STEPS: usize = 60;
-/// A rad of direction counts like this many mm.
+/// Weight of the direction against the point, mm per rad.
 const MM_PER_RAD: f64 = 100.0;
-/// The same where the axes cannot give every direction: then the point comes first.
+/// The same for axes that cannot give every direction: the point has priority.
 const MM_PER_RAD_FEW: f64 = 0.1;
-/// A pose is reached within this: mm, and rad for the direction. Newton's last step goes far below.
+/// Tolerance of a reached pose: mm, and rad for the direction. Newton's last step goes far below.
 const REACHED: f64 = 1e-9;
-/// Two branches are the same within this, mm or rad.
+/// Tolerance of equal branches, mm or rad.
 const SAME: f64 = 1e-6;
 
 /// Columns of the Jacobian: three of the point, three of the direction as a turn.
@@ -38,7 +38,7 @@ type Rows = [f64; 6];
 #[derive(Clone, Copy)]
 struct Error {
     point: DVec3,
-    /// The turn that is missing, as a vector, rad.
+    /// The remaining rotation, as a vector, rad.
     turn: DVec3,
 }
 
@@ -48,9 +48,9 @@ impl Error {
     }
 }
 
-/// What a rad of direction counts on this chain, mm.
+/// Weight of the direction on this chain, mm per rad.
 fn mm_per_rad(chain: &Chain) -> f64 {
-    if chain.screws.len() < MOST { MM_PER_RAD_FEW } else { MM_PER_RAD }
+    if chain.screws.len() < MAX_SOLVED_AXES { MM_PER_RAD_FEW } else { MM_PER_RAD }
 }
 
 impl Numeric {
@@ -58,7 +58,7 @@ impl Numeric {
         Self { axes: axes.to_vec() }
     }
 
-    /// Adds every branch that is found.
+    /// Adds every branch found.
     pub(crate) fn solve(
         &self,
         chain: &Chain,
@@ -70,7 +70,7 @@ impl Numeric {
         self.solve_each(chain, pose, near, starts, branches)
     }
 
-    /// Adds every branch that Newton's method comes to from `starts`.
+    /// Adds every branch that Newton's method finds from `starts`.
     pub(crate) fn solve_from(
         &self,
         chain: &Chain,
@@ -105,7 +105,7 @@ impl Numeric {
         }
     }
 
-    /// Adds the branch next to `near`; false if Newton's method reaches none from there.
+    /// Adds the branch next to `near`; false if Newton's method finds none from there.
     pub(crate) fn nearest(&self, chain: &Chain, pose: &Pose, near: &Joints, branches: &mut Branches) -> bool {
         let (solution, error) = descend(chain, pose, near);
         let found = accepted(chain, &error);
@@ -122,7 +122,7 @@ impl Numeric {
         q
     }
 
-    /// Adds a solution unless it is there already up to whole turns.
+    /// Adds a solution unless an equal one, up to whole turns, is present.
     fn keep(&self, chain: &Chain, mut solution: Solution, near: &Joints, branches: &mut Branches) {
         for screw in &chain.screws {
             let axis = screw.axis;
@@ -135,14 +135,14 @@ impl Numeric {
                 d.abs() < SAME
             })
         };
-        // With a singular Jacobian the solutions are not isolated: one stands for all.
+        // With a singular Jacobian the solutions are not isolated: one represents all.
         if branches.iter().any(|b| same(b) || (b.singular && solution.singular)) {
             return;
         }
         if branches.len() < super::MAX_BRANCHES {
             *branches.add() = solution;
         } else if let Some(worst) = branches.iter_mut().max_by(|a, b| a.attitude_error.total_cmp(&b.attitude_error)) {
-            // Too few axes have many places where the direction is as near as it can be: the nearest count.
+            // Too few axes have many local minima of the direction error: keep the smallest.
             if worst.attitude_error > solution.attitude_error {
                 *worst = solution;
             }
@@ -150,13 +150,13 @@ impl Numeric {
     }
 }
 
-/// True if the error is nothing, or all that is left is a direction that too few axes cannot give.
+/// True if the error is within tolerance; with too few axes, if that of the point is.
 fn accepted(chain: &Chain, error: &Error) -> bool {
     let point = error.point.length() <= REACHED * 1f64.max(1e-3 * chain.zero.point.length());
-    point && (error.turn.length() <= REACHED || chain.screws.len() < MOST)
+    point && (error.turn.length() <= REACHED || chain.screws.len() < MAX_SOLVED_AXES)
 }
 
-/// Goes down from `start` to the nearest pose; where it ends, and the error left.
+/// Descends from `start` towards the pose; returns the final positions and the remaining error.
 fn descend(chain: &Chain, pose: &Pose, start: &Joints) -> (Solution, Error) {
     let mut q = *start;
     let weight = mm_per_rad(chain);
@@ -179,15 +179,18 @@ fn descend(chain: &Chain, pose: &Pose, start: &Joints) -> (Solution, Error) {
             damping = damping.max(1e-9) * 10.0;
         }
     }
-    if chain.screws.len() < MOST {
+    if chain.screws.len() < MAX_SOLVED_AXES {
         to_the_point(chain, pose, &mut q, &mut error);
     }
-    let attitude_error =
-        if chain.screws.len() < MOST { angle_between(chain.forward(&q).direction, pose.direction) } else { 0.0 };
+    let attitude_error = if chain.screws.len() < MAX_SOLVED_AXES {
+        angle_between(chain.forward(&q).direction, pose.direction)
+    } else {
+        0.0
+    };
     (Solution { joints: q, attitude_error, singular }, error)
 }
 
-/// With too few axes for the direction the point comes first: Newton's steps of least length on the point alone.
+/// With too few axes for the direction the point has priority: minimum-length Newton steps on the point alone.
 fn to_the_point(chain: &Chain, pose: &Pose, q: &mut Joints, error: &mut Error) {
     if chain.screws.len() < 3 {
         return;
@@ -223,12 +226,12 @@ fn error(chain: &Chain, pose: &Pose, q: &Joints) -> Error {
     let across = tip.direction.cross(pose.direction);
     let sine = across.length();
     let angle = sine.atan2(tip.direction.dot(pose.direction));
-    // Opposite directions: any axis across will do.
+    // Opposite directions: any axis across is valid.
     let axis = if sine > 1e-12 { across / sine } else { tip.direction.any_orthonormal_vector() };
     Error { point: pose.point - tip.point, turn: if angle < 1e-12 { across } else { angle * axis } }
 }
 
-/// The chain's columns in the order of its screws; a rad of direction in mm.
+/// The chain's columns in the order of its screws; the direction is weighted to mm.
 fn columns(chain: &Chain, q: &Joints) -> [Rows; MAX_AXES] {
     let jacobian = chain.jacobian(q);
     let direction = chain.forward(q).direction;
@@ -242,34 +245,34 @@ fn columns(chain: &Chain, q: &Joints) -> [Rows; MAX_AXES] {
     rows
 }
 
-/// The step that a damped linear model of the error asks for, and true if the model has no full rank.
+/// The step of a damped linear model of the error, and true if the model is rank-deficient.
 fn step(chain: &Chain, rows: &[Rows; MAX_AXES], error: &Error, damping: f64) -> (Joints, bool) {
-    let n = chain.screws.len().min(MOST);
+    let n = chain.screws.len().min(MAX_SOLVED_AXES);
     let turn = mm_per_rad(chain) * error.turn;
     let wanted: Rows = [error.point.x, error.point.y, error.point.z, turn.x, turn.y, turn.z];
     let dot = |a: &Rows, b: &Rows| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
-    // Columns scaled to length 1, so that mm and rad are alike.
-    let scale: [f64; MOST] =
+    // Columns scaled to length 1, so that mm and rad have equal weight.
+    let scale: [f64; MAX_SOLVED_AXES] =
         std::array::from_fn(|i| if i < n { dot(&rows[i], &rows[i]).sqrt().max(1e-9) } else { 1.0 });
-    let mut system = [[0.0; MOST + 1]; MOST];
+    let mut system = [[0.0; MAX_SOLVED_AXES + 1]; MAX_SOLVED_AXES];
     for i in 0..n {
         for j in 0..n {
             system[i][j] = dot(&rows[i], &rows[j]) / (scale[i] * scale[j]);
         }
         system[i][i] += damping;
-        system[i][MOST] = dot(&rows[i], &wanted) / scale[i];
+        system[i][MAX_SOLVED_AXES] = dot(&rows[i], &wanted) / scale[i];
     }
-    (n..MOST).for_each(|i| system[i][i] = 1.0);
+    (n..MAX_SOLVED_AXES).for_each(|i| system[i][i] = 1.0);
     let solved = eliminate(&mut system);
     let mut joints = Joints::default();
     let singular = solved.is_none();
     let solution = solved.unwrap_or_else(|| {
-        // Without rank: a damped step.
+        // Rank-deficient: a damped step.
         let mut damped = system;
         for (i, row) in damped.iter_mut().enumerate() {
             row[i] += 1e-3;
         }
-        eliminate(&mut damped).unwrap_or([0.0; MOST])
+        eliminate(&mut damped).unwrap_or([0.0; MAX_SOLVED_AXES])
     });
     for (i, screw) in chain.screws.iter().enumerate().take(n) {
         joints[screw.axis] = solution[i] / scale[i];
@@ -277,7 +280,7 @@ fn step(chain: &Chain, rows: &[Rows; MAX_AXES], error: &Error, damping: f64) -> 
     (joints, singular)
 }
 
-/// `q` moved by a step, rotary axes by half a rad at most.
+/// `q` moved by a step, rotary axes by at most 0.5 rad.
 fn moved(chain: &Chain, q: &Joints, step: &Joints) -> Joints {
     let turn = |s: &crate::chain::Screw| if s.kind == AxisKind::Rotary { step[s.axis].abs() } else { 0.0 };
     let most = chain.screws.iter().map(turn).fold(0.0, f64::max);
@@ -285,14 +288,14 @@ fn moved(chain: &Chain, q: &Joints, step: &Joints) -> Joints {
     let mut next = *q;
     for screw in &chain.screws {
         let value = q[screw.axis] + part * step[screw.axis];
-        // Long ways round come back to the turn they are on.
+        // Wraps far rotary positions to one turn.
         let far = screw.kind == AxisKind::Rotary && value.abs() > 4.0 * PI;
         next[screw.axis] = if far { value.rem_euclid(TAU) } else { value };
     }
     next
 }
 
-/// Gauss's elimination with pivots on the diagonal (symmetric, positive); none without full rank.
+/// Gauss's elimination with pivots on the diagonal (symmetric, positive); none if rank-deficient.
 fn eliminate<const N: usize, const M: usize>(system: &mut [[f64; M]; N]) -> Option<[f64; N]> {
     let greatest = (0..N).map(|i| system[i][i].abs()).fold(0.0, f64::max);
     for i in 0..N {

@@ -4,9 +4,9 @@ use seamwright_geometry::Pose;
 
 /// Two linear axes, with or without a tilt across their plane, on a rotary axis next to the work (SADDLE-2020).
 ///
-/// The tip moves in a plane that turns with the rotary axis. The point decides the rotary axis (where the plane meets
-/// the point), the direction decides the tilt as well as it can, the linear axes do the rest. Four axes cannot give
-/// every direction: what is missing is the solution's attitude error.
+/// The tip moves in a plane that turns with the rotary axis. The point decides the rotary axis (the plane passes
+/// through it). The direction decides the tilt as closely as possible, and the linear axes follow. Four axes cannot
+/// reach every direction: the solution's attitude error is the rest.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PlaneOnRotary {
     rotary: usize,
@@ -78,7 +78,7 @@ impl PlaneOnRotary {
         branches.any(flat)
     }
 
-    /// The solution with the rotary axis turned by `about`, whose own position is left to the caller.
+    /// Solves with the rotary axis turned by `about`; the caller sets the rotary axis' own position.
     fn in_plane(
         &self,
         chain: &Chain,
@@ -106,7 +106,7 @@ impl PlaneOnRotary {
                 _ => screw.direction,
             }
         });
-        // A tilt between the two may have laid one on the other.
+        // A tilt between the two linear axes may have made them parallel.
         if x.cross(y).length_squared() < 1e-12 {
             return Err(Unreachable::Flat);
         }

@@ -4,22 +4,22 @@
 use crate::chain::Turn;
 use glam::DVec3;
 
-/// Below this the part of a unit direction across an axis is rounding: the angle about the axis is left free.
+/// A smaller part of a unit direction across an axis is rounding: the angle about the axis is free.
 pub(crate) const FREE: f64 = 1e-12;
 
-/// The turn about `axis` that brings `from` nearest to `to`; none if either is parallel to the axis.
+/// The turn about `axis` that brings `from` closest to `to`; none if either is parallel to the axis.
 pub(crate) fn one(axis: DVec3, from: DVec3, to: DVec3) -> Option<Turn> {
     let (f, t) = (axis.cross(from), axis.cross(to));
     let free = f.length_squared() < FREE * FREE || t.length_squared() < FREE * FREE;
     (!free).then(|| Turn::along(axis.dot(f.cross(t)), f.dot(t)))
 }
 
-/// A pair of turns, the one next to the target first; `None` where a turn is left free.
+/// A pair of turns, the one next to the target first; `None` for a free turn.
 pub(crate) type Pair = (Option<Turn>, Option<Turn>);
 
 /// The pairs of turns (q1, q2) with `R(a, q1) R(b, q2) from = to`, for unit vectors.
 ///
-/// Both pairs, or the angle (rad) by which the nearest direction misses.
+/// Returns both pairs, or the angle (rad) by which the nearest direction misses.
 pub(crate) fn two(a: DVec3, b: DVec3, from: DVec3, to: DVec3) -> Result<[Pair; 2], f64> {
     // z = R(b, q2) from = R(a, -q1) to lies on two circles: z = x a + y b + w a x b.
     let across = a.cross(b);
@@ -29,9 +29,9 @@ pub(crate) fn two(a: DVec3, b: DVec3, from: DVec3, to: DVec3) -> Result<[Pair; 2
     let x = (along_a - cos * along_b) / sin2;
     let y = (along_b - cos * along_a) / sin2;
     let foot = x * a + y * b;
-    // 1 - |foot|^2, in the form that does not cancel where the foot is nearly a unit vector along a or b.
+    // 1 - |foot|^2, in the form without cancellation if the foot is nearly a unit vector along a or b.
     let rest = (1.0 - foot.length()) * (1.0 + foot.length());
-    // Rounding of the inputs may put the pose a hair beyond the last reachable direction.
+    // Rounding of the inputs may put the pose slightly beyond the last reachable direction.
     if rest < -1e-12 {
         return Err(nearest_miss(a, b, from, to));
     }
@@ -42,7 +42,7 @@ pub(crate) fn two(a: DVec3, b: DVec3, from: DVec3, to: DVec3) -> Result<[Pair; 2
     }))
 }
 
-/// The least angle between `to` and the directions that the two rotations can give.
+/// Minimum angle between `to` and the directions that the two rotations can reach.
 fn nearest_miss(a: DVec3, b: DVec3, from: DVec3, to: DVec3) -> f64 {
     // R(b, .) from makes an angle with `a` between |angle(a, b) - angle(b, from)| and their sum (reflected at pi).
     let angle = super::angle_between;

@@ -67,7 +67,7 @@ impl ThreeLinear {
         branches.any(flat)
     }
 
-    /// The pair of turns that is less far from `near`, by the chords of the angles between.
+    /// The pair of turns nearer to `near`, by the chords of the angle differences.
     fn nearer(&self, chain: &Chain, near: &Joints, p: Pair, q: Pair) -> Pair {
         let here = [0, 1].map(|i| Turn::by(near[chain.screws[self.rotary[i]].axis]));
         let closeness = |pair: Pair| {
@@ -77,7 +77,8 @@ impl ThreeLinear {
         if closeness(p) >= closeness(q) { p } else { q }
     }
 
-    /// The linear positions that put the tip on `point` at the rotary axes' turns; the torch's direction there.
+    /// Sets the linear positions that put the tip on `point` at the rotary axes' turns; returns the torch's direction
+    /// there.
     fn solve_linear(
         &self,
         chain: &Chain,
@@ -92,8 +93,8 @@ impl ThreeLinear {
     }
 }
 
-/// Sets the positions of three linear axes so that the tip moves by `shift` from where it is with them at zero and the
-/// rotary axes at their turns. Each linear axis is turned by the rotary axes between it and the work.
+/// Sets the positions of three linear axes so that the tip moves by `shift`. It starts with them at zero and the rotary
+/// axes at their turns. Each linear axis is turned by the rotary axes between it and the work.
 pub(crate) fn move_linear(
     screws: &[Screw],
     linear: [usize; 3],

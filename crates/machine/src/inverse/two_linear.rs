@@ -2,7 +2,7 @@ use super::{Branches, Unreachable, angle_between, in_plane};
 use crate::chain::Chain;
 use seamwright_geometry::Pose;
 
-/// How far (mm) a point may lie off the plane of two linear axes and still count as in it.
+/// Maximum distance (mm) of a point from the plane of two linear axes that counts as in it.
 const IN_PLANE_MM: f64 = 1e-6;
 
 /// Two linear axes alone (ELLIPSE-2015): points of one plane, one direction.

@@ -6,8 +6,8 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine, SHIPPED};
 use std::f64::consts::{PI, TAU};
 
-/// The linear axes at which the point is met best with the rotary axes as in `q`, and what is left: mm of the point and
-/// 100 mm per rad of the direction. The tip is linear in these axes, so that differences are exact.
+/// The linear axes that best meet the point with the rotary axes as in `q`, and the remaining error: mm of the point
+/// and 100 mm per rad of the direction. The tip is linear in these axes, so that differences are exact.
 fn left_over(machine: &Machine, pose: &Pose, q: &Joints, linear: &[usize]) -> (Joints, f64) {
     let mut q = *q;
     linear.iter().for_each(|&i| q[i] = 0.0);
@@ -20,7 +20,7 @@ fn left_over(machine: &Machine, pose: &Pose, q: &Joints, linear: &[usize]) -> (J
             machine.forward(&moved).point - at_zero.point
         })
         .collect();
-    // Gauss-Seidel on the normal equations: slow, and nothing like the code under test.
+    // Gauss-Seidel on the normal equations: slow, and independent of the code under test.
     let mut rest = pose.point - at_zero.point;
     for _ in 0..400 {
         for (&i, c) in linear.iter().zip(&columns) {
@@ -33,7 +33,7 @@ fn left_over(machine: &Machine, pose: &Pose, q: &Joints, linear: &[usize]) -> (J
     (q, rest.length().hypot(100.0 * direction.length()))
 }
 
-/// Goes down from a place of the grid by shrinking steps along each rotary axis.
+/// Descends from a point of the grid by shrinking steps along each rotary axis.
 fn refine(
     machine: &Machine,
     pose: &Pose,
@@ -68,7 +68,7 @@ fn refine(
     (best, least)
 }
 
-/// All positions that reach the pose, with the axes to spare as in `near`.
+/// All positions that reach the pose, with the redundant axes as in `near`.
 fn by_brute_force(machine: &Machine, pose: &Pose, near: &Joints, linear: &[usize], rotary: &[usize]) -> Vec<Joints> {
     const N: usize = 36;
     let angle = |i: usize| TAU * i as f64 / N as f64 - PI;

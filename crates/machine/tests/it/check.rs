@@ -1,4 +1,4 @@
-//! Tests of machine files on themselves: what ships passes, planted mistakes are found, reach against closed forms.
+//! Self-tests of machine files: shipped files pass, planted mistakes are found, reach agrees with closed forms.
 
 use seamwright_document::Document;
 use seamwright_machine::check::{Check, CheckOptions, Remark, Side, remarks};
@@ -58,7 +58,7 @@ fn planted_slips_are_found() {
         (torch, "max_speed_mm_s = 100", "max_speed_mm_s = 0.1", "tool[0].max_speed_mm_s", "slower"),
         ("ebw-7axis", "max_speed_deg_s = 20", "max_speed_deg_s = 0.35", "tool[4].max_speed_deg_s", "slower"),
         (torch, "max_speed_deg_s = 60", "max_speed_deg_s = 3600.5", "tool[3].max_speed_deg_s", "faster"),
-        // m/s^2, and far too hard.
+        // m/s^2, and far too large.
         (torch, "acceleration_mm_s2 = 500", "acceleration_mm_s2 = 0.5", "tool[0].max_acceleration_mm_s2", "200 s"),
         (torch, "acceleration_mm_s2 = 500", "acceleration_mm_s2 = 150000", "tool[0].max_acceleration_mm_s2", "0.6"),
         (torch, "max_jerk_mm_s3 = 5000", "max_jerk_mm_s3 = 5", "tool[0].max_jerk_mm_s3", "100 s"),
@@ -86,7 +86,7 @@ fn planted_slips_are_found() {
         assert!(found[0].value.is_empty() || line.contains(&found[0].value), "{line}: {found:?}");
         assert!(!found[0].cure.is_empty());
     }
-    // No drives at all: one remark an axis.
+    // Without drives: one remark per axis.
     let text = shipped(torch).unwrap().text;
     let without = &text[..text.find("[drives.y]").unwrap()];
     let remarks = remarked(without);
@@ -97,7 +97,7 @@ fn planted_slips_are_found() {
     assert!(remarks.len() == 1 && remarks[0].key == "pitch_error.y.error_mm", "{remarks:?}");
 }
 
-/// Without shapes nothing can be checked; a home position that is too near names what is too near.
+/// Without shapes no check is possible; a remark on a home position that is too close names the links.
 #[test]
 fn collisions_that_cannot_be_seen_or_are_there_from_the_start_are_remarked_upon() {
     let text = shipped("saddle-4axis").unwrap().text;
@@ -114,11 +114,11 @@ fn collisions_that_cannot_be_seen_or_are_there_from_the_start_are_remarked_upon(
     let remarks = remarked(&low);
     assert!(remarks.len() == 1 && remarks[0].key == "home", "{remarks:?}");
     assert!(remarks[0].why.contains("torch") && remarks[0].why.contains("0 mm apart"), "{remarks:?}");
-    // Just as near as what was moved: the remark goes when the home position is clear.
+    // Without a collision at the home position there is no remark.
     assert!(remarked(shipped("table-tilting-xyzac").unwrap().text).is_empty());
 }
 
-/// The tilting table is singular where the torch lies along C; the distance that a weld needs is in closed form.
+/// The tilting table is singular with the torch along C; the distance that a weld needs is known in closed form.
 #[test]
 fn known_singular_places_are_found_and_named() {
     let check = checked(shipped("table-tilting-xyzac").unwrap().text, 100);
@@ -148,7 +148,7 @@ fn known_singular_places_are_found_and_named() {
     assert!(place.family && radius.abs() < 1e-3, "{places:?}");
 }
 
-/// A singular set is one line, however many of its places a search comes to; those of arms have their usual names.
+/// A singular set is listed once, for any number of its configurations found; those of arms have their usual names.
 #[test]
 fn a_singular_set_is_listed_once() {
     let places = |text: &str| checked(text, 50).heads[0].singular.places.clone();
@@ -165,12 +165,12 @@ fn a_singular_set_is_listed_once() {
         assert!(found.iter().all(|p| p.what.contains("singularity")), "{found:#?}");
         let wrist = found.iter().find(|p| p.what.starts_with("wrist")).unwrap();
         assert!(wrist.at.len() == 1 && wrist.at[0].0 == "j5", "{wrist:#?}");
-        // The wrist is stretched at 0 and, where the range has them, at half turns.
+        // The wrist is stretched at 0 and at half turns within the range.
         let all = std::iter::once(wrist.at[0].1).chain(wrist.also.iter().copied());
         assert!(all.into_iter().all(|v| (v / 180.0 - (v / 180.0).round()).abs() < 1e-4), "{wrist:#?}");
     }
     let ur = places(include_str!("../../../../tests/data/field-trial/ur10e.toml"));
-    // The other arm's ranges end before it is stretched.
+    // The ranges of the other arm end before it is stretched.
     for name in ["shoulder", "elbow"] {
         assert!(ur.iter().any(|p| p.what.starts_with(name)), "{ur:#?}");
     }
@@ -230,7 +230,7 @@ fn reach_agrees_with_closed_forms() {
     assert!((reach.volume.measure - expected).abs() < 5.0 * reach.volume.deviation, "{reach:?} {expected}");
 }
 
-/// Two rotary axes that turn the torch: the greatest tilt is where both are at their ends.
+/// Two rotary axes that turn the torch: the maximum tilt is at both ends of range.
 #[test]
 fn tilt_is_the_greatest_over_the_ranges() {
     let check = checked(shipped("torch-5axis").unwrap().text, 10);
@@ -262,8 +262,8 @@ fn arrangements_without_a_closed_form_are_checked_too() {
     assert!(!head.singular.places.is_empty());
 }
 
-/// Positive motion in the base frame against forward kinematics: a tool-side axis moves the tip that way, a work-side
-/// one moves the tip the other way when seen from the work.
+/// Positive motion in the base frame against forward kinematics: a tool-side axis moves the tip in its direction, a
+/// work-side one against it as seen from the work.
 #[test]
 fn places_of_axes_are_those_of_the_kinematics() {
     for s in SHIPPED {

@@ -1,4 +1,4 @@
-//! `[devices]` of the machine file: what is read, and what cannot be.
+//! `[devices]` of the machine file: parsing, and refusal of invalid entries.
 
 use seamwright_machine::{Machine, ModbusDevice, NumberType, Role, Table, Word, WordOrder, shipped};
 
@@ -60,12 +60,12 @@ fn a_map_is_read_as_it_is_written() {
     }
 }
 
-/// Every mistake is told with file, line, key and what is allowed.
+/// Every mistake is reported with file, line, key and the allowed values.
 #[test]
 fn what_cannot_be_is_refused_with_its_address() {
     let io = "devices.io.modbus.";
     for (from, to, key, words) in [
-        // Places.
+        // Addresses.
         (
             "{ discrete = 1 }",
             "{ discrete = 0 }",
@@ -83,7 +83,7 @@ fn what_cannot_be_is_refused_with_its_address() {
         ("input = 5, bit = 15", "input = 5, bit = 16", "inputs.gas_ok.bit", "0 (lowest) to 15"),
         ("input = 5, bit = 15", "input = 5", "inputs.gas_ok", "which bit"),
         ("{ discrete = 1 }", "{ discrete = 1, bit = 0 }", "inputs.curtain_clear.bit", "single bit"),
-        // What is written, and what is safe.
+        // Written registers, and safe states.
         ("coil = 0, safe", "discrete = 9, safe", "outputs.gas.discrete", "exactly one of coil, holding"),
         ("holding = 0, scale", "input = 0, scale", "set.current_a.input", "can only be read"),
         ("{ discrete = 1 }", "{ discrete = 1, safe = true }", "inputs.curtain_clear.safe", "only outputs"),
@@ -146,7 +146,7 @@ fn roles_are_there_once_over_all_devices() {
     assert!(error.contains("devices.io") && error.contains("none is given"), "{error}");
 }
 
-/// The map of the documentation is one that is read.
+/// The map in the documentation is valid.
 #[test]
 fn the_documented_map_is_read() {
     let page = include_str!("../../../../docs/machine.md");

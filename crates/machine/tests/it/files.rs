@@ -7,7 +7,7 @@ fn saddle() -> &'static str {
     shipped("saddle-4axis").unwrap().text
 }
 
-/// Changes the shipped file and returns where and what is wrong with it.
+/// Changes the shipped file and returns key and message of the error.
 fn wrong(from: &str, to: &str) -> (String, String) {
     assert!(saddle().contains(from), "{from}");
     let e = Machine::read("m.toml", &saddle().replacen(from, to, 1)).unwrap_err();
@@ -176,7 +176,7 @@ fn steppers_are_in_mm_and_rad() {
     assert!(Machine::read("m", saddle()).unwrap().axes.iter().all(|a| a.stepper.is_none()));
 }
 
-/// A sensor in place of the left one of the dual-laser welder; where it is refused.
+/// Replaces the left sensor of the dual-laser welder; returns the key of the error.
 fn sensor(text: &str) -> (String, String) {
     let dual = shipped("dual-laser-10axis").unwrap().text;
     let (before, rest) = dual.split_once("[sensors.left]").unwrap();
@@ -206,12 +206,12 @@ fn sensors_say_what_does_not_fit() {
     };
     assert_eq!(camera(90.0, 3000.0), "sensors.left.map.camera.angle_deg");
     assert_eq!(camera(-5.0, 3000.0), "sensors.left.map.camera.angle_deg");
-    // With so short a lens the upper edge of the image sees past the plane.
+    // With such a short lens the upper edge of the image looks past the plane.
     assert_eq!(camera(30.0, 200.0), "sensors.left.map.camera");
 }
 
-/// The shipped sensors look where the comments of the file say: at the beam's focus plus the lead, bisecting, with the
-/// scales stated; checked against a camera set up from its pose.
+/// The shipped sensors match the comments of their files: at the beam's focus plus the look-ahead, bisecting, with the
+/// stated scales. Checked against a camera set up from its pose.
 #[test]
 fn sensors_see_ahead_of_the_beam() {
     let machine = Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap();
@@ -241,8 +241,8 @@ fn sensors_see_ahead_of_the_beam() {
     }
 }
 
-/// The beam of the EBW machine sees 0.1 mm a pixel at its focus, x of the picture along x of the gun, rows against y, and a
-/// wider field on deeper work; the camera of the saddle welder looks 60 mm ahead with its rows across the seam.
+/// The beam image of the EBW machine has 0.1 mm per pixel at its focus and a wider field on deeper work. Its x is along
+/// x of the gun, its rows against y. The camera of the saddle welder looks 60 mm ahead with its rows across the seam.
 #[test]
 fn cameras_see_the_work() {
     let machine = Machine::read("m", shipped("ebw-7axis").unwrap().text).unwrap();

@@ -10,7 +10,7 @@ fn dual() -> Machine {
 }
 
 /// A web of thickness `t` on a skin curved both ways: the two fillets' points and beam directions at `u`. The frame
-/// is made here from a formula for the web's middle line, with no help from the code under test.
+/// comes from a formula for the web's middle line, independent of the code under test.
 fn fillets(u: f64, t: f64, above_skin: f64) -> [Pose; 2] {
     let line = |u: f64| DVec3::new(1500.0 * (u / 1500.0).sin(), 300.0 * (u / 900.0).sin(), 40.0 * (u / 700.0).cos());
     let h = 1e-4;
@@ -45,7 +45,7 @@ fn both_tips_lie_on_both_fillets_with_slides_centred() {
     }
 }
 
-/// A thicker web is met by the slides; what they cannot give is said.
+/// The slides reach a thicker web; two equal target poses, and a machine with one head, are refused.
 #[test]
 fn slides_take_another_thickness() {
     let machine = dual();
@@ -63,7 +63,7 @@ fn slides_take_another_thickness() {
     assert!(matches!(single.inverse(target, &single.home()), Err(Unreachable::Pair(_))));
 }
 
-/// A slide moves its own tip along its direction, turned with the carrier, and leaves the other tip where it is.
+/// A slide moves its own tip along its direction, turned with the carrier; the other tip stays.
 #[test]
 fn slide_moves_are_as_predicted() {
     let machine = dual();

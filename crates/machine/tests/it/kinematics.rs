@@ -51,8 +51,8 @@ fn a_hundred_thousand_random_poses_a_machine_come_back() {
     }
 }
 
-/// How far the pose is from a singular one: the least sine between the turns that the axes which the pose decides give
-/// the torch; 1 where there are none.
+/// Distance of the pose from a singular one: the minimum sine between the torch's rotations by the decided axes; 1
+/// without such rotations.
 fn sine_to_singular(machine: &Machine, q: &Joints) -> f64 {
     let columns = machine.jacobian(q);
     let head = &machine.heads[0];
@@ -196,7 +196,8 @@ fn random_machine() -> impl Strategy<Value = Machine> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: cases(3000), failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The inverse is chosen from the structure: any three linear and two rotary axes come back, or say why not.
+    /// The inverse is chosen from the structure: any three linear and two rotary axes pass the round trip, or give a
+    /// reason.
     #[test]
     fn random_machines_come_back(machine in random_machine(), seed in any::<u32>()) {
         let mut random = Uniform::new(seed);
@@ -222,7 +223,7 @@ proptest! {
     }
 }
 
-/// Of a far point the rotary axes are not to blame, though one may be out of its range too.
+/// For a far point the linear axes are the reason, even if a rotary one is also out of range.
 #[test]
 fn a_far_point_is_out_of_reach() {
     let torch = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();

@@ -24,7 +24,7 @@ fn the_same_chain_knows_the_error() {
     let exact = Machine::read("m", &plain()).unwrap();
     let machine = Machine::read("m", &(plain() + TABLES)).unwrap();
     let (x, a, c) = (machine.axis("x").unwrap(), machine.axis("a").unwrap(), machine.axis("c").unwrap());
-    // At the table's places the error is the table's.
+    // At the table's positions the error is that of the table.
     let mut q = Joints::default();
     (q[x], q[a], q[c]) = (200.0, 110f64.to_radians(), (720.0f64 + 90.0).to_radians());
     let t = machine.true_positions(&q);
@@ -71,7 +71,7 @@ fn mistakes_have_an_address() {
     assert_eq!(wrong("error_deg = [0.01, 0, -0.02]", "error_deg = [0.01, nan, -0.02]"), "pitch_error.a.error_deg[1]");
 }
 
-/// An axis of several turns whose table does not come round: every turn has its own error.
+/// An axis of several turns with a non-periodic table: every turn has its own error.
 #[test]
 fn turns_of_a_limited_axis_are_not_alike() {
     let text = plain().replacen("continuous = true", "range_deg = [-720, 720]", 1)
@@ -93,7 +93,7 @@ fn turns_of_a_limited_axis_are_not_alike() {
             assert!(machine.outside(&s.joints).is_none());
         }
     }
-    // Too steep where the table of an endless axis comes round.
+    // Too steep at the periodic joint of a continuous axis' table.
     let steep = plain() + "[pitch_error.c]\nat_deg = [0, 350]\nerror_deg = [0, 2]\n";
     assert_eq!(Machine::read("m", &steep).unwrap_err().key, "pitch_error.c.error_deg");
 }

@@ -3,7 +3,7 @@
 use crate::common::{Uniform, cases, conditioning, random_chain, random_joints, same};
 use seamwright_machine::{Joints, Machine, Unreachable};
 
-/// Below this a pose is near a singular one: what is left of five unit columns.
+/// Maximum volume of five unit columns at which a pose counts as near a singular one.
 const SINGULAR: f64 = 1e-3;
 
 fn chains() -> impl Iterator<Item = (u32, Machine)> {
@@ -15,7 +15,7 @@ fn chains() -> impl Iterator<Item = (u32, Machine)> {
     })
 }
 
-/// Positions from which the pose is asked for: the axes to spare where they are, the others at home.
+/// Start of the inverse: the redundant axes as in `q`, the others at home.
 fn from_home(machine: &Machine, q: &Joints) -> Joints {
     let mut near = machine.home();
     machine.free().iter().for_each(|axis| near[axis] = q[axis]);
@@ -46,7 +46,7 @@ fn poses_come_back() {
     assert!(point <= 1e-9 && direction <= 1e-9 && jacobian <= 1e-6 && poses > 10_000);
 }
 
-/// Greatest relative difference of the Jacobian from central differences.
+/// Maximum relative difference of the Jacobian from central differences.
 fn jacobian_error(machine: &Machine, q: &Joints) -> f64 {
     let columns = machine.jacobian(q);
     let mut worst = 0.0f64;
@@ -65,8 +65,8 @@ fn jacobian_error(machine: &Machine, q: &Joints) -> f64 {
     worst
 }
 
-/// Every branch is there: the positions that made the pose are among those that the inverse finds from elsewhere, and
-/// all that it finds reach the pose.
+/// Every branch is found: the original positions of the pose are among the solutions from elsewhere, and all solutions
+/// reach the pose.
 #[test]
 fn the_branch_a_pose_was_made_with_is_found() {
     let (mut asked, mut missing) = (0, Vec::new());

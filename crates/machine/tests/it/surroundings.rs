@@ -1,5 +1,5 @@
-//! Shapes, zones and what they watch: shipped machines are clear at home; distances between links against brute force;
-//! speed bounds hold.
+//! Shapes, zones and watches: shipped machines are clear at home; distances between links agree with brute force; speed
+//! bounds hold.
 
 use crate::common::{Uniform, cases, random_joints};
 use glam::{DAffine3, DVec3};
@@ -44,7 +44,7 @@ impl Course for Straight {
     }
 }
 
-/// Distances along random straight moves, by the conservative walk, against dense sampling: never more than there is.
+/// Distances along random straight moves, by conservative sampling, are lower bounds of dense sampling.
 #[test]
 fn distances_along_a_course_are_never_too_great() {
     for s in SHIPPED {
@@ -77,13 +77,14 @@ fn distances_along_a_course_are_never_too_great() {
     }
 }
 
-/// The distance of a watch at one place, by the scene's own evaluation (tested against brute force in its room).
+/// The distance of a watch in one configuration, by the scene's own evaluation (tested against brute force in its
+/// crate).
 fn distance(machine: &Machine, around: &Surroundings, watch: usize, frames: &[DAffine3]) -> f64 {
     let groups: Vec<DAffine3> = around.scene().groups().iter().map(|g| frames[link_of(machine, &g.name)]).collect();
     around.scene().evaluate(watch, &groups, 1e6).distance
 }
 
-/// The link of a group by its name: that of its first frame; part and what is clamped stand on the work.
+/// The link of a group by its name: that of its first frame; part and fixtures stand on the work.
 fn link_of(machine: &Machine, group: &str) -> usize {
     let first = group.split('/').next().unwrap();
     match machine.links.frame(first) {
@@ -124,7 +125,7 @@ at = { move_mm = [200, 0, 0] }
     };
     let up = at("z", 100.0, &machine.home());
     assert!(around.is_clear(&up));
-    // The torch reaches 14 mm to the side: 286 mm is the last position in the zone, 284 with its room.
+    // The torch reaches 14 mm to the side: 286 mm is the last position in the zone, 284 with its margin.
     assert!(around.is_clear(&at("y", 283.9, &up)) && !around.is_clear(&at("y", 284.1, &up)));
     // The forbidden ball moves with the table: x = 200 brings it under the torch.
     let low = at("z", 30.0, &machine.home());
@@ -160,7 +161,7 @@ fn mistakes_have_an_address() {
     assert_eq!(wrong("[clearance]\nleast_mm = -1\n").0, "clearance.least_mm");
 }
 
-/// STL files come through the loader, whole or not at all.
+/// STL files are read through the loader, completely or with an error.
 #[test]
 fn stl_files_are_checked() {
     let facet = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| {
@@ -191,7 +192,7 @@ fn stl_files_are_checked() {
     }
 }
 
-/// A curved motion of all axes: where it goes for `s` from 0 to 1.
+/// A curved motion of all axes for `s` from 0 to 1.
 struct Bend {
     from: Joints,
     by: Joints,
@@ -210,7 +211,7 @@ impl Course for Bend {
     }
 }
 
-/// What a keeper proves is clear is so at every place, and most that is clear with room to spare it proves.
+/// Motions proven by a keeper are clear at every sample, and it proves most motions that are clear with a margin.
 #[test]
 fn keepers_prove_only_what_is_so() {
     let block = Solid::new("block", Shape::Box { size: DVec3::splat(90.0) }, DAffine3::IDENTITY).unwrap();
@@ -227,7 +228,7 @@ fn keepers_prove_only_what_is_so() {
                 from = random_joints(&machine, &mut random);
             }
             let far = random_joints(&machine, &mut random);
-            // From a hair to a tenth of the way.
+            // From 1e-5 to a tenth of the way.
             let part = 10f64.powi(-1 - (case % 5) as i32);
             let by: Joints = std::array::from_fn(|i| part * (far[i] - from[i]));
             let bend = Bend { from, by, rates: by.map(|b| 1.9 * b.abs()) };

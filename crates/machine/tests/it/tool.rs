@@ -1,4 +1,4 @@
-//! Finding a tool's tip by touching one point: what a machine with a bent tool shows, on machines of any arrangement.
+//! Finding a tool's tip by touching one point: a machine with a bent tool, and machines of any arrangement.
 
 use crate::common::{Uniform, cases, random_chain, random_joints};
 use glam::{DAffine3, DVec3};
@@ -10,7 +10,7 @@ fn tool(machine: &Machine, q: &Joints) -> DAffine3 {
     machine.mount_frame(0, q) * DAffine3::from_translation(machine.heads[0].tip)
 }
 
-/// The frame's origin is the tip, also of a tool that is set off, and its directions are those of the torch.
+/// The frame's origin is the tip, also of an offset tool, and its directions are those of the torch.
 #[test]
 fn the_frame_of_the_tool_is_at_its_tip() {
     for seed in 0..cases(200) {
@@ -30,8 +30,8 @@ fn the_frame_of_the_tool_is_at_its_tip() {
     }
 }
 
-/// A tool bent by a few mm, its tip brought to one point by the true machine in random attitudes, is found by the machine that does
-/// not know of it.
+/// A tool is bent by a few mm, and the true machine brings its tip to one point in random attitudes. The nominal
+/// machine then finds the bend.
 #[test]
 fn a_bent_tool_is_found_by_touching_one_point() {
     let text = seamwright_machine::shipped("torch-5axis").unwrap().text;

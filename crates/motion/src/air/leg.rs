@@ -2,18 +2,18 @@ use super::rest_to_rest::RestToRest;
 use crate::pace::{Rates, Timed, Tip};
 use seamwright_machine::{Axis, Course, Joints, Machine};
 
-/// All axes from one set of positions to another at once, straight in axis space, from rest to rest as fast as the
-/// slowest axis can within its speed, acceleration and jerk.
+/// Synchronised move of all axes between two sets of positions, straight in axis space, from rest to rest, as fast as
+/// the slowest axis allows within its speed, acceleration and jerk.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leg {
     from: Joints,
     to: Joints,
-    /// The part that is done, over time.
+    /// Completed fraction of the move over time.
     part: RestToRest,
 }
 
 impl Leg {
-    /// The leg on `machine`. An axis without a highest jerk has that of [`Axis::jerk`].
+    /// Plans the leg on `machine`. An axis without a maximum jerk uses [`Axis::jerk`].
     pub fn new(machine: &Machine, from: &Joints, to: &Joints) -> Self {
         let least = |limit: fn(&Axis) -> f64| {
             let parts = machine.axes.iter().zip(from.iter().zip(to)).map(|(a, (p, q))| limit(a) / (p - q).abs());
@@ -28,12 +28,12 @@ impl Leg {
         self.part.duration()
     }
 
-    /// Where it begins.
+    /// Start positions, mm or rad.
     pub fn start(&self) -> &Joints {
         &self.from
     }
 
-    /// Where it ends.
+    /// End positions, mm or rad.
     pub fn end(&self) -> &Joints {
         &self.to
     }
@@ -52,7 +52,7 @@ impl Leg {
     }
 }
 
-/// Path length is the part that is done, from 0 to 1. What limits the tip does not hold in the air.
+/// The path length is the completed fraction, from 0 to 1. Limits of the torch tip do not apply to transfer moves.
 impl Timed for Leg {
     fn duration(&self) -> f64 {
         self.part.duration()
@@ -78,7 +78,7 @@ impl Timed for Leg {
     }
 
     fn time_of(&self, s: f64) -> f64 {
-        // The part grows all the way: halving finds the time to the last digit.
+        // The fraction grows monotonically: bisection finds the time to the last digit.
         let (mut low, mut high) = (0.0, self.duration());
         for _ in 0..64 {
             let middle = 0.5 * (low + high);
@@ -88,7 +88,7 @@ impl Timed for Leg {
     }
 }
 
-/// The part that is done, from 0 to 1.
+/// The course parameter is the completed fraction, from 0 to 1.
 impl Course for Leg {
     fn range(&self) -> (f64, f64) {
         (0.0, 1.0)
@@ -103,7 +103,7 @@ impl Course for Leg {
     }
 }
 
-/// Legs one after the other, at rest between them.
+/// Transfer move: consecutive legs, at rest between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AirMove {
     /// The legs.

@@ -1,4 +1,4 @@
-//! Moves with the arc off: from home to a weld, from one pass to the next, and back, clear of everything.
+//! Transfer moves with the arc off, clear of everything: from home to a weld, between passes, and back.
 
 mod leg;
 mod rest_to_rest;

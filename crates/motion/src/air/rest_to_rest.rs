@@ -1,23 +1,23 @@
-/// From 0 to 1, from rest to rest, in the least time within a speed, an acceleration and a jerk: up to seven stretches
-/// of constant jerk, the same forwards and backwards.
+/// Time-optimal motion from 0 to 1, rest to rest, within a speed, an acceleration and a jerk limit: up to seven phases
+/// of constant jerk, symmetric in time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RestToRest {
     jerk: f64,
-    /// Speed of the middle, 1/s.
+    /// Speed of the cruise phase, 1/s.
     speed: f64,
     /// Durations: of constant jerk (four times), of constant acceleration (twice), of constant speed.
     times: [f64; 3],
 }
 
 impl RestToRest {
-    /// With the limits `v` (1/s), `a` (1/s^2) and `j` (1/s^3), all greater than 0; infinite ones give no motion, in no
-    /// time.
+    /// Plans with the limits `v` (1/s), `a` (1/s^2) and `j` (1/s^3), all greater than 0; infinite limits give a motion
+    /// of zero duration.
     pub(super) fn new(v: f64, a: f64, j: f64) -> Self {
         if !(v.is_finite() && a.is_finite() && j.is_finite()) {
             return Self { jerk: 0.0, speed: 0.0, times: [0.0; 3] };
         }
-        // Run-up to a speed w and the same run-down cover w (w / a + a / j) if the full acceleration is reached, that
-        // is if w > a^2 / j, and 2 w sqrt(w / j) if not. Short ways never reach the full speed.
+        // Acceleration to a speed w and deceleration from it cover w (w / a + a / j) if the full acceleration is
+        // reached, that is if w > a^2 / j, else 2 w sqrt(w / j). Short moves never reach the full speed.
         let ramp = a / j;
         let full = 0.5 * a * ((ramp * ramp + 4.0 / a).sqrt() - ramp);
         let highest = if full > a * ramp { full } else { (0.25 * j).cbrt() };
@@ -34,7 +34,7 @@ impl RestToRest {
         4.0 * with_jerk + 2.0 * with_acceleration + with_speed
     }
 
-    /// Where it is at time `t` (s), its speed (1/s) and acceleration (1/s^2).
+    /// Position, speed (1/s) and acceleration (1/s^2) at time `t` (s).
     pub(super) fn at(&self, t: f64) -> (f64, f64, f64) {
         let left = self.duration() - t;
         if left <= 0.0 {
@@ -49,14 +49,14 @@ impl RestToRest {
         }
     }
 
-    /// Its third derivative at time `t` (s), 1/s^3; where it jumps, from the side before or after.
+    /// Third derivative at time `t` (s), 1/s^3; at a jump, the value of the side before or after.
     pub(super) fn jerk(&self, t: f64, before: bool) -> f64 {
         let signs = [1.0, 0.0, -1.0, 0.0, -1.0, 0.0, 1.0];
         let passed = self.borders().iter().filter(|b| if before { **b < t } else { **b <= t }).count();
         passed.checked_sub(1).and_then(|i| signs.get(i)).map_or(0.0, |sign| sign * self.jerk)
     }
 
-    /// Where the third derivative may jump, s.
+    /// Times at which the third derivative may jump, s.
     pub(super) fn borders(&self) -> [f64; 8] {
         let [t1, t2, t3] = self.times;
         let mut t = 0.0;
@@ -74,7 +74,7 @@ impl RestToRest {
         if t < t1 {
             (j * t.powi(3) / 6.0, 0.5 * j * t * t, j * t)
         } else if t < t1 + t2 {
-            // Twice integrated from the middle of the build-up, where a straight rise would have begun.
+            // Integrated twice from the middle of the build-up, the equivalent start of a linear rise.
             let (a, u) = (j * t1, t - 0.5 * t1);
             (0.5 * a * (u * u + t1 * t1 / 12.0), a * u, a)
         } else if t < run_up {

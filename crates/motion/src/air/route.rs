@@ -4,44 +4,44 @@ use seamwright_clearance::{Evaluation, Limits};
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings};
 use thiserror::Error;
 
-/// Why there is no air move.
+/// Reason why no transfer move exists.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Blocked {
-    /// One end touches something already.
+    /// One end of the move is not clear.
     #[error("{which} is not clear: {what}")]
     End {
         /// Its start, its end, the retract or the approach.
         which: &'static str,
-        /// Who is too near to whom.
+        /// The two solids that are too near, and their distance.
         what: String,
     },
-    /// No way round was found.
+    /// No detour was found.
     #[error("no clear way was found; straight ahead {what}")]
     NoWay {
-        /// What stands in the straight way.
+        /// Description of the obstacle on the straight move.
         what: String,
     },
 }
 
-/// Places that the two trees may have together before the search is given up.
-const MOST_PLACES: usize = 4000;
+/// Maximum number of nodes of both trees together; the search then gives up.
+const MAX_NODES: usize = 4000;
 /// Units of effort of a leg that is checked.
 const LEG_WORK: u64 = 32;
-/// Longest step of a tree, in parts of the time that an axis needs for its whole range.
+/// Maximum step of a tree, as a fraction of the axes' ranges (see `Search::apart`).
 const STEP: f64 = 0.12;
-/// How finely legs are looked at.
+/// Resolution of the clearance check of a leg.
 const LIMITS: Limits = Limits { cutoff_mm: 50.0, precision_mm: 1.0, smallest: 1e-4 };
 
-/// A way from `from` to `to` (mm or rad) that keeps clear of everything watched, as positions to go straight between;
+/// Finds a path from `from` to `to` (mm or rad) clear of everything watched, as via positions joined by straight moves;
 /// axes in `held` do not move.
 ///
-/// The straight way if it is clear; otherwise two trees that grow towards each other through the axes' ranges
-/// (RRT-Connect, Kuffner and LaValle 2000), with the random places of that method taken from an evenly spread
-/// sequence, so that the same question has the same answer; then every detour that can be cut short is. Every leg is
-/// checked by the conservative walk of [`Surroundings::along`]: nothing thin is jumped over.
+/// Returns the straight move if it is clear. Otherwise two trees grow towards each other through the axes' ranges
+/// (RRT-Connect, Kuffner and LaValle 2000). Their samples come from an evenly spread sequence, so the result is
+/// reproducible. Detours are then shortened. The conservative walk of [`Surroundings::along`] checks every leg: it
+/// skips no thin obstacle.
 ///
 /// # Errors
-/// What stands in the way.
+/// [`Blocked`] with a description of the obstacle.
 pub fn route(
     machine: &Machine,
     around: &Surroundings,
@@ -52,7 +52,7 @@ pub fn route(
     route_within(&Effort::new(None), machine, around, (from, to), held)
 }
 
-/// Returns what [`route`] does, with `effort` to stop the search.
+/// Finds the same path as [`route`]; `effort` may stop the search.
 pub(crate) fn route_within(
     effort: &Effort,
     machine: &Machine,
@@ -74,7 +74,7 @@ pub(crate) fn route_within(
     Ok(search.cut_short(&way))
 }
 
-/// Who is too near to whom.
+/// Describes the two solids that are too near, and their distance.
 pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) -> String {
     let (a, b) = around.solids_described(watch, found).unwrap_or_else(|| around.names(watch));
     let least = around.scene().watches()[watch].least_mm();
@@ -85,11 +85,11 @@ pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) 
     }
 }
 
-/// What stands in the way of a leg, if anything does.
+/// Describes the first obstacle of a leg, if any.
 pub(crate) fn obstacle(around: &Surroundings, leg: &Leg) -> Option<String> {
     match around.along(leg, 1, &LIMITS) {
         Ok(profile) => profile.stretches.first().map(|stretch| too_near(around, stretch.watch, &stretch.nearest)),
-        // What cannot be looked at is not clear.
+        // A leg that cannot be checked counts as not clear.
         Err(e) => Some(e.to_string()),
     }
 }
@@ -103,7 +103,7 @@ struct Search<'a> {
     turns: Joints,
 }
 
-/// A tree of places, each with the one it was reached from.
+/// A tree of positions, each with the index of its parent.
 struct Tree {
     places: Vec<(Joints, usize)>,
 }
@@ -119,7 +119,7 @@ impl Tree {
     }
 }
 
-/// Continuous axes are sampled about the middle of the two ends.
+/// Sampling offsets: continuous axes are sampled about the middle of the two ends.
 fn turns(machine: &Machine, from: &Joints, to: &Joints) -> Joints {
     let mut middle = Joints::default();
     for (i, axis) in machine.axes.iter().enumerate() {
@@ -131,17 +131,17 @@ fn turns(machine: &Machine, from: &Joints, to: &Joints) -> Joints {
 }
 
 impl Search<'_> {
-    /// What stands in the straight way, if anything does.
+    /// Describes the obstacle on the straight move, if any.
     fn obstacle(&self, from: &Joints, to: &Joints) -> Option<String> {
         let part = self.effort.progress().part;
-        // A leg takes as long as many poses; once stopped nothing is tried any more.
+        // A leg costs as much as many poses; a stopped search tries no more legs.
         if !self.effort.spend(LEG_WORK, part) {
             return Some(String::new());
         }
         obstacle(self.around, &Leg::new(self.machine, from, to))
     }
 
-    /// Distance of two places: the largest part of its range that an axis has to move.
+    /// Distance of two positions: Euclidean norm of the axes' moves, each as a fraction of its range.
     fn apart(&self, a: &Joints, b: &Joints) -> f64 {
         let part = |(i, axis): (usize, &seamwright_machine::Axis)| {
             let range = axis.range.map_or(std::f64::consts::TAU, |(low, high)| high - low);
@@ -153,11 +153,11 @@ impl Search<'_> {
     fn grow(&self, from: &Joints, to: &Joints) -> Option<Vec<Joints>> {
         let mut trees = [Tree { places: vec![(*from, 0)] }, Tree { places: vec![(*to, 0)] }];
         for k in 1.. {
-            if trees[0].places.len() + trees[1].places.len() > MOST_PLACES || k > 4 * MOST_PLACES as u32 {
+            if trees[0].places.len() + trees[1].places.len() > MAX_NODES || k > 4 * MAX_NODES as u32 {
                 return None;
             }
             let places = trees[0].places.len() + trees[1].places.len();
-            let part = (places as f64 / MOST_PLACES as f64).max(f64::from(k) / (4 * MOST_PLACES) as f64);
+            let part = (places as f64 / MAX_NODES as f64).max(f64::from(k) / (4 * MAX_NODES) as f64);
             if !self.effort.spend(0, part) {
                 return None;
             }
@@ -165,7 +165,7 @@ impl Search<'_> {
             let turn = (k % 2) as usize;
             let Some(new) = self.extend(&mut trees[turn], &sample) else { continue };
             let target = trees[turn].places[new].0;
-            // The other tree goes as far towards the new place as it can.
+            // The other tree grows towards the new node as far as it can.
             while let Some(reached) = self.extend(&mut trees[1 - turn], &target) {
                 if self.apart(&trees[1 - turn].places[reached].0, &target) < 1e-9 {
                     let (mut way, other) = (trees[turn].way_to_root(new), trees[1 - turn].way_to_root(reached));
@@ -193,7 +193,7 @@ impl Search<'_> {
         q
     }
 
-    /// One step from the tree's nearest place towards `target`, if it is clear; the new place.
+    /// Takes one step from the tree's nearest node towards `target`, if it is clear. Returns the index of the new node.
     fn extend(&self, tree: &mut Tree, target: &Joints) -> Option<usize> {
         let apart = |place: &(Joints, usize)| self.apart(&place.0, target);
         let nearest =
@@ -212,7 +212,7 @@ impl Search<'_> {
         Some(tree.places.len() - 1)
     }
 
-    /// Leaves out every place that need not be passed, and pulls the others in.
+    /// Removes unnecessary via positions and pulls the others in.
     fn cut_short(&self, way: &[Joints]) -> Vec<Joints> {
         let mut short = vec![way[0]];
         let mut at = 0;
@@ -229,7 +229,7 @@ impl Search<'_> {
         short
     }
 
-    /// Moves place `i` towards the middle of its neighbours as far as its legs stay clear.
+    /// Moves via position `i` towards the middle of its neighbours as far as its legs stay clear.
     fn pull_in(&self, way: &mut [Joints], i: usize) {
         let middle: Joints = std::array::from_fn(|k| 0.5 * (way[i - 1][k] + way[i + 1][k]));
         for part in [0.8, 0.4, 0.2] {

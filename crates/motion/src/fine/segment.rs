@@ -19,7 +19,7 @@ impl Segment {
         let mut powers = [[0.0; MAX_AXES]; 6];
         for i in 0..MAX_AXES {
             let (v0, a0) = (h * from.v[i], 0.5 * hh * from.a[i]);
-            // What position, speed and acceleration at the end still lack.
+            // Residuals of position, speed and acceleration at the end.
             let p = to.q[i] - from.q[i] - v0 - a0;
             let v = h * to.v[i] - v0 - 2.0 * a0;
             let a = hh * to.a[i] - 2.0 * a0;

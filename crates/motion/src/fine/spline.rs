@@ -1,6 +1,6 @@
 use seamwright_machine::{Joints, MAX_AXES};
 
-/// Set-points that are looked ahead.
+/// Look-ahead, in set-points.
 pub const LOOK_AHEAD: usize = 32;
 
 /// The curve at a coarse set-point; mm or rad, s.
@@ -28,9 +28,9 @@ const WINDOW: usize = LOOK_AHEAD + 2;
 /// The spline through equally spaced set-points of a motion from rest to rest, as they come. See the
 /// [module](super).
 ///
-/// With `D` the way of a period, `m` a speed times the period, and equal accelerations asked for on both sides of a
-/// set-point, each side adds to its row: a cubic `4 m + 2 m' = 6 D` with `m'` the speed at its other end, a first or
-/// last segment of the fourth degree `6 m = 12 D`.
+/// `D` is the displacement of a period and `m` a speed times the period. Equal accelerations on both sides of a
+/// set-point give its row, to which each side adds: a cubic `4 m + 2 m' = 6 D` with `m'` the speed at its other end, a
+/// quartic first or last segment `6 m = 12 D`.
 #[derive(Debug, Clone)]
 pub struct CoarseSpline {
     period: f64,
@@ -79,7 +79,7 @@ impl CoarseSpline {
         (self.given < self.taken).then(|| self.give())
     }
 
-    /// Ways of the periods before and after set-point `k`.
+    /// Displacements in the periods before and after set-point `k`.
     fn ways(&self, k: usize) -> (Joints, Joints) {
         let [before, at, after] = [k - 1, k, k + 1].map(|i| &self.rows[i % WINDOW].q);
         (std::array::from_fn(|i| at[i] - before[i]), std::array::from_fn(|i| after[i] - at[i]))
@@ -90,7 +90,7 @@ impl CoarseSpline {
         self.eliminated += 1;
         let k = self.eliminated;
         let (left, right) = self.ways(k);
-        // Of one side: what multiplies the own speed, the other's, and the way.
+        // Coefficients of one side: of its own speed, the other end's speed, and the displacement.
         let side = |end: bool| if end { (6.0, 0.0, 12.0) } else { (4.0, 2.0, 6.0) };
         let ((own_l, other_l, way_l), (own_r, other_r, way_r)) = (side(k == 1), side(last));
         let before = self.rows[(k - 1) % WINDOW];
@@ -112,7 +112,7 @@ impl CoarseSpline {
             return Knot { q, ..Knot::default() };
         }
         let last_row = if self.finished { end } else { end - 1 };
-        // At the end of the window the mean speed stands in, beyond the end of the motion none.
+        // The end of the window uses the mean speed, the end of the motion zero.
         let mut m = if self.finished { Joints::default() } else { self.mean(end) };
         let mut after = m;
         for j in (k..last_row).rev() {
@@ -128,7 +128,7 @@ impl CoarseSpline {
         Knot { q, v: m.map(|m| m / h), a: std::array::from_fn(|i| curve(i) / hh) }
     }
 
-    /// The way of the last period.
+    /// Displacement in the last period.
     fn mean(&self, end: usize) -> Joints {
         let [before, at] = [end - 1, end].map(|i| &self.rows[i % WINDOW].q);
         std::array::from_fn(|i| at[i] - before[i])

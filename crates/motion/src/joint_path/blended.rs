@@ -3,11 +3,11 @@ use crate::taught::Piece;
 use seamwright_geometry::{NODES, Series, nodes};
 use seamwright_machine::{Joints, Machine};
 
-/// Shorter parts of the path than this one are none.
+/// Shorter parts of the path count as empty, as a fraction of its length.
 const ROUNDING: f64 = 1e-12;
 
 impl JointPath {
-    /// This path with `blends`, in order and apart, in place of its own stretches; the rest of it stays as it is.
+    /// This path with stretches replaced by `blends`, which are in order and apart; the rest is unchanged.
     pub(crate) fn blended(&self, blends: &[Piece]) -> Self {
         let mut built = Self::empty(self.axes, self.length);
         built.beside = self.beside;
@@ -60,19 +60,19 @@ impl JointPath {
         self.blends.get(i).is_some_and(|b| b.0 <= s)
     }
 
-    /// True if the tip's way by path length is not 1 even outside blends.
+    /// True if the tip's travel by path length is not 1 even outside blends.
     pub(crate) fn is_beside(&self) -> bool {
         self.beside
     }
 
-    /// True if speeds along it count the tip's way at `s` and that may be another than path length: beside the seam and in
-    /// blends, where `s` is the place on the seam.
+    /// True if speeds at `s` count the tip's travel and this may differ from path length: beside the seam and in
+    /// blends, where `s` is the station on the seam.
     pub(crate) fn has_rate(&self, s: f64) -> bool {
         !self.timed && (self.beside || self.in_blend(s))
     }
 
-    /// What speeds count by path length at `s`: the way of the tip of `machine`, whose path this is, but for a path that
-    /// counts time.
+    /// Scale of speeds by path length at `s`: the travel of the tip of `machine`, whose path this is, or 1 on a path
+    /// that counts time.
     pub fn speed_rate(&self, machine: &Machine, s: f64) -> f64 {
         if self.timed { 1.0 } else { self.tip_rate(machine, s) }
     }
@@ -82,12 +82,12 @@ impl JointPath {
         self.line.is_some()
     }
 
-    /// Where the torch weaves beside a seam, the way of its line by path length at `s` of panel `i`.
+    /// Travel of the weave's centre line by path length at `s` of panel `i`; none without a weave.
     pub(crate) fn line_rate(&self, i: usize, s: f64) -> Option<f64> {
         self.line.as_ref().map(|line| line[i].at(self.panels[i].local(s)))
     }
 
-    /// The place near `guess` where the axes are nearest to `q`, each counted by its highest speed on `machine`.
+    /// Path length near `guess` at which the axes are nearest to `q`, each weighted by its maximum speed on `machine`.
     pub fn foot(&self, machine: &Machine, q: &Joints, guess: f64) -> f64 {
         (0..3).fold(guess, |s, _| {
             let p = self.point(s, false);
@@ -100,8 +100,8 @@ impl JointPath {
         })
     }
 
-    /// Way of the torch tip of `machine`, whose path this is, by path length at `s`: 1 on the seam; beside it and in
-    /// blends that of the axes. Where the torch weaves that of its line.
+    /// Travel of the torch tip of `machine`, whose path this is, by path length at `s`: 1 on the seam; beside it and in
+    /// blends that of the axes; with a weave that of its centre line.
     pub fn tip_rate(&self, machine: &Machine, s: f64) -> f64 {
         if !self.timed && !self.has_rate(s) {
             return 1.0;

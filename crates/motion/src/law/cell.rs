@@ -2,22 +2,22 @@ use super::cells::Cells;
 use super::rest::RestToRest;
 use super::speed_law::LawPoint;
 
-/// A cell of a law: `d2 tau / dt2 = a + w tau` from its start on.
+/// A cell of a speed profile: `d2 tau / dt2 = a + w tau`, with `tau` from its start.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
-    /// Where it begins and ends, by `tau`.
+    /// Start and end of the cell, in `tau`.
     pub(super) tau: f64,
     end: f64,
-    /// When it begins and how long it takes, s: the difference of two instants would have lost digits.
+    /// Start time and duration, s; kept apart because the difference of two instants loses digits.
     pub(super) t: f64,
     pub(super) time: f64,
     /// Speed and acceleration by `tau` at its start.
     pub(super) v: f64,
     pub(super) a: f64,
     pub(super) w: f64,
-    /// True if the tip cruises at the asked speed all through it, see [`Cells::cruises`].
+    /// True if the tip cruises at the requested speed in the whole cell, see [`Cells::cruises`].
     pub(super) cruises: bool,
-    /// The squared speed at its start and end as parts of the asked one; nothing if none is asked.
+    /// Squared speed at its start and end as fractions of the requested one; 0 if no speed is requested.
     pub(super) parts: [f64; 2],
 }
 
@@ -38,14 +38,14 @@ impl Cell {
         let w = cells.weights(i);
         let dot = |w: &[f64; 3]| w[0] * c[i] + w[1] * c[i + 1] + w[2] * c[i + 2];
         let cruises = cells.cruises(c, i);
-        // All coefficients alike: no rounding is to change the speed.
+        // With equal coefficients rounding must not change the speed.
         let constant = cruises && (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
         let law = if constant { [c[i], 0.0, 0.0] } else { [dot(&w.value), dot(&w.first), dot(&w.second)] };
         let asked = cells.asked(i);
         Self::new((cells.tau[i], cells.tau[i + 1]), t, law, (cruises, [asked[0], asked[asked.len() - 1]]))
     }
 
-    /// Speed by `tau` there: the squared speed is `v^2 + 2 a x + w x^2`.
+    /// Speed in `tau` at `tau`: the squared speed is `v^2 + 2 a x + w x^2`.
     pub(super) fn speed(&self, tau: f64) -> f64 {
         let x = tau - self.tau;
         (self.v * self.v + x * (2.0 * self.a + self.w * x)).max(0.0).sqrt()
@@ -65,7 +65,7 @@ impl Cell {
         LawPoint { s: u, v: m1 * v, a: m2 * v * v + m1 * a, j: m3 * v * v * v + 3.0 * m2 * v * a + m1 * j }
     }
 
-    /// How far it has gone `t` after its start, and how fast it is then.
+    /// Distance and speed in `tau` at the time `t` (s) after the start of the cell.
     fn after(&self, t: f64) -> (f64, f64) {
         let x = self.w * t * t;
         // sinh(sqrt(x)) / sqrt(x) and (cosh(sqrt(x)) - 1) / x, for either sign of x.
@@ -83,16 +83,16 @@ impl Cell {
     }
 }
 
-/// Time over a cell whose width is `mean` times the sum of the speeds at its ends, where the acceleration grows by
-/// `w` a unit of way: both ways of moving, `sinh` and `cosh` about its middle, cover `tanh(sqrt(w) t / 2) / sqrt(w)`
-/// a unit of that sum.
+/// Time over a cell whose width is `mean` times the sum of the speeds at its ends. The acceleration grows by `w` per
+/// unit of `tau`: both solutions, `sinh` and `cosh` about the middle, cover `tanh(sqrt(w) t / 2) / sqrt(w)` per unit of
+/// that sum.
 fn crossing(w: f64, mean: f64) -> f64 {
     let x = w * mean * mean;
     if x.abs() < 1e-4 {
         // atanh(y) / y with y^2 = x.
         2.0 * mean * (1.0 + x * (1.0 / 3.0 + x * (0.2 + x / 7.0)))
     } else if x > 0.0 {
-        // Below 1, where rounding leaves it: a speed next to nothing beside a great one.
+        // Clamped below 1 against rounding, if one speed is tiny compared with the other.
         2.0 * x.sqrt().min(1.0 - f64::EPSILON).atanh() / w.sqrt()
     } else {
         2.0 * (-x).sqrt().atan() / (-w).sqrt()

@@ -2,13 +2,13 @@ use super::channels::{Channels, Limits};
 use super::error::LawError;
 use super::rest::RestToRest;
 
-/// Places in each cell where the path is looked at, as parts of its width.
+/// Sample points of the path in each cell, as fractions of its width.
 pub(crate) const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// Where the asked speed by the parameter changes within a cell, the law counts as a cruise within this part of it.
+/// Relative tolerance of a cruise in a cell in which the requested speed by the parameter changes.
 pub(crate) const NEARLY: f64 = 3e-3;
 
-/// A law slower than this part of the asked speed is not near it.
+/// Minimum fraction of the requested speed at which the profile counts as near it.
 const NEAR: f64 = 0.9;
 
 /// Weights of a cell's three coefficients in the squared speed, its first and its second derivative by `tau`.
@@ -19,7 +19,7 @@ pub(crate) struct Weights {
     pub(crate) second: [f64; 3],
 }
 
-/// A piece of path from rest to rest, cut in cells, with the derivatives of all channels by `tau` in them.
+/// A piece of path from rest to rest, divided into cells, with the derivatives of all channels by `tau` in them.
 pub(crate) struct Cells {
     pub(crate) map: RestToRest,
     /// Stations between cells, from 0 to the map's length.
@@ -27,9 +27,9 @@ pub(crate) struct Cells {
     pub(crate) limits: Vec<Limits>,
     /// Channels' derivatives at [`PARTS`] of every cell.
     derivatives: Vec<[f64; 3]>,
-    /// Asked squared speed by `tau` at the same places.
+    /// Requested squared speed by `tau` at the same points.
     asked: Vec<f64>,
-    /// Highest squared speed by `tau` that the channels' speeds allow there.
+    /// Maximum squared speed by `tau` that the channels' speeds allow at the same points.
     caps: Vec<f64>,
 }
 
@@ -38,7 +38,7 @@ impl Cells {
     /// path's breaks.
     ///
     /// # Errors
-    /// A derivative that is not finite, an asked speed that is none, or nothing that moves.
+    /// A derivative that is not finite, an invalid requested speed, or no moving channel.
     pub(crate) fn new(
         path: &dyn Channels,
         map: RestToRest,
@@ -82,26 +82,27 @@ impl Cells {
         &self.derivatives[(cell * PARTS.len() + part) * n..][..n]
     }
 
-    /// Highest squared speed by `tau` that the channels' speeds allow there; and the asked one, where that is not
-    /// constant in the cell.
+    /// Maximum squared speed by `tau` that the channels' speeds allow there, also bounded by the requested one unless
+    /// that is constant in the cell.
     pub(crate) fn speed_cap(&self, cell: usize, part: usize) -> f64 {
         let asked = if self.is_steady(cell) { f64::INFINITY } else { self.asked(cell)[part] };
         asked.min(self.caps[cell * PARTS.len() + part])
     }
 
-    /// Asked squared speeds by `tau` at [`PARTS`] of `cell`; infinite if none.
+    /// Requested squared speeds by `tau` at [`PARTS`] of `cell`; infinite if none.
     pub(crate) fn asked(&self, cell: usize) -> &[f64] {
         &self.asked[cell * PARTS.len()..][..PARTS.len()]
     }
 
-    /// True if the asked squared speed by `tau` is the same all over `cell`.
+    /// True if the requested squared speed by `tau` is constant in `cell`.
     pub(crate) fn is_steady(&self, cell: usize) -> bool {
         let asked = self.asked(cell);
         asked[0].is_finite() && asked.iter().all(|a| (a - asked[0]).abs() <= 1e-9 * asked[0])
     }
 
-    /// True if the law with coefficients `c` is as fast as asked all over `cell`: exactly where the asked speed by the
-    /// parameter is steady, within [`NEARLY`] where it changes. Near rest, where it is the map that changes, never.
+    /// True if the profile with coefficients `c` has the requested speed in all of `cell`: exactly if the requested
+    /// speed by the parameter is constant there, else within [`NEARLY`]. A cell near rest with a changing speed never
+    /// cruises, since the map changes there.
     pub(crate) fn cruises(&self, c: &[f64], cell: usize) -> bool {
         if self.is_steady(cell) {
             return (cell..cell + 3).all(|k| c[k] >= self.upper(k));
@@ -113,14 +114,14 @@ impl Cells {
         PARTS.iter().zip(self.asked(cell)).all(|(part, asked)| self.law(c, cell, *part)[0] >= least * asked)
     }
 
-    /// True within the map's borders, where it is the map that changes.
+    /// True in the zones at rest, in which the map changes.
     pub(crate) fn is_near_rest(&self, cell: usize) -> bool {
         let [up, down] = self.map.borders();
         self.tau[cell] < up || self.tau[cell + 1] > down
     }
 
-    /// Time (s) by which the law with coefficients `c` is later over `cell` than asked, where the asked speed changes and
-    /// the law is near it; 0 elsewhere.
+    /// Delay (s) over `cell` of the profile with coefficients `c` against the requested speed, if that changes there
+    /// and the profile is near it; else 0.
     pub(crate) fn late(&self, c: &[f64], cell: usize) -> f64 {
         if self.is_near_rest(cell) || self.is_steady(cell) || self.cruises(c, cell) {
             return 0.0;
@@ -131,8 +132,8 @@ impl Cells {
         if least < NEAR { 0.0 } else { (1.0 - least) * self.width(cell) / c[cell + 1].sqrt() }
     }
 
-    /// Highest value of coefficient `k` so that the tip is nowhere faster than asked in cells where that is steady: a
-    /// squared speed is nowhere above the greatest of its coefficients.
+    /// Upper bound of coefficient `k` from the requested speed in cells in which it is constant: a squared speed never
+    /// exceeds the maximum of its coefficients.
     pub(crate) fn upper(&self, k: usize) -> f64 {
         let cells = (k.saturating_sub(2)..=k.min(self.count() - 1)).filter(|cell| self.is_steady(*cell));
         cells.flat_map(|cell| self.asked(cell)).copied().fold(f64::INFINITY, f64::min)
@@ -152,7 +153,7 @@ impl Cells {
         }
     }
 
-    /// The squared speed and its derivatives by `tau` at the `part` of `cell`, with coefficients `c`.
+    /// Squared speed and its derivatives by `tau` at the `part` of `cell`, with coefficients `c`.
     pub(crate) fn law(&self, c: &[f64], cell: usize, part: f64) -> [f64; 3] {
         let w = self.weights(cell);
         let dot = |w: &[f64; 3]| w[0] * c[cell] + w[1] * c[cell + 1] + w[2] * c[cell + 2];
@@ -172,7 +173,7 @@ impl Cells {
 }
 
 impl Cells {
-    /// Stations with every cell halved for which `split` says so.
+    /// Stations after halving every cell for which `split` is true.
     pub(crate) fn halved(&self, split: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut tau = vec![self.tau[0]];
         for (i, w) in self.tau.windows(2).enumerate() {
@@ -184,7 +185,7 @@ impl Cells {
         tau
     }
 
-    /// Stations with neighbouring cells made one, but not over the map's borders.
+    /// Stations after merging pairs of neighbouring cells, but not across the map's borders.
     pub(crate) fn merged(&self) -> Vec<f64> {
         let borders = self.map.borders();
         let mut tau = vec![self.tau[0]];
@@ -199,20 +200,19 @@ impl Cells {
         tau
     }
 
-    /// The spline with coefficients `c` in these cells as coefficients in `finer` ones, which divide a range of these
-    /// and count `tau` from `offset` of these: each is the blossom of the spline's piece at the two stations beside
-    /// it.
+    /// Converts the coefficients `c` in these cells to coefficients in `finer` ones, which divide a range of these and
+    /// count `tau` from `offset`. Each is the blossom of the spline's piece at the two stations beside it.
     pub(crate) fn carried(&self, c: &[f64], finer: &Self, offset: f64) -> Vec<f64> {
         let last = finer.count();
         let mut cell = 0;
         let coefficient = |k: usize| {
-            // Between stations k - 1 and k, outside the first and last as wide as the cell beside.
+            // Stations k - 1 and k; outside the first and last station as wide as the neighbouring cell.
             let (left, right) = match k {
                 0 => (finer.tau[0] - finer.width(0), finer.tau[0]),
                 _ if k > last => (finer.tau[last], finer.tau[last] + finer.width(last - 1)),
                 _ => (finer.tau[k - 1], finer.tau[k]),
             };
-            // The piece is that over the finer cell between them, or over the one beside at the ends.
+            // The piece over the finer cell between them, at the ends over the neighbouring one.
             let inside = offset + 0.5 * (finer.tau[k.clamp(1, last) - 1] + finer.tau[k.clamp(1, last)]);
             while cell + 1 < self.count() && self.tau[cell + 1] <= inside {
                 cell += 1;
@@ -229,8 +229,8 @@ impl Cells {
     }
 }
 
-/// The channels' derivatives by `tau` at the `part` of a cell, into `row`; and the asked squared speed there:
-/// infinite if none, NaN if it is no speed.
+/// Writes the channels' derivatives by `tau` at the `part` of a cell to `row`. Returns the requested squared speed
+/// there: infinite if none, NaN if invalid.
 pub(crate) fn place(
     path: &dyn Channels,
     map: &RestToRest,
@@ -243,7 +243,7 @@ pub(crate) fn place(
     // A part inside a cell may round to its end.
     let [u, m1, m2, m3] = map.at(tau, before);
     let middle = map.at(0.5 * (from + to), before)[0];
-    // A break must not be passed by rounding: the other side's third derivative is another one.
+    // Rounding must not cross a break: the third derivative differs on the other side.
     let inside = 1e-9 * (middle - u).abs() + 4.0 * f64::EPSILON * u.abs().max(middle.abs());
     let u = u + inside.min((middle - u).abs()) * (middle - u).signum();
     let tip = path.derivatives(u, before, row) * m1;
@@ -259,7 +259,7 @@ pub(crate) fn place(
     if speed.is_nan() { f64::INFINITY } else { speed * speed }
 }
 
-/// What is wrong with the path at `u`, whose channels have the derivatives `row` there.
+/// Error of the path at `u`, at which the channels have the derivatives `row`.
 pub(crate) fn broken(path: &dyn Channels, u: f64, row: &[[f64; 3]]) -> LawError {
     match row.iter().position(|d| d.iter().any(|d| !d.is_finite())) {
         Some(channel) => LawError::NotSmooth { channel, at: u },

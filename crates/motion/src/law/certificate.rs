@@ -3,10 +3,10 @@ use super::channels::Channels;
 use super::jerk_limited::RESERVE;
 use super::speed_law::{LawPoint, SpeedLaw};
 
-/// What keeps the tip from going faster.
+/// Limit that bounds the speed of the tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bound {
-    /// Nothing: the tip is as fast as asked.
+    /// The requested speed: the tip reaches it.
     Asked,
     /// The speed of a channel.
     Speed(usize),
@@ -14,30 +14,30 @@ pub enum Bound {
     Acceleration(usize),
     /// The jerk of a channel.
     Jerk(usize),
-    /// No limit: the asked speed changes, and the law rounds the change off.
+    /// No limit: the requested speed changes, and the profile rounds the change off.
     Change,
 }
 
 /// A stretch of the path with one bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// Parameter at which it begins and ends.
+    /// Parameters of its start and end.
     pub from: f64,
     /// See [`Interval::from`].
     pub to: f64,
-    /// Least and greatest speed of the tip in it, mm/s.
+    /// Minimum and maximum speed of the tip in it, mm/s.
     pub speed: (f64, f64),
-    /// Where the least is.
+    /// Parameter of the minimum speed.
     pub least_at: f64,
-    /// Least part of the asked speed that the tip reaches in it, and where that is.
+    /// Minimum ratio of reached to requested speed in it, and its parameter.
     pub reached: (f64, f64),
-    /// What binds.
+    /// The binding limit.
     pub bound: Bound,
-    /// False in run-up and run-down.
+    /// False in acceleration and deceleration phase.
     pub between: bool,
 }
 
-/// The greatest part of each limit that a channel uses, over the whole path.
+/// Maximum fraction of each limit that a channel uses, over the whole path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Use {
     /// Of its speed.
@@ -48,31 +48,31 @@ pub struct Use {
     pub jerk: f64,
 }
 
-/// What a speed law reached, and what bound it where: to be checked by anybody who knows the set-points and the limits.
+/// Result of a speed profile: reached speeds and binding limits. It can be verified from the set-points and the limits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {
     /// Stretches in order, from the first parameter to the last.
     pub intervals: Vec<Interval>,
     /// For every channel.
     pub uses: Vec<Use>,
-    /// The part of the path on which the tip is as fast as asked.
+    /// Fraction of the path on which the tip has the requested speed.
     pub at_asked: f64,
-    /// A speed of the tip (mm/s) that no channel keeps from being held everywhere.
+    /// Speed of the tip (mm/s) that all channels can hold everywhere.
     pub everywhere: f64,
 }
 
-/// Places in every cell of the law that are looked at, as parts of its time.
+/// Sample points in every cell of the profile, as fractions of its time.
 const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-/// Limits are looked at this part of a cell within its borders: at a border, where jerk may jump, rounding would
-/// decide on which side of it path and law are.
+/// Distance of the outer samples from the cell's borders, as a fraction of its time. At a border jerk may jump, and
+/// rounding would decide on the side.
 const INSET: f64 = 1e-6;
-/// A limit binds where this part of it is used.
+/// Minimum used fraction of a binding limit.
 const BINDS: f64 = 0.9;
-/// The tip counts as fast as asked within this part; within [`NEARLY`] where the asked speed by the parameter changes.
+/// Relative tolerance of the requested speed; [`NEARLY`] applies if the requested speed by the parameter changes.
 const AS_ASKED: f64 = 1e-6;
 
 impl Certificate {
-    /// The certificate of `law` along `path`.
+    /// Computes the certificate of `law` along `path`.
     pub fn new(path: &dyn Channels, law: &SpeedLaw) -> Self {
         let channels = path.limits().len();
         let mut built = Self {
@@ -123,13 +123,13 @@ impl Certificate {
         built
     }
 
-    /// Least and greatest speed of the tip between run-up and run-down, mm/s; none if nothing lies between them.
+    /// Minimum and maximum speed of the tip between acceleration and deceleration phase, mm/s; none if these meet.
     pub fn band(&self) -> Option<(f64, f64)> {
         let speeds = self.intervals.iter().filter(|i| i.between).map(|i| i.speed);
         speeds.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
 
-    /// Takes in what the channels use at one place; the greatest part and whose it is.
+    /// Adds the channels' use of their limits at one point. Returns the maximum and its limit.
     fn at(&mut self, path: &dyn Channels, derivatives: &[[f64; 3]], p: LawPoint) -> (f64, Bound) {
         let mut worst = (0.0, Bound::Asked);
         for (i, (([q1, q2, q3], limits), used)) in derivatives.iter().zip(path.limits()).zip(&mut self.uses).enumerate()
@@ -157,7 +157,7 @@ impl Certificate {
         worst
     }
 
-    /// Takes in the speed of the tip that the channels can hold steadily at one place.
+    /// Adds the tip speed that the channels can hold steadily at one point.
     fn steady(&mut self, path: &dyn Channels, derivatives: &[[f64; 3]], tip: f64) {
         for ([q1, q2, q3], limits) in derivatives.iter().zip(path.limits()) {
             let speed = (limits.speed / q1.abs())
@@ -167,7 +167,7 @@ impl Certificate {
         }
     }
 
-    /// Appends a stretch, to the last one if that has the same bound.
+    /// Appends a stretch, merged with the last one if that has the same bound.
     fn add(&mut self, next: Interval) {
         match self.intervals.last_mut().filter(|last| (last.bound, last.between) == (next.bound, next.between)) {
             Some(last) => {
@@ -187,13 +187,13 @@ impl Certificate {
     }
 }
 
-/// Of two values with their places the lesser.
+/// The lesser of two values, with its parameter.
 fn lesser(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     if b.0 < a.0 { b } else { a }
 }
 
-/// What binds in cell `i` of stretches with the greatest use of a limit in each: where no limit is used up the speed
-/// is on its way to or from where one is. No limit is blamed that is not used up.
+/// Binding limit of cell `i`, from the cells with their maximum use of a limit. A cell that uses up no limit takes that
+/// of the nearest slowed cell that does: its speed leads to or from there.
 fn binding(cells: &[(Interval, f64)], i: usize) -> Bound {
     let own = cells[i].0.bound;
     if own == Bound::Asked || cells[i].1 >= BINDS {
@@ -211,8 +211,8 @@ fn binding(cells: &[(Interval, f64)], i: usize) -> Bound {
     }
 }
 
-/// The part of a cell's time at which its speed turns, if it does: the acceleration changes its sign once at most in
-/// a cell.
+/// Fraction of a cell's time at which its speed has an extremum, if any: the acceleration changes its sign at most once
+/// in a cell.
 fn turning(law: &SpeedLaw, cell: usize) -> Option<f64> {
     let sign = |part: f64| law.in_cell(cell, part).a;
     let (mut low, mut high) = (0.0, 1.0);
@@ -220,7 +220,7 @@ fn turning(law: &SpeedLaw, cell: usize) -> Option<f64> {
     if first * sign(high) >= 0.0 {
         return None;
     }
-    // Halved until the speed, which hardly changes where it turns, is known to rounding.
+    // Bisection until the speed, nearly constant at the extremum, is exact to rounding.
     for _ in 0..30 {
         let middle = 0.5 * (low + high);
         if first * sign(middle) > 0.0 { low = middle } else { high = middle }

@@ -1,12 +1,12 @@
 use super::error::LawError;
 
-/// What a speed law has to know of a path: how everything that has limits moves with the path's parameter `u`.
+/// Input of a speed profile: the motion of everything with limits by the path's parameter `u`.
 ///
 /// A channel is an axis, or anything else whose speed, acceleration and jerk are bounded (a coordinate of the torch
 /// tip, say). Positions must be twice continuously differentiable by `u` between [`Channels::stops`] and have a
-/// bounded third derivative, which may jump at [`Channels::breaks`]. Between breaks derivatives are looked at in five
-/// places of every cell, and cells are a sixtieth of the path or less: what happens within less than a thousandth of
-/// the path needs breaks around it, as the pieces of a spline have them, or the law does not know of it.
+/// bounded third derivative, which may jump at [`Channels::breaks`]. Between breaks derivatives are sampled at five
+/// points of every cell, and cells are a sixtieth of the path or less. A feature shorter than a thousandth of the path
+/// needs breaks around it, as the pieces of a spline have them, or it may be missed.
 pub trait Channels {
     /// First and last parameter.
     fn range(&self) -> (f64, f64);
@@ -18,32 +18,33 @@ pub trait Channels {
     /// and the tip's speed by `u`, mm.
     fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64;
 
-    /// Highest speed of the tip asked for at `u`, mm/s; smooth between breaks, and only asked for inside them. Infinite
-    /// if nothing is asked. Where it or the tip's speed by `u` changes, the law stays below it by a thousandth, and by
-    /// three at most where nothing else holds it back; without limits of jerk it heeds it at the ends of cells only.
+    /// Requested speed of the tip at `u`, mm/s; smooth between breaks, and only evaluated inside them. Infinite without
+    /// a request. If it or the tip's speed by `u` changes, the profile stays below it by a thousandth, and by at most
+    /// three where no limit binds. Without limits of jerk it is enforced at the ends of cells only.
     fn asked(&self, u: f64) -> f64;
 
-    /// Parameters inside the range where a third derivative or the asked speed may jump or bend, increasing.
+    /// Parameters inside the range at which a third derivative or the requested speed may jump or bend, increasing.
     fn breaks(&self) -> Vec<f64>;
 
-    /// Breaks at which the asked speed bends, increasing. Only where one is listed does the law follow a bend however little
-    /// time it costs.
+    /// Breaks at which the requested speed bends, increasing. The profile follows a listed bend even if missing it
+    /// costs little time.
     fn bends(&self) -> Vec<Bend> {
         Vec::new()
     }
 
-    /// Parameters inside the range where the motion comes to rest: corners and cusps, increasing. They are breaks too.
+    /// Parameters inside the range at which the motion comes to rest: corners and cusps, increasing. They are breaks
+    /// too.
     fn stops(&self) -> Vec<f64> {
         Vec::new()
     }
 }
 
-/// A break at which the asked speed by the parameter changes its slope.
+/// A break at which the requested speed by the parameter changes its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bend {
     /// The parameter.
     pub at: f64,
-    /// The law rounds the bend off over about this much of the parameter on either side.
+    /// Approximate range of the parameter on either side over which the profile rounds the bend off.
     pub rounded_over: f64,
 }
 
@@ -58,10 +59,10 @@ pub struct Limits {
     pub jerk: f64,
 }
 
-/// The parameters at which `path` begins, rests and ends.
+/// Parameters of the start, stops and end of `path`.
 ///
 /// # Errors
-/// A range or limits that are none.
+/// An invalid range or invalid limits.
 pub(crate) fn ends(path: &dyn Channels) -> Result<Vec<f64>, LawError> {
     let (from, to) = path.range();
     if !(from.is_finite() && to.is_finite() && to > from) {

@@ -1,7 +1,7 @@
-/// Why a path has no speed law.
+/// Error of a path without a speed profile.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum LawError {
-    /// A limit that is no positive number.
+    /// A limit is not a positive number.
     #[error(
         "the {what} limit of channel {channel} is {value}: it must be a finite number above zero (a jerk may be infinite)"
     )]
@@ -13,7 +13,7 @@ pub enum LawError {
         /// The limit.
         value: f64,
     },
-    /// The asked speed is no positive number.
+    /// The requested speed is not a positive number.
     #[error("the speed asked for at {at} is {value}: it must be above zero")]
     Asked {
         /// The path's parameter.
@@ -29,7 +29,7 @@ pub enum LawError {
         /// Last parameter.
         to: f64,
     },
-    /// A derivative that is no finite number.
+    /// A derivative is not a finite number.
     #[error("channel {channel} has a derivative at {at} that is not a finite number: the path is not smooth there")]
     NotSmooth {
         /// The channel's number, from 0.
@@ -37,7 +37,7 @@ pub enum LawError {
         /// The path's parameter.
         at: f64,
     },
-    /// Nothing with a limit moves between two stops.
+    /// No channel moves between two stops.
     #[error("nothing moves between {from} and {to}: no limit bounds the speed there")]
     Still {
         /// First parameter of the piece.

@@ -1,20 +1,20 @@
-//! Where the cells of a speed law lie.
+//! Division of a path into the cells of a speed profile.
 
 use super::channels::{Channels, Limits};
 use super::rest::RestToRest;
 
-/// Cells of a path without breaks, if they were even.
+/// Number of cells of a path without breaks, if evenly spaced.
 const CELLS: f64 = 60.0;
-/// Cells of the run-up and of the run-down.
+/// Cells of the acceleration and of the deceleration phase.
 const CELLS_AT_REST: usize = 6;
 /// Neighbouring cells grow by this factor away from rest.
 const GROWTH: f64 = 1.4;
-/// Least number of cells between two breaks.
+/// Minimum number of cells between two breaks.
 const CELLS_BETWEEN_BREAKS: f64 = 1.0;
-/// Least and greatest part of the path that a run-up or run-down may be.
+/// Minimum and maximum length of an acceleration or deceleration phase, as a fraction of the path.
 const PART_AT_REST: (f64, f64) = (1e-6, 0.25);
 
-/// Places nearer to each other than this part of the path are one.
+/// Stations closer than this fraction of the path are merged.
 const SAME: f64 = 1e-9;
 
 /// The map and the first stations (by `tau`) of the piece of `path` between two stops.
@@ -24,16 +24,16 @@ pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64,
     let breaks = path.breaks();
     let zone = |u: f64, before: bool| {
         let zone = (0.5 * run_up(path, limits, u, before)).clamp(least, most);
-        // A break all but at its border is to be there.
+        // A break very near the border becomes the border.
         let near = breaks.iter().map(|b| (b - u).abs()).find(|away| (away - zone).abs() < SAME * length);
         near.unwrap_or(zone)
     };
     let map = RestToRest::new(from, to, zone(from, false), zone(to, true));
     let [up, down] = map.borders();
-    // A break this near to rest is passed so slowly that it does not matter.
+    // A break this near to rest is passed so slowly that it is negligible.
     let near = 1e-7 * length;
     let inside = breaks.iter().filter(|u| **u > from + near && **u < to - near).map(|u| map.tau(*u));
-    // The map changes exactly at its borders: breaks there must not stand in for them.
+    // The map changes exactly at its borders: breaks must not replace them.
     let at_border = |tau: f64| (tau - up).abs() < SAME * map.length() || (tau - down).abs() < SAME * map.length();
     let mut fixed: Vec<f64> = inside.filter(|tau| !at_border(*tau)).collect();
     fixed.extend([0.0, up, down, map.length()]);
@@ -58,7 +58,7 @@ pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64,
     (map, tau)
 }
 
-/// Adds stations in (from, to], about as far apart as `width` says.
+/// Adds stations in (from, to], about `width` apart.
 fn divide(tau: &mut Vec<f64>, (from, to): (f64, f64), width: impl Fn(f64) -> f64) {
     let begin = tau.len();
     let mut at = from;
@@ -68,14 +68,14 @@ fn divide(tau: &mut Vec<f64>, (from, to): (f64, f64), width: impl Fn(f64) -> f64
         at += step;
         tau.push(at);
     }
-    // The last one is beyond: all of them shrink a little.
+    // The last station is beyond the end: all are scaled down.
     let last = tau.len() - 1;
     let scale = (to - from) / (tau[last] - from);
     tau[begin..].iter_mut().for_each(|t| *t = from + scale * (*t - from));
     tau[last] = to;
 }
 
-/// Distance in which the highest speed at `u` can be reached from rest, if the path went on as it is there.
+/// Distance to reach the maximum speed at `u` from rest, with the path's derivatives of `u` throughout.
 fn run_up(path: &dyn Channels, limits: &[Limits], u: f64, before: bool) -> f64 {
     let mut derivatives = vec![[0.0; 3]; limits.len()];
     let tip = path.derivatives(u, before, &mut derivatives);

@@ -1,40 +1,39 @@
-//! The fastest law under limits of speed, acceleration and jerk: a primal-dual interior-point method.
+//! Primal-dual interior-point method for the fastest profile under limits of speed, acceleration and jerk.
 
 use super::lanes::larger;
 use super::pentadiagonal::Pentadiagonal;
 use super::problem::{Lists, Newton, Problem};
 
-/// Iterations after which the law reached is taken as it is: it satisfies every row at any time.
-const MOST: usize = 120;
-/// Part of the way to the next row that a step may go.
+/// Maximum number of iterations; the last iterate is then used, as every iterate satisfies all rows.
+const MAX_ITERATIONS: usize = 120;
+/// Maximum step, as a fraction of the distance to the nearest row.
 const SHORT_OF: f64 = 0.99;
-/// Complementarity to begin with, as a part of the time, at a law known before that was slowed by a part of its squared
-/// speed: this many times that part; and if its multipliers are known too.
+/// Initial complementarity, as a fraction of the time, at a previous profile slowed by a fraction of its squared speed:
+/// this factor times that fraction; and the factor if its multipliers are known too.
 const BEGIN_NEAR: f64 = 2.0;
 const BEGIN_AGAIN: f64 = 0.1;
-/// Complementarity to begin with at a slow law.
+/// Initial complementarity at a slow profile.
 const BEGIN: f64 = 0.1;
-/// Complementarity falls to this part of what the slopes leave at most: faster, and rows would stop the law far from
-/// the fastest one.
+/// Minimum complementarity as a fraction of the residual: a faster reduction would stop at rows far from the optimum.
 const BALANCE: f64 = 0.3;
-/// A law known before is slowed by this part at least.
-const LEAST_SLOWED: f64 = 0.01;
+/// Minimum fraction by which a previous profile is slowed.
+const MIN_SLOWDOWN: f64 = 0.01;
 
-/// A law on its way to the fastest one: coefficients with the slacks and multipliers of all rows.
+/// Iterate of the method: coefficients with the slacks and multipliers of all rows.
 ///
 /// Mehrotra's predictor and corrector on the time with the rows of [`Problem`] as logarithmic barriers. The rows of
 /// jerk are not convex (`1 / sqrt(b)` curves the wrong way): their curvature is kept as long as the matrix stays
 /// positive, and halved until it is. Every step is shortened until the true slacks are positive, so that each iterate
-/// satisfies the rows. A local method: no bad local optimum is known, none is excluded.
+/// satisfies the rows. The method is local; bad local optima are unknown but not excluded.
 pub(crate) struct Iterate {
     c: Vec<f64>,
-    /// Slacks, and one by each.
+    /// Slacks, and their reciprocals.
     g: Lists,
     by_g: Lists,
     /// Multipliers, and multipliers by slacks.
     z: Lists,
     ratio: Lists,
-    /// Changes of slacks, and what the right side gets of each, later changes of multipliers.
+    /// Changes of slacks, and their contributions to the right side, later changes of multipliers.
     dg: Lists,
     dz: Lists,
     /// Sum of slacks times multipliers, and their number.
@@ -46,12 +45,12 @@ pub(crate) struct Iterate {
 }
 
 impl Iterate {
-    /// Half the greatest constant speed that satisfies every row.
+    /// Starts at half the maximum constant squared speed that satisfies every row.
     pub(crate) fn slow(problem: &Problem) -> Self {
         Self::new(problem, vec![0.5 * problem.greatest_constant(); problem.unknowns], BEGIN)
     }
 
-    /// A law known before, slowed as a whole until it satisfies every row.
+    /// Starts at a previous profile, slowed as a whole until it satisfies every row.
     pub(crate) fn near(problem: &Problem, c: &[f64]) -> Self {
         match slowed(problem, c) {
             Some((c, less)) => Self::new(problem, c, BEGIN_NEAR * less),
@@ -59,7 +58,7 @@ impl Iterate {
         }
     }
 
-    /// Goes on after the problem was tightened: at the law reached, slowed as far as is needed.
+    /// Continues after the problem was tightened, from the last iterate, slowed as far as needed.
     pub(crate) fn resume(&mut self, problem: &Problem) {
         let Some((c, less)) = slowed(problem, &self.c) else {
             *self = Self::slow(problem);
@@ -72,7 +71,7 @@ impl Iterate {
         *self = next;
     }
 
-    /// At `c`, inside all rows, with the part `begin` of the time as complementarity.
+    /// Starts at `c`, inside all rows, with the fraction `begin` of the time as complementarity.
     fn new(problem: &Problem, c: Vec<f64>, begin: f64) -> Self {
         let mut g = problem.lists(0.0);
         problem.slacks(&c, &mut g);
@@ -101,12 +100,12 @@ impl Iterate {
         &self.c
     }
 
-    /// Goes on to the fastest law, to within the part `gap` of the time it loses against the asked speed.
+    /// Iterates to the fastest profile, to within the fraction `gap` of the time lost against the requested speed.
     pub(crate) fn solve(&mut self, problem: &Problem, gap: f64) {
-        for _ in 0..MOST {
+        for _ in 0..MAX_ITERATIONS {
             self.look(problem);
             let enough = gap * problem.lost(self.newton.time);
-            // What changing every coefficient by itself would gain, as a time.
+            // Estimated gain of time from changing every coefficient alone.
             let residual: f64 = self.newton.left.iter().zip(&self.c).map(|(left, c)| left.abs() * c).sum();
             if (self.complementarity < enough && residual < enough) || !self.improve(problem, residual) {
                 break;
@@ -114,7 +113,7 @@ impl Iterate {
         }
     }
 
-    /// Slopes and curvatures where it is.
+    /// Computes slopes and curvatures at the current iterate.
     fn look(&mut self, problem: &Problem) {
         self.complementarity = 0.0;
         for k in 0..self.g.len() {
@@ -129,15 +128,15 @@ impl Iterate {
         problem.newton(&self.c, &self.ratio, &self.z, &mut self.newton);
     }
 
-    /// One step; false if it could not be made.
+    /// Takes one step. Returns false on failure.
     fn improve(&mut self, problem: &Problem, residual: f64) -> bool {
         let (matrix, concave) = (&self.newton.matrix, &self.newton.concave);
-        // Beside breaks next to each other rounding may cost the matrix its sign.
+        // Close breaks: rounding may make the matrix indefinite.
         let tries = [(1.0, 0.0), (0.5, 0.0), (0.25, 0.0), (0.0, 0.0), (0.0, 1e-12), (0.0, 1e-9)];
         if !tries.iter().any(|(part, more)| self.factors.factor(matrix, 1.0 + more, concave, *part)) {
             return false;
         }
-        // The predictor: as if every product of slack and multiplier were to vanish.
+        // Predictor step with the target 0 for every product of slack and multiplier.
         self.head(problem, false);
         let Predicted { slack, multiplier, left } = self.predicted();
         let mean = self.complementarity / self.count;
@@ -149,7 +148,8 @@ impl Iterate {
         self.go(problem, slack, multiplier)
     }
 
-    /// The Newton step for the weights of the slacks' slopes in `dz`, if `weighted`, and the changes of slacks with it.
+    /// Computes the Newton step, with the weights of the slacks' slopes in `dz` if `weighted`, and the resulting
+    /// changes of slacks.
     fn head(&mut self, problem: &Problem, weighted: bool) {
         self.step.iter_mut().zip(&self.newton.slope).for_each(|(step, slope)| *step = -slope);
         if weighted {
@@ -159,8 +159,7 @@ impl Iterate {
         problem.change(&self.newton, &self.step, &mut self.dg);
     }
 
-    /// How far the predictor's step can go, and what complementarity it leaves. Its multipliers change by
-    /// `-z - ratio dg`.
+    /// Step lengths of the predictor and the complementarity after it. Its multipliers change by `-z - ratio dg`.
     fn predicted(&self) -> Predicted {
         let (mut nearest, mut most) = (0.0, 0.0);
         let (mut first, mut second) = (0.0, 0.0);
@@ -180,7 +179,7 @@ impl Iterate {
         Predicted { slack, multiplier, left }
     }
 
-    /// What the right side gets of each slack, so that products become `target`: `(target - part dg dz) / g`.
+    /// Sets each slack's contribution to the right side for products of `target`: `(target - part dg dz) / g`.
     fn correct(&mut self, target: f64, part: f64) {
         for k in 0..self.g.len() {
             let lists = self.dg[k].iter().zip(&self.by_g[k]).zip(&self.z[k]).zip(&self.ratio[k]);
@@ -190,7 +189,7 @@ impl Iterate {
         }
     }
 
-    /// Sets the changes of the multipliers, and says how much of the changes of slacks and of multipliers can be gone.
+    /// Sets the changes of the multipliers. Returns the step lengths of slacks and of multipliers.
     fn parts(&mut self) -> (f64, f64) {
         let (mut nearest, mut most) = (0.0, 0.0);
         for k in 0..self.g.len() {
@@ -205,7 +204,7 @@ impl Iterate {
         (part(nearest), part(most))
     }
 
-    /// Goes the step, shortened until the true slacks are positive.
+    /// Takes the step, shortened until the true slacks are positive.
     fn go(&mut self, problem: &Problem, mut slack: f64, multiplier: f64) -> bool {
         let mut next = vec![0.0; self.c.len()];
         loop {
@@ -226,7 +225,7 @@ impl Iterate {
         true
     }
 
-    /// Whether the slacks to be are all positive, and none next to nothing of what it was.
+    /// True if every new slack keeps at least 0.5 % of its old value.
     fn stays_inside(&self) -> bool {
         let kept =
             |(new, old): (&Vec<f64>, &Vec<f64>)| new.iter().zip(old).fold(true, |all, (n, o)| all & (*n > 0.005 * o));
@@ -234,17 +233,17 @@ impl Iterate {
     }
 }
 
-/// How far the predictor's step goes, and the complementarity after it.
+/// Step lengths of the predictor, and the complementarity after it.
 struct Predicted {
     slack: f64,
     multiplier: f64,
     left: f64,
 }
 
-/// The law slowed as a whole until it satisfies every row with some room, and by which part.
+/// The profile slowed as a whole until it satisfies every row with a margin, and the fraction by which it was slowed.
 fn slowed(problem: &Problem, c: &[f64]) -> Option<(Vec<f64>, f64)> {
     let mut g = problem.lists(0.0);
-    let mut less = LEAST_SLOWED;
+    let mut less = MIN_SLOWDOWN;
     while less < 0.9 {
         let by =
             |less: f64| -> Vec<f64> { c.iter().zip(&problem.upper).map(|(c, u)| (1.0 - less) * c.min(*u)).collect() };
@@ -257,13 +256,12 @@ fn slowed(problem: &Problem, c: &[f64]) -> Option<(Vec<f64>, f64)> {
     None
 }
 
-/// The part of a change (at most 1) that leaves everything positive, a little short of it, where `most` is the
-/// greatest loss by what there is.
+/// Step length (at most 1) that keeps all values positive with a margin; `most` is the maximum relative decrease.
 fn part(most: f64) -> f64 {
     if most > 0.0 { (SHORT_OF / most).min(1.0) } else { 1.0 }
 }
 
-/// Lists are gone through this many at once, with results for each: always in the same order.
+/// Number of list elements processed together, each with its own result: always in the same order.
 const LANES: usize = 4;
 
 /// Gathers `K` results over lists of one length, one in each lane.

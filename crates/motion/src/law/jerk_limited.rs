@@ -1,4 +1,4 @@
-//! The coefficients of a piece's law, with what lies between the places where rows were imposed checked.
+//! Coefficients of a piece's speed profile, verified also between the points at which rows were imposed.
 
 use super::cells::Cells;
 use super::channels::{Channels, Limits};
@@ -9,50 +9,49 @@ use super::problem::Problem;
 use super::rest::RestToRest;
 use super::rows::Room;
 
-/// The law is planned with limits smaller by this part: for what lies between the places checked, and so that a hold
-/// has room to begin (see `pace`).
+/// Fraction of the limits kept in reserve: for values between the checked points, and for the start of a hold (see
+/// `pace`).
 pub(crate) const RESERVE: f64 = 1e-3;
-/// Times the law is solved again with less room where a limit was passed.
+/// Maximum number of repeated solutions with less room in cells that exceed a limit.
 const ROUNDS: usize = 4;
-/// How near the law comes to the best that the method can find, as a part of the time lost against the asked speed.
+/// Relative gap of the final solution to the optimum of the method, of the time lost against the requested speed.
 const GAP: f64 = 1e-5;
-/// Coefficients nearer to the asked speed than this part are put on it.
+/// Coefficients closer to the requested speed than this fraction are set to it.
 const SNAP: f64 = 1e-5;
 
-/// Cells that could change the time lost by more than this part are halved.
+/// Minimum change of the lost time, as a fraction, for which a cell is halved.
 const SHARE: f64 = 5e-5;
-/// All of them together are worth halving from this part on.
+/// Minimum total change of the lost time, as a fraction, for a refinement.
 const ENOUGH: f64 = 3e-4;
-/// Cells in which the law is too stiff to follow an asked speed that changes are halved if that costs more than this
-/// part of the time,
+/// Cells too stiff to follow a changing requested speed are halved if that costs more than this fraction of the time,
 const STIFF: f64 = 4e-6;
-/// and no limit is used by more than this part.
+/// and no limit is used by more than this fraction.
 const SPARED: f64 = 0.9;
-/// Use of a limit between the places of rows from which on cells are halved rather than given less room.
+/// Use of a limit between the points of rows above which cells are halved rather than given less room.
 const ROUGH: f64 = 1.001;
-/// Narrower cells than this part of the path get less room rather than being halved: they would cost digits.
+/// Minimum width of a halved cell, as a fraction of the path; narrower cells get less room, since halving costs digits.
 const NARROWEST: f64 = 1e-6;
-/// What may be used of a limit in the end.
+/// Maximum use of a limit by the final profile.
 const ALLOWED: f64 = 1.0 - 0.5 * RESERVE;
-/// A law that uses this much of a limit is no place to begin at.
+/// Use of a limit above which a profile is not a valid start.
 const WILD: f64 = 1.1;
-/// Room is not lessened by more than this factor at once.
-const LEAST_AT_ONCE: f64 = 0.9;
-/// Cells beyond those to begin with, from which on nothing is halved any more.
-const MOST_CELLS: usize = 4000;
-/// Gap to which laws on grids that will be refined are solved,
+/// Minimum factor by which room is reduced in one round.
+const MIN_ROOM_FACTOR: f64 = 0.9;
+/// Number of added cells above which halving stops.
+const MAX_ADDED_CELLS: usize = 4000;
+/// Gap of profiles on grids that will be refined,
 const COARSE_GAP: f64 = 1e-3;
-/// and laws that only tell where to begin.
+/// and of profiles used only as a start.
 const GUESS_GAP: f64 = 1e-2;
-/// Fewer cells than these are begun at a slow law, more at a law in coarser ones.
+/// Fewer cells than this start at a slow profile, more at a profile in coarser cells.
 const FEW: usize = 80;
 
-/// The cells of a piece of `path` and the coefficients of the fastest law in them, see [`Problem`].
+/// Plans the cells of a piece of `path` and the coefficients of the fastest profile in them, see [`Problem`].
 ///
-/// Solved on the cells between `tau` first, then with every cell halved in which the law does not just cruise at the
-/// asked speed: what was found before is a spline on the finer cells too and a good start there. Guarantee: no limit
-/// is exceeded anywhere (speeds, accelerations and jerks are bounded between the places where rows were imposed, and
-/// half a thousandth is kept in reserve); nowhere faster than asked.
+/// Solved on the cells between `tau` first, then after halving cells in which the profile bends, exceeds a limit or is
+/// too stiff. The previous solution is a spline on the finer cells too and a good start there. Guarantee: no limit is
+/// exceeded anywhere (speeds, accelerations and jerks are bounded between the points of rows, and half a thousandth is
+/// kept in reserve); the tip is never faster than requested.
 ///
 /// # Errors
 /// As [`Cells::new`].
@@ -64,7 +63,7 @@ pub(crate) fn plan(
 ) -> Result<(Cells, Vec<f64>), LawError> {
     let mut cells = Cells::new(path, map, tau, limits.to_vec())?;
     let mut near = guess(path, &cells);
-    let most = cells.count() + MOST_CELLS;
+    let most = cells.count() + MAX_ADDED_CELLS;
     loop {
         let room = Room::new(&cells);
         let problem = Problem::new(&cells, &room, near.as_deref());
@@ -81,8 +80,8 @@ pub(crate) fn plan(
     }
 }
 
-/// Stations of finer cells for the law with coefficients `c`, which loses the time `lost`, where it bends or uses too
-/// much of a limit, or is too stiff; none if they would hardly make it faster, or there are the `most` already.
+/// Stations after halving cells in which the profile with coefficients `c` bends, uses too much of a limit, or is too
+/// stiff; it loses the time `lost`. None if the gain is negligible, or if there are more than `most` cells.
 fn refined(cells: &Cells, most: usize, (c, lost): (&[f64], f64)) -> Option<Vec<f64>> {
     let bends: Vec<f64> = (0..cells.count()).map(|i| bend(cells, c, i)).collect();
     let narrow = NARROWEST * cells.map.length();
@@ -99,7 +98,7 @@ fn refined(cells: &Cells, most: usize, (c, lost): (&[f64], f64)) -> Option<Vec<f
     (tau.len() > cells.tau.len()).then_some(tau)
 }
 
-/// A law near to the one wanted in `cells`, from coarser ones: none if they are few.
+/// A start profile for `cells`, solved in coarser ones; none for few cells.
 fn guess(path: &dyn Channels, cells: &Cells) -> Option<Vec<f64>> {
     if cells.count() < FEW {
         return None;
@@ -112,8 +111,8 @@ fn guess(path: &dyn Channels, cells: &Cells) -> Option<Vec<f64>> {
     Some(coarser.carried(law.coefficients(), cells, 0.0))
 }
 
-/// About the time (s) that cell `i` could gain or lose by being finer: from the jump of the squared speed's second
-/// derivative at its ends, where a quadratic spline is too stiff.
+/// Estimated change of time (s) from refining cell `i`: from the jump of the squared speed's second derivative at its
+/// ends, where a quadratic spline is too stiff.
 fn bend(cells: &Cells, c: &[f64], i: usize) -> f64 {
     let second = |i: usize| {
         let w = cells.weights(i).second;
@@ -123,17 +122,17 @@ fn bend(cells: &Cells, c: &[f64], i: usize) -> f64 {
     let before = if i > 0 { (own - second(i - 1)).abs() } else { 0.0 };
     let after = if i + 1 < cells.count() { (own - second(i + 1)).abs() } else { 0.0 };
     let b = c[i + 1];
-    // Not more than the time it takes as it is.
+    // Bounded by the time of the cell.
     (before.max(after) * width.powi(3) / (8.0 * b * b.sqrt())).min(width / b.sqrt())
 }
 
-/// Where to begin: at a law known before, or at a slow one.
+/// Start of the iteration: a previous profile, or a slow one.
 fn begin(problem: &Problem, near: Option<&[f64]>) -> Iterate {
     near.map_or_else(|| Iterate::slow(problem), |c| Iterate::near(problem, c))
 }
 
-/// The law in its final cells, beginning at one found before, solved until no limit is exceeded between the places of
-/// its rows.
+/// Solves the profile in its final cells from a previous one, until no limit is exceeded between the points of its
+/// rows.
 fn certified(cells: &Cells, mut problem: Problem, mut room: Room, mut law: Iterate) -> Vec<f64> {
     let mut worst = room.lessen(cells, law.coefficients());
     let mut c = Vec::new();
@@ -152,26 +151,27 @@ fn certified(cells: &Cells, mut problem: Problem, mut room: Room, mut law: Itera
             return c;
         }
     }
-    // Slowing the whole law by a part lessens its accelerations by as much, and its jerks by more.
+    // Slowing the whole profile by a factor reduces accelerations by the same factor, and jerks by more.
     c.iter_mut().for_each(|c| *c *= ALLOWED / worst);
     c
 }
 
 impl Room {
-    /// All but the reserve; more rows in run-up and run-down.
+    /// Full limits less the reserve; more rows in acceleration and deceleration phase.
     fn new(cells: &Cells) -> Self {
         let dense = (0..cells.count()).map(|i| cells.is_near_rest(i)).collect();
         Self { part: vec![1.0 - RESERVE; cells.count()], dense }
     }
 
-    /// Lessens it where the law with coefficients `c` uses more than is allowed, and beside; the greatest use.
+    /// Reduces the room of cells, and of their neighbours, in which the profile with coefficients `c` exceeds the
+    /// allowed use. Returns the maximum use.
     fn lessen(&mut self, cells: &Cells, c: &[f64]) -> f64 {
         let mut worst: f64 = 0.0;
         for i in 0..cells.count() {
             let most = peak(cells, c, i);
             worst = worst.max(most);
             if most > ALLOWED {
-                let less = ((1.0 - RESERVE) / most).max(LEAST_AT_ONCE);
+                let less = ((1.0 - RESERVE) / most).max(MIN_ROOM_FACTOR);
                 let around = i.saturating_sub(1)..(i + 2).min(cells.count());
                 self.part[around.clone()].iter_mut().for_each(|r| *r = r.min((1.0 - RESERVE) * less * less));
                 self.dense[around].iter_mut().for_each(|d| *d = true);
@@ -181,7 +181,7 @@ impl Room {
     }
 }
 
-/// Coefficients all but at the asked speed are put on it: a constant speed is to be exactly that.
+/// Sets coefficients very near the requested speed to it, so that a constant speed is exact.
 fn snap(c: &mut [f64], upper: &[f64]) {
     for (c, u) in c.iter_mut().zip(upper).filter(|(c, u)| **c > (1.0 - SNAP) * **u) {
         *c = *u;

@@ -1,9 +1,9 @@
-//! Channels some at a time, so that one instruction serves two or more.
+//! Channels in groups for SIMD instructions.
 
-/// Channels that are looked at together.
+/// Number of channels in a group.
 pub(super) const LANES: usize = 4;
 
-/// Some channels at a place; those that fill up the last lanes never move.
+/// A group of channels at one point; the channels that fill up the last group never move.
 pub(super) struct Lanes {
     /// First derivatives by the channels' accelerations.
     pub(super) first: [f64; LANES],
@@ -16,8 +16,8 @@ pub(super) struct Lanes {
 }
 
 impl Lanes {
-    /// Of channels with these derivatives, `along` twice the distance from the start of the cell; and the greatest
-    /// second derivative of those that do not bound the acceleration.
+    /// Builds the bounds of channels with these derivatives; `along` is twice the distance from the start of the cell.
+    /// Also returns the maximum second derivative of channels that do not bound the acceleration.
     #[inline(always)]
     pub(super) fn new(first: [f64; LANES], second: [f64; LANES], along: f64) -> (Self, f64) {
         let mut lanes = Self { first, second, half: [f64::INFINITY; LANES], slope: [0.0; LANES] };
@@ -35,12 +35,12 @@ impl Lanes {
     }
 }
 
-/// The smaller of two numbers, none of them NaN.
+/// The smaller of two numbers, neither of them NaN.
 pub(super) fn smaller(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
-/// The larger of two numbers, none of them NaN: unlike `max` one instruction, for some lanes at once.
+/// The larger of two numbers, neither of them NaN: unlike `max` one instruction, also for several lanes.
 pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }

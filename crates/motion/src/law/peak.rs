@@ -1,15 +1,15 @@
-//! How much of the limits a law uses, between the places where rows are imposed too.
+//! Use of the limits by a speed profile, also between the points at which rows are imposed.
 
 use super::cells::{Cells, PARTS};
 use super::lanes::larger;
 
-/// Places looked at in a cell in which the law changes much.
+/// Sample points of a cell in which the profile changes much.
 const CLOSE: usize = 9;
-/// Squared speeds in a cell that differ by more than this factor change much.
+/// Minimum ratio of squared speeds in a cell that changes much.
 const MUCH: f64 = 1.5;
 
-/// The greatest use of a limit in cell `i`: of a speed (squared, the asked one too), an acceleration or a jerk.
-/// Between the places looked at a parabola through three neighbours each, and what their third differences leave open.
+/// Maximum use of a limit in cell `i`: of a speed (squared, also the requested one), an acceleration or a jerk. Between
+/// samples a parabola through three neighbours is used, plus an error bound from third differences.
 pub(crate) fn peak(cells: &Cells, c: &[f64], i: usize) -> f64 {
     let of_channels = used(cells, c, i);
     if cells.is_steady(i) {
@@ -19,7 +19,7 @@ pub(crate) fn peak(cells: &Cells, c: &[f64], i: usize) -> f64 {
     larger(of_channels, greatest(&std::array::from_fn::<_, { PARTS.len() }, _>(|part| law[part][0] / asked[part])))
 }
 
-/// The same without the asked speed.
+/// Maximum use of a limit without the requested speed.
 pub(crate) fn used(cells: &Cells, c: &[f64], i: usize) -> f64 {
     let law = PARTS.map(|part| cells.law(c, i, part));
     let (least, most) = law.iter().fold((f64::INFINITY, 0.0), |(l, m), [b, ..]| (b.min(l), larger(*b, m)));
@@ -31,8 +31,8 @@ pub(crate) fn used(cells: &Cells, c: &[f64], i: usize) -> f64 {
     }
 }
 
-/// The greatest use of a channel's limit where the law is known at `N` places, at which `at` gives a derivative known
-/// at the [`PARTS`].
+/// Maximum use of a channel's limit, from the profile at `N` points; `at` interpolates a derivative from the [`PARTS`]
+/// to these points.
 fn of_channels<const N: usize>(
     cells: &Cells,
     i: usize,
@@ -57,7 +57,7 @@ fn of_channels<const N: usize>(
     most
 }
 
-/// A function known at five evenly spaced places, and by the quartic through them between these.
+/// Values of a function at five evenly spaced points, and of the quartic through them halfway between these.
 fn closer(f: &[f64; PARTS.len()]) -> [f64; CLOSE] {
     const BETWEEN: [[f64; PARTS.len()]; 2] = [[35.0, 140.0, -70.0, 28.0, -5.0], [-5.0, 60.0, 90.0, -20.0, 3.0]];
     let between = |w: &[f64; 5], k: [usize; 5]| (0..5).map(|j| w[j] * f[k[j]]).sum::<f64>() / 128.0;
@@ -76,7 +76,7 @@ fn closer(f: &[f64; PARTS.len()]) -> [f64; CLOSE] {
     ]
 }
 
-/// Greatest size of a smooth function known at evenly spaced places, between them too.
+/// Maximum absolute value of a smooth function sampled at evenly spaced points, also between them.
 fn greatest<const N: usize>(f: &[f64; N]) -> f64 {
     let mut most = f.iter().map(|v| v.abs()).fold(0.0, larger);
     for w in f.windows(3) {
@@ -86,7 +86,7 @@ fn greatest<const N: usize>(f: &[f64; N]) -> f64 {
         }
     }
     let third = |w: &[f64]| w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0];
-    // A cubic is off its parabola by 0.065 of the third difference, which changes by the fourth one.
+    // A cubic deviates from its parabola by 0.065 of the third difference, which changes by the fourth.
     let open = |w: &[f64]| larger(third(w).abs(), third(&w[1..]).abs()) + (third(&w[1..]) - third(w)).abs();
     most + 0.07 * f.windows(5).map(open).fold(0.0, larger)
 }

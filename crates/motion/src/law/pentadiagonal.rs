@@ -22,7 +22,7 @@ impl Pentadiagonal {
         self.add_square(first, &u.map(|row| u.map(|column| factor * row * column)));
     }
 
-    /// Adds a symmetric matrix, of which the upper triangle is looked at, at rows `first` to `first + 2`.
+    /// Adds a symmetric matrix, given by its upper triangle, at rows `first` to `first + 2`.
     pub(crate) fn add_square(&mut self, first: usize, m: &[[f64; 3]; 3]) {
         (0..3).for_each(|i| self.diagonals[0][first + i] += m[i][i]);
         (0..2).for_each(|i| self.diagonals[1][first + i] += m[i][i + 1]);

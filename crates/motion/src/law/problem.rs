@@ -2,34 +2,34 @@ use super::cells::{Cells, Weights};
 use super::pentadiagonal::Pentadiagonal;
 use super::rows::{Forms, Room};
 
-/// The rows that a law's coefficients must satisfy, each as a slack that is to stay positive.
+/// The rows that a profile's coefficients must satisfy, each as a slack that must stay positive.
 ///
 /// The squared speed `b` by `tau` is a quadratic B-spline with coefficients `c`, the unknowns. In a cell it and its
 /// derivatives follow from those at the cell's start, so every row is a form of these three: with each channel
 /// divided by its limit `1 - cap b`, `1 - (q'' b + q' b' / 2)` and `1 / sqrt(b) - (q''' b + 3/2 q'' b' + 1/2 q' b'')`,
-/// the last two with either sign, which share their form. Beside the rows, coefficients are positive and bounded by
-/// the asked speed.
+/// the last two with either sign, which share their form. Coefficients are also positive and bounded by the requested
+/// speed.
 pub(crate) struct Problem {
     /// Number of unknowns.
     pub(crate) unknowns: usize,
-    /// Highest value of each unknown, from the asked speed; infinite if none.
+    /// Maximum of each unknown, from the requested speed; infinite if none.
     pub(super) upper: Vec<f64>,
-    /// The unknowns that have one.
+    /// The unknowns with a maximum.
     pub(super) bounded: Vec<usize>,
     pub(super) caps: Forms,
     pub(super) accelerations: Forms,
     pub(super) jerks: Forms,
     pub(super) places: Vec<Place>,
     pub(super) groups: Vec<Group>,
-    /// Where the time looks at the law: first unknown, weights in the squared speed, and the part of the way.
+    /// Quadrature points of the time: first unknown, weights in the squared speed, and quadrature weight.
     points: Vec<(usize, [f64; 3], f64)>,
-    /// The time at the asked speed everywhere, s.
+    /// Time at the requested speed everywhere, s.
     cruising: f64,
     /// The room that the rows leave, and the cells that have all rows.
     pub(super) room: Room,
-    /// Whether the accelerations and jerks of each channel have rows in each cell that is not dense,
+    /// True if the accelerations and jerks of each channel have rows in each cell that is not dense,
     pub(super) worth: Vec<[bool; 2]>,
-    /// and the speeds of any.
+    /// and if the speeds of any channel have rows.
     pub(super) worth_cap: Vec<bool>,
 }
 
@@ -38,15 +38,15 @@ pub(super) struct Group {
     pub(super) cell: usize,
     /// At the cell's start.
     pub(super) weights: Weights,
-    /// First and last of its caps, accelerations, and places with jerks.
+    /// First and last of its caps, accelerations, and points with jerks.
     pub(super) caps: (usize, usize),
     pub(super) accelerations: (usize, usize),
     pub(super) places: (usize, usize),
 }
 
-/// A place in a cell with rows of jerks.
+/// A point in a cell with rows of jerks.
 pub(super) struct Place {
-    /// Weights of the squared speed at the cell's start and its derivatives in that here.
+    /// Weights of the squared speed and its derivatives at the cell's start in the squared speed here.
     pub(super) along: [f64; 3],
     pub(super) jerks: (usize, usize),
 }
@@ -60,17 +60,17 @@ pub(crate) struct Newton {
     pub(crate) time: f64,
     /// Slopes of the time,
     pub(crate) slope: Vec<f64>,
-    /// and what the rows with their multipliers leave of them.
+    /// and the residual after the rows with their multipliers.
     pub(crate) left: Vec<f64>,
     /// The Newton matrix, and its part that is not convex.
     pub(crate) matrix: Pentadiagonal,
     pub(crate) concave: Pentadiagonal,
-    /// Slope of `1 / sqrt(b)` by `b` at every place.
+    /// Slope of `1 / sqrt(b)` by `b` at every point with jerks.
     pub(crate) steep: Vec<f64>,
 }
 
-/// Part of the time that counts as lost at least.
-const LEAST_LOST: f64 = 1e-3;
+/// Minimum lost time, as a fraction of the time at the requested speed.
+const MIN_LOST: f64 = 1e-3;
 
 fn dot(w: &[f64; 3], c: &[f64; 3]) -> f64 {
     w[0] * c[0] + w[1] * c[1] + w[2] * c[2]
@@ -88,13 +88,13 @@ impl Group {
         [dot(&self.weights.value, &c), dot(&self.weights.first, &c), dot(&self.weights.second, &c)]
     }
 
-    /// What slopes by the squared speed and its derivatives are by the coefficients.
+    /// Converts slopes by the squared speed and its derivatives to slopes by the coefficients.
     fn by_coefficients(&self, by: [f64; 3]) -> [f64; 3] {
         let w = &self.weights;
         std::array::from_fn(|k| by[0] * w.value[k] + by[1] * w.first[k] + by[2] * w.second[k])
     }
 
-    /// Adds a symmetric matrix by the squared speed and its derivatives, of which the upper triangle is looked at.
+    /// Adds a symmetric matrix by the squared speed and its derivatives, given by its upper triangle.
     fn add(&self, m: &Square, to: &mut Pentadiagonal) {
         let m = [[m.0[0], m.0[1], m.0[2]], [m.0[1], m.0[3], m.0[4]], [m.0[2], m.0[4], m.0[5]]];
         let half = m.map(|row| self.by_coefficients(row));
@@ -132,7 +132,7 @@ impl Square {
 }
 
 impl Problem {
-    /// The points of Simpson's rule for the time, and the time at the asked speeds.
+    /// Sets the points of Simpson's rule for the time, and the time at the requested speeds.
     pub(super) fn measure(&mut self, cells: &Cells) {
         let count = cells.count();
         for i in 0..=count {
@@ -167,14 +167,14 @@ impl Problem {
         }
     }
 
-    /// A list of each kind of slacks, with `value` everywhere.
+    /// Lists of every kind of slack, filled with `value`.
     pub(crate) fn lists(&self, value: f64) -> Lists {
         let (accelerations, jerks) = (self.accelerations.count(), self.jerks.count());
         [accelerations, accelerations, jerks, jerks, self.caps.count(), self.unknowns, self.bounded.len()]
             .map(|count| vec![value; count])
     }
 
-    /// No slopes and curvatures yet.
+    /// Zero slopes and curvatures.
     pub(crate) fn flat(&self) -> Newton {
         let n = self.unknowns;
         Newton {
@@ -187,7 +187,7 @@ impl Problem {
         }
     }
 
-    /// The greatest constant for all coefficients that satisfies every row.
+    /// Maximum common value of all coefficients that satisfies every row.
     pub(crate) fn greatest_constant(&self) -> f64 {
         let upper = self.upper.iter().copied().fold(f64::INFINITY, f64::min);
         let by_acceleration = self.accelerations.greatest_value().max(self.caps.greatest_value());
@@ -199,13 +199,13 @@ impl Problem {
         self.points.iter().map(|(first, w, way)| way / dot(w, &three(c, *first)).sqrt()).sum()
     }
 
-    /// The part of a time that is lost against a law that is everywhere as fast as asked, s.
+    /// Time lost against a profile at the requested speed everywhere, s.
     pub(crate) fn lost(&self, time: f64) -> f64 {
-        // Never nothing, or no law would be near enough to it.
-        (time - self.cruising).max(LEAST_LOST * self.cruising)
+        // Above 0, else the relative gap could never be reached.
+        (time - self.cruising).max(MIN_LOST * self.cruising)
     }
 
-    /// The slacks at `c`; false if the squared speed is not positive somewhere.
+    /// Computes the slacks at `c`. Returns false if the squared speed is not positive everywhere.
     pub(crate) fn slacks(&self, c: &[f64], out: &mut Lists) -> bool {
         let [faster, slower, up, down, caps, zero, upper] = out;
         for group in &self.groups {
@@ -225,7 +225,7 @@ impl Problem {
         true
     }
 
-    /// How the slacks change with `step` at the law of `newton`.
+    /// Changes of the slacks with `step` at the profile of `newton`.
     pub(crate) fn change(&self, newton: &Newton, step: &[f64], out: &mut Lists) {
         let [faster, slower, up, down, caps, zero, upper] = out;
         for group in &self.groups {
@@ -242,7 +242,7 @@ impl Problem {
         upper.iter_mut().zip(&self.bounded).for_each(|(g, k)| *g = -step[*k]);
     }
 
-    /// Adds the slacks' slopes at the law of `newton`, weighted with `weight`, to `out`.
+    /// Adds the slacks' slopes, weighted with `weight`, to `out`; `steep` is that of [`Newton`].
     pub(crate) fn weighted_slopes(&self, steep: &[f64], weight: &Lists, out: &mut [f64]) {
         for group in &self.groups {
             let by = group.by_coefficients(self.weighted(group, steep, weight));
@@ -322,7 +322,7 @@ impl Problem {
         m
     }
 
-    /// Adds the squares of the slopes of a place's jerks, and how `1 / sqrt(b)` curves.
+    /// Adds the squares of the slopes of a point's jerks, and the curvature of `1 / sqrt(b)`.
     fn add_jerks(
         &self,
         place: usize,

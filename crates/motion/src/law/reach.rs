@@ -1,31 +1,31 @@
-//! The fastest law under limits of speed and acceleration alone, by reachability (Pham and Pham, T-RO 2018).
+//! The fastest profile under limits of speed and acceleration alone, by reachability (Pham and Pham, T-RO 2018).
 
 use super::cells::broken;
 use super::channels::{Channels, Limits};
 use super::error::LawError;
 use super::lanes::{LANES, Lanes, larger, smaller};
 
-/// Places in each cell where limits are imposed, as parts of its width.
+/// Points of each cell at which limits are imposed, as fractions of its width.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
-/// Asked speeds are looked at this part of the way to the cell's middle within its ends.
+/// Distance from the cell's ends at which requested speeds are sampled, as a fraction of the distance to its middle.
 const INSET: f64 = 1e-6;
-/// Part of each limit kept in reserve for what lies between those places.
+/// Fraction of each limit kept in reserve for values between those points.
 const RESERVE: f64 = 1e-4;
-/// What may be used of a limit in the end.
+/// Maximum use of a limit by the final profile.
 const ALLOWED: f64 = 1.0 - 0.2 * RESERVE;
-/// Times the law is solved again with less room where a limit was passed.
+/// Maximum number of repeated solutions with less room in cells that exceed a limit.
 const ROUNDS: usize = 6;
-/// Most steps of Newton's method for one station: it descends to its zero in two or three.
+/// Maximum number of Newton steps for one station: usually it converges in two or three.
 const STEPS: usize = 60;
 
-/// Squared speeds at the stations `u` of `path`, linear between them, of the fastest law from rest to rest under
-/// speeds and accelerations; and the asked ones at both ends of each cell.
+/// Computes squared speeds at the stations `u` of `path`, linear between them, of the fastest profile from rest to rest
+/// under speeds and accelerations; and the requested ones at both ends of each cell.
 ///
-/// In each cell the acceleration `a` is constant, and with `x` the squared speed at its start every limit at every
-/// place bounds the two by a slab. A backward pass finds the highest `x` from which the rest of the path can be
-/// finished, a forward pass takes the most. Guarantee: no speed and acceleration is exceeded (between the places
-/// accelerations by a parabola, which is exact on cubic splines, squared speeds by cubics, and a reserve); nowhere
-/// faster than asked.
+/// In each cell the acceleration `a` is constant. With `x` the squared speed at its start, every limit at every point
+/// bounds the two by a slab. A backward pass finds the maximum `x` from which the rest of the path can be finished, a
+/// forward pass takes the maximum acceleration. Guarantee: no speed or acceleration is exceeded, and the tip is never
+/// faster than requested. Between the points accelerations are bounded by a parabola, exact on cubic splines, squared
+/// speeds by cubics, and a reserve.
 ///
 /// # Errors
 /// As [`super::cells::Cells::new`].
@@ -39,28 +39,28 @@ pub(crate) fn fastest(path: &dyn Channels, u: &[f64]) -> Result<(Vec<f64>, Vec<[
             return Ok((law.b, slabs.asked));
         }
     }
-    // Slowing the whole law lessens its squared speeds and accelerations alike.
+    // Slowing the whole profile reduces its squared speeds and accelerations by the same factor.
     let worst = law.peaks.iter().copied().fold(ALLOWED, f64::max);
     law.b.iter_mut().for_each(|b| *b *= ALLOWED / worst);
     Ok((law.b, slabs.asked))
 }
 
-/// A law, and what of it has to be found again: a round changes few cells.
+/// A profile with flags for the parts to recompute: a round changes few cells.
 struct Law {
-    /// The highest squared speed at each station from which the path can be finished.
+    /// Maximum squared speed at each station from which the path can be finished.
     reach: Vec<f64>,
     /// Squared speeds at stations.
     b: Vec<f64>,
-    /// The stations where the two have just changed.
+    /// Stations at which `reach` and `b` have just changed.
     changed: [Vec<bool>; 2],
-    /// The cells that have just got less room.
+    /// Cells whose room was just reduced.
     lessened: Vec<bool>,
-    /// The greatest use of a limit in each cell; of at most [`ALLOWED`] only a bound.
+    /// Maximum use of a limit in each cell; only an upper bound up to [`ALLOWED`].
     peaks: Vec<f64>,
 }
 
 impl Law {
-    /// Nothing is known yet, except that it ends and begins at rest.
+    /// Unsolved profile: only the rest at start and end is known.
     fn new(cells: usize) -> Self {
         let mut law = Self {
             reach: vec![f64::NAN; cells + 1],
@@ -87,19 +87,19 @@ impl Line {
     }
 }
 
-/// What bounds squared speeds at stations and accelerations in cells.
+/// Bounds of squared speeds at stations and of accelerations in cells.
 struct Slabs {
     widths: Vec<f64>,
-    /// Square of every channel's acceleration by its speed, in lanes.
+    /// Every channel's squared ratio of acceleration limit to speed limit, in lanes.
     by_speed: Vec<[f64; LANES]>,
-    /// Of all channels at every place of each cell. One piece of memory, which repeated laws get back without zeroed
+    /// Bounds of all channels at every point of each cell. One allocation, which repeated profiles reuse without zeroed
     /// pages.
     lanes: Vec<Lanes>,
-    /// Highest squared speed by the channels at every place of each cell.
+    /// Maximum squared speed by the channels at every point of each cell.
     caps: Vec<[f64; 3]>,
-    /// Asked squared speed at both ends of each cell.
+    /// Requested squared speed at both ends of each cell.
     asked: Vec<[f64; 2]>,
-    /// The part of the limits each cell may use.
+    /// Fraction of the limits that each cell may use.
     room: Vec<f64>,
 }
 
@@ -135,9 +135,9 @@ impl Slabs {
             let middle = 0.5 * (u[cell] + u[cell + 1]);
             for (place, part) in PLACES.into_iter().enumerate() {
                 let at = if place == 2 { u[cell + 1] } else { u[cell] + part * built.widths[cell] };
-                // Not on the other side of a break.
+                // Stays on this side of a break.
                 let asked = path.asked(at + INSET * (middle - at));
-                // Most cells begin with what the one before ended with.
+                // Most cells start with the derivatives at the end of the previous one.
                 if place > 0 || cell == 0 || breaks.binary_search_by(|b| b.total_cmp(&at)).is_ok() {
                     tip = path.derivatives(at, place > 0, &mut row).abs();
                 }
@@ -155,7 +155,7 @@ impl Slabs {
         if bounded { Ok(built) } else { Err(LawError::Still { from: u[0], to: u[count] }) }
     }
 
-    /// Adds the channels' derivatives `row` at a place; `rates` are one by their speeds and accelerations.
+    /// Adds the channels' derivatives `row` at a point; `rates` are the reciprocals of their speeds and accelerations.
     fn add(&mut self, cell: usize, place: usize, row: &[[f64; 3]], rates: &[[[f64; LANES]; 2]]) {
         let along = 2.0 * PLACES[place] * self.widths[cell];
         let (mut speeds, mut steepest) = ([0.0; LANES], 0.0);
@@ -177,7 +177,7 @@ impl Slabs {
         self.caps[cell][place] = self.caps[cell][place].min(1.0 / (speed * speed));
     }
 
-    /// All channels at all places of cell `i`.
+    /// All channels at all points of cell `i`.
     fn cell(&self, i: usize) -> &[Lanes] {
         let each = PLACES.len() * self.by_speed.len();
         &self.lanes[i * each..][..each]
@@ -188,7 +188,7 @@ impl Slabs {
         self.widths.len()
     }
 
-    /// Highest squared speed at station `i` by itself; large if nothing moves just there.
+    /// Maximum squared speed at station `i` alone; large if no channel moves there.
     fn cap(&self, i: usize) -> f64 {
         let of = |cell: usize, end: usize| {
             let room = self.room[cell];
@@ -198,8 +198,8 @@ impl Slabs {
         before.min(if i < self.count() { of(i, 0) } else { f64::INFINITY }).min(f64::MAX.sqrt())
     }
 
-    /// Upper bounds on the acceleration in cell `i` by the next station's squared speed, which is to be at most
-    /// `next`, and by the cap in the middle; and the lower bound, that it is not negative.
+    /// Upper bounds on the acceleration in cell `i` from a squared speed of at most `next` at the next station, and
+    /// from the cap in the middle; and the lower bound from a squared speed of at least 0.
     fn ends(&self, i: usize, next: f64) -> ([Line; 2], Line) {
         let (slope, room) = (-0.5 / self.widths[i], self.room[i]);
         let end = Line { at0: -slope * next, slope };
@@ -207,8 +207,8 @@ impl Slabs {
         ([middle, end], Line { at0: 0.0, slope })
     }
 
-    /// The least upper and the greatest lower bound on the acceleration in cell `i` from the squared speed `x` on, with
-    /// `ends` by the ends.
+    /// Tightest upper and lower bound on the acceleration in cell `i` from the squared speed `x`, with the bounds of
+    /// [`Slabs::ends`].
     fn extent(&self, i: usize, (upper, lower): &([Line; 2], Line), x: f64) -> [f64; 2] {
         let room = self.room[i];
         let (mut least, mut most) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
@@ -223,7 +223,7 @@ impl Slabs {
         [least, most.into_iter().fold(lower.at(x), f64::max)]
     }
 
-    /// The lines that are these bounds at `x`.
+    /// Lines of the tightest bounds at `x`.
     fn lines(&self, i: usize, (upper, lower): &([Line; 2], Line), x: f64, [least, most]: [f64; 2]) -> (Line, Line) {
         let slabs = self.cell(i).iter().flat_map(|lanes| lanes.slope.iter().zip(&lanes.half));
         let mut lines = slabs.map(|(slope, half)| (Line { at0: half * self.room[i], slope: *slope }, slope * x));
@@ -235,7 +235,7 @@ impl Slabs {
         (upper, slab.unwrap_or(*lower))
     }
 
-    /// Finds the highest squared speed at each station from which the path can be finished.
+    /// Finds the maximum squared speed at each station from which the path can be finished.
     fn backward(&self, law: &mut Law) {
         for i in (0..self.count()).rev() {
             let lessened = law.lessened[i] || (i > 0 && law.lessened[i - 1]);
@@ -248,11 +248,11 @@ impl Slabs {
         }
     }
 
-    /// The highest squared speed at station `i` from which the next one can be reached with at most `next`.
+    /// Maximum squared speed at station `i` from which the next one can be reached with at most `next`.
     fn highest(&self, i: usize, next: f64) -> f64 {
         let ends = self.ends(i, next);
         let mut x = self.cap(i);
-        // Upper less lower bound is concave in x: Newton's method descends to its zero without passing it.
+        // Upper less lower bound is concave in x: Newton's method descends to its zero without overshoot.
         for _ in 0..STEPS {
             let extent = self.extent(i, &ends, x);
             if extent[0] >= extent[1] {
@@ -269,14 +269,14 @@ impl Slabs {
         x
     }
 
-    /// From rest, takes the highest acceleration in each cell.
+    /// Takes the maximum acceleration in each cell, from rest.
     fn forward(&self, law: &mut Law) {
         for i in 0..self.count() {
             let old = law.b[i + 1];
             if law.lessened[i] || law.changed[0][i + 1] || law.changed[1][i] {
                 let [least, most] = self.extent(i, &self.ends(i, law.reach[i + 1]), law.b[i]);
                 let next = (law.b[i] + 2.0 * self.widths[i] * least.max(most)).max(0.0);
-                // A cruise stays exactly at its speed.
+                // A cruise keeps exactly its speed.
                 let cruises = next > (1.0 - 1e-12) * law.reach[i + 1];
                 law.b[i + 1] = if cruises { law.reach[i + 1] } else { next };
             }
@@ -284,7 +284,7 @@ impl Slabs {
         }
     }
 
-    /// Lessens the room of cells in which the law uses more than is allowed; whether there are any.
+    /// Reduces the room of cells in which the profile exceeds the allowed use. Returns true if there are any.
     fn lessen(&mut self, law: &mut Law) -> bool {
         for i in 0..self.count() {
             if law.changed[1][i] || law.changed[1][i + 1] {
@@ -298,8 +298,8 @@ impl Slabs {
         law.lessened.contains(&true)
     }
 
-    /// The greatest use of a limit in cell `i` with squared speeds `from` and `to` at its ends; if none is passed, a
-    /// bound of it.
+    /// Maximum use of a limit in cell `i` with squared speeds `from` and `to` at its ends; an upper bound of it if no
+    /// limit is exceeded.
     fn peak(&self, i: usize, from: f64, to: f64) -> f64 {
         let width = self.widths[i];
         let (a, b) = (0.5 * (to - from) / width, [from, 0.5 * (from + to), to]);
@@ -323,7 +323,7 @@ impl Slabs {
                 let speeds = [f0 * f0 * b[0] * by, f1 * f1 * b[1] * by, f2 * f2 * b[2] * by];
                 let ends = larger(speeds[0] + larger(t0, 0.0), speeds[2] - smaller(t2, 0.0));
                 speed[k] = larger(ends, speeds[1] + t1);
-                // Of the parabola of accelerations likewise.
+                // The parabola of accelerations has the same kind of bound.
                 let beside = (2.0 * u1 - 0.5 * (u0 + u2)).abs();
                 bound[k] = larger(larger(speed[k], beside), larger(u0.abs(), u2.abs()));
             }
@@ -335,7 +335,7 @@ impl Slabs {
     }
 }
 
-/// Greatest size of the parabola through three evenly spaced values, from the first to the last.
+/// Maximum absolute value of the parabola through three evenly spaced values, from the first to the last.
 fn greatest([first, middle, last]: [f64; 3]) -> f64 {
     let ends = first.abs().max(middle.abs()).max(last.abs());
     let (slope, second) = (0.5 * (last - first), first + last - 2.0 * middle);

@@ -1,23 +1,23 @@
-/// A parameter `tau` of a piece of path that begins and ends at rest, in which rest is nothing special.
+/// A parameter `tau` of a piece of path from rest to rest, regular at rest.
 ///
 /// A start from rest with constant jerk has `s ~ t^3`, so the squared speed by path length goes with the power 4/3
-/// and its second derivative is unbounded at rest. With `u = u0 + L (x^3 - x^4 / 2)`, `x = tau / L`, over the run-up
-/// `tau` in
-/// [0, L] (and mirrored over the run-down) the squared speed `b = (dtau/dt)^2` is positive at rest, and constant `b`
-/// there is a start with constant jerk and no acceleration. Between them `du/dtau` is 1; the map is twice
-/// continuously differentiable with a bounded third derivative, which jumps at `tau = L`.
+/// and its second derivative is unbounded at rest. With `u = u0 + L (x^3 - x^4 / 2)`, `x = tau / L`, over the
+/// acceleration phase `tau` in [0, L] (mirrored over the deceleration phase) the squared speed `b = (dtau/dt)^2` is
+/// positive at rest. A constant `b` there is a start with constant jerk and zero acceleration. Between the phases
+/// `du/dtau` is 1; the map is twice continuously differentiable with a bounded third derivative, which jumps at `tau =
+/// L`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RestToRest {
     from: f64,
     to: f64,
-    /// Widths of run-up and run-down in `tau`; half of each in `u`.
+    /// Widths of acceleration and deceleration phase in `tau`; half of each in `u`.
     up: f64,
     down: f64,
 }
 
 impl RestToRest {
-    /// The map of [`from`, `to`] with the first `up` and the last `down` of it as run-up and run-down, together at most
-    /// all of it; the identity without them.
+    /// The map of [`from`, `to`] with its first `up` and last `down` as acceleration and deceleration phase, together
+    /// at most the whole range; the identity if both are 0.
     pub(crate) fn new(from: f64, to: f64, up: f64, down: f64) -> Self {
         Self { from, to, up: 2.0 * up, down: 2.0 * down }
     }
@@ -37,12 +37,12 @@ impl RestToRest {
         self.to - self.from + 0.5 * (self.up + self.down)
     }
 
-    /// Where in `tau` the map's third derivative jumps.
+    /// Values of `tau` at which the map's third derivative jumps.
     pub(crate) fn borders(&self) -> [f64; 2] {
         [self.up, self.length() - self.down]
     }
 
-    /// `u` and its first three derivatives by `tau`; at a border those of the side `before` it or after it.
+    /// `u` and its first three derivatives by `tau`; at a border, those of the side before or after it.
     pub(crate) fn at(&self, tau: f64, before: bool) -> [f64; 4] {
         let end = self.length();
         let zone = |x: f64, l: f64| {

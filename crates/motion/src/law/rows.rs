@@ -1,4 +1,4 @@
-//! Which rows a law has to satisfy, and where.
+//! Selection of the rows that a profile must satisfy.
 
 use super::cells::{Cells, PARTS};
 use super::problem::{Group, Place, Problem};
@@ -24,7 +24,7 @@ impl Forms {
         self.0.iter_mut().for_each(|list| list[from..to].iter_mut().for_each(|x| *x *= by));
     }
 
-    /// The greatest weight of the squared speed.
+    /// Maximum weight of the squared speed.
     pub(super) fn greatest_value(&self) -> f64 {
         self.0[0].iter().map(|x| x.abs()).fold(0.0, f64::max)
     }
@@ -54,25 +54,26 @@ impl Forms {
     }
 }
 
-/// What each cell may use of the limits.
+/// Fraction of the limits that each cell may use.
 #[derive(Clone)]
 pub(crate) struct Room {
-    /// The part of them.
+    /// Usable fraction of the limits.
     pub(crate) part: Vec<f64>,
-    /// Whether the cell needs rows at more places.
+    /// True if the cell needs rows at more points.
     pub(crate) dense: Vec<bool>,
 }
 
-/// How much of a limit a law known before must use in a cell or near it for its rows to be imposed on the next one.
+/// Minimum use of a limit by a previous profile, in a cell or near it, for which its rows are imposed on the next one.
 const WORTH_A_ROW: f64 = 0.3;
-/// Rows of jerk are always imposed on channels that move this part of the fastest one, by their limits.
+/// Rows of jerk are always imposed on channels whose motion relative to their limits exceeds this fraction of the
+/// fastest channel's.
 const STIFF: f64 = 0.5;
-/// Cells before and after that count as near.
+/// Number of cells before and after that count as near.
 const NEAR: usize = 3;
 
 impl Problem {
-    /// The rows of `cells`, within the `room` of each. With the coefficients `near` of a law near to the one wanted,
-    /// rows that it is far from are left out of cells that are not dense.
+    /// Builds the rows of `cells`, within the `room` of each. With the coefficients `near` of a nearby profile, rows
+    /// far from it are left out of cells that are not dense.
     pub(crate) fn new(cells: &Cells, room: &Room, near: Option<&[f64]>) -> Self {
         let count = cells.count();
         let upper = (0..count + 2).map(|k| cells.upper(k)).collect();
@@ -90,7 +91,7 @@ impl Problem {
         built
     }
 
-    /// Leaves less `room`, and adds rows where it is newly dense. Slacks keep their places, new ones come after them.
+    /// Reduces the `room`, and adds rows to newly dense cells. Existing slacks keep their indices, new ones follow.
     pub(crate) fn tighten(&mut self, cells: &Cells, room: &Room) {
         for group in &self.groups {
             let by = self.room.part[group.cell] / room.part[group.cell];
@@ -111,9 +112,9 @@ impl Problem {
         }
     }
 
-    /// Whether acceleration and jerk of a channel, and a speed, have rows at a part of a cell that is not dense.
-    /// Acceleration is continuous between cells, jerk is not; speed is bounded in the middle too: else the law would
-    /// bulge there.
+    /// Flags for rows of acceleration and jerk of a channel, and of speed, at a part of a cell that is not dense.
+    /// Acceleration is continuous between cells, jerk is not; speed is also bounded in the middle, where the profile
+    /// would bulge otherwise.
     fn is_imposed(&self, cells: &Cells, cell: usize, part: usize, channel: usize) -> [bool; 3] {
         let (begin, end) = (part == 0, part + 1 == PARTS.len());
         let [acceleration, jerk] = self.worth[cell * cells.limits.len() + channel];
@@ -139,7 +140,7 @@ impl Problem {
             for (channel, ([q1, q2, q3], limits)) in cells.derivatives(cell, part).iter().zip(&cells.limits).enumerate()
             {
                 let [acceleration, jerk, _] = wanted(self, part, channel);
-                // By values here, and by those at the cell's start.
+                // Converts weights of the values here to weights of those at the cell's start.
                 let push = |forms: &mut Forms, scale: f64, [b, d, e]: [f64; 3]| {
                     let form = [b, x * b + d, 0.5 * x * x * b + x * d + e];
                     if form.iter().any(|x| *x != 0.0) && scale > 0.0 {
@@ -167,8 +168,8 @@ impl Problem {
     }
 }
 
-/// Which channels' accelerations and jerks are worth a row in each cell, and in which cells speeds are, for a law near
-/// to the one with coefficients `c`.
+/// Flags for accelerations and jerks of each channel that need a row in each cell, and for speeds, of a profile near
+/// the one with coefficients `c`.
 fn worth(cells: &Cells, c: &[f64]) -> (Vec<[bool; 2]>, Vec<bool>) {
     let (count, channels) = (cells.count(), cells.limits.len());
     let (used, speeds) = uses(cells, c);
@@ -179,7 +180,7 @@ fn worth(cells: &Cells, c: &[f64]) -> (Vec<[bool; 2]>, Vec<bool>) {
         let stiffest = (0..channels).map(stiffness).fold(0.0, f64::max);
         for channel in 0..channels {
             let most = |k: usize| around(cell).map(|i| used[i * channels + channel][k]).fold(0.0, f64::max);
-            // Those that bound the change of acceleration are always needed.
+            // Channels that bound the change of acceleration always need rows.
             let stiff = stiffness(channel) > STIFF * stiffest;
             worth[cell * channels + channel] = [most(0) > WORTH_A_ROW, most(1) > WORTH_A_ROW || stiff];
         }
@@ -188,8 +189,8 @@ fn worth(cells: &Cells, c: &[f64]) -> (Vec<[bool; 2]>, Vec<bool>) {
     (worth, (0..count).map(fast).collect())
 }
 
-/// The part of its acceleration and jerk that each channel uses in each cell, at the cell's ends and middle; and of the
-/// squared speeds that any does.
+/// Use of its acceleration and jerk by each channel in each cell, at the cell's ends and middle; and the maximum use of
+/// squared speeds.
 fn uses(cells: &Cells, c: &[f64]) -> (Vec<[f64; 2]>, Vec<f64>) {
     let mut used = Vec::with_capacity(cells.count() * cells.limits.len());
     let mut speeds = Vec::with_capacity(cells.count());

@@ -9,15 +9,15 @@ use super::rest::RestToRest;
 use super::spread::spread;
 use std::ops::Range;
 
-/// Cells of a law without limits of jerk.
+/// Number of cells of a profile without limits of jerk.
 const CELLS_WITHOUT_JERK: usize = 1000;
-/// Squared speeds nearer to the asked one than this part are a cruise.
+/// Relative distance of the squared speed to the requested one below which it counts as a cruise.
 const AS_ASKED: f64 = 1e-9;
-/// A run-up ends where the part of the asked speed that is reached falls again by more than this: from there on the tip
-/// does not follow a change of the asked speed.
+/// Decrease of the ratio of reached to requested speed at which an acceleration phase ends: from there on the tip does
+/// not follow a change of the requested speed.
 const FALLS_BEHIND: f64 = 3e-2;
 
-/// The law at one instant.
+/// The speed profile at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LawPoint {
     /// The path's parameter: path length, mm, where the tip moves.
@@ -30,16 +30,16 @@ pub struct LawPoint {
     pub j: f64,
 }
 
-/// The speed along a path by its parameter and by time, from rest to rest: the fastest one under the asked speed and
-/// within the speed, acceleration and jerk of every channel.
+/// Speed profile of a path by its parameter and by time, from rest to rest: the fastest one up to the requested speed
+/// and within the speed, acceleration and jerk of every channel.
 ///
-/// The squared speed by a parameter in which rest is nothing special is a quadratic B-spline, so accelerations are
-/// continuous and jerks bounded, and time follows in closed form in every cell. Its coefficients come from an
-/// interior-point method (the fastest law under limits of jerk is not a convex problem; see [`super`]).
+/// The squared speed by a parameter regular at rest is a quadratic B-spline, so accelerations are continuous and jerks
+/// bounded, and time follows in closed form in every cell. Its coefficients come from an interior-point method (the
+/// problem is not convex under limits of jerk; see [`super`]).
 ///
-/// Guarantee: no channel exceeds its speed, acceleration or jerk at any time; the tip is never faster than asked, and
-/// exactly as fast where it is not slowed down. At least half a thousandth of each limit is kept in reserve (without
-/// limits of jerk 2e-5).
+/// Guarantee: no channel exceeds its speed, acceleration or jerk at any time; the tip is never faster than requested,
+/// and exactly as fast unless slowed down. At least half a thousandth of each limit is kept in reserve (without limits
+/// of jerk 2e-5).
 #[derive(Debug, Clone)]
 pub struct SpeedLaw {
     pieces: Vec<RestToRest>,
@@ -51,12 +51,12 @@ pub struct SpeedLaw {
 }
 
 impl SpeedLaw {
-    /// The fastest law along `path`. Without a finite jerk among the limits the acceleration may jump, see
+    /// Plans the fastest profile along `path`. Without a finite jerk limit the acceleration may jump, see
     /// [`SpeedLaw::without_jerk`].
     ///
     /// # Errors
-    /// Limits that are zero, negative or no numbers; a range without length; derivatives that are not finite; a piece
-    /// between stops in which nothing moves.
+    /// Limits that are zero, negative or NaN; an empty range; derivatives that are not finite; a piece between stops
+    /// without motion.
     pub fn new(path: &dyn Channels) -> Result<Self, LawError> {
         if path.limits().iter().all(|l| l.jerk.is_infinite()) {
             return Self::without_jerk(path, CELLS_WITHOUT_JERK);
@@ -71,7 +71,7 @@ impl SpeedLaw {
         Ok(law)
     }
 
-    /// The fastest law along `path` if limits of jerk are left out: the squared speed by path length is linear in
+    /// Plans the fastest profile along `path` without limits of jerk. The squared speed by path length is linear in
     /// each of about `cells` cells between two stops, so the acceleration along the path is constant there. The cells
     /// are about even by time; on splines 400 of them lose less than a thousandth of the time.
     ///
@@ -126,7 +126,7 @@ impl SpeedLaw {
         self.duration
     }
 
-    /// The law at time `t` (s); `cursor` remembers the cell, so that a rising `t` costs no search.
+    /// The profile at time `t` (s); `cursor` keeps the cell, so that a rising `t` needs no search.
     pub fn at(&self, t: f64, cursor: &mut usize) -> LawPoint {
         if t >= self.duration {
             return LawPoint { s: self.end, ..LawPoint::default() };
@@ -141,12 +141,12 @@ impl SpeedLaw {
         self.point(*cursor, t - self.cells[*cursor].t, false)
     }
 
-    /// The law `t` after the start of cell `i`.
+    /// The profile at time `t` (s) after the start of cell `i`.
     fn point(&self, i: usize, t: f64, before: bool) -> LawPoint {
         self.cells[i].point(&self.pieces[self.owner[i] as usize], t, before)
     }
 
-    /// Number of cells, in which the law is smooth; its jerk may jump between them.
+    /// Number of cells, in which the profile is smooth; its jerk may jump between them.
     pub fn cells(&self) -> usize {
         self.cells.len()
     }
@@ -156,12 +156,12 @@ impl SpeedLaw {
         (self.cells[i].t, self.cells.get(i + 1).map_or(self.duration, |c| c.t))
     }
 
-    /// The law in cell `i` at the `part` of its time, from 0 to 1; at its ends as it is inside it.
+    /// The profile in cell `i` at the `part` of its time, from 0 to 1; at its ends the limit from inside.
     pub fn in_cell(&self, i: usize, part: f64) -> LawPoint {
         self.point(i, part * self.cells[i].time, part > 0.5)
     }
 
-    /// True if the tip moves at the asked speed all through cell `i`; where that changes, within three thousandths.
+    /// True if the tip has the requested speed in all of cell `i`; within three thousandths if that changes.
     pub fn cruises(&self, i: usize) -> bool {
         self.cells[i].cruises
     }
@@ -196,22 +196,23 @@ impl SpeedLaw {
         first..self.owner.partition_point(|owner| (*owner as usize) <= piece)
     }
 
-    /// Those of `cells` between the run-up with which they begin and the run-down with which they end.
+    /// The subrange of `cells` between their acceleration and deceleration phase.
     fn between(&self, cells: Range<usize>) -> Range<usize> {
         let up = self.run_up(cells.clone(), false);
         let down = self.run_up(cells.clone().rev(), true);
         cells.start + up..(cells.end - down).max(cells.start + up)
     }
 
-    /// Number of `cells` in the run-up with which they begin, or in the run-down if they are looked at `backwards`. In these
-    /// the speed rises or comes nearer to the asked one, until it falls back behind that by more than [`FALLS_BEHIND`]: an
-    /// asked speed that rises by much does not hide that the tip speeds up, nor a run-up that the tip cannot follow.
+    /// Number of `cells` in the acceleration phase at their start, or in the deceleration phase if iterated
+    /// `backwards`. In these the speed rises or approaches the requested one, until it falls behind that by more than
+    /// [`FALLS_BEHIND`]. So a rising requested speed hides neither the tip's acceleration nor a rise that the tip
+    /// cannot follow.
     fn run_up(&self, cells: impl Iterator<Item = usize>, backwards: bool) -> usize {
         let (mut count, mut nearest) = (0, (0.0, 0));
         for i in cells {
             let ordered = |[a, b]: [f64; 2]| if backwards { (b, a) } else { (a, b) };
             let (from, to) = ordered([0.0, 1.0].map(|part| self.in_cell(i, part).v));
-            // Nothing if no speed is asked for.
+            // 0 without a requested speed.
             let (before, after) = ordered(self.cells[i].parts.map(|part| part.max(0.0).sqrt()));
             if self.cells[i].cruises || (to <= from && after <= before) {
                 break;
@@ -227,7 +228,7 @@ impl SpeedLaw {
         count
     }
 
-    /// The stretches from rest to rest: all of the path, or from one stop to the next.
+    /// Legs from rest to rest: the whole path, or from one stop to the next.
     pub fn legs(&self) -> Vec<Leg> {
         let leg = |(piece, map): (usize, &RestToRest)| {
             let cells = self.cells_of(piece);
@@ -243,14 +244,14 @@ impl SpeedLaw {
         self.pieces.iter().enumerate().map(leg).collect()
     }
 
-    /// The band of the planned speed between the first run-up and the last run-down.
+    /// Range of the planned speed between the first acceleration and the last deceleration phase.
     pub fn report(&self) -> SpeedReport {
         let last = self.cells.len() - 1;
         let cells = self.between(0..last + 1);
         let at = |i: usize| if i > last { self.end } else { self.in_cell(i, 0.0).s };
         let (run_up_end, run_down_start) = (at(cells.start), at(cells.end));
         let speeds = |i: usize| [0.0, 0.5, 1.0].map(|part| self.in_cell(i, part).v);
-        // A law without anything between has its highest speed where it turns.
+        // If the two phases meet, the maximum speed is at their border.
         let between: Vec<f64> = match cells.is_empty() {
             true => vec![self.in_cell(cells.start.min(last), 0.0).v],
             false => cells.flat_map(speeds).collect(),
@@ -264,28 +265,29 @@ impl SpeedLaw {
     }
 }
 
-/// A stretch of a law from rest to rest.
+/// A stretch of a speed profile from rest to rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// Path length at which it begins, mm.
+    /// Path length of its start, mm.
     pub from: f64,
-    /// Path length at which it ends, mm.
+    /// Path length of its end, mm.
     pub to: f64,
-    /// Path length where its run-up ends, mm.
+    /// Path length at the end of its acceleration phase, mm.
     pub run_up_end: f64,
-    /// Path length where its run-down begins, mm; where the run-up ends if the two meet.
+    /// Path length at the start of its deceleration phase, mm; equal to the end of the acceleration phase if the two
+    /// meet.
     pub run_down_start: f64,
 }
 
-/// The planned speed away from run-up and run-down.
+/// Planned speed between acceleration and deceleration phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpeedReport {
-    /// Path length where the run-up ends, mm.
+    /// Path length at the end of the acceleration phase, mm.
     pub run_up_end: f64,
-    /// Path length where the run-down begins, mm.
+    /// Path length at the start of the deceleration phase, mm.
     pub run_down_start: f64,
-    /// Least planned speed between them, mm/s.
+    /// Minimum planned speed between them, mm/s.
     pub least: f64,
-    /// Greatest planned speed between them, mm/s.
+    /// Maximum planned speed between them, mm/s.
     pub greatest: f64,
 }

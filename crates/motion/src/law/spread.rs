@@ -1,38 +1,38 @@
-//! Where the cells of a law without limits of jerk lie: close where the tip will be slow.
+//! Division of a path into the cells of a profile without limits of jerk: narrow cells at low tip speed.
 
 use super::channels::{Channels, Limits};
 
-/// Cells that one probe of the speed stands for.
+/// Number of cells per probe of the speed.
 const CELLS_A_PROBE: usize = 4;
-/// Least number of probes.
-const LEAST_PROBES: usize = 8;
-/// Parts by which the bins at rest are cut, again and again.
+/// Minimum number of probes.
+const MIN_PROBES: usize = 8;
+/// Factor by which the bins at rest are repeatedly divided.
 const GRADE: f64 = 0.25;
-/// How often.
+/// Number of these divisions.
 const GRADES: i32 = 6;
-/// Share of the cells that is spread evenly by the path, not by time.
+/// Fraction of the cells spread evenly by path, not by time.
 const EVEN: f64 = 0.1;
-/// Least number of cells between two breaks.
-const LEAST_CELLS: f64 = 2.0;
+/// Minimum number of cells between two breaks.
+const MIN_CELLS_BETWEEN_BREAKS: f64 = 2.0;
 
-/// Stations (by `u`) of the piece of `path` between two stops: `count` cells or more, a station at each break, most of
-/// them even by the time that the path would take if there were no limits but those of speed, of the accelerations that
-/// turning takes, and of run-up and run-down.
+/// Stations (in `u`) of the piece of `path` between two stops: `count` cells or more, a station at each break. Most are
+/// even by an estimated time from the limits of speed, of centripetal acceleration, and of acceleration and
+/// deceleration phase alone.
 ///
-/// What a law with few cells loses, it loses where it is slow.
+/// A profile with few cells loses its time at low speed.
 pub(super) fn spread(path: &dyn Channels, (from, to): (f64, f64), count: usize) -> Vec<f64> {
     let length = to - from;
     let inside = |u: &f64| *u > from + 1e-9 * length && *u < to - 1e-9 * length;
     let mut fixed: Vec<f64> = path.breaks().into_iter().filter(inside).collect();
     fixed.dedup_by(|a, b| *a - *b < 1e-9 * length);
     fixed.push(to);
-    let bins = Bins::new(path, (from, to), count.div_ceil(CELLS_A_PROBE).max(LEAST_PROBES));
+    let bins = Bins::new(path, (from, to), count.div_ceil(CELLS_A_PROBE).max(MIN_PROBES));
     let mut stations = Vec::with_capacity(count + 2 * fixed.len() + 1);
     stations.push(from);
     let (mut begin, mut bin) = (0.0, 0);
     for end in fixed {
         let until = bins.measure(end);
-        let parts = (count as f64 * (until - begin) - 1e-9).ceil().max(LEAST_CELLS);
+        let parts = (count as f64 * (until - begin) - 1e-9).ceil().max(MIN_CELLS_BETWEEN_BREAKS);
         let step = (until - begin) / parts;
         for i in 1..parts as usize {
             stations.push(bins.place(begin + i as f64 * step, &mut bin));
@@ -94,7 +94,7 @@ impl Bins {
         self.measure[i] + part * (self.measure[i + 1] - self.measure[i])
     }
 
-    /// The place up to which the path measures `m`, which rises from call to call with `bin`.
+    /// Parameter up to which the path measures `m`, which rises from call to call with `bin`.
     fn place(&self, m: f64, bin: &mut usize) -> f64 {
         while *bin + 2 < self.edges.len() && self.measure[*bin + 1] <= m {
             *bin += 1;
@@ -104,8 +104,8 @@ impl Bins {
     }
 }
 
-/// The highest squared speed where channels have the derivatives `row`, `asked` being the highest speed by the tip, and
-/// the highest acceleration from rest.
+/// Maximum squared speed for channels with the derivatives `row`, with `asked` the maximum by the tip, and the maximum
+/// acceleration from rest.
 fn squared_speed_and_acceleration(row: &[[f64; 3]], limits: &[Limits], asked: f64) -> (f64, f64) {
     let (mut speed, mut first, mut second) = (0.0f64, 0.0f64, 0.0f64);
     for ([q1, q2, _], l) in row.iter().zip(limits) {

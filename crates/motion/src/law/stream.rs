@@ -9,8 +9,7 @@ use super::rest::RestToRest;
 use super::speed_law::LawPoint;
 use std::collections::VecDeque;
 
-/// A path that is read as it is needed: its channels are known over the part that is loaded, which
-/// [`Channels::range`] tells.
+/// A path that is read on demand: its channels are known over the loaded part, given by [`Channels::range`].
 pub trait Feed: Channels {
     /// Loads the path until at least `seconds` beyond `beyond` at the highest speeds allowed, or to its end, and
     /// forgets what lies before `from`.
@@ -20,30 +19,30 @@ pub trait Feed: Channels {
     fn is_complete(&self) -> bool;
 }
 
-/// The speed law of a path of any length, from a window that slides along it, in memory and work for each set-point
-/// that do not grow with the path.
+/// Speed profile of a path of any length, from a sliding window: memory and work for each set-point are independent of
+/// the path's length.
 ///
-/// Each window is planned from rest to rest as a whole path is. Far from their ends two laws that overlap are the
-/// same law (what comes later than a stopping distance does not matter), so one passes into the next there: a
-/// weighted mean of their coefficients, checked against all limits. Guarantee: what is given out is always the
-/// beginning of a law that stops within its window; if the next window cannot be joined to it within the limits, the
-/// motion comes to that stop and goes on from there.
+/// Each window is planned from rest to rest like a whole path. Far from their ends two overlapping profiles agree (the
+/// path beyond a stopping distance has no influence), so they are joined there: by a weighted mean of their
+/// coefficients, checked against all limits. Guarantee: the output is always the start of a profile that stops within
+/// its window. If the next window cannot be joined within the limits, the motion comes to that stop and continues from
+/// there.
 pub struct LawStream<F> {
     feed: F,
     horizon_s: f64,
     plan: Plan,
-    /// Cells given out and not passed yet, with the map they belong to.
+    /// Cells of the output that are not passed yet, with their maps.
     ready: VecDeque<(Cell, RestToRest)>,
-    /// When the last of them ends, s.
+    /// End time of the last of them, s.
     end: f64,
     stops: usize,
     done: bool,
-    /// Why nothing can be planned beyond what was given out, which ends at rest then.
+    /// Error of planning beyond the output, which then ends at rest.
     failed: Option<LawError>,
     last: f64,
 }
 
-/// The law over one window, and its first cell that has not been given out.
+/// The profile over one window, and its first cell that is not in the output.
 struct Plan {
     from: f64,
     to: f64,
@@ -52,15 +51,15 @@ struct Plan {
     next: usize,
 }
 
-/// The law between two windows: its cells and coefficients, the first one's station where it begins and the next
-/// one's where it ends.
+/// Joining profile between two windows: its cells and coefficients, its start station in the first and its end station
+/// in the next.
 type Passage = (Cells, Vec<f64>, usize, usize);
 
-/// Parts of a window that overlap the one before, tried one after the other.
+/// Overlaps with the previous window that are tried in order, as fractions of a window.
 const OVERLAPS: [f64; 3] = [0.5, 0.7, 0.9];
-/// What a law may use of a limit where it passes into the next.
+/// Maximum use of a limit at a join of two profiles.
 const ALLOWED: f64 = 0.9999;
-/// Zones that are tried for that in an overlap.
+/// Number of zones of an overlap that are tried for the join.
 const ZONES: usize = 6;
 
 impl Plan {
@@ -70,13 +69,13 @@ impl Plan {
         Ok(Self { from, to, cells, c, next: 0 })
     }
 
-    /// Parameters between run-up and run-down.
+    /// Range of parameters between acceleration and deceleration phase.
     fn between(&self) -> (f64, f64) {
         let [up, down] = self.cells.map.borders().map(|tau| self.cells.map.at(tau, false)[0]);
         (up, down)
     }
 
-    /// The station at or after the parameter `u`, between run-up and run-down.
+    /// The station at or after the parameter `u`, between acceleration and deceleration phase.
     fn station(&self, u: f64) -> usize {
         let tau = self.cells.map.tau(u);
         self.cells.tau.partition_point(|t| *t < tau - 1e-9 * self.cells.map.length())
@@ -89,8 +88,8 @@ impl Plan {
 }
 
 impl<F: Feed> LawStream<F> {
-    /// A law along `feed` with windows that take `horizon_s` seconds at the highest speeds allowed: some times the
-    /// longest time to stop.
+    /// Plans along `feed` with windows of `horizon_s` seconds at the maximum speeds: several times the longest time to
+    /// stop.
     ///
     /// # Errors
     /// As [`SpeedLaw::new`](super::SpeedLaw::new).
@@ -118,12 +117,12 @@ impl<F: Feed> LawStream<F> {
         &self.feed
     }
 
-    /// How often the motion had to stop because two windows did not fit.
+    /// Number of stops because two windows could not be joined.
     pub fn stops(&self) -> usize {
         self.stops
     }
 
-    /// The law at time `t` (s), which must not fall; nothing after the end.
+    /// The profile at time `t` (s), which must not decrease; none after the end.
     ///
     /// # Errors
     /// As [`SpeedLaw::new`](super::SpeedLaw::new), for a part of the path that is planned later: once what was
@@ -147,7 +146,7 @@ impl<F: Feed> LawStream<F> {
         Ok(None)
     }
 
-    /// Where the last point asked for was; at rest there once there are no more.
+    /// The last requested point, at rest; the end of the path once it is done.
     pub fn end(&self) -> LawPoint {
         LawPoint { s: if self.done { self.feed.range().1 } else { self.last }, ..LawPoint::default() }
     }
@@ -157,7 +156,7 @@ impl<F: Feed> LawStream<F> {
         self.done.then_some(self.end)
     }
 
-    /// Gives out more of the law, to a stop at least if it cannot go on.
+    /// Extends the output; to a stop if it cannot go on.
     fn extend(&mut self) {
         if let Err(reason) = self.go_on() {
             self.give_out(self.plan.cells.count());
@@ -166,7 +165,7 @@ impl<F: Feed> LawStream<F> {
     }
 
     fn go_on(&mut self) -> Result<(), LawError> {
-        // Only what is loaded beyond the plan's end tells whether that is a stop.
+        // The path beyond the plan's end must be loaded to decide whether that is a stop.
         self.feed.load(self.last.min(self.plan.from), self.plan.to, 0.5 * self.horizon_s);
         let path_end = self.feed.range().1;
         let ends_path = self.feed.is_complete() && self.plan.to >= path_end;
@@ -184,7 +183,7 @@ impl<F: Feed> LawStream<F> {
         self.come_to_rest(false)
     }
 
-    /// Gives out the rest of the plan; a new one begins where it ends, unless that is the end of the path.
+    /// Adds the rest of the plan to the output; a new one starts at its end, unless that is the end of the path.
     fn come_to_rest(&mut self, is_end: bool) -> Result<(), LawError> {
         self.give_out(self.plan.cells.count());
         if is_end {
@@ -197,7 +196,7 @@ impl<F: Feed> LawStream<F> {
         Ok(())
     }
 
-    /// Plans the window that begins at `from` and passes into it; false if the limits do not allow that.
+    /// Plans the window that starts at `from` and joins it. Returns false if the limits do not allow that.
     fn join(&mut self, from: f64) -> Result<bool, LawError> {
         let to = window_end(&self.feed, self.plan.to);
         let mut next = Plan::new(&self.feed, from, to)?;
@@ -228,7 +227,7 @@ impl<F: Feed> LawStream<F> {
         Ok(false)
     }
 
-    /// The law that passes from the plan to `next` in about `zone`, if the limits allow one.
+    /// The profile that joins the plan to `next` in about `zone`, if the limits allow one.
     fn passage(&self, next: &Plan, zone: (f64, f64)) -> Result<Option<Passage>, LawError> {
         let (first, after) = (self.plan.station(zone.0), next.station(zone.1));
         let (from, to) = (self.plan.at(first), next.at(after));
@@ -269,7 +268,7 @@ impl<F: Feed> LawStream<F> {
         Ok((0..cells.count()).all(|i| peak(&cells, &c, i) <= ALLOWED).then_some((cells, c, first, after)))
     }
 
-    /// Gives out the plan's cells up to station `until`.
+    /// Adds the plan's cells up to station `until` to the output.
     fn give_out(&mut self, until: usize) {
         for i in self.plan.next..until {
             let cell = Cell::of_spline(&self.plan.cells, &self.plan.c, i, self.end);

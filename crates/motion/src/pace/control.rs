@@ -5,71 +5,72 @@ use super::shield::Shield;
 use super::timed::{Limits, Pacing, Rates, Timed};
 use super::{Command, PaceError};
 
-/// Greatest override.
-const GREATEST: f64 = 1.5;
-/// Most of what the axes allow that a course uses on its way back to steady: laws change while it is under way.
+/// Maximum override.
+const MAX_OVERRIDE: f64 = 1.5;
+/// Maximum use of the axes' limits by a course on its return to a steady override, since the speed profile may change
+/// meanwhile.
 const BOLDEST: f64 = 0.98;
-/// Rounding of a pace, as when one law takes over from another.
+/// Rounding of the override, for example at a change of the speed profile.
 const ROUNDING: f64 = 1e-12;
 
-/// What is played at an instant.
+/// State of the played motion at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Played {
-    /// The law's own time, s.
+    /// Profile time, s.
     pub theta: f64,
-    /// Pace: the law's time per time; negative while going back.
+    /// Actual override: profile time per real time; negative in reverse.
     pub phi: f64,
-    /// True while the faster law is played.
+    /// True while the faster profile is played.
     pub faster: bool,
     /// Positions and rates of axes and tip as played.
     pub rates: Rates,
 }
 
-/// A law played at a pace that changes as fast as the axes allow.
+/// Plays a speed profile with a feed override that changes as fast as the axes allow.
 ///
-/// The law L(theta) is exact on the path, and so is L(theta(t)). At a steady pace phi in [-1, 1] every symmetric limit
-/// holds for ever, because it holds for L. In each period the second derivative of phi that heads fastest for the
-/// wanted pace is tried, followed by a way back to a steady pace; the whole course is checked against the limits of
-/// all axes. If it holds it is followed, else smaller ones are tried, else the last one that held goes on: the next
-/// period always has a course that holds. (A safety filter with a backup, as in predictive control; the course back
-/// to steady is the backup.)
+/// The profile L(theta) is exact on the path, and so is L(theta(t)). At a steady override phi in [-1, 1] every
+/// symmetric limit holds, because it holds for L. Each period tries the second derivative of phi that approaches the
+/// wanted override fastest, followed by a return to a steady override. The whole course is checked against the limits
+/// of all axes. If it holds it is followed, else smaller derivatives are tried, else the last valid course continues:
+/// the next period always has a valid course. (A safety filter with a backup, as in predictive control; the return to
+/// steady is the backup.)
 ///
-/// Guarantee: every course played was checked at places close together and on both sides of the law's borders, against
-/// 0.9999 of the limits. A period costs no allocation, and no search while the pace is the wanted one.
+/// Guarantee: every played course was checked at close samples and on both sides of the profile's borders, against
+/// 0.9999 of the limits. A period never allocates, and does not search while the override is the wanted one.
 #[derive(Debug)]
 pub struct Pace<'a, L: Timed + ?Sized> {
     base: &'a L,
-    /// The law for a greater speed and how many times greater it is.
+    /// The profile for a higher speed, and the factor of speed.
     faster: Option<(&'a L, f64)>,
     on_faster: bool,
     shield: Shield,
     period: f64,
     course: Course,
-    /// Time played of the course, s.
+    /// Played time of the course, s.
     elapsed: f64,
     /// Wanted override, and its sign or 0: forward, backward or hold.
     wanted: f64,
     sense: f64,
-    /// Path length at which to stop, if asked to.
+    /// Requested stop, if any.
     stop: Option<Stop>,
-    /// How strongly a course goes back to steady, as part of what the axes allow just now: learned from what held.
+    /// Strength of the return to steady, as a fraction of the axes' current limits: adapted from the courses that held.
     boldness: f64,
-    /// Periods to wait before looking for a better course again.
+    /// Periods to wait before the next search for a better course.
     pause: u32,
 }
 
-/// A place to stop at.
+/// A stop on the path.
 #[derive(Debug, Clone, Copy)]
 struct Stop {
     s: f64,
-    /// The law's time there, s.
+    /// Profile time of the stop, s.
     theta: f64,
-    /// Nothing is decided any more: the stop has begun.
+    /// True once the stop has begun; the course is then final.
     begun: bool,
 }
 
 impl<'a, L: Timed + ?Sized> Pace<'a, L> {
-    /// Plays `base` from its start, held until told otherwise. `period` (0.25 to 4 ms) is that of the set-points, s.
+    /// Plays `base` from its start, initially held. `period` (0.25 to 4 ms) is that of the set-points, s.
     ///
     /// # Errors
     /// A period outside that range.
@@ -93,20 +94,20 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         })
     }
 
-    /// With a law for the same path planned for `factor` (more than 1, up to 1.5) times the asked speeds: overrides
-    /// up to it can be played.
+    /// Adds a profile of the same path planned for `factor` (more than 1, up to 1.5) times the requested speeds:
+    /// overrides up to `factor` are then possible.
     ///
     /// # Errors
     /// A factor outside that range.
     pub fn with_faster(mut self, law: &'a L, factor: f64) -> Result<Self, PaceError> {
-        if !(factor > 1.0 && factor <= GREATEST) {
+        if !(factor > 1.0 && factor <= MAX_OVERRIDE) {
             return Err(PaceError::Faster { value: factor });
         }
         self.faster = Some((law, factor));
         Ok(self)
     }
 
-    /// Standing at path length `s` (mm) instead of the start: to go on after an abort.
+    /// Starts at path length `s` (mm), at rest, instead of the start of the path: to continue after an abort.
     ///
     /// # Errors
     /// A path length outside the path.
@@ -129,11 +130,11 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         self.period
     }
 
-    /// Takes a command; it works from the next period on.
+    /// Takes a command for the next period and later.
     ///
     /// # Errors
-    /// An override that is not a number, below 0 or above what the laws allow; a place off the path. Then everything
-    /// goes on as before.
+    /// An override that is not a number, below 0 or above the maximum of the profiles; a path length off the path. The
+    /// state is then unchanged.
     pub fn command(&mut self, command: Command) -> Result<(), PaceError> {
         match command {
             Command::Override(value) => {
@@ -152,7 +153,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
                 let (now, place) = (self.now(), self.law().time_of(s));
                 self.sense = if place < now.theta { -1.0 } else { 1.0 };
                 let there = now.pace.phi.abs() <= 0.0 && (place - now.theta).abs() <= 1e-12;
-                // At both ends the law rests by itself.
+                // The profile rests at both ends anyway.
                 let inside = s > 0.0 && s < length;
                 self.stop = (inside || there).then_some(Stop { s, theta: place, begun: there });
                 return Ok(());
@@ -166,19 +167,19 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         Ok(())
     }
 
-    /// True if nothing moves and nothing will without a command.
+    /// True if the motion rests and stays at rest without a command.
     pub fn at_rest(&self) -> bool {
         let now = self.now();
         let steady = (self.over() || self.elapsed >= self.course.duration()) && now.pace.phi.abs() <= 0.0;
         steady && (self.goal().abs() <= 0.0 || self.at_end_of(self.sense))
     }
 
-    /// True if the course followed has run into an end of the law.
+    /// True if the followed course has reached an end of the profile.
     fn over(&self) -> bool {
         self.course.at(self.elapsed) != self.now()
     }
 
-    /// True if the law cannot be played any further in the direction of `sense`.
+    /// True if the profile ends in the direction of `sense`.
     fn at_end_of(&self, sense: f64) -> bool {
         let theta = self.now().theta;
         if sense > 0.0 { theta >= self.law().duration() } else { theta <= 0.0 }
@@ -189,8 +190,8 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         self.now().theta >= self.law().duration()
     }
 
-    /// The place inside the path at which it will stop, mm, and whether it slows down for it already. A place that is
-    /// too near to stop at is given up.
+    /// Path length of the requested stop, mm, and true if the motion already slows down for it. A stop that is too near
+    /// is dropped.
     pub fn stop(&self) -> Option<(f64, bool)> {
         self.stop.map(|s| (s.s, s.begun))
     }
@@ -206,22 +207,22 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         self.resting(self.course.at(self.elapsed))
     }
 
-    /// The law rests at both ends, whatever its pace there.
+    /// Replaces a state at an end of the profile by rest there.
     fn resting(&self, state: State) -> State {
         let duration = self.law().duration();
         let over = (state.theta >= duration && state.pace.phi > 0.0) || (state.theta <= 0.0 && state.pace.phi < 0.0);
         if over { State { theta: state.theta.clamp(0.0, duration), pace: Pacing::default() } } else { state }
     }
 
-    /// The wanted pace on the law that is played.
+    /// The wanted override on the played profile.
     fn goal(&self) -> f64 {
         let scale = self.faster.filter(|_| self.on_faster).map_or(1.0, |(_, factor)| factor);
-        // Standing at a place asked for counts as being held there.
+        // Rest at a requested stop counts as a hold.
         let sense = if self.stop.is_some_and(|s| s.begun) { 0.0 } else { self.sense };
         sense * (self.wanted / scale).min(1.0)
     }
 
-    /// Plays the next period and says what is reached at its end.
+    /// Plays the next period. Returns the state at its end.
     pub fn step(&mut self) -> Played {
         self.change_law();
         let mut now = self.now();
@@ -233,7 +234,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
             self.stop = self.stop.map(|s| Stop { begun: true, ..s });
         }
         let goal = self.goal();
-        // What is left to the goal may be rounding alone: standing still is zero exactly.
+        // A difference to the goal of rounding size is removed: rest is exactly zero.
         let rounding = (now.pace.phi - goal).abs();
         if self.course.segments.is_empty() && rounding > 0.0 && rounding <= ROUNDING {
             now.pace.phi = goal;
@@ -248,7 +249,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         self.played(self.now())
     }
 
-    /// What is played `before` s before the end of the period last played (0 to a period).
+    /// State `before` s before the end of the last played period (0 to a period).
     pub fn earlier(&self, before: f64) -> Played {
         self.played(self.resting(self.course.at(self.elapsed - before)))
     }
@@ -266,8 +267,8 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         self.elapsed = 0.0;
     }
 
-    /// Moves the state onto the other law if the override asks for it, where both can go on from it alike: same path
-    /// length, speed and acceleration.
+    /// Switches to the other profile if the override requires it and both allow the same path length, speed and
+    /// acceleration.
     fn change_law(&mut self) {
         let Some((faster, _)) = self.faster else { return };
         if self.on_faster == (self.wanted > 1.0) || self.stop.is_some() {

@@ -1,16 +1,16 @@
 use super::timed::Pacing;
 use arrayvec::ArrayVec;
 
-/// Where a law's own time stands and how fast it runs.
+/// Profile time and its rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct State {
-    /// The law's own time, s.
+    /// Profile time, s.
     pub(crate) theta: f64,
     pub(crate) pace: Pacing,
 }
 
 impl State {
-    /// The state `dt` later with `d2` all the while.
+    /// The state after `dt` with constant `d2`.
     pub(crate) fn after(&self, dt: f64, d2: f64) -> Self {
         let Pacing { phi, d1, .. } = self.pace;
         Self {
@@ -20,28 +20,28 @@ impl State {
     }
 }
 
-/// A stretch of time with constant second derivative of the pace.
+/// A time interval with constant second derivative of the override.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Segment {
     pub(crate) d2: f64,
     pub(crate) duration: f64,
 }
 
-/// Most segments of a course: one period, straight on, back to steady, a few periods steady, two of a stop, and one
-/// to spare.
+/// Maximum number of segments of a course: one period, straight on, back to steady, a few periods steady, two of a
+/// stop, and a spare one.
 pub(crate) const SEGMENTS: usize = 8;
 
-/// What is left of a segment and shorter is rounding, s.
+/// Rest of a segment below which it is rounding, s.
 const BRIEF: f64 = 1e-12;
 
-/// How the pace goes on from a state: a few segments, and then steady for ever. All times are from its start.
+/// Course of the override from a state: a few segments, then steady. All times count from its start.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Course {
     pub(crate) start: State,
     pub(crate) segments: ArrayVec<Segment, SEGMENTS>,
-    /// The pace held in the end.
+    /// The final steady override.
     pub(crate) steady: f64,
-    /// Number of segments before the stop at a place, if it ends with one, and the law's time of that place.
+    /// Number of segments before its final stop, and the profile time of that stop, if any.
     pub(crate) stop: Option<(usize, f64)>,
 }
 
@@ -52,8 +52,8 @@ impl Course {
         Self { start: State { theta, pace }, segments: ArrayVec::new(), steady: phi, stop: None }
     }
 
-    /// `d2` for a time, straight on for `delay`, and then back to a steady pace with `back` either way; steady at `end`
-    /// if that is where it comes out but for rounding.
+    /// Builds a course with `d2` for a time, straight on for `delay`, then back to a steady override with `back` of
+    /// either sign; steady at exactly `end` if it arrives there within rounding.
     pub(crate) fn heading(start: State, d2: f64, duration: f64, (delay, back): (f64, f64), end: Option<f64>) -> Self {
         let mut segments = ArrayVec::new();
         let mut now = start;
@@ -74,7 +74,7 @@ impl Course {
         Self { start, segments, steady: end.unwrap_or(now.pace.phi), stop: None }
     }
 
-    /// From standing at `from` to standing at `to`, both the law's times, in four stretches of `quarter` s.
+    /// Builds a course from rest at `from` to rest at `to` (profile times) in four segments of `quarter` s.
     pub(crate) fn hop(from: f64, to: f64, quarter: f64) -> Self {
         let d2 = (to - from) / (2.0 * quarter * quarter * quarter);
         let mut course = Self::steady(from, 0.0);
@@ -83,18 +83,18 @@ impl Course {
         course
     }
 
-    /// The greatest pace of a hop, either way: after its first half.
+    /// Maximum absolute override of a hop: after its first half.
     pub(crate) fn peak(&self) -> f64 {
         self.segments.first().map_or(0.0, |s| (s.d2 * s.duration * s.duration).abs())
     }
 
-    /// The steady pace it ends with, or has before its stop.
+    /// The steady override at its end, or before its stop.
     pub(crate) fn cruise(&self) -> f64 {
         let Some((first, _)) = self.stop else { return self.steady };
         self.segments[..first].iter().fold(self.start, |s, g| s.after(g.duration, g.d2)).pace.phi
     }
 
-    /// How long it takes until the pace is steady, s.
+    /// Time until the override is steady, s.
     pub(crate) fn duration(&self) -> f64 {
         self.segments.iter().map(|s| s.duration).sum()
     }
@@ -128,7 +128,7 @@ impl Course {
         self.settled(state)
     }
 
-    /// What is left of it at time `t`, without its stop, if that has not begun.
+    /// Remainder of the course at time `t` without its stop; none if the stop has begun.
     pub(crate) fn rest_before_stop(&self, t: f64) -> Option<Self> {
         let count = self.stop.map_or(self.segments.len(), |(first, _)| first);
         let mut left = Self { start: self.at(t), segments: ArrayVec::new(), steady: self.cruise(), stop: None };
@@ -139,7 +139,7 @@ impl Course {
             }
             passed = (passed - s.duration).max(0.0);
         }
-        // Time beyond the segments is steady, or already the stop.
+        // Beyond the segments the course is steady, or the stop has begun.
         let begun = self.stop.is_some() && t > self.segments[..count].iter().map(|s| s.duration).sum::<f64>();
         (!begun).then_some(left)
     }
@@ -150,8 +150,9 @@ impl Course {
         self
     }
 
-    /// Adds a stop exactly at the law's time `place`, or nothing if that is behind: from a steady pace phi to zero in
-    /// two equal halves of opposite d2, which takes the law on by phi T / 2, so that T follows from the way left.
+    /// Adds a stop exactly at the profile time `place`; none if that is behind. The override falls from steady phi to
+    /// zero in two equal halves of opposite d2. This advances the profile by phi T / 2, so T follows from the remaining
+    /// profile time.
     pub(crate) fn with_stop(mut self, place: f64) -> Option<Self> {
         let end = self.end();
         let duration = 2.0 * (place - end.theta) / end.pace.phi;

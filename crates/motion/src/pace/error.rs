@@ -1,18 +1,18 @@
 use thiserror::Error;
 
-/// Why a command or a value is refused. Nothing has changed when one of these comes back.
+/// Error of a refused command or value. The state is then unchanged.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum PaceError {
-    /// The override is outside what can be played.
+    /// The override is out of range.
     #[error("the override must be between 0 and {greatest}, not {value}{}", if *.greatest < 1.5 {
         " (up to 1.5 with a law planned for that speed)" } else { "" })]
     Override {
         /// The value given.
         value: f64,
-        /// Greatest override that the laws handed in allow.
+        /// Maximum override of the given profiles.
         greatest: f64,
     },
-    /// A limit of an axis is no limit.
+    /// A limit of an axis is invalid.
     #[error("the {what} limit of axis {axis} must be greater than 0, not {value}")]
     Limit {
         /// Number of the axis, from 0.
@@ -44,13 +44,13 @@ pub enum PaceError {
         /// Length of the path, mm.
         length: f64,
     },
-    /// The factor for which the faster law is planned.
+    /// The factor of the faster profile is out of range.
     #[error("the faster law must be planned for more than 1 and at most 1.5 times the speed, not {value}")]
     Faster {
         /// The value given.
         value: f64,
     },
-    /// A step to a place that is welded already, or off the path.
+    /// A step to a path length that is welded already, or off the path.
     #[error("a step must end beyond {welded} mm, where the seam is welded to, and at most at {length} mm, not {value}")]
     StepTo {
         /// The value given, mm.
@@ -60,13 +60,13 @@ pub enum PaceError {
         /// Length of the path, mm.
         length: f64,
     },
-    /// Going on with an override of 0.
+    /// An order to move with an override of 0.
     #[error("the override is 0: set one above 0 before going on")]
     Zero,
-    /// Nothing moves although it should: the law's rates are no numbers there, or not within the limits.
+    /// The motion is stuck: the profile's rates are not finite there, or exceed the limits.
     #[error("the motion cannot go on at {s} mm: what the law asks for there is not within the axes' limits")]
     Stuck {
-        /// Where it stands, mm.
+        /// Path length at which it is stuck, mm.
         s: f64,
     },
 }

@@ -1,7 +1,8 @@
-//! Time control while running: override, hold, resume, reverse and stops at places, always on the path and in limits.
+//! Time control of a running motion: override, hold, resume, reverse and stops at path lengths, always on the path and
+//! within limits.
 //!
-//! [`Pace`] plays a law of motion ([`Timed`]) at a pace that changes within every axis' limits; [`Run`] puts the
-//! process around it: arc or beam off before standing still, crater fill, restart with overlap.
+//! [`Pace`] plays a motion in time ([`Timed`]) with a feed override that changes within every axis' limits. [`Run`]
+//! adds the process: arc or beam off before rest, crater fill, restart with overlap.
 
 mod control;
 mod course;
@@ -19,17 +20,17 @@ pub use pass::PassTimed;
 pub use run::Run;
 pub use timed::{AxisLimits, CHANNELS, Limits, Rates, Timed, Tip};
 
-/// What the pace shall do from the next period on.
+/// Command to the feed override, effective from the next period.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Command {
-    /// Part of the planned speed, 0 to 1, or up to 1.5 with a law for a greater speed.
+    /// Fraction of the planned speed, 0 to 1, or up to 1.5 with a profile for a higher speed.
     Override(f64),
-    /// Stop on the path as soon as can be.
+    /// Stop on the path as soon as possible.
     Hold,
     /// Go forward.
     Resume,
     /// Go back along the path.
     Reverse,
-    /// Go to path length s (mm), either way, and stop there exactly; if it is too near to stop at, go on.
+    /// Go to path length s (mm), in either direction, and stop there exactly; go on if it is too near.
     StopAt(f64),
 }

@@ -1,31 +1,32 @@
 use super::control::Played;
 
-/// What the operator asks for.
+/// Order of the operator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Order {
-    /// Part of the planned speed, 0 to 1, or up to 1.5 with a law for a greater speed. 0 holds, and so does all below
-    /// 0.001: at such a pace a weld would have no end.
+    /// Fraction of the planned speed, 0 to 1, or up to 1.5 with a profile for a higher speed. Values below 0.001 hold,
+    /// as such a weld would never end.
     Override(f64),
-    /// Stop on the path with the process as the sequence says.
+    /// Stop on the path, with the process as defined by the sequence.
     Hold,
     /// Start, or go on after a hold: with overlap, if the process was on.
     Resume,
     /// Stop, and go back along the path with the process off.
     Reverse,
-    /// Weld on (or start) and hold at the next place.
+    /// Weld on (or start) and hold at the next stop.
     Step,
-    /// Weld on (or start) and hold at path length s (mm), beyond what is welded; as soon as can be if that is too near.
+    /// Weld on (or start) and hold at path length s (mm), beyond the welded part; as soon as possible if that is too
+    /// near.
     StepTo(f64),
     /// Stop, switch the process off and end the run.
     Abort,
 }
 
-/// What the process does at an instant of a run.
+/// Process phase at an instant of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RunPhase {
     /// At rest, process off, waiting for an order.
     Held,
-    /// Gas flows at rest, nothing else.
+    /// At rest with gas flow only.
     Preflow,
     /// The arc (or beam) is on and the torch rests before it travels.
     TravelDelay,
@@ -49,7 +50,7 @@ impl RunPhase {
         matches!(self, Self::TravelDelay | Self::Travel | Self::Crater)
     }
 
-    /// In one word, as in tables and on the wire.
+    /// One-word name, as in tables and in the protocol.
     pub fn name(self) -> &'static str {
         match self {
             Self::Held => "held",
@@ -68,10 +69,10 @@ impl RunPhase {
 /// One instant of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instant {
-    /// What the process does from now on.
+    /// Process phase from now on.
     pub phase: RunPhase,
-    /// How long a phase at rest goes on, s.
+    /// Remaining time of a phase at rest, s.
     pub left_s: f64,
-    /// Where the axes shall be and how they move.
+    /// Set positions and rates of the axes.
     pub played: Played,
 }

@@ -3,22 +3,21 @@ use crate::tip_channels::{self, TipChannels};
 use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{Machine, TipLimits};
 
-/// A pass in time: the axes' path, passed as a speed law says.
+/// A pass in time: the axes' path with a speed profile.
 ///
-/// Rates follow by the chain rule from the path's derivatives by path length and the law's by time, without
-/// differences. Borders are those of the law's cells, among which are all places where the path's third derivatives
-/// jump.
+/// Rates follow by the chain rule from the path's derivatives by path length and the profile's by time, without
+/// differences. Borders are those of the profile's cells, which include all jumps of the path's third derivatives.
 #[derive(Debug, Clone)]
 pub struct PassTimed<'a> {
     machine: &'a Machine,
     path: &'a JointPath,
     law: &'a SpeedLaw,
-    /// Start (s) of each of the law's cells, and the panel of the path in which the cell lies.
+    /// Start (s) of each cell of the profile, and the panel of the path that contains the cell.
     cells: Vec<(f64, usize)>,
 }
 
 impl<'a> PassTimed<'a> {
-    /// `law` must be one along `path`, the axes of `machine`.
+    /// Combines `path`, of the axes of `machine`, with a profile `law` along it.
     pub fn new(machine: &'a Machine, path: &'a JointPath, law: &'a SpeedLaw) -> Self {
         let cell = |i| (law.cell_times(i).0, path.panel(law.in_cell(i, 0.5).s, false));
         Self { machine, path, law, cells: (0..law.cells()).map(cell).collect() }
@@ -54,7 +53,7 @@ impl Timed for PassTimed<'_> {
             self.law_in(cell, t)
         };
         let LawPoint { s, v, a, j } = law;
-        // Path lengths round: the cell knows on which side of a border they are.
+        // Path lengths are rounded: the cell determines the side of a border.
         let p = self.path.point_in(self.cells[cell].1, s);
         let mut rates = Rates { q: p.q, tip: Tip { s, v, a, j }, ..Rates::default() };
         let mut channel = |i: usize, [d1, d2, d3]: [f64; 3]| {

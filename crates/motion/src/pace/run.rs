@@ -6,7 +6,7 @@ use super::timed::Timed;
 use super::{Command, PaceError};
 use seamwright_program::{AtHold, Sequence, is_before, is_beyond, is_same_position};
 
-/// What follows when the torch rests with the process off.
+/// Next action once the torch rests with the process off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Then {
     Wait,
@@ -15,7 +15,7 @@ enum Then {
     End,
 }
 
-/// How far to weld.
+/// Goal of welding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Goal {
     End,
@@ -23,12 +23,12 @@ enum Goal {
     Place(f64),
 }
 
-/// A pass that runs under an operator's orders: the pace with the process around it.
+/// A pass that runs under an operator's orders: the feed override with the process.
 ///
-/// The process follows what the tip really does, not the order: the crater is filled once the tip stands still; a
-/// beam is off from the first set-point at which the pace falls. A restart goes to the place where the process went
-/// off less the overlap, with the process off and stops there exactly; then gas, ignition and travel come as at the
-/// start. Invariant: arc or beam is on at rest only in the phases that are meant for it, travel delay and crater.
+/// The process follows the actual motion of the tip, not the order: the crater is filled once the tip rests; a beam is
+/// off from the first set-point with a falling override. A restart moves with the process off to the end of the weld
+/// less the overlap and stops there exactly. Gas, ignition and travel follow as at the start. Invariant: arc or beam is
+/// on at rest only in travel delay and crater.
 #[derive(Debug)]
 pub struct Run<'a, L: Timed + ?Sized> {
     pace: Pace<'a, L>,
@@ -36,41 +36,40 @@ pub struct Run<'a, L: Timed + ?Sized> {
     places: Vec<f64>,
     phase: RunPhase,
     then: Then,
-    /// True while the torch is to stop with the process on.
+    /// True while the torch must stop with the process on.
     stopping: bool,
     goal: Goal,
     /// Periods left in a phase at rest.
     left: u64,
     /// Path length welded to, mm.
     welded: f64,
-    /// Override asked for; moves with the process off are no faster than [`MOVE`].
+    /// Requested override; moves with the process off are limited to [`MOVE`].
     asked: f64,
     zero: bool,
-    /// False while arc or beam does not burn although it is asked for.
+    /// False while arc or beam is requested but does not burn.
     burns: bool,
-    /// True while a move heads for a place to stop at.
+    /// True while a move heads for a stop.
     seeks: bool,
-    /// How often moves to one place have missed it.
+    /// Number of moves that missed the same stop.
     missed: u32,
-    /// Periods that nothing has moved in although it should.
+    /// Consecutive periods without the required motion.
     still: u64,
     last: Played,
 }
 
-/// Greatest pace of moves with the process off: at this pace a law at its limits leaves half of its accelerations and
-/// more of its jerks, so that a stop at a place always has room.
+/// Maximum override of moves with the process off: at it a profile at its limits leaves half of the accelerations and
+/// more of the jerks, enough for a stop anywhere.
 const MOVE: f64 = 0.6;
-/// How long nothing may move that should, s: the search for a course pauses for a few periods at most.
+/// Maximum time without the required motion, s: the search for a course pauses for a few periods at most.
 const PATIENCE: f64 = 0.1;
-/// Moves to one place, each at half the pace of the one before.
+/// Maximum number of moves to one stop, each at half the override of the previous one.
 const MOVES: u32 = 6;
 
 impl<'a, L: Timed + ?Sized> Run<'a, L> {
-    /// A run of `pace` from where it stands, waiting for [`super::Order::Resume`] or [`super::Order::Step`]. Steps
-    /// end at `places` (mm, those on the path count). A pace that stands inside the path goes back by the overlap
-    /// first: with
-    /// [`Pace::from_place`] at [`Run::welded_to`] an aborted run goes on. A pace that moves is stopped first; one that
-    /// stands at the end leaves nothing to do, and the run has ended.
+    /// Creates a run of `pace` from its position, waiting for [`super::Order::Resume`] or [`super::Order::Step`]. Steps
+    /// end at `places` (mm, those on the path count). From a position inside the path the run goes back by the overlap
+    /// first: [`Pace::from_place`] at [`Run::welded_to`] continues an aborted run. A moving `pace` is stopped first; at
+    /// the end of the path the run has ended.
     pub fn new(mut pace: Pace<'a, L>, sequence: Sequence, places: &[f64]) -> Self {
         let mut places = places.to_vec();
         places.retain(|s| s.is_finite());
@@ -103,18 +102,18 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         }
     }
 
-    /// Path length welded to, mm: where an ended or held run can go on.
+    /// Path length welded to, mm: an ended or held run can continue there.
     pub fn welded_to(&self) -> f64 {
         self.welded
     }
 
-    /// What it does just now.
+    /// Current phase and state.
     pub fn now(&self) -> Instant {
         Instant { phase: self.phase, left_s: self.left as f64 * self.pace.period(), played: self.last }
     }
 
-    /// Tells whether arc or beam burns where the phase asks for it; true unless told otherwise. Without it the travel delay does not
-    /// run down, the torch does not start, no crater is filled, and what is passed is not welded.
+    /// Sets whether arc or beam burns in phases that require it; true by default. While false the travel delay does not
+    /// elapse, the torch does not start, no crater is filled, and the passed part counts as not welded.
     pub fn set_burning(&mut self, burns: bool) {
         self.burns = burns;
         if !burns && self.phase == RunPhase::Crater {
@@ -122,12 +121,12 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         }
     }
 
-    /// What is played in the period last played, `before` s before its end.
+    /// State in the last played period, `before` s before its end.
     pub fn earlier(&self, before: f64) -> Played {
         self.pace.earlier(before)
     }
 
-    /// Travels with the process on, as far as asked.
+    /// Travels with the process on, to `goal`.
     fn travel(&mut self, goal: Goal) -> Result<(), PaceError> {
         self.pace.command(Command::Override(self.asked))?;
         self.phase = RunPhase::Travel;
@@ -145,7 +144,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         self.places.iter().copied().find(|s| is_beyond(*s, here) && *s < self.pace.length())
     }
 
-    /// Moves without process at a pace that leaves room to stop anywhere; slower if that was not enough.
+    /// Limits the override of moves without process so that a stop is possible anywhere; lower after missed stops.
     fn calm(&mut self) {
         let pace = MOVE / f64::from(1u32 << self.missed.min(MOVES));
         self.pace.command(Command::Override(self.asked.min(pace))).ok();
@@ -168,7 +167,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
     ///
     /// # Errors
     /// [`PaceError::Stuck`] if the motion cannot go on: then the process goes off as at a hold, and the run waits,
-    /// held. Never with a law that is planned for the limits of the pace.
+    /// held. Impossible with a profile planned for the same limits.
     pub fn step(&mut self) -> Result<Instant, PaceError> {
         let before = self.last.phi;
         self.last = self.pace.step();
@@ -189,7 +188,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         Ok(self.now())
     }
 
-    /// Stops what should move and does not.
+    /// Stops a stuck motion.
     fn watch(&mut self) -> Result<(), PaceError> {
         let moves = matches!(self.phase, RunPhase::Travel | RunPhase::RunOut | RunPhase::Move);
         self.still = if moves && self.last.phi.abs() <= 0.0 { self.still + 1 } else { 0 };
@@ -201,8 +200,8 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         Err(PaceError::Stuck { s: self.last.rates.tip.s })
     }
 
-    /// A move has given up its place. If that is still ahead it may hold now; else it stops where it can and comes
-    /// again, slower, a few times.
+    /// Handles a move that dropped its stop. If that is still ahead the stop is requested again, else the move stops
+    /// and repeats, slower, a few times.
     fn miss(&mut self) -> Result<(), PaceError> {
         let place = self.restart_place();
         if (place - self.last.rates.tip.s) * self.last.phi > 0.0 {
@@ -217,7 +216,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         Err(PaceError::Stuck { s: self.last.rates.tip.s })
     }
 
-    /// Holds the pace, which is always allowed.
+    /// Holds, which is always allowed.
     fn halt(&mut self) {
         self.seeks = false;
         self.pace.command(Command::Hold).ok();
@@ -226,7 +225,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
     fn while_travelling(&mut self, before: f64) {
         let s = self.last.rates.tip.s;
         if !self.burns {
-            // Nothing is welded any more: the torch stops here, or rests already.
+            // Welding has ended: the torch stops here, or rests already.
             if !self.stopping {
                 self.stop_for(Then::Wait);
             }
@@ -235,7 +234,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         }
         self.welded = self.welded.max(s);
         if self.pace.at_end() {
-            // The end of the pass; an abort that comes too late is as good as done.
+            // The end of the pass; a late abort needs no action.
             self.then = Then::End;
             self.rest(RunPhase::Crater);
         } else if self.pace.at_rest() {
@@ -250,8 +249,8 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         }
     }
 
-    /// The place to stop at has been given up, if there was one: while it is ahead a stop may hold now, then the one
-    /// after counts, or as soon as can be.
+    /// Handles a dropped stop: while it is ahead it is requested again, else the next one, or a stop as soon as
+    /// possible.
     fn after_missed_place(&mut self, s: f64) {
         let next = match self.goal {
             Goal::End => return,
@@ -266,7 +265,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         }
     }
 
-    /// Goes through phases at rest that are over.
+    /// Advances past finished phases at rest.
     fn pass_over(&mut self) -> Result<(), PaceError> {
         while self.left == 0 {
             match self.phase {
@@ -285,12 +284,12 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         Ok(())
     }
 
-    /// Where the process starts again, mm.
+    /// Path length at which the process restarts, mm.
     fn restart_place(&self) -> f64 {
         (self.welded - self.sequence.overlap_mm.get()).max(0.0)
     }
 
-    /// The torch rests and the process is off: what follows?
+    /// Takes the next action once the torch rests with the process off.
     fn off_at_rest(&mut self) {
         let s = self.last.rates.tip.s;
         match self.then {
@@ -313,7 +312,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
                     self.rest(RunPhase::Preflow);
                 } else {
                     self.phase = RunPhase::Move;
-                    // At both ends of the path it stops by itself.
+                    // At both ends of the path the motion stops anyway.
                     self.seeks = self.pace.stop().is_some();
                 }
             }

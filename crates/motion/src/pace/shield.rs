@@ -2,17 +2,17 @@ use super::course::{Course, State};
 use super::timed::{CHANNELS, Limits, Pacing, Rates, Timed};
 use crate::law::Limits as AxisLimits;
 
-/// Part of the machine's limits up to which a course is accepted where it is checked. Laws use a little less by
-/// themselves; what is left covers what happens between the places.
+/// Fraction of the machine's limits up to which a course is accepted at the samples. Profiles use slightly less; the
+/// rest covers values between the samples.
 const ACCEPTED: f64 = 0.9999;
-/// Part of the limits that a course is aimed at: less than accepted, for rounding and what changes in a period.
+/// Fraction of the limits that a new course uses: less than accepted, for rounding and changes within a period.
 const AIMED: f64 = 0.9995;
-/// Places checked in the shortest time in which an axis can come from rest to its greatest acceleration or speed.
+/// Number of samples in the shortest time in which an axis can reach its maximum acceleration or speed from rest.
 const PLACES: f64 = 16.0;
-/// Steps of Newton's method for the time at which a border is crossed: start and curve are good.
+/// Newton steps for the time at which a border is crossed; the start value is good.
 const CROSSING_STEPS: usize = 3;
 
-/// Times nearer to each other than this are the same, s.
+/// Times closer than this are equal, s.
 const BRIEF: f64 = 1e-10;
 
 /// Accelerations and jerks of the axes as played at a time.
@@ -23,12 +23,12 @@ struct Seen {
     j: [f64; CHANNELS],
 }
 
-/// A stretch over which all is smooth: within a segment and between two borders of the law.
+/// A smooth stretch: within a segment and between two borders of the profile.
 #[derive(Debug, Clone)]
 struct Piece {
     start: State,
     t: f64,
-    /// Places seen, and the last two of them.
+    /// Number of samples, and the last two of them.
     count: usize,
     seen: [Seen; 2],
 }
@@ -44,24 +44,24 @@ impl Piece {
     }
 }
 
-/// What a course violates first.
+/// First violation of a limit by a course.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Breach {
     /// Time from the start of the course, s.
     pub(crate) t: f64,
-    /// The segment in which it does.
+    /// Index of the segment with the violation.
     pub(crate) segment: usize,
     /// True for the jerk, false for speed or acceleration.
     pub(crate) jerk: bool,
 }
 
-/// Says whether all axes stay within their limits all along a course.
+/// Checks that all axes stay within their limits along a course.
 #[derive(Debug, Clone)]
 pub(crate) struct Shield {
     pub(crate) limits: Limits,
-    /// Time between places checked, s.
+    /// Time between samples, s.
     spacing: f64,
-    /// Greatest first and second derivative of a pace, where axes do not limit them.
+    /// Maximum first and second derivative of the override, if the axes do not limit them.
     most: (f64, f64),
 }
 
@@ -76,13 +76,12 @@ impl Shield {
         };
         let shortest = limits.0.iter().map(time).fold(f64::INFINITY, f64::min);
         let spacing = (shortest / PLACES).clamp(period / 8.0, 4.0 * period);
-        // From standing to full pace in sixteen periods where nothing else limits it.
+        // From rest to full override in sixteen periods if no axis limits it.
         Self { limits, spacing, most: (1.0 / (8.0 * period), 1.0 / (64.0 * period * period)) }
     }
 
-    /// Checks a course until it is steady: at places close together, at both ends of its
-    /// segments and on both sides of each of the law's borders. Steady at |phi| <= 1 is within what the law itself
-    /// keeps.
+    /// Checks a course until it is steady: at close samples, at both ends of its segments and on both sides of each
+    /// border of the profile. A steady |phi| <= 1 is within the profile's own limits.
     pub(crate) fn check<L: Timed + ?Sized>(&self, law: &L, course: &Course) -> Result<(), Breach> {
         let mut state = course.start;
         let mut t = 0.0;
@@ -122,8 +121,9 @@ impl Shield {
         self.finish(law, &mut piece, start.after(duration, d2), duration)
     }
 
-    /// The first of the law's borders between two states `step` apart, and the time from the first. Where the law turns
-    /// round between them its acceleration and jerk count for nothing, being multiplied by squares of the pace.
+    /// First border of the profile between two states `step` apart, and the time from the first state. If the motion
+    /// reverses between them, the profile's acceleration and jerk are negligible, as they are multiplied by squares of
+    /// the override.
     fn crossing<L: Timed + ?Sized>(&self, law: &L, now: State, then: State, step: f64) -> Option<(f64, f64)> {
         let forward = then.theta > now.theta;
         let border = law.next_border(now.theta, forward);
@@ -135,7 +135,7 @@ impl Shield {
         let mut at = now.after(dt, then.pace.d2);
         for _ in 0..CROSSING_STEPS {
             let to = dt + (border - at.theta) / at.pace.phi;
-            // Newton's method only helps while it stays between the two.
+            // Newton's method is valid only between the two states.
             if !(to >= 0.0 && to <= step) {
                 break;
             }
@@ -145,7 +145,7 @@ impl Shield {
         Some((border, dt))
     }
 
-    /// The last place of a piece; one between, if it has only two.
+    /// Checks the last sample of a piece, and one between if it has only two.
     fn finish<L: Timed + ?Sized>(&self, law: &L, piece: &mut Piece, end: State, t: f64) -> Result<(), Breach> {
         if piece.count == 1 && t - piece.t > BRIEF {
             let half = 0.5 * (t - piece.t);
@@ -155,8 +155,8 @@ impl Shield {
         self.see(law, piece, end, t, true)
     }
 
-    /// Checks one place, at the end of what is before it (or at the start of what comes after), and what lies between
-    /// it and the two before it in the same piece: a parabola is above the greatest of three places by at most an
+    /// Checks one sample, as the end of the stretch before it (or the start of the next), and the values between it and
+    /// the two samples before it in the same piece. A parabola exceeds the maximum of three samples by at most an
     /// eighth of its curvature times the square of their distance.
     fn see<L: Timed + ?Sized>(
         &self,
@@ -193,8 +193,8 @@ impl Shield {
         Ok(())
     }
 
-    /// Second derivatives of the pace that every axis' jerk allows at this instant (empty if the first is above the
-    /// second).
+    /// Range of second derivatives of the override that every axis' jerk allows at this instant (empty if the first is
+    /// above the second).
     pub(crate) fn jerks(&self, rates: &Rates, pace: Pacing) -> Interval {
         let still = Pacing { d2: 0.0, ..pace };
         let mut range = (-self.most.1, self.most.1);
@@ -204,7 +204,7 @@ impl Shield {
         range
     }
 
-    /// First derivatives of the pace that every axis' acceleration allows at pace `phi`.
+    /// Range of first derivatives of the override that every axis' acceleration allows at the override `phi`.
     pub(crate) fn accelerations(&self, rates: &Rates, phi: f64) -> Interval {
         let mut range = (-self.most.0, self.most.0);
         for (i, l) in self.limits.0.iter().enumerate() {
@@ -213,8 +213,8 @@ impl Shield {
         range
     }
 
-    /// Time for a stop from pace `phi` that the axes can make even at their greatest speeds, if the law needs nothing
-    /// of their accelerations, s.
+    /// Time of a stop from the override `phi` that the axes can make even at their maximum speeds, if the profile uses
+    /// none of their accelerations, s.
     pub(crate) fn stop_time(&self, phi: f64) -> f64 {
         let of_axis = |l: &AxisLimits| {
             let v = phi.abs() * l.speed;
@@ -223,7 +223,8 @@ impl Shield {
         self.limits.0.iter().map(of_axis).fold(0.0, f64::max)
     }
 
-    /// The second derivative of a pace that every axis' jerk allows where the law's own acceleration and jerk are zero.
+    /// Second derivative of the override that every axis' jerk allows if the profile's own acceleration and jerk are
+    /// zero.
     pub(crate) fn strength(&self, rates: &Rates) -> f64 {
         let of_axis = |(i, l): (usize, &AxisLimits)| AIMED * l.jerk / rates.v[i].abs();
         self.limits.0.iter().enumerate().map(of_axis).fold(self.most.1, f64::min)

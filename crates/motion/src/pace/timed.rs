@@ -5,22 +5,22 @@ use crate::tip_channels::{self, TipChannels};
 use arrayvec::ArrayVec;
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 
-/// A motion in time that can be played at another pace.
+/// A motion in time that can be played with a feed override.
 ///
 /// From rest to rest: at 0 and at `duration` every speed and acceleration is zero, and so are they outside.
 pub trait Timed {
     /// Time from rest to rest, s.
     fn duration(&self) -> f64;
-    /// Where everything is at time `t` (s) and how it moves; where the jerk jumps, from the side before or after.
+    /// Positions and rates at time `t` (s); at a jump of the jerk, those of the side before or after.
     fn at(&self, t: f64, before: bool) -> Rates;
-    /// The first time after `t` (or the last one before it, if not `forward`) at which the jerk (or the acceleration,
-    /// if jerk is not limited) may jump; infinite (negative infinite) if there is none.
+    /// First time after `t` (or last one before it, if not `forward`) at which the jerk (or the acceleration, if jerk
+    /// is not limited) may jump. Positive (negative) infinity without such a time.
     fn next_border(&self, t: f64, forward: bool) -> f64;
     /// The time at which path length `s` (mm) is reached, as exact as doubles allow.
     fn time_of(&self, s: f64) -> f64;
 }
 
-/// Most channels with limits: axes, then directions in which the tip has limits of its own.
+/// Maximum number of channels with limits: axes, then directions with limits of the tip.
 pub const CHANNELS: usize = MAX_AXES + tip_channels::COUNT;
 
 /// Position, speed, acceleration and jerk at one instant: of the channels (mm or rad per s, s^2, s^3) and along the
@@ -52,7 +52,7 @@ pub struct Tip {
     pub j: f64,
 }
 
-/// Pace of a law and its derivatives by time, 1, 1/s and 1/s^2.
+/// Override and its derivatives by time, 1, 1/s and 1/s^2.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Pacing {
     pub(crate) phi: f64,
@@ -61,7 +61,7 @@ pub(crate) struct Pacing {
 }
 
 impl Pacing {
-    /// Speed, acceleration and jerk of what the law moves with `v`, `a`, `j`: derivatives of L(theta(t)).
+    /// Speed, acceleration and jerk as played, from the profile's `v`, `a`, `j`: derivatives of L(theta(t)).
     pub(crate) fn played(self, v: f64, a: f64, j: f64) -> (f64, f64, f64) {
         let Self { phi, d1, d2 } = self;
         (v * phi, a * phi * phi + v * d1, j * phi * phi * phi + 3.0 * a * phi * d1 + v * d2)
@@ -69,7 +69,7 @@ impl Pacing {
 }
 
 impl Rates {
-    /// The rates of the first `channels` channels and of the tip when the law is played at the pace.
+    /// Rates of the first `channels` channels and of the tip at the override `pace`.
     pub(crate) fn paced(&self, channels: usize, pace: Pacing) -> Self {
         let mut out = *self;
         for i in 0..channels {
@@ -85,7 +85,7 @@ impl Rates {
 pub struct Limits(pub(crate) ArrayVec<AxisLimits, CHANNELS>);
 
 impl Limits {
-    /// What the axes and the tip of `machine` allow, as motions are planned with it.
+    /// Limits of the axes and the tip of `machine`, as used in planning.
     pub fn of(machine: &Machine) -> Self {
         let all = machine.axes.iter().map(limits).chain(TipChannels::limits(machine));
         Self(all.collect())

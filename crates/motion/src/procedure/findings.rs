@@ -1,12 +1,12 @@
-//! Where a plan leaves its procedure, in words.
+//! Findings for a plan outside its procedure.
 
 use super::{PassProcedure, Quantity};
 use seamwright_program::{Finding, Outside, Pass, PositionStretch, Procedure, Run, WeldingPosition, Window};
 
-/// What would cure all of them.
+/// Cure that applies to all of them.
 const OTHERWISE: &str = "or use a procedure that is qualified for it";
 
-/// The findings of a pass that is held to `procedure`.
+/// The findings of a pass under `procedure`.
 pub(super) fn findings(
     held: &PassProcedure,
     procedure: &Procedure,
@@ -76,7 +76,7 @@ fn range(window: Window) -> String {
     format!("{} to {}", number(least), number(greatest))
 }
 
-/// Four digits behind the point at most.
+/// Formats a number with at most four decimals.
 fn number(value: f64) -> String {
     let text = format!("{value:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -94,7 +94,7 @@ fn value(quantity: &Quantity, stretch: &Outside) -> String {
     }
 }
 
-/// Why the plan does not know a value that has a window, and the cure.
+/// Reason for a value that is missing in the plan but has a window, and the cure.
 fn unknown(key: &str, procedure: &Procedure, pass: &Pass) -> (String, String) {
     let has = |name: &str| pass.spans.first().is_some_and(|span| span.process.contains_key(name));
     match key {
@@ -133,7 +133,7 @@ fn cure(key: &str, above: bool) -> String {
     }
 }
 
-/// A position, and how the weld lies in it.
+/// Words a position and the weld's inclination in it.
 fn position(held: &PassProcedure, stretch: &PositionStretch) -> String {
     let degrees = |(low, high): (f64, f64)| format!("{:.1} to {:.1}", low.to_degrees(), high.to_degrees());
     let lie = held.inclination_in(stretch).map_or(String::new(), |(slope, rotation)| {

@@ -1,11 +1,11 @@
-//! How the weld lies against gravity, and the torch over it, along a planned pass.
+//! Inclination of the weld against gravity and angles of the torch along a planned pass.
 
 use crate::PassMotion;
 use crate::survey::PLACES;
 use seamwright_machine::Machine;
 use seamwright_program::{Inclination, TorchPath};
 
-/// The weld and the torch at one place.
+/// Weld and torch at one station.
 pub(super) struct Lie {
     /// Path length, mm.
     pub(super) s: f64,
@@ -15,7 +15,7 @@ pub(super) struct Lie {
     pub(super) work: Option<f64>,
 }
 
-/// At evenly spaced places and at the path's knots.
+/// Samples at evenly spaced path lengths and at the path's knots.
 pub(super) fn along(machine: &Machine, path: &dyn TorchPath, motion: &PassMotion) -> Vec<Lie> {
     let length = path.length();
     let mut places: Vec<f64> = (0..=PLACES).map(|i| length * i as f64 / PLACES as f64).collect();
@@ -25,7 +25,7 @@ pub(super) fn along(machine: &Machine, path: &dyn TorchPath, motion: &PassMotion
     places.into_iter().map(|s| at(machine, path, motion, s)).collect()
 }
 
-/// At path length `s`, with the axes where the plan has them.
+/// Sample at path length `s`, with the axes at their planned positions.
 pub(super) fn at(machine: &Machine, path: &dyn TorchPath, motion: &PassMotion, s: f64) -> Lie {
     let q = motion.path.at(s);
     let groove = path.groove(s);
@@ -40,7 +40,7 @@ pub(super) fn at(machine: &Machine, path: &dyn TorchPath, motion: &PassMotion, s
     }
 }
 
-/// Least and greatest angle between the faces, rad; those of a butt weld if they are not known.
+/// Minimum and maximum angle between the faces, rad; those of a butt weld if unknown.
 pub(super) fn dihedrals(path: &dyn TorchPath, lies: &[Lie]) -> (f64, f64) {
     let angles = lies.iter().filter_map(|lie| path.groove(lie.s)).map(|g| g.dihedral);
     let ends = angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, g), a| (l.min(a), g.max(a)));

@@ -1,9 +1,9 @@
-//! A planned pass against the welding procedure: process values, speed, heat input, torch angles and welding position
-//! along the path, where they leave their windows, and the findings that say so.
+//! Comparison of a planned pass with the welding procedure specification: process values, speed, heat input, torch
+//! angles and welding position along the path, and findings for values outside their windows.
 //!
-//! Everything is that of the plan: the speed is the one that the axes can keep, the torch angles are those that they
-//! reach, and gravity is seen from the part as the machine's axes turn it. Run-up and run-down are not held against
-//! the windows of speed and heat input; a stop on the way is.
+//! All values are those of the plan: the speed that the axes can keep, the torch angles that they reach, and gravity in
+//! the frame of the part as the machine's axes turn it. Acceleration and deceleration phase are not compared with the
+//! windows of speed and heat input; a stop on the path is.
 
 mod findings;
 mod lie;
@@ -15,23 +15,23 @@ use seamwright_program::{
     FilletOrButt, Finding, Inclination, Outside, Pass, PositionStretch, Procedure, TorchPath, Window,
 };
 
-/// What a planned pass does, and what its procedure allows.
+/// Values of a planned pass, and the windows of its procedure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PassProcedure {
-    /// The procedure's run that the pass belongs to, in words; none if there is none.
+    /// The procedure's run of the pass, in words; none if no run matches.
     pub run: Option<String>,
-    /// Kind of weld, which decides where positions begin and end.
+    /// Kind of weld, which determines the limits of positions.
     pub joint: FilletOrButt,
-    /// Values along the pass against their windows.
+    /// Values along the pass with their windows.
     pub quantities: Vec<Quantity>,
-    /// Heat input over path length (mm, kJ/mm) between run-up and run-down, a pair of places wherever it jumps; empty if
-    /// the pass does not say its power.
+    /// Heat input over path length (mm, kJ/mm) between acceleration and deceleration phase, a pair of points at each
+    /// jump; empty if the power is unknown.
     pub heat_input: Vec<(f64, f64)>,
     /// Slope and rotation over path length (mm).
     pub inclinations: Vec<(f64, Inclination)>,
     /// Welding positions, one after the other.
     pub positions: Vec<PositionStretch>,
-    /// Where the plan leaves the procedure.
+    /// Findings for values outside the procedure.
     pub findings: Vec<Finding>,
 }
 
@@ -40,16 +40,16 @@ pub struct PassProcedure {
 pub struct Quantity {
     /// Its key in the procedure, which ends in its unit.
     pub key: String,
-    /// Least and greatest value found; none if the plan does not know it.
+    /// Minimum and maximum value found; none if missing in the plan.
     pub found: Option<(f64, f64)>,
     /// The window, if the procedure has one.
     pub allowed: Option<Window>,
-    /// Where it is outside, in the order of path length.
+    /// Stretches outside the window, in the order of path length.
     pub outside: Vec<Outside>,
 }
 
 impl PassProcedure {
-    /// Holds `motion`, planned for `pass` (the `number`-th, from 1) along `path` on `machine`, against `procedure`.
+    /// Compares `motion`, planned for `pass` (the `number`-th, from 1) along `path` on `machine`, with `procedure`.
     pub fn new(
         procedure: &Procedure,
         machine: &Machine,
@@ -76,8 +76,8 @@ impl PassProcedure {
         held
     }
 
-    /// Least and greatest slope, and least and greatest rotation (rad), at the places looked at in a stretch; none if
-    /// it lies between two of them.
+    /// Minimum and maximum slope, and minimum and maximum rotation (rad), over the samples in a stretch; none without
+    /// samples in it.
     pub fn inclination_in(&self, stretch: &PositionStretch) -> Option<((f64, f64), (f64, f64))> {
         let inside = self.inclinations.iter().filter(|(s, _)| *s >= stretch.from_mm && *s <= stretch.to_mm);
         let grow = |(least, greatest): (f64, f64), v: f64| (v.min(least), v.max(greatest));

@@ -1,4 +1,4 @@
-//! Values along a planned pass against their windows.
+//! Comparison of values along a planned pass with their windows.
 
 use super::Quantity;
 use super::lie::{self, Lie};
@@ -7,13 +7,13 @@ use seamwright_document::Finite;
 use seamwright_machine::Machine;
 use seamwright_program::{Outside, Pass, Procedure, Run, Span, SpanValue, TorchPath, Window};
 
-/// A stretch over which every value is continuous: places in it, and the span that it lies in.
+/// A stretch over which every value is continuous: samples in it, and its span.
 struct Piece<'a> {
     span: &'a Span,
     places: Vec<f64>,
 }
 
-/// The pass between run-up and run-down, span by span, at the places of the law's cells.
+/// The pass between acceleration and deceleration phase, span by span, sampled at the profile's cells.
 fn steady<'a>(pass: &'a Pass, motion: &PassMotion) -> Vec<Piece<'a>> {
     let legs = motion.law.legs();
     let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return Vec::new() };
@@ -35,7 +35,7 @@ fn speed(machine: &Machine, motion: &PassMotion, s: f64) -> f64 {
     motion.law.speed(s) * motion.path.tip_rate(machine, s)
 }
 
-/// Power at path length `s` of a span of `pass`, W; where a weave has values of its own at the sides, those it has there.
+/// Power at path length `s` of a span of `pass`, W; that of the weave if it has its own values at the sides.
 fn power(procedure: &Procedure, (pass, span): (&Pass, &Span), s: f64) -> Option<f64> {
     if pass.weave.as_ref().is_none_or(|weave| weave.at_sides.is_empty()) {
         return procedure.power_w(&span.process, span.part(s));
@@ -46,7 +46,7 @@ fn power(procedure: &Procedure, (pass, span): (&Pass, &Span), s: f64) -> Option<
     procedure.power_w(&span.process.keys().filter_map(there).collect(), 0.0)
 }
 
-/// Heat input between run-up and run-down, by path length.
+/// Heat input between acceleration and deceleration phase, by path length.
 pub(super) fn heat_input(
     procedure: &Procedure,
     machine: &Machine,
@@ -61,7 +61,7 @@ pub(super) fn heat_input(
     curve
 }
 
-/// Everything along the pass that has a value, a window, or both.
+/// All quantities of the pass with a value, a window, or both.
 pub(super) fn quantities(
     procedure: &Procedure,
     run: Option<&Run>,
@@ -89,7 +89,7 @@ pub(super) fn quantities(
     all
 }
 
-/// The pass's process values, and those that only the procedure has. They are linear in each span: its ends are enough.
+/// The pass's process values, and those that only the procedure has. They are linear in each span, so its ends suffice.
 fn process_values(run: Option<&Run>, pass: &Pass) -> Vec<Quantity> {
     let pieces: Vec<Piece> =
         pass.spans.iter().map(|span| Piece { span, places: vec![span.from_mm.get(), span.to_mm.get()] }).collect();
@@ -103,7 +103,7 @@ fn process_values(run: Option<&Run>, pass: &Pass) -> Vec<Quantity> {
                 let (from, to) = (span.from_mm.get(), span.to_mm.get());
                 span.process.get(name).map(|value| value.at((s - from) / (to - from)))
             });
-            // Between the middle of a weave and its sides lies what lies between their values.
+            // Values between the middle of a weave and its sides lie between those of both.
             match pass.weave.as_ref().and_then(|weave| weave.at_sides.get(name)) {
                 Some(side) => {
                     both(middle, quantity(name, window(name), &pieces, |span, s| Some(side.at(span.part(s)))))
@@ -114,7 +114,7 @@ fn process_values(run: Option<&Run>, pass: &Pass) -> Vec<Quantity> {
         .collect()
 }
 
-/// A quantity that has the values of two.
+/// Merges two quantities into one with the values of both.
 fn both(a: Quantity, b: Quantity) -> Quantity {
     let found = a.found.zip(b.found).map(|(a, b)| (a.0.min(b.0), a.1.max(b.1)));
     Quantity { found, outside: joined(a.outside.into_iter().chain(b.outside).collect()), ..a }
@@ -137,13 +137,13 @@ fn quantity(
         for v in values {
             found = Some(found.map_or((v, v), |(least, greatest)| (v.min(least), v.max(greatest))));
         }
-        // A value that the places have, those between have too.
+        // A value known at the samples is also known between them.
         outside.extend(allowed.into_iter().flat_map(|w| w.outside(places, |s| value(span, s).unwrap_or(f64::NAN))));
     }
     Quantity { key: key.to_owned(), found, allowed, outside: joined(outside) }
 }
 
-/// Stretches on the same side that go on from one span into the next are one; in the order of path length.
+/// Joins stretches on the same side that continue from one span into the next; in the order of path length.
 fn joined(mut stretches: Vec<Outside>) -> Vec<Outside> {
     stretches.sort_by(|a, b| a.above.cmp(&b.above).then(a.from_mm.total_cmp(&b.from_mm)));
     let mut all: Vec<Outside> = Vec::new();

@@ -1,15 +1,15 @@
 use seamwright_machine::Stepper;
 
-/// What decided the microstepping.
+/// Criterion that determined the microstepping.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bound {
-    /// The resolution: it is met with the fewest microsteps that meet it.
+    /// The resolution: it is met with the minimum number of microsteps.
     Resolution,
-    /// The pulse frequency: the most microsteps that it allows do not meet the resolution.
+    /// The pulse frequency: the maximum number of microsteps within it does not meet the resolution.
     Frequency,
     /// The driver: its finest setting does not meet the resolution.
     Driver,
-    /// Nothing: even the coarsest setting needs pulses faster than they can be made.
+    /// No valid setting: even the coarsest one exceeds the pulse frequency.
     None,
 }
 
@@ -20,20 +20,20 @@ pub struct Microstepping {
     pub microsteps: u32,
     /// Pulses per mm or rad.
     pub steps_per_unit: f64,
-    /// Way of a pulse, mm or rad: the pulse equivalent.
+    /// Pulse equivalent: travel per pulse, mm or rad.
     pub resolution: f64,
-    /// Pulse frequency at the speed that it was chosen for, Hz.
+    /// Pulse frequency at the design speed, Hz.
     pub rate_hz: f64,
-    /// What decided.
+    /// Criterion that determined it.
     pub bound: Bound,
 }
 
-/// Part of the highest frequency left for the rounding of positions.
+/// Fraction of the maximum frequency reserved for the rounding of positions.
 const RESERVE: f64 = 1e-6;
 
 impl Microstepping {
-    /// The smallest setting of the driver that meets the resolution asked for, if the axis at `speed` (mm/s or rad/s)
-    /// then stays below `max_hz` pulses a second; otherwise the greatest that does.
+    /// Chooses the smallest setting of the driver that meets the requested resolution, if the axis at `speed` (mm/s or
+    /// rad/s) then stays within `max_hz` pulses a second; otherwise the largest within `max_hz`.
     pub fn choose(stepper: &Stepper, speed: f64, max_hz: f64) -> Self {
         let full = stepper.full_steps_per_unit();
         let fits = |m: u32| speed * full * f64::from(m) <= max_hz * (1.0 - RESERVE);

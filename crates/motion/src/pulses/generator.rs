@@ -1,15 +1,15 @@
 use super::timing::check_period;
 use super::{Error, Timing, Train};
 
-/// Fraction bits of a position in steps. Positions are even numbers of half these fractions and places of pulses odd
-/// ones, so that no position is at a place of a pulse.
+/// Fraction bits of a position in steps. Positions are even multiples of the smallest fraction and pulse positions odd
+/// ones, so the two never coincide.
 const BITS: u32 = 25;
 const STEP: i64 = 1 << BITS;
-/// Largest position, steps.
+/// Maximum position, steps.
 const FARTHEST: f64 = 1e11;
 
-/// Makes the pulses of one axis, period by period, without allocation. See the [module](super) for its guarantees. The
-/// direction line is taken to have been set for the first pulse at the start of its period.
+/// Generates the pulses of one axis, period by period, without allocation. See the [module](super) for its guarantees.
+/// The direction line is assumed to be set at the start of the first pulse's period.
 ///
 /// ```
 /// use seamwright_motion::pulses::{Generator, Timing};
@@ -27,11 +27,11 @@ pub struct Generator {
     start: i64,
     /// Position at the end of the last period, of `STEP` a step, even.
     at: i64,
-    /// What the direction line says; none before the first pulse.
+    /// Direction line: true if positive; none before the first pulse.
     positive: Option<bool>,
     /// Rising edge of the last pulse, ticks from the start of the next period.
     last: i64,
-    /// Longest way of a period so far, of `STEP` a step.
+    /// Maximum travel of a period so far, of `STEP` a step.
     fastest: u64,
     pulses: u64,
 }
@@ -81,8 +81,8 @@ impl Generator {
         let after = |ticks: u64| self.last.saturating_add_unsigned(ticks).max(0) as u64;
         let turn = (self.positive != Some(positive)).then(|| after(width + hold));
         let earliest = after(spacing).max(turn.map_or(0, |turn| turn + setup));
-        // Ways to the first place of a pulse and from the last to the end: less than a step, so times a period they
-        // fit.
+        // Distances from the start to the first pulse position and from the last one to the end: below a step, so their
+        // products with a period fit.
         let step = STEP.unsigned_abs();
         let first = if positive { place(count(self.at)) - self.at } else { self.at - place(count(self.at) - 1) };
         let rest = if positive { to - place(count(to) - 1) } else { place(count(to)) - to };
@@ -91,7 +91,7 @@ impl Generator {
         let train = if first / way >= earliest {
             Train::new((positive, turn), pulses, (first / way, first % way), step * period, way)
         } else {
-            // It has to wait: the pulses spread from then on, to where the last one belongs if there is room.
+            // The first pulse must wait: the pulses are spread from then on, up to the last one's position if possible.
             let gaps = pulses - 1;
             last = last.max(earliest.saturating_add(gaps * spacing));
             if last >= period {
@@ -104,7 +104,7 @@ impl Generator {
         Ok(train)
     }
 
-    /// Where the pulses so far have brought the axis, steps.
+    /// Position after the pulses so far, steps.
     pub fn count(&self) -> i64 {
         count(self.at)
     }
@@ -124,12 +124,12 @@ impl Generator {
         self.pulses
     }
 
-    /// Longest way of a period so far, steps with fractions.
+    /// Maximum travel of a period so far, steps with fractions.
     pub fn fastest(&self) -> f64 {
         self.fastest as f64 / STEP as f64
     }
 
-    /// What the direction line says; none before the first pulse.
+    /// Direction line: true if positive; none before the first pulse.
     pub fn positive(&self) -> Option<bool> {
         self.positive
     }
@@ -154,7 +154,7 @@ fn count(at: i64) -> i64 {
     (at + STEP / 2) >> BITS
 }
 
-/// Where the count changes between `count` and the next: odd.
+/// Position at which the count changes from `count` to the next: odd.
 fn place(count: i64) -> i64 {
     count * STEP + STEP / 2 - 1
 }

@@ -1,6 +1,6 @@
 use super::{Error, Generator, Timing, Train};
 
-/// What a line does.
+/// Edge of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Edge {
     /// The step line goes low.
@@ -18,7 +18,7 @@ pub struct Event {
     pub tick: u64,
     /// Index of the axis.
     pub axis: usize,
-    /// What changes.
+    /// The edge.
     pub edge: Edge,
 }
 
@@ -43,7 +43,7 @@ struct Line {
     next: u64,
 }
 
-/// The tick of what does not come.
+/// Tick of an event that never occurs.
 const NEVER: u64 = u64::MAX >> 2;
 
 /// A tick and, below it, the order of edges in a tick.
@@ -55,7 +55,7 @@ impl Lines {
     /// Axes at rest, each with its times (of the same period) and its position in steps.
     ///
     /// # Errors
-    /// Of which axis (by index), and those of [`Generator::new`].
+    /// The axis (by index), and the error of [`Generator::new`].
     pub fn new(axes: &[(Timing, f64)]) -> Result<Self, (usize, Error)> {
         let line = |(i, &(timing, start)): (usize, &(Timing, f64))| {
             let generator = Generator::new(timing, start).map_err(|e| (i, e))?;
@@ -70,7 +70,7 @@ impl Lines {
     /// next one begins; those not taken are lost.
     ///
     /// # Errors
-    /// Of which axis (by index), and those of [`Generator::period`].
+    /// The axis (by index), and the error of [`Generator::period`].
     pub fn advance(&mut self, to: impl IntoIterator<Item = f64>) -> Result<(), (usize, Error)> {
         (self.begin, self.end) = (self.end, self.end + self.period);
         for (i, (line, to)) in self.lines.iter_mut().zip(to).enumerate() {
@@ -80,7 +80,8 @@ impl Lines {
         Ok(())
     }
 
-    /// The same, but an axis that cannot get to its position in time stays where it is for this period.
+    /// Begins the next period as [`Lines::advance`], but an axis that cannot reach its position in time rests for this
+    /// period.
     pub fn advance_or_stay(&mut self, to: impl IntoIterator<Item = f64>) {
         (self.begin, self.end) = (self.end, self.end + self.period);
         for (line, to) in self.lines.iter_mut().zip(to) {
@@ -116,7 +117,7 @@ impl Lines {
         Some(Event { tick, axis, edge })
     }
 
-    /// The last falling edges, after the last period: the next one, until there is none.
+    /// The next of the last falling edges, after the last period; none at the end.
     pub fn last_event(&mut self) -> Option<Event> {
         self.end = NEVER;
         self.event()

@@ -1,8 +1,8 @@
 use super::Error;
 use seamwright_machine::{PulseTicks, Stepper};
 
-/// Most ticks of a period: products with a step's fractions stay within 64 bits.
-const MOST_TICKS: u64 = 1 << 38;
+/// Maximum ticks of a period: products with a step's fractions stay within 64 bits.
+const MAX_PERIOD_TICKS: u64 = 1 << 38;
 
 /// A driver's times in ticks of the timer, each rounded so that the driver's limit holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -11,16 +11,16 @@ pub struct Timing {
     pub period: u64,
     /// The step line is high for this long, and low for at least as long.
     pub width: u64,
-    /// Rising edges are at least so far apart.
+    /// Minimum distance of rising edges.
     pub spacing: u64,
-    /// From a change of direction to the next rising edge.
+    /// Minimum time from a change of direction to the next rising edge.
     pub setup: u64,
-    /// From a falling edge to a change of direction.
+    /// Minimum time from a falling edge to a change of direction.
     pub hold: u64,
 }
 
 impl Timing {
-    /// Of `stepper` on a timer with ticks of `tick_s` (s), for periods of `period` ticks.
+    /// Computes the times of `stepper` on a timer with ticks of `tick_s` (s), for periods of `period` ticks.
     ///
     /// # Errors
     /// [`Error::Period`].
@@ -30,14 +30,13 @@ impl Timing {
         Ok(Self { period, width, spacing, setup, hold })
     }
 
-    /// Highest frequency that pulses are made with, Hz, with ticks of `tick_s` (s): the driver's, or less on a coarse
-    /// timer.
+    /// Maximum pulse frequency, Hz, with ticks of `tick_s` (s): the driver's, or less on a coarse timer.
     pub fn max_hz(&self, tick_s: f64) -> f64 {
         1.0 / tick_s / self.spacing as f64
     }
 }
 
-/// Refuses a period (ticks) of nothing, and one whose products would not stay exact.
+/// Refuses a period of 0 ticks, and one whose products would not be exact.
 pub(super) fn check_period(ticks: u64) -> Result<(), Error> {
-    if (1..=MOST_TICKS).contains(&ticks) { Ok(()) } else { Err(Error::Period { ticks }) }
+    if (1..=MAX_PERIOD_TICKS).contains(&ticks) { Ok(()) } else { Err(Error::Period { ticks }) }
 }

@@ -1,7 +1,7 @@
 /// The pulses of one axis in one period: an iterator over the ticks of their rising edges, from the period's start.
 ///
-/// Whole numbers throughout: each pulse is a quotient of whole numbers rounded down, found from the one before by an
-/// addition and a carry (Bresenham).
+/// Integers throughout: each pulse is an integer quotient rounded down, computed from the previous one by an addition
+/// and a carry (Bresenham).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Train {
     /// Direction of its pulses: true counts up.

@@ -4,23 +4,23 @@ use crate::part_program::Arc;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Which arcs a control can go along.
+/// Arcs that a control supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Arcs {
     /// None.
     None,
-    /// Those about X, Y or Z, with motion along that axis.
+    /// Arcs about X, Y or Z, with motion along that axis.
     Planes,
     /// Those, and circles in any plane.
     Any,
 }
 
-/// What the normal of an arc may be.
+/// Permitted normal of an arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Normal {
     /// This one; along it the arc may climb.
     Along(DVec3),
-    /// That of the plane of three places.
+    /// The normal of the plane of three points.
     OfPlane,
 }
 
@@ -41,10 +41,10 @@ impl Arcs {
 const LARGEST_MM: f64 = 1e5;
 /// Smaller ones are corners.
 const SMALLEST_MM: f64 = 1e-3;
-/// Longest arc, rad: ends that are near to each other would not tell a circle from a point.
+/// Longest arc, rad: with ends near to each other, a circle is not distinguishable from a point.
 const LONGEST: f64 = 0.95 * TAU;
 
-/// The arc from `start` through `middle` to `end`; none where they are in line, or its radius or angle are out of
+/// The arc from `start` through `middle` to `end`; `None` if they are in line, or its radius or angle are out of
 /// bounds.
 pub(crate) fn through(start: DVec3, middle: DVec3, end: DVec3, normal: Normal) -> Option<Arc> {
     let (b, c) = (middle - start, end - start);

@@ -33,14 +33,14 @@ pub enum Shape {
     Arc(Arc),
     /// Cubics in time.
     Hermite {
-        /// Speeds at its begin.
+        /// Speeds at its start.
         from: Speeds,
         /// Speeds at its end.
         to: Speeds,
     },
     /// Cubics of a parameter, gone along evenly.
     Curve {
-        /// Derivatives by the part of the parameter at its begin.
+        /// Derivatives by the part of the parameter at its start.
         from: Speeds,
         /// The same at its end.
         to: Speeds,
@@ -51,7 +51,7 @@ pub enum Shape {
     Spline,
 }
 
-/// Speeds at one place, per s, or derivatives by a parameter.
+/// Speeds at one station, per s, or derivatives by a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Speeds {
     /// Of the axes, mm or rad.
@@ -63,7 +63,7 @@ pub struct Speeds {
 /// A pass cut into blocks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linearisation {
-    /// Where the first block begins (with no duration).
+    /// Start of the first block (with no duration).
     pub start: Block,
     /// The blocks.
     pub blocks: Vec<Block>,
@@ -72,7 +72,7 @@ pub struct Linearisation {
 }
 
 impl Block {
-    /// Positions and tip at the part `f` of the time of the block that ends here and begins at `begin`; X, Y and Z of
+    /// Positions and tip at the part `f` of the time of the block that ends here and starts at `begin`; X, Y and Z of
     /// an arc are left to the caller.
     pub(crate) fn part(&self, begin: &Self, f: f64) -> (Joints, DVec3) {
         let line = |a: f64, b: f64| a + f * (b - a);
@@ -89,7 +89,7 @@ impl Block {
     }
 }
 
-/// Weights of the way, the speed at the begin and that at the end in a cubic of `time` s at its part `f`.
+/// Weights of the way, the speed at the start and that at the end in a cubic of `time` s at its part `f`.
 fn hermite(f: f64, time: f64) -> [f64; 3] {
     let g = 1.0 - f;
     [f * f * (3.0 - 2.0 * f), time * f * g * g, -time * f * f * g]

@@ -8,9 +8,9 @@ use seamwright_program::Pass;
 pub(crate) const WELDING: (f64, f64) = (f64::INFINITY, f64::INFINITY);
 /// Way over which a value goes from that of one span to that of the next, mm.
 const JUMP_MM: f64 = 0.5;
-/// How far a value may be from an even change within a block, as a part of what it spans.
+/// Maximum deviation of a value from an even change within a block, as a part of its range there.
 const USED: f64 = 0.005;
-/// Places at which a value's span is looked for.
+/// Stations at which a value's range is searched.
 const PLACES: u32 = 400;
 
 /// The interpolated process values of a pass.
@@ -47,7 +47,7 @@ impl<'a> Course<'a> {
         self.values.iter().map(move |(name, i, _)| (*i, self.pass.process_at(name, s, clock).unwrap_or(0.0)))
     }
 
-    /// Places where a jump begins or ends, mm.
+    /// Starts and ends of jumps, mm.
     pub(crate) fn breaks(&self) -> Vec<f64> {
         if self.values.is_empty() {
             return Vec::new();
@@ -55,8 +55,8 @@ impl<'a> Course<'a> {
         self.pass.spans.iter().skip(1).map(|span| span.from_mm.get() + jump(span)).collect()
     }
 
-    /// True if all values are near enough to even between two path lengths whose time is halved, and so on, by `at`,
-    /// which gives the path length at a part of the time.
+    /// True if all values are nearly even in time between two path lengths. `at` gives the path length at a part of the
+    /// time.
     pub(crate) fn is_even(&self, (from, to): (f64, f64), at: impl Fn(f64) -> f64) -> bool {
         const CHECKS: u32 = 8;
         self.values.iter().all(|(name, _, tolerance)| {

@@ -2,7 +2,7 @@ use super::arcs::{Arcs, Normal, through};
 use super::block::{Block, Linearisation, Shape, Speeds};
 use super::course::Course;
 use crate::even_speed::EvenSpeed;
-use crate::feed::LEAST_FEED;
+use crate::feed::MIN_FEED;
 use crate::polynomial::{Evenly, Polynomial};
 use crate::{Error, Level};
 use glam::DVec3;
@@ -12,35 +12,35 @@ use seamwright_program::TorchPath;
 
 /// Parts of a block at whose ends it is compared with the exact path.
 pub(super) const CHECKS: usize = 16;
-/// What may be used of the tolerance at these places: between them the path of the blocks strays up to
-/// `(1/16)^2` of the tolerance more where the deviation has one hump, and four times that where it has two.
+/// Usable part of the tolerance at these stations. Between them the deviation grows by up to `(1/16)^2` of the
+/// tolerance if it has one hump, and by four times that with two.
 const USED: f64 = 0.98;
 /// Shortest block, mm.
 const SHORTEST_MM: f64 = 1e-4;
-/// More blocks in a pass than these are no part program that a control takes.
+/// Maximum number of blocks in a pass: controls refuse larger part programs.
 pub(super) const MAX_BLOCKS: usize = 2_000_000;
 /// An arc is looked for if one this much longer than the line is good.
 const LONGER: f64 = 1.2;
 /// Linear motion that may be left to a later block, as a part of the tolerance. The cutter's own tolerance is smaller
 /// by as much.
 pub(crate) const HELD_BACK: f64 = 0.05;
-/// How far feeds stay above the least one.
+/// Safety factor of feeds over the minimum feed.
 const MARGIN: f64 = 1.2;
 /// Turns smaller than this (rad) are lost in the words' decimals.
 const TURN: f64 = 1e-7;
 
-/// How a pass is cut.
+/// Settings that cut a pass into blocks.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cutting<'a> {
-    /// What the control interpolates.
+    /// Level at which the control interpolates.
     pub(crate) level: Level,
     /// Greatest distance from the planned path, mm.
     pub(crate) tolerance_mm: f64,
     /// Greatest deviation of the tip's speed from the planned one inside a block, as a part of that.
     pub(crate) speed: f64,
-    /// Whether the control raises feeds below [`LEAST_FEED`].
+    /// Whether the control raises feeds below [`MIN_FEED`].
     pub(crate) least_feed: bool,
-    /// What blocks are that are no arcs.
+    /// Kind of blocks other than arcs.
     pub(crate) base: Kind,
     /// Arcs that the control has.
     pub(crate) arcs: Arcs,
@@ -72,11 +72,11 @@ impl Cutting<'_> {
     }
 }
 
-/// Cuts `motion` into few straight blocks for LinuxCNC whose path stays within `tolerance_mm` of the planned one of the
-/// tip (the seam, but for blends at corners): greedily, each block as long as tolerance, timing, attitude and the
-/// control's least feed let it be.
+/// Cuts `motion` into few straight blocks for LinuxCNC. Their path stays within `tolerance_mm` of the planned one of
+/// the tip: the seam, except for blends at corners. Each block is as long as tolerance, timing, torch attitude and the
+/// control's minimum feed permit.
 ///
-/// Places where spans end (`breaks`, mm) and corners at which the torch stops always end a block.
+/// Ends of spans (`breaks`, mm) and corners at which the torch stops always end a block.
 ///
 /// # Errors
 /// [`Error::TooFine`], [`Error::NoTip`].
@@ -90,7 +90,7 @@ pub fn linearise(
     cut(machine, motion, breaks, &Cutting::lines(level, tolerance_mm))
 }
 
-/// The same in the blocks that `cutting` allows: at each place the longer of the farthest good line and arc.
+/// The same in the blocks that `cutting` allows: from each station on the longer of the farthest good line and arc.
 pub(crate) fn cut(
     machine: &Machine,
     motion: &PassMotion,
@@ -102,7 +102,7 @@ pub(crate) fn cut(
     let mut cutter =
         Cutter { machine, path, motion, cutting, tolerance: USED * cutting.tolerance_mm, ends: (0.0, 0.0), even };
     let mut here = cutter.end_at(0.0, 0.0);
-    // The last place whose linear words were written.
+    // The last position whose linear words were written.
     let mut written = here;
     let mut cut = Linearisation { start: here, blocks: Vec::new(), chord_error_mm: 0.0 };
     let stops: Vec<f64> = motion.law.legs().iter().skip(1).map(|leg| leg.from).collect();
@@ -159,7 +159,7 @@ pub(super) struct Cutter<'a> {
     pub(super) tolerance: f64,
     /// Path lengths between which the torch does not stop.
     ends: (f64, f64),
-    /// Where the tip's speed is compared with the plan.
+    /// Comparison of the tip's speed with the plan.
     pub(super) even: EvenSpeed<'a>,
 }
 
@@ -171,7 +171,7 @@ impl Cutter<'_> {
         Block { s, q, tip, duration, turns_only: false, stops: false, shape: Shape::Line }
     }
 
-    /// The block of a kind from `here` to `s`, if there is one.
+    /// The block of a kind from `here` to `s`, if it exists.
     fn block(&self, kind: Kind, here: &Block, s: f64) -> Option<Block> {
         let mut block = self.end_at(s, here.s);
         block.shape = match kind {
@@ -187,7 +187,7 @@ impl Cutter<'_> {
         Some(block)
     }
 
-    /// The cubic with the path's directions at both ends; only what the control moves is bent.
+    /// The cubic with the path's directions at both ends; only the control's own channels are bent.
     fn curve(&self, here: &Block, block: &Block) -> Shape {
         let slopes = |s: f64, before: bool| self.slopes(s, before, block.s - here.s);
         let (from, to) = (slopes(here.s, false), slopes(block.s, true));
@@ -221,7 +221,7 @@ impl Cutter<'_> {
         self.slopes(s, before, self.motion.law.speed(s))
     }
 
-    /// X, Y and Z of what the control moves, mm.
+    /// X, Y and Z that the control moves, mm.
     pub(super) fn place(&self, at: &Block) -> DVec3 {
         match self.cutting.level {
             Level::Tip => at.tip,
@@ -234,7 +234,7 @@ impl Cutter<'_> {
         let base = self.cutting.base;
         let (s, checks) = (self.farthest(base, here, written, (end, guess), CHECKS), CHECKS);
         let line = self.turned_back(here, written, s);
-        // At rest nothing tells how it goes on: halves of a line so short are no good for an arc.
+        // A line from rest has no history, so halves of a line so short are no good for an arc.
         let length = (line - here.s).max(SHORTEST_MM);
         let tried = (here.s + LONGER * length).min(end);
         let mut best = (line, base);
@@ -243,7 +243,7 @@ impl Cutter<'_> {
             if !self.tried(kind, here, written, tried, checks) {
                 continue;
             }
-            // As many checks as there were within a line, so that no wave slips through between them.
+            // The checks are as dense as within a line, so that no wave slips through between them.
             let fine = |to: f64| (CHECKS as f64 / 4.0 * (to - here.s) / length).max(CHECKS as f64) as usize;
             let mut far = tried;
             while far < end {
@@ -287,8 +287,8 @@ impl Cutter<'_> {
         ok
     }
 
-    /// The middle of a block to `end`, if linear motion goes out and back in it and would be left out as too small
-    /// though either half has enough; otherwise `end`.
+    /// The middle of a block to `end`, if linear motion goes out and back in it: the whole would be left out as too
+    /// small, though either half has enough. Otherwise `end`.
     fn turned_back(&self, here: &Block, written: &Block, end: f64) -> f64 {
         if !self.cutting.least_feed {
             return end;
@@ -306,10 +306,10 @@ impl Cutter<'_> {
             return true;
         }
         match b.shape {
-            // From where the words left the axes an arc cannot begin elsewhere.
+            // An arc must start at the position of the last words.
             Shape::Arc(arc) => {
                 let way = arc.length(self.place(here), self.place(b));
-                written.s >= here.s && way / b.duration * 60.0 >= MARGIN * LEAST_FEED
+                written.s >= here.s && way / b.duration * 60.0 >= MARGIN * MIN_FEED
             }
             _ => !self.below_least_feed(written, b) || self.linear(written, b) <= HELD_BACK * self.tolerance,
         }
@@ -317,7 +317,7 @@ impl Cutter<'_> {
 
     /// True if the control would raise the block's feed, counted from the last linear words `written`.
     fn below_least_feed(&self, written: &Block, b: &Block) -> bool {
-        self.linear(written, b) / b.duration * 60.0 < MARGIN * LEAST_FEED
+        self.linear(written, b) / b.duration * 60.0 < MARGIN * MIN_FEED
     }
 
     /// True if a rotary axis moves in the block by more than its words can say.

@@ -1,4 +1,4 @@
-//! How far a block is from the plan.
+//! Deviation of a block from the plan.
 
 use super::BRIEFEST_S;
 use super::block::{Block, Shape};
@@ -9,10 +9,10 @@ use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
 use seamwright_program::TorchPath;
 
-/// How far along the seam, or the way of a weaving tip, a block may run ahead of the plan or behind it, as a multiple of
-/// the chord tolerance.
+/// Maximum lead or lag of a block against the plan, as a multiple of the chord tolerance: along the seam, or along a
+/// weaving tip's way.
 const LAG: f64 = 20.0;
-/// What may be used of the speed's tolerance in the parts looked at.
+/// Usable part of the speed's tolerance in the parts that are compared.
 const SPEED_USED: f64 = 0.9;
 /// Largest deviation of the torch's attitude within a block, rad.
 const ATTITUDE: f64 = 0.1 * std::f64::consts::PI / 180.0;
@@ -24,7 +24,7 @@ impl Cutter<'_> {
         if b.duration > self.cutting.longest_s {
             return false;
         }
-        // In an order that finds what is bad soon.
+        // The order of the checks finds bad blocks early.
         let n = checks.next_power_of_two();
         let stride = (3 * n / 8) | 1;
         let near = (1..n).map(|i| ((i * stride) % n) as f64 / n as f64).all(|f| {
@@ -88,7 +88,7 @@ impl Cutter<'_> {
         let planned = self.motion.law.at(self.motion.law.time(a.s) + f * b.duration, &mut 0).s;
         let s = self.path.foot(passed.point, planned, (a.s, b.s));
         let there = self.motion.path.at(s);
-        // Compared with what the axes really reach, so that a missing freedom is not a chord error.
+        // Compared with the reached position, so that a missing freedom is not a chord error.
         let reached = self.machine.forward(&there);
         let mut chord = (passed.point - reached.point).length();
         let mut attitude = (passed.direction - reached.direction).length();

@@ -27,17 +27,17 @@ use seamwright_program::{Pass, Program, TorchPath};
 use stands::Neighbours;
 use steps::Steps;
 
-/// How a weld is made a part program.
+/// Options that convert a weld into a part program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
-    /// What the control interpolates.
+    /// Level at which the control interpolates.
     pub level: Level,
     /// Greatest distance of the blocks' path from the planned one of the tip, mm.
     pub tolerance_mm: f64,
     /// Greatest deviation of the tip's speed from the planned one inside blocks between run-up and run-down, percent, as
     /// far as the control's block rate allows: see [`BRIEFEST_S`]. Passes that weave are not held to it.
     pub speed_percent: f64,
-    /// What blocks are. LinuxCNC and grblHAL have lines and arcs alone, Sinumerik polynomials too.
+    /// Kind of blocks. LinuxCNC and grblHAL have lines and arcs alone, Sinumerik polynomials too.
     pub interpolation: Interpolation,
 }
 
@@ -48,18 +48,18 @@ impl Default for Options {
     }
 }
 
-/// Blocks shorter than this are not cut for the sake of the tip's speed, s: a hundred blocks a second is what any of the
-/// controls goes through without slowing down.
+/// Minimum duration of blocks cut for the sake of the tip's speed, s: all of the controls pass a hundred blocks a
+/// second without slowing down.
 pub const BRIEFEST_S: f64 = 0.01;
 
 impl Options {
-    /// What is left to a control that rounds corners between blocks, mm.
+    /// Tolerance left to a control that rounds corners between blocks, mm.
     pub fn rounding_mm(&self) -> f64 {
         ROUNDING * self.tolerance_mm
     }
 }
 
-/// What blocks are on controls that have more than lines and arcs.
+/// Kind of blocks on controls that have more than lines and arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
     /// Cubics in time, with speeds: PVT.
@@ -79,16 +79,16 @@ const SPARED: f64 = 0.05;
 /// Longest time of PMAC's cubics, s.
 const LONGEST_CUBIC_S: f64 = 4.095;
 
-/// The weld as a part program for `control`: blocks that keep to `options.tolerance_mm` and to the plan's timing, outputs
-/// switched with the motion; between passes the planned air moves, whose straight lines in axis space are those of
-/// rapid moves at joint level. `paths` are those of the passes that `motion` was planned of.
+/// Converts the weld into a part program for `control`. Blocks keep to `options.tolerance_mm` and to the plan's timing,
+/// and outputs are switched with the motion. Transfer moves are as planned; their straight lines in axis space are
+/// those of rapid moves at joint level. `paths` are those of the passes that `motion` was planned of.
 ///
-/// Rows are rounded to the six decimals that are written, so what is in them is what the control is told. At joint level
-/// the control must move axes as they are; tip level needs kinematics in the control that match the machine.
+/// Rows are rounded to the six decimals that are written, so they equal the values that the control reads. At joint
+/// level the control must move axes as they are; tip level needs kinematics in the control that match the machine.
 ///
 /// # Errors
-/// [`Error::TooFine`]; [`Error::NoTip`]; [`Error::TipPasses`] where the control cannot go over to its axes between
-/// passes; [`Error::TwoTorches`] at tip level.
+/// [`Error::TooFine`]; [`Error::NoTip`]; [`Error::TipPasses`] if the control cannot change to its axes between passes;
+/// [`Error::TwoTorches`] at tip level.
 pub fn part_program(
     machine: &Machine,
     control: &Control,
@@ -153,7 +153,7 @@ fn restarts(program: &Program) -> bool {
     program.passes.iter().filter(|pass| pass.has_arc()).count() > 1
 }
 
-/// What a pass through points switches and says, with the path length at which it does.
+/// Events and messages of a pass through points, each with its path length.
 fn point_events(pass: &Pass, path: &dyn TorchPath) -> Vec<(f64, Event)> {
     let events = pass.points.iter().flat_map(|points| &points.events);
     let mut events: Vec<(f64, Event)> =
@@ -169,7 +169,7 @@ fn is_same(a: &Joints, b: &Joints) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME)
 }
 
-/// Whether the arc burns on from one pass into the next, if they are in one place.
+/// Whether the arc burns on from one pass into the next at the same position.
 fn goes_on(pass: &Pass, next: &Pass) -> bool {
     next.has_arc() && pass.sequence.postflow_s.get() + next.sequence.preflow_s.get() <= 0.0
 }
@@ -225,7 +225,7 @@ fn blocks(
     if spline { spline::splines(machine, planned, &breaks, &cutting) } else { cut(machine, planned, &breaks, &cutting) }
 }
 
-/// The arcs that the control has: none where its X, Y and Z are not the axes of these names.
+/// The arcs of the control: none if its X, Y and Z are not the axes of these names.
 fn arcs_of(control: &Control, level: Level) -> Arcs {
     let there = control.axes_xyz().iter().flatten().count();
     if there < 2 || (level == Level::Tip && there < 3) {
@@ -245,7 +245,7 @@ impl Control {
         self.channel(name).is_some_and(|i| self.channels[i].kind == crate::ChannelKind::Stepped)
     }
 
-    /// Whether the machine file says how `event` is brought about.
+    /// Whether the machine file has an output or code for `event`.
     fn can(&self, event: &Event) -> bool {
         let output = match event {
             // Always said, and left out by the writer where the control has no word for it.
@@ -258,7 +258,7 @@ impl Control {
         output.is_some() || self.code(&Code::Event(event.clone())).is_some()
     }
 
-    /// Whether a program can go over from axes to the tip and back.
+    /// Whether a program can change from axes to the tip and back.
     pub(crate) fn switches_level(&self) -> bool {
         match self.dialect {
             Dialect::Sinumerik => true,

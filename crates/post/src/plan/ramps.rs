@@ -2,16 +2,16 @@
 
 use seamwright_program::{Pass, ProcessValue, Span, Weaving};
 
-/// Steps of a ramp or slope: each is one part in this many of the change.
+/// Number of steps of a ramp or slope.
 const STEPS: u32 = 50;
 /// Steps of a weave's period.
 const SWING_STEPS: u32 = 24;
-/// Steps of a ramp are no shorter than this, mm.
+/// Minimum length of a ramp's steps, mm.
 const SHORTEST_MM: f64 = 0.5;
-/// Steps of a slope are no shorter than this, s.
+/// Minimum duration of a slope's steps, s.
 const SHORTEST_S: f64 = 0.02;
 
-/// Where blocks end within a span so that its ramps change in small steps, mm.
+/// Block ends within a span that make its ramps change in small steps, mm.
 pub(crate) fn ramp_breaks(span: &Span) -> Vec<f64> {
     if !span.process.values().any(ProcessValue::is_ramp) {
         return Vec::new();
@@ -21,7 +21,7 @@ pub(crate) fn ramp_breaks(span: &Span) -> Vec<f64> {
     (1..count).map(|i| from + (to - from) * f64::from(i) / f64::from(count)).collect()
 }
 
-/// Where blocks end so that the values of a weave's sides change in small steps, mm; none without such values.
+/// Block ends that make the values of a weave's sides change in small steps, mm; empty without such values.
 pub(crate) fn weave_breaks(pass: &Pass) -> Vec<f64> {
     let (Some(weave), Some(weaving)) = (&pass.weave, Weaving::new(pass)) else { return Vec::new() };
     if weave.at_sides.is_empty() {
@@ -40,9 +40,9 @@ fn steps(most: f64) -> u32 {
 /// Part of a time in which the torch rests with the arc on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RestStep {
-    /// How long it is, s.
+    /// Duration, s.
     pub(crate) time: f64,
-    /// Its middle, from the begin of the rest, s.
+    /// Its middle, from the start of the rest, s.
     pub(crate) middle: f64,
     /// True within a slope.
     pub(crate) slopes: bool,

@@ -13,7 +13,7 @@ pub(super) const SCALE: f64 = 1e6;
 const FINE: f64 = 1e9;
 
 impl Steps<'_> {
-    /// Puts a place into the row; linear axes stay as they are if `rotary_only`.
+    /// Writes a position into the row; linear axes keep theirs if `rotary_only`.
     pub(super) fn go_to(&mut self, at: &Block, rotary_only: bool) {
         for (i, axis) in self.machine.axes.iter().enumerate() {
             let value = match (axis.kind, self.level) {
@@ -29,7 +29,7 @@ impl Steps<'_> {
         }
     }
 
-    /// Which of X, Y and Z axis `i` is.
+    /// Index of axis `i` among X, Y and Z.
     fn tip_part(&self, i: usize) -> Option<usize> {
         ["x", "y", "z"].iter().position(|name| *name == self.machine.axes[i].name)
     }

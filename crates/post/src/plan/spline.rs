@@ -19,21 +19,22 @@ const SHORTEST_S: f64 = 5e-4;
 const STEADY_S: f64 = 0.02;
 /// Blocks that a leg begins with, at least.
 const FEWEST: f64 = 6.0;
-/// Places checked within a block.
+/// Stations checked within a block.
 const CHECKS: u32 = 4;
-/// What may be used of the tolerance at these places.
+/// Usable part of the tolerance at these stations.
 const USED: f64 = 0.95;
-/// How far a block may run ahead of the plan or behind it, as a multiple of the tolerance.
+/// Maximum lead or lag of a block against the plan, as a multiple of the tolerance.
 const LAG: f64 = 20.0;
 
-/// Axes and tip together: what the splines go through.
+/// Axes and tip together: the points of the splines.
 type Row = [f64; MAX_AXES + 3];
 
-/// The pass as splines, one for every leg from rest to rest: through the planned places at the knots but the first and
-/// last, with times halved until all between is within the tolerance, and made shorter until the tip keeps its speed.
+/// The pass as splines, one for every leg from rest to rest: through the planned positions at all knots except the
+/// first and last. Times are halved until all between is within the tolerance, and shortened until the tip keeps its
+/// speed.
 ///
-/// The spline has the place that a leg begins at and the ends of its blocks as control points, the first and the last
-/// three times, so that it takes two block times more than it has blocks.
+/// The control points of the spline are the start of the leg and the ends of its blocks, the first and the last three
+/// times. So it takes two block times more than it has blocks.
 ///
 /// # Errors
 /// [`Error::TooFine`].
@@ -111,8 +112,8 @@ impl Plan<'_> {
         Block { s, q, tip, duration, turns_only: false, stops: false, shape: Shape::Spline }
     }
 
-    /// Control points, the first of them where the leg begins: at each knot but the first and the last one the spline
-    /// `(p[i - 1] + 4 p[i] + p[i + 1]) / 6` is the planned place.
+    /// Control points, the first of them at the start of the leg. At each knot except the first and the last one the
+    /// spline `(p[i - 1] + 4 p[i] + p[i + 1]) / 6` is the planned position.
     fn control_points(&self, begin: f64, step: f64, moves: usize) -> Vec<Row> {
         let place = |i: usize| self.row(self.s(begin + (i as f64 + 1.0) * step));
         let mut points = vec![self.row(self.s(begin)); moves + 1];
@@ -159,7 +160,7 @@ impl Plan<'_> {
         })
     }
 
-    /// Greatest distance of the spline from the plan, mm; lead and lag count by what they may be more.
+    /// Maximum distance of the spline from the plan, mm; lead and lag count as parts of their larger limit.
     fn deviation(&self, points: &[Row], begin: f64, step: f64) -> f64 {
         let last = points.len() - 1;
         let point = |i: usize| &points[i.saturating_sub(2).min(last)];

@@ -8,8 +8,8 @@ use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_machine::Joints;
 use seamwright_program::{Along, Pass, Span, SpanValue};
 
-/// The pass with no more than the process values of its first and its last block, in spans of 1 mm: what is needed for
-/// slopes before and after it.
+/// The pass with only the process values of its first and its last block, in spans of 1 mm: the data for slopes before
+/// and after it.
 fn at_its_ends(pass: &Pass) -> Pass {
     let Some(points) = &pass.points else { return pass.clone() };
     let columns = points.known_columns();
@@ -34,7 +34,7 @@ fn rests_first(pass: &Pass) -> bool {
     points.rows().nth(1).is_some_and(|first| axes.iter().all(|(_, i)| first[*i] == points.start[*i]))
 }
 
-/// What is before and behind a pass.
+/// Position of a pass among its neighbours.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Neighbours {
     /// It is the first.
@@ -46,7 +46,7 @@ pub(super) struct Neighbours {
 }
 
 impl Steps<'_> {
-    /// The pass, after the `way` to it, straight from place to place.
+    /// The pass, after the `way` to it, straight from position to position.
     pub(super) fn stands(&mut self, pass: &Pass, way: &[Joints], neighbours: Neighbours) {
         let Neighbours { first, restarts, burns_on } = neighbours;
         let again = restarts && !self.arc;
@@ -109,7 +109,7 @@ impl Steps<'_> {
         if self.arc && !burns_on {
             self.event(Event::Arc(false), true);
             self.arc = false;
-            // What has its value until another is set has none without the arc.
+            // A stepped value keeps its setting until the next one, so it is set to zero without the arc.
             for name in pass.spans.first().iter().flat_map(|span| span.process.keys()) {
                 let Some(i) = self.control.channel(name) else { continue };
                 if self.control.channels[i].kind == ChannelKind::Stepped && self.row[i].abs() > 0.0 {

@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
 const APPROACH_MM_MIN: f64 = 600.0;
-/// What is switched this near behind the begin of a block goes with it, mm.
+/// An event up to this far behind the start of a block is switched with it, mm.
 const NEAR: f64 = 1e-6;
 /// Steps of process values at outputs.
 const VALUE_SCALE: f64 = 1e4;
@@ -28,7 +28,7 @@ pub(super) struct Steps<'a> {
     pub(super) control: &'a Control,
     pub(super) level: Level,
     pub(super) program: PartProgram,
-    /// What the control has been told of each channel.
+    /// Last value of each channel that was sent to the control.
     pub(super) row: Vec<f64>,
     /// The row before the block under way.
     pub(super) before: Vec<f64>,
@@ -46,7 +46,7 @@ impl<'a> Steps<'a> {
         Self { machine, control, level: options.level, program: part, row, before, set: BTreeMap::new(), arc: false }
     }
 
-    /// A pass begins: whatever was left on by what ran before, the arc is off, unless it burns on.
+    /// Starts a pass: the arc is off, regardless of the program before, unless it burns on.
     pub(super) fn begin_pass(&mut self, name: &str) {
         self.program.push(What::Pass(name.into()));
         if !self.arc {
@@ -58,7 +58,7 @@ impl<'a> Steps<'a> {
         self.program.push(What::Comment(text.into()));
     }
 
-    /// What the pass is, in words.
+    /// Describes the pass in comments.
     pub(super) fn remarks(&mut self, name: &str, motion: &PassMotion, cut: &Linearisation, options: &Options) {
         self.comment(&format!(
             "{name}: travel {} mm in {} s; arc on {} s",
@@ -79,7 +79,7 @@ impl<'a> Steps<'a> {
     /// The planned way from where the torch stands back after one pass to where it does before the next, for the axes.
     pub(super) fn air(&mut self, air: &AirMove) {
         self.comment("the planned way to the next pass");
-        // The retract and the approach are written with their welds; the last place is where the approach begins.
+        // The retract and the approach are written with their welds; the last position is the start of the approach.
         let skip = usize::from(air.retracts);
         let inner = air.legs.len().saturating_sub(usize::from(air.approaches));
         let level = std::mem::replace(&mut self.level, Level::Joint);
@@ -119,7 +119,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Where the torch stands with the axes at `q`.
+    /// Block at rest with the axes at `q`.
     pub(super) fn standing(&self, q: &Joints) -> Block {
         let tip = self.machine.forward(q).point;
         Block { s: 0.0, q: *q, tip, duration: 0.0, turns_only: false, stops: false, shape: Shape::Line }
@@ -154,7 +154,7 @@ impl<'a> Steps<'a> {
     fn start(&mut self, cut: &Linearisation, pass: &Pass, course: &Course) {
         let sequence = &pass.sequence;
         self.missing(pass);
-        // A pass through points says itself what is switched beside the arc.
+        // A pass through points has its own events beside the arc.
         if pass.points.is_none() {
             self.event(Event::Gas(true), true);
         }
@@ -165,7 +165,7 @@ impl<'a> Steps<'a> {
             self.set_interpolated(channel, value);
         }
         if delay > 0.0 {
-            // Nothing moves yet: immediate outputs, for LinuxCNC repeated below in step with the motion.
+            // At rest before the motion: immediate outputs, for LinuxCNC repeated below in step with the motion.
             let upslope = sequence.upslope.as_ref().map_or(0.0, |s| s.time_s.get());
             let mut time = 0.0;
             for (i, step) in self.rests(delay, (upslope, 0.0), pass).into_iter().enumerate() {
@@ -185,7 +185,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// The blocks, with what is switched on the way; what is left of that at the end.
+    /// The blocks, with the events on the way; remaining events come at the end.
     fn weld(
         &mut self,
         cut: &Linearisation,
@@ -214,7 +214,7 @@ impl<'a> Steps<'a> {
             }
             self.before.clone_from(&self.row);
             self.go_to(block, block.turns_only);
-            // PMAC's times are multiples of a tick; what is lost in one is made up for in the next.
+            // PMAC's times are multiples of a tick; the rounding of one block is corrected in the next.
             time += block.duration;
             let seconds = match self.control.dialect {
                 Dialect::Pmac => (time / TICK).round() * TICK - ticks,
@@ -302,8 +302,8 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Sets the process values that change in steps, as they are at path length `s` and a time since the arc went on and
-    /// until it goes off, where they changed.
+    /// Sets the process values that change in steps and have changed, at path length `s`. `clock` is the time since the
+    /// arc went on, and until it goes off.
     pub(super) fn values(&mut self, pass: &Pass, at_once: bool, (s, clock): (f64, (f64, f64))) {
         for name in pass.spans[0].process.keys() {
             let value = rounded(pass.process_at(name, s, clock).unwrap_or(0.0), VALUE_SCALE);
@@ -320,7 +320,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Says which process values the control cannot be told.
+    /// Reports process values for which the control has no output.
     fn missing(&mut self, pass: &Pass) {
         for name in pass.spans[0].process.keys().filter(|name| self.control.channel(name).is_none()) {
             let value = pass.process_at(name, 0.0, WELDING).unwrap_or(0.0);

@@ -2,17 +2,17 @@ use crate::part_program::Xyz;
 use crate::play::Segment;
 use seamwright_document::Finite;
 
-/// Cubics nearer than this to what they stand for are it, mm, degrees or parts of 1.
+/// Maximum error of a cubic that replaces a segment, mm, degrees or parts of 1.
 const SAME: f64 = 1e-7;
 /// Part of a segment for differences.
 const STEP: f64 = 1e-4;
-/// Shortest part of a segment that is told by a cubic of its own.
+/// Shortest part of a segment that has a cubic of its own.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
-/// The columns that say the place of a row.
+/// The columns of a row's position.
 pub(super) type Place<'a> = Box<dyn Fn(&[f64]) -> Vec<f64> + 'a>;
 
-/// A segment of a part program, a cubic or a curve, as cubics in time of the columns that say a point's place.
+/// A segment of a part program, a cubic or a curve, as cubics in time of the columns of a point's position.
 pub(super) struct Cubics<'a> {
     pub(super) segment: &'a Segment,
     /// Channels of X, Y and Z where the columns are those of a pose.
@@ -22,7 +22,7 @@ pub(super) struct Cubics<'a> {
 }
 
 impl Cubics<'_> {
-    /// Where they end, as parts of the segment: one cubic, but where its directions or its even feed bend it.
+    /// Ends of the cubics, as parts of the segment: one cubic, unless its directions or its even feed bend it.
     pub(super) fn ends(&self) -> Vec<f64> {
         let mut ends = Vec::new();
         self.halve((0.0, 1.0), &mut ends);
@@ -38,7 +38,7 @@ impl Cubics<'_> {
         self.halve((middle, end), ends);
     }
 
-    /// Whether one cubic is the segment between these parts of it.
+    /// Whether one cubic equals the segment between these parts of it.
     fn is_near(&self, (begin, end): (f64, f64)) -> bool {
         let ([p0, p1], [v0, v1]) = ([begin, end].map(|f| self.at(f)), [begin, end].map(|f| self.speeds(f)));
         let time = self.segment.seconds * (end - begin);
@@ -58,7 +58,7 @@ impl Cubics<'_> {
         (self.place)(&row)
     }
 
-    /// Speeds at the part `f` of the segment in the columns that say the place, per s.
+    /// Speeds at the part `f` of the segment in the position's columns, per s.
     pub(super) fn speeds(&self, f: f64) -> Vec<Finite> {
         let mut speeds = self.segment.speeds(f).unwrap_or_default();
         if let Some(xyz) = self.xyz {

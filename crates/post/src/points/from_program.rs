@@ -5,8 +5,8 @@ use seamwright_document::{Direction, Finite};
 use seamwright_machine::{Joints, Machine};
 use seamwright_program::{Along, ArcThrough, Pass, PointEvent, PointSpan, Points, tip_way};
 
-/// Whether a pass goes into a part program block by block: its points are axis positions, and the control has every way
-/// between them. The others are cut from the planned motion.
+/// Whether a pass goes into a part program block by block: its points are axis positions, and the control supports
+/// every way between them. The others are cut from the planned motion.
 pub(crate) fn is_posted_as_it_stands(control: &Control, pass: &Pass) -> bool {
     let Some(points) = &pass.points else { return false };
     let columns = points.known_columns();
@@ -46,7 +46,7 @@ fn arc(span: &PointSpan, start: DVec3, end: DVec3) -> Option<ArcThrough> {
     ArcThrough::new(start, span.via_mm?.get(), end, span.normal.map(Direction::unit))
 }
 
-/// Axis positions at begin and end of a pass through them.
+/// Axis positions at start and end of a pass through them.
 pub(crate) fn ends(machine: &Machine, pass: &Pass) -> Option<(Joints, Joints)> {
     let points = pass.points.as_ref()?;
     let columns = points.known_columns();
@@ -65,11 +65,11 @@ pub(crate) fn ends(machine: &Machine, pass: &Pass) -> Option<(Joints, Joints)> {
 /// A part of a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Part {
-    /// What is switched and set at its start: of what is set `all`, or what is other than before.
+    /// Events and values at its start: `all` values, or only those that changed.
     Begin { all: bool },
     /// Its blocks.
     Blocks,
-    /// What is switched when it is over.
+    /// Events after its end.
     End,
 }
 
@@ -118,7 +118,7 @@ struct Steps<'a> {
     points: &'a Points,
     /// Channels with the columns that say them.
     channels: Vec<(usize, usize)>,
-    /// What the other channels are at.
+    /// Values of the other channels.
     base: Vec<f64>,
     number: Option<usize>,
     timed: bool,
@@ -176,7 +176,7 @@ impl Steps<'_> {
         for channel in self.program.axes()..to.len() {
             let stepped = self.program.channels[channel].kind == ChannelKind::Stepped;
             if stepped && (to[channel] - from[channel]).abs() > 0.0 {
-                // Where nothing moves there is no motion to wait for.
+                // Without motion the value is set at once.
                 let axes = self.program.axes();
                 let at_once = from[..axes] == to[..axes];
                 self.program.push(What::Set { channel: channel as u16, value: to[channel], at_once });
@@ -223,7 +223,7 @@ impl Steps<'_> {
     }
 }
 
-/// What is switched or said.
+/// Event or message of a point.
 pub(crate) fn event_of(event: &PointEvent) -> Option<Event> {
     Some(match event {
         PointEvent { gas: Some(on), .. } => Event::Gas(*on),

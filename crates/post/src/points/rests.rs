@@ -4,22 +4,22 @@ use seamwright_program::{PointEvent, Sequence, Slope};
 /// Something between two moves.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Gap {
-    /// Nothing moves: whether the arc is on, how long, s, and the process values.
+    /// Rest without motion: whether the arc is on, the duration, s, and the process values.
     Rest(bool, f64, Vec<f64>),
     /// Something is switched or said.
     Event(PointEvent),
 }
 
-/// What is between two moves, in order.
+/// Gaps between two moves, in order.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rests(Vec<Gap>);
 
-/// What is at the end of a pass.
+/// Gaps at the end of a pass.
 #[derive(Debug, Clone, Default)]
 pub(super) struct End {
     burning: Vec<(f64, Vec<f64>)>,
     after_s: f64,
-    /// What is switched when it is over.
+    /// Events after its end.
     pub(super) events: Vec<PointEvent>,
 }
 
@@ -33,9 +33,8 @@ impl Rests {
         self.0.iter().any(|gap| matches!(gap, Gap::Rest(..)))
     }
 
-    /// Takes the rests with the arc as in the pass, if their values are neither those of `stays` nor make a slope from or
-    /// to `weld`: what happens then cannot be told by a sequence. `back` if they end a pass: then only those before
-    /// anything else.
+    /// Takes the rests with the arc as in the pass whose values are neither those of `stays` nor make a slope from or
+    /// to `weld`: a sequence cannot express them. `back` if they end a pass: then only those before anything else.
     pub(super) fn take_odd(&mut self, arc: bool, (stays, weld): (&[f64], &[f64]), back: bool) -> Vec<Gap> {
         let is_on = |gap: &Gap| matches!(gap, Gap::Rest(on, ..) if *on == arc);
         let from = if back { 0 } else { self.0.iter().position(is_on).unwrap_or(self.0.len()) };
@@ -54,8 +53,8 @@ impl Rests {
         if odd { self.0.drain(from..from + count).collect() } else { Vec::new() }
     }
 
-    /// Takes what belongs to the pass before: with the arc on, the time that it burns on and the time after it, and what
-    /// is switched then; or everything, if no pass follows.
+    /// Takes the gaps that belong to the pass before: with the arc on, the time that it burns on, the time after it,
+    /// and the events then. Takes everything if no pass follows.
     pub(super) fn take_end(&mut self, arc: bool, last: bool) -> End {
         let mut end = End::default();
         let goes_on = |end: &End, gap: &Gap| match gap {
@@ -84,7 +83,7 @@ impl Rests {
         std::mem::take(&mut self.0)
     }
 
-    /// What is switched before the next pass, which is left without it.
+    /// Takes the events before the next pass out of the gaps.
     pub(super) fn take_events(&mut self) -> Vec<PointEvent> {
         let mut events = Vec::new();
         self.0.retain(|gap| match gap {
@@ -123,7 +122,7 @@ fn seconds(value: f64) -> NonNegative {
     NonNegative::new(value).unwrap_or_default()
 }
 
-/// How far a step may be from an even slope, as a part of what that spans.
+/// Maximum deviation of a step from an even slope, as a part of that slope's range.
 const EVEN: f64 = 1e-3;
 
 /// The slope whose steps these rests are: from the outer end to the weld, where values are `weld`. Steps have the values
@@ -131,7 +130,7 @@ const EVEN: f64 = 1e-3;
 fn slope(names: &[String], rests: &[(f64, Vec<f64>)], weld: &[f64]) -> Option<Slope> {
     let differs = |values: &[f64]| values.iter().zip(weld).any(|(a, b)| (a - b).abs() > 1e-9);
     let last = rests.iter().rposition(|(_, values)| differs(values))?;
-    // Values that stay are no slope: they jump when the torch begins to travel.
+    // Constant values are no slope: they jump when the torch starts to travel.
     if last == 0 || rests[..=last].windows(2).all(|w| w[0].1 == w[1].1) {
         return None;
     }

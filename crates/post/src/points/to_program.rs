@@ -12,15 +12,14 @@ use seamwright_program::{
     Program, SpareAxes, TIME_COLUMN, Tolerance, Torch,
 };
 
-/// A part program as a program of points: every block a point, equal in effect. `start` is the row before its first
-/// block. Corners that the control goes through without a stop are blended within `blend_mm`.
+/// Converts a part program into a program of points: every block a point, equal in effect. `start` is the row before
+/// its first block. Corners that the control passes without a stop are blended within `blend_mm`.
 ///
-/// A new pass begins where the part program begins one, where the arc goes on or off, and where the control's kinematics
-/// are switched. Where the machine file gives no way to switch the arc, it is on in feed moves
-/// and off in rapid ones.
+/// A new pass starts at each pass of the part program, at each change of the arc, and at each change of the control's
+/// kinematics. If the machine file has no output for the arc, it is on in feed moves and off in rapid ones.
 ///
 /// # Errors
-/// [`Error::Nothing`] if nothing moves.
+/// [`Error::Nothing`] without any motion.
 pub fn to_program(
     machine: &Machine,
     control: &Control,
@@ -102,7 +101,7 @@ struct Open {
 struct Builder<'a> {
     machine: &'a Machine,
     read: &'a PartProgram,
-    /// Process channels that are told.
+    /// Process channels that the part program sets.
     used: Vec<usize>,
     switches_arc: bool,
     numbered: bool,
@@ -115,7 +114,7 @@ struct Builder<'a> {
     open: Option<Open>,
     /// Name that the next pass has.
     name: Option<String>,
-    /// What came since the last move.
+    /// Gaps since the last move.
     rests: Rests,
     /// Whether the arc was switched since then.
     switched: bool,

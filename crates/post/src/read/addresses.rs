@@ -2,7 +2,7 @@ use super::error::{Fault, Span};
 use super::lexer::same;
 use crate::{Code, Control};
 
-/// Finds channels and codes by what the program calls them.
+/// Finds channels and codes by their names in the program.
 #[derive(Debug)]
 pub(super) struct Addresses {
     /// Channel of each capital letter that is an address.
@@ -50,14 +50,14 @@ impl Addresses {
         }
     }
 
-    /// What the machine's own code does, if this is one: `number` in tenths.
+    /// Effect of the machine's own code, if this is one: `number` in tenths.
     #[inline]
     pub(super) fn code(&self, letter: u8, number: u32) -> Option<&Code> {
         self.codes.iter().find(|(l, n, _)| (*l, *n) == (letter, number)).map(|(_, _, code)| code)
     }
 }
 
-/// There is no such address.
+/// Fault of an unknown address.
 pub(super) fn no_address(control: &Control, span: Span, name: &str) -> Box<Fault> {
     let addresses: Vec<&str> = control.addresses.iter().map(String::as_str).filter(|a| !a.is_empty()).collect();
     Fault::unknown(span, format!("{name} is no address of this machine and no word that is known"))

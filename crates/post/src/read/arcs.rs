@@ -1,12 +1,12 @@
-//! Arcs from what programs say of them. All turn about `normal` by the right-hand rule: for the other way round it is
-//! turned over.
+//! Arcs from the words of programs. All turn about `normal` by the right-hand rule; the opposite sense has the opposite
+//! normal.
 
 use crate::Arc;
 use glam::DVec3;
 use seamwright_geometry::Curve;
 use std::f64::consts::TAU;
 
-/// How far an arc's end may be off its circle, or its radius too short, before a control refuses it.
+/// Maximum error of an arc's end or radius that a control accepts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tolerance {
     /// Off by less is always taken, mm.
@@ -24,7 +24,7 @@ pub(super) struct Tolerance {
 }
 
 impl Tolerance {
-    /// How far the end may be off a circle of this radius, mm.
+    /// Maximum distance of the end from a circle of this radius, mm.
     pub(super) fn off(&self, radius: f64) -> f64 {
         self.least.max(self.relative * radius).min(self.most)
     }
@@ -43,8 +43,8 @@ pub(super) fn about(start: DVec3, end: DVec3, centre: DVec3, normal: DVec3, turn
     Arc { centre, normal, sweep: angle + f64::from(turns) * TAU }
 }
 
-/// Centre of the arc of this radius: of at most half a circle, or of more if it is negative. Nothing if half the way
-/// from `start` to `end` is longer than the radius by more than `slack`, or if there is no way.
+/// Centre of the arc of this radius: of at most half a circle, or of more if the radius is negative. `None` without a
+/// way, or if half the way from `start` to `end` exceeds the radius by more than `slack`.
 pub(super) fn by_radius(start: DVec3, end: DVec3, radius: f64, normal: DVec3, slack: f64) -> Option<DVec3> {
     let chord = (end - start).reject_from_normalized(normal);
     let half = 0.5 * chord.length();
@@ -64,13 +64,13 @@ pub(super) fn by_angle(start: DVec3, end: DVec3, angle: f64, normal: DVec3) -> O
     Some(start + 0.5 * chord + 0.5 / (0.5 * angle).tan() * normal.cross(chord))
 }
 
-/// Where an arc of `angle` about `centre` ends.
+/// End of an arc of `angle` about `centre`.
 pub(super) fn turned(start: DVec3, centre: DVec3, angle: f64, normal: DVec3) -> DVec3 {
     let full = Arc { centre, normal, sweep: angle };
     full.at(start, start, 1.0)
 }
 
-/// The arc from `start` through `middle` to `end`. Nothing if the three are on a line.
+/// The arc from `start` through `middle` to `end`. `None` if the three are on a line.
 pub(super) fn through(start: DVec3, middle: DVec3, end: DVec3) -> Option<Arc> {
     let arc = seamwright_geometry::Arc::through(start, middle, end).ok()?;
     let (_, sweep) = arc.domain();

@@ -1,8 +1,8 @@
 use std::fmt;
 
-/// Something in a part program that cannot be read, and where.
+/// Invalid text in a part program, with its position.
 ///
-/// Its `Display` fits a screen: the address, what is wrong, the line with the place marked, what is allowed, and help.
+/// Its `Display` fits a screen: the address, the fault, the line with the position marked, what is allowed, and help.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReadError {
     /// File name as the caller gave it.
@@ -13,11 +13,11 @@ pub struct ReadError {
     pub column: usize,
     /// The line's text.
     pub text: String,
-    /// What is wrong.
+    /// Description of the fault.
     pub message: String,
-    /// What would be right.
+    /// Allowed values or words.
     pub allowed: Option<String>,
-    /// What to do about it.
+    /// Operator action.
     pub cure: Option<String>,
     marked: usize,
 }
@@ -42,25 +42,25 @@ impl fmt::Display for ReadError {
     }
 }
 
-/// A place in the text: from this byte up to that one.
+/// A range of the text: from this byte up to that one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Span {
     pub(super) from: usize,
     pub(super) to: usize,
 }
 
-/// Something wrong at a place, before its line and column are counted.
+/// A fault at a position, before its line and column are counted.
 #[derive(Debug, Clone)]
 pub(super) struct Fault {
     pub(super) span: Span,
     pub(super) message: String,
     allowed: Option<String>,
     cure: Option<String>,
-    /// Whether it is only not understood, so that a lenient reader may leave it out.
+    /// Whether the text is only unknown, so that a lenient reader may leave it out.
     pub(super) unknown: bool,
 }
 
-/// What reading a part of a line gives. Boxed, so that what goes well stays small.
+/// Result of reading a part of a line. The fault is boxed, so that a good result stays small.
 pub(super) type Read<T = ()> = Result<T, Box<Fault>>;
 
 impl Fault {

@@ -35,7 +35,7 @@ impl Expressions {
         !self.named.is_empty() && self.named.contains_key(&name.to_ascii_uppercase())
     }
 
-    /// A value right behind an address: a number, or what stands for one without an operator outside brackets.
+    /// A value right behind an address: a number, or its replacement without an operator outside brackets.
     #[inline]
     pub(super) fn word(&self, c: &mut Cursor) -> Read<f64> {
         if matches!(c.peek(), b'0'..=b'9' | b'.') || (c.at_number() && matches!(c.look(1), b'0'..=b'9' | b'.')) {
@@ -104,7 +104,7 @@ impl Expressions {
                 b'M' | b'm' if self.dialect != Dialect::Pmac && word_here(c, "MOD") => {
                     c.at += 3;
                     let divisor = self.power(c, depth)?;
-                    // LinuxCNC's is never negative, Siemens' has the sign of what is divided.
+                    // LinuxCNC's remainder is never negative, Siemens' has the sign of the dividend.
                     value = if self.dialect == Dialect::Linuxcnc { value.rem_euclid(divisor) } else { value % divisor };
                 }
                 b'D' | b'd' if self.dialect == Dialect::Sinumerik && word_here(c, "DIV") => {
@@ -226,7 +226,7 @@ impl Expressions {
         }
     }
 
-    /// Value of a variable like R1 or P100, if `name` is one: nothing inside if it was never set.
+    /// Value of a variable like R1 or P100, if `name` is one; the inner `None` if it was never set.
     fn numbered_value(&self, name: &str) -> Option<Option<f64>> {
         let letter = name.as_bytes().first()?.to_ascii_uppercase();
         let letters: &[u8] = match self.dialect {
@@ -250,7 +250,7 @@ impl Expressions {
     }
 }
 
-/// What stands behind LinuxCNC's `#`.
+/// Parameter named after LinuxCNC's `#`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Parameter {
     Number(u32),

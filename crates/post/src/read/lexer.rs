@@ -1,8 +1,8 @@
-//! Bytes of a line, and the numbers and names in them. Nothing here allocates.
+//! Bytes of a line, and the numbers and names in them. This module does not allocate.
 
 use super::error::{Fault, Read, Span, floor_char};
 
-/// A place in a line.
+/// A position in a line.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cursor<'a> {
     pub(super) text: &'a str,
@@ -76,7 +76,7 @@ impl<'a> Cursor<'a> {
         Span { from: floor_char(self.text, self.at), to }
     }
 
-    /// No word begins with the character here.
+    /// Fault of a character that starts no word.
     pub(super) fn stray(&self) -> Box<Fault> {
         match self.peek() {
             b',' if !self.comma => Fault::new(self.here(), "no word begins with a comma")
@@ -114,7 +114,7 @@ impl<'a> Cursor<'a> {
         Some(&rest[..length])
     }
 
-    /// A name: letters, digits and `_`. Empty if there is none.
+    /// A name of letters, digits and `_`; may be empty.
     pub(super) fn name(&mut self) -> &'a str {
         let from = self.at;
         while matches!(self.peek(), b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'_') {
@@ -123,7 +123,7 @@ impl<'a> Cursor<'a> {
         self.of(self.since(from))
     }
 
-    /// Letters and nothing else. Empty if there are none.
+    /// A name of letters only; may be empty.
     pub(super) fn letters(&mut self) -> &'a str {
         let from = self.at;
         while self.peek().is_ascii_alphabetic() {
@@ -132,7 +132,7 @@ impl<'a> Cursor<'a> {
         self.of(self.since(from))
     }
 
-    /// Whether a number begins here.
+    /// Whether a number starts here.
     #[inline]
     pub(super) fn at_number(&self) -> bool {
         matches!(self.peek(), b'0'..=b'9' | b'.' | b'+' | b'-')
@@ -228,7 +228,7 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// Whether two names are the same; capitals or not does not matter to any of the controls.
+/// Whether two names are the same; all of the controls ignore case.
 #[inline]
 pub(super) fn same(a: &str, b: &str) -> bool {
     a.eq_ignore_ascii_case(b)

@@ -1,8 +1,8 @@
-//! Part programs read: text in a control's language to data, with everything checked that can be without the machine.
+//! Reader of part programs: text in a control's language to data. Everything is checked that needs no machine.
 //!
-//! A line is read byte by byte into the words of one block ([`target`], [`motion::Block`]), then done on the modal state
-//! ([`state`]); each dialect has a module for its words. What is not understood is an error with its place, or, for a
-//! lenient reader, listed as left out: nothing is skipped in silence.
+//! A line is read byte by byte into the words of one block ([`target`], [`motion::Block`]), then executed on the modal
+//! state ([`state`]); each dialect has a module for its words. Text that is not understood is an error with its
+//! position, or, for a lenient reader, listed as left out. The reader skips no text in silence.
 
 mod addresses;
 mod arcs;
@@ -26,14 +26,14 @@ use lexer::Cursor;
 use programs::Programs;
 use state::State;
 
-/// What a reader made of a text.
+/// Result of reading a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
     /// The program.
     pub program: PartProgram,
-    /// What a lenient reader did not understand and left out, in order.
+    /// Texts that a lenient reader did not understand and left out, in order.
     pub left_out: Vec<LeftOut>,
-    /// What people should know: what was taken for granted, and where.
+    /// Notes for the user: assumptions of the reader, with their position.
     pub notes: Vec<String>,
 }
 
@@ -46,18 +46,18 @@ pub struct LeftOut {
     pub column: usize,
     /// The words.
     pub text: String,
-    /// Why they were not understood.
+    /// Reason why they were not understood.
     pub why: String,
 }
 
-/// How to read.
+/// Options of the reader.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadOptions {
     /// Whether words that are not understood are listed and left out, instead of being errors.
     pub lenient: bool,
-    /// What the control interpolates at the start.
+    /// Level at which the control interpolates at the start.
     pub level: Level,
-    /// The row before the first block, as many numbers as the control has channels (mm, degrees); zeros if none.
+    /// The row before the first block, as many numbers as the control has channels (mm, degrees); `None`: zeros.
     pub start: Option<Vec<f64>>,
 }
 
@@ -67,7 +67,7 @@ impl Default for ReadOptions {
     }
 }
 
-/// What comes after a line.
+/// Flow of control after a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Flow {
     /// The next one.
@@ -78,7 +78,7 @@ enum Flow {
     Over(usize),
     /// The caller.
     Return,
-    /// Nothing more.
+    /// End of the program.
     End,
 }
 
@@ -96,15 +96,15 @@ const USUAL_LINE: usize = 60;
 /// Calls within calls; LinuxCNC allows 10, Siemens 12.
 const DEEPEST: usize = 10;
 /// Lines of sub-programs that are read at most: a program that calls more is a mistake.
-const MOST_LINES: u64 = 5_000_000;
+const MAX_LINES: u64 = 5_000_000;
 
 /// Reads the part program `text` for `control`; `file` is its name in errors.
 ///
-/// A row holds what is commanded: mm and degrees, absolute. Every move has its time by the control's rule for feeds, a
-/// rapid one 0. What is switched by outputs that the machine file names is arc, gas and wire.
+/// A row holds commanded positions: mm and degrees, absolute. Every move has its time by the control's rule for feeds,
+/// a rapid one 0. Outputs that the machine file names switch arc, gas and wire.
 ///
 /// # Errors
-/// [`ReadError`] at the first thing that is wrong, or that is not understood unless `options.lenient`.
+/// [`ReadError`] at the first fault, or the first text that is not understood unless `options.lenient`.
 pub fn read(control: &Control, file: &str, text: &str, options: &ReadOptions) -> Result<Reading, ReadError> {
     let mut state = State::new(control, options);
     state.program.reserve(text.len() / USUAL_LINE);
@@ -156,10 +156,10 @@ fn run_lines(state: &mut State, text: &str, programs: &Programs, mut words: impl
         state.inside = inside;
         let mut c = Cursor::new(text, from, to, state.control.decimal_comma);
         called += u64::from(inside);
-        if called > MOST_LINES {
+        if called > MAX_LINES {
             return Err(Fault::new(
                 Span { from, to },
-                format!("more than {MOST_LINES} lines of sub-programs are called"),
+                format!("more than {MAX_LINES} lines of sub-programs are called"),
             ));
         }
         match words.line(state, &mut c, programs)? {
@@ -218,7 +218,7 @@ fn rest(state: &mut State, text: &str, main: &Frame) {
 }
 
 impl State<'_> {
-    /// A pass begins here. Calls within sub-programs are no passes.
+    /// Starts a pass. Calls within sub-programs are no passes.
     fn pass(&mut self, name: &str) {
         if !self.inside {
             self.push(What::Pass(name.into()));

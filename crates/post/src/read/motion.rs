@@ -8,7 +8,7 @@ use crate::part_program::{Arc, ChannelKind, Curve, Level, Move, Path, What};
 use crate::polynomial::POWERS;
 use glam::DVec3;
 
-/// What a block says beside the channels.
+/// Words of a block beside the channels.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Block {
     /// The block's first byte and the one behind it.
@@ -22,11 +22,11 @@ pub(super) struct Block {
     pub(super) angle: Option<(f64, Span)>,
     /// Full turns beside the arc.
     pub(super) turns: Option<(u32, Span)>,
-    /// Whether positions count from the machine's zero whatever the modal state is.
+    /// Whether positions count from the machine's zero, regardless of the modal state.
     pub(super) machine_zero: bool,
     /// Whether the control stops at its end.
     pub(super) exact_stop: bool,
-    /// The axis that PMAC's arcs turn about, if it is none of the planes'.
+    /// Axis that PMAC's arcs turn about, if it is normal to no main plane.
     pub(super) normal: Option<DVec3>,
     /// Coefficients from the second power on of axes that are polynomials, and where they stand.
     pub(super) higher: Vec<(usize, [f64; POWERS], Span)>,
@@ -44,7 +44,7 @@ impl Block {
         words.chain(others.into_iter().flatten()).min_by_key(|s| s.from)
     }
 
-    /// Whether anything is said of an arc.
+    /// Whether the block has a word of an arc.
     #[inline]
     pub(super) fn has_arc_word(&self) -> bool {
         self.centre.iter().any(Option::is_some)
@@ -105,7 +105,7 @@ impl State<'_> {
         Ok(())
     }
 
-    /// Where the block leads, by what it says and the modal state.
+    /// Resolves the end of the block from its words and the modal state.
     #[inline]
     fn resolve(&mut self, block: &Block) -> Read {
         for channel in 0..self.row.len() {
@@ -153,14 +153,14 @@ impl State<'_> {
         Ok(())
     }
 
-    /// How long a line or an arc takes by the control's rule, s.
+    /// Duration of a line or an arc by the control's rule, s.
     #[inline]
     fn seconds(&mut self, arc: Option<&Arc>, place: Span) -> Read<f64> {
         let moves = arc.is_some() || self.row != self.next;
         self.timed(place, moves, |state| state.way(arc))
     }
 
-    /// How long a block takes whose way is `way`, s.
+    /// Duration of a block with the length `way`, s.
     #[inline]
     fn timed(&mut self, place: Span, moves: bool, way: impl FnOnce(&mut Self) -> f64) -> Read<f64> {
         let Some(feed) = self.feed else { return Err(self.no_feed(place)) };
@@ -184,7 +184,7 @@ impl State<'_> {
         Ok(seconds.max(self.least_time))
     }
 
-    /// The way that the feed counts. Where none of the counted axes moves, that of all that do.
+    /// The way that the feed counts. If none of the counted axes moves, that of all that do.
     fn way(&mut self, arc: Option<&Arc>) -> f64 {
         let way = self.rule.way(arc, &self.row, &self.next);
         if way > 0.0 || self.control.dialect == Dialect::Linuxcnc {
@@ -195,7 +195,7 @@ impl State<'_> {
         (0..self.row.len()).map(square).sum::<f64>().sqrt()
     }
 
-    /// The polynomials of the block's axes. Where none of the counted axes moves, all that do are counted.
+    /// The polynomials of the block's axes. If none of the counted axes moves, all that do are counted.
     fn curve(&mut self, block: &Block) -> u32 {
         let length = block.parameter.unwrap_or(1.0);
         let mut rows: [Vec<f64>; POWERS] = std::array::from_fn(|_| vec![0.0; self.row.len()]);

@@ -12,7 +12,7 @@ use super::target::{How, twice};
 use super::{Flow, Lines};
 use glam::DVec3;
 
-/// What PMAC has in mind beside the other controls' state.
+/// State of PMAC beside the other controls' state.
 #[derive(Debug)]
 pub(super) struct Words {
     begun: bool,
@@ -22,7 +22,7 @@ pub(super) struct Words {
     incremental: Vec<bool>,
     /// NORMAL: arcs of CIRCLE1 turn about it by the right-hand rule.
     normal: DVec3,
-    /// TM in s, or F per second: what was said last.
+    /// TM in s, or F per second: the last one.
     feed: Option<(FeedMode, f64)>,
     /// Unit of F's time, s: I190.
     feed_time: f64,
@@ -196,7 +196,7 @@ impl Words {
         Ok(())
     }
 
-    /// Does what the line says.
+    /// Executes the line.
     #[inline]
     fn finish(&mut self, block: &Block, state: &mut State) -> Read<Flow> {
         let moves = state.target.count > 0 || block.has_arc_word();
@@ -227,7 +227,7 @@ impl Words {
     }
 }
 
-/// Whether digits and `=` are here: a variable gets a value.
+/// Whether digits and `=` are here: an assignment to a variable.
 fn is_variable(c: &Cursor) -> bool {
     let mut ahead = *c;
     while ahead.peek().is_ascii_digit() {

@@ -14,7 +14,7 @@ pub(super) struct Program<'a> {
     pub(super) line: u32,
     /// Remark beside its name.
     pub(super) title: &'a str,
-    /// Where the text goes on behind it: byte and line.
+    /// Position at which the text continues behind it: byte and line.
     pub(super) after: (usize, u32),
 }
 
@@ -48,7 +48,7 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, u32, &str)> {
     text.split('\n').zip(1..).map(move |(line, number)| (line.as_ptr() as usize - start, number, line))
 }
 
-/// Programs that begin with lines like `%_N_PASS_1_SPF`. The main one is the first `_MPF`, or the first of all.
+/// Programs that start with lines like `%_N_PASS_1_SPF`. The main one is the first `_MPF`, or the first of all.
 fn sections<'a>(text: &'a str, whole: &Program<'a>) -> Read<Programs<'a>> {
     let mut found: Vec<(bool, Program)> = Vec::new();
     for (at, number, line) in lines(text) {

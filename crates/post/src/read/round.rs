@@ -1,4 +1,4 @@
-//! Arcs of a block: from its words and where it begins and ends, with what the control refuses.
+//! Arcs of a block, from its words, its start and its end, with the errors that the control reports.
 
 use super::arcs::{self, Tolerance};
 use super::error::{Fault, Read, Span};
@@ -111,7 +111,7 @@ impl State<'_> {
         Ok(Some((centre, span)))
     }
 
-    /// An arc of which the angle is said, and the centre or the end.
+    /// An arc given by its angle, and the centre or the end.
     fn arc_by_angle(
         &mut self,
         centre: Option<(DVec3, Span)>,
@@ -193,10 +193,10 @@ impl State<'_> {
         Ok(arc)
     }
 
-    /// What the control puts up with in arcs.
+    /// Tolerance of the control for arcs.
     fn tolerance(&self) -> Tolerance {
         let (least, relative, most, radius, least_angle, rule) = match self.control.dialect {
-            // Its interpreter: absolute and relative, and a hundred times the absolute one whatever the radius.
+            // Its interpreter: absolute and relative, and at most a hundred times the absolute one for any radius.
             Dialect::Linuxcnc => {
                 let least = 2f64.sqrt() * if self.inch { 0.002 * INCH } else { 0.02 };
                 (least, 0.001, 100.0 * least, 0.00127, 1e-6, "LinuxCNC's rule: 0.1 % of the radius, at least 0.028 mm")

@@ -26,7 +26,7 @@ const R: usize = 5;
 const S: usize = 6;
 const I: usize = 7;
 
-/// What is known of the text so far.
+/// State of the text so far.
 #[derive(Debug, Default)]
 pub(super) struct Words {
     /// Whether a block was read: `%` is then the end.
@@ -35,7 +35,7 @@ pub(super) struct Words {
     assigned: Vec<(Parameter, f64)>,
 }
 
-/// What a line says, beside the channels.
+/// Words of a line, beside the channels.
 #[derive(Debug, Default)]
 struct Line {
     block: Block,
@@ -123,7 +123,7 @@ impl Words {
             let value = value(state, c)?;
             let span = c.since(from);
             if !state.is_interpolated(channel) {
-                // It is set when the line's end tells whether the line moves.
+                // It is set at the line's end, when it is known whether the line moves.
                 if letter == b'S' {
                     return keep(&mut line.values[S], value, span);
                 }
@@ -196,7 +196,7 @@ impl Words {
         Ok(())
     }
 
-    /// Does what the line says.
+    /// Executes the line.
     #[inline]
     fn finish(&mut self, line: Line, state: &mut State) -> Read<Flow> {
         let flow = line.finish(state)?;

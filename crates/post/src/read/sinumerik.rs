@@ -13,13 +13,13 @@ use super::target::{How, twice};
 use super::{Flow, Lines};
 use crate::Level;
 
-/// What is known of the text so far.
+/// State of the text so far.
 #[derive(Debug, Default)]
 pub(super) struct Words {
     begun: bool,
 }
 
-/// What a line says, beside the channels.
+/// Words of a line, beside the channels.
 #[derive(Debug, Default)]
 struct Line {
     block: Block,
@@ -297,7 +297,7 @@ impl Line {
     }
 }
 
-/// Whether the letter and digits here are the beginning of a longer name, like `I1=` or `P1_ROOT`.
+/// Whether the letter and digits here are the start of a longer name, like `I1=` or `P1_ROOT`.
 fn longer_name(c: &Cursor) -> bool {
     let mut ahead = 1;
     while c.look(ahead).is_ascii_digit() {

@@ -1,4 +1,4 @@
-//! What a control has in mind between blocks, and the part program as far as it is read.
+//! Modal state of a control between blocks, and the part program read so far.
 
 use super::addresses::Addresses;
 use super::error::{Fault, Read, Span, floor_char};
@@ -10,7 +10,7 @@ use crate::feed::FeedRule;
 use crate::part_program::ChannelKind;
 use crate::{Code, Control, Event, Level, PartProgram, Step, What};
 
-/// How the axes go.
+/// Motion mode of the axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Motion {
     Rapid,
@@ -34,7 +34,7 @@ impl Motion {
     }
 }
 
-/// What F means.
+/// Meaning of F.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum FeedMode {
     /// Blocks a minute.
@@ -70,7 +70,7 @@ pub(super) struct State<'a> {
     pub(super) inside: bool,
     /// Block number of the line.
     pub(super) number: Option<u32>,
-    /// Where the axes are commanded to be, and where the block leads.
+    /// Commanded position of the axes, and the end of the block.
     pub(super) row: Vec<f64>,
     pub(super) next: Vec<f64>,
     pub(super) target: Target,
@@ -90,7 +90,7 @@ pub(super) struct State<'a> {
     pub(super) rule: FeedRule,
     pub(super) exact_stop: bool,
     pub(super) level: Level,
-    /// Which of X, Y and Z are not known since the level changed.
+    /// X, Y and Z that are unknown since the level changed.
     pub(super) lost: [bool; 3],
 }
 
@@ -157,7 +157,8 @@ impl<'a> State<'a> {
         }
     }
 
-    /// What is not understood: left out if the reader is lenient, else it stays a fault. The cursor goes on behind it.
+    /// Leaves out text that is not understood if the reader is lenient, else returns the fault. The cursor continues
+    /// behind it.
     pub(super) fn leave_out(&mut self, fault: Box<Fault>, c: &mut Cursor) -> Read {
         if !(self.lenient && fault.unknown) {
             return Err(fault);
@@ -225,7 +226,7 @@ impl<'a> State<'a> {
         Ok(())
     }
 
-    /// Sets a channel when the line's end has told whether it moves.
+    /// Sets a channel at the line's end, when it is known whether the line moves.
     pub(super) fn set_later(&mut self, channel: usize, value: f64) {
         self.pending.push(Pending::Set(channel, value));
     }
@@ -234,7 +235,7 @@ impl<'a> State<'a> {
         self.pending.push(Pending::Event(event));
     }
 
-    /// What waited for the line's end: with its move if it `moves`, else at once.
+    /// Executes the settings that waited for the line's end: with its move if it `moves`, else at once.
     #[inline]
     pub(super) fn flush(&mut self, moves: bool) {
         if self.pending.is_empty() {
@@ -291,7 +292,7 @@ impl<'a> State<'a> {
         Ok(())
     }
 
-    /// F, or TM: what it may be.
+    /// Checks the value of F or TM.
     pub(super) fn check_feed(value: f64, span: Span) -> Read {
         if value <= 0.0 {
             return Err(Fault::new(span, "a feed must be greater than 0"));

@@ -1,9 +1,9 @@
 use super::error::{Fault, Read, Span};
 
-/// How a word's value counts.
+/// Interpretation of a word's value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum How {
-    /// As the modal state says.
+    /// By the modal state.
     Modal,
     /// From zero.
     Absolute,
@@ -17,12 +17,12 @@ pub(super) enum How {
     Downwards,
 }
 
-/// What a block says of the channels. Used for all blocks; a stamp tells what belongs to this one.
+/// Words of a block for the channels. Used for all blocks; a stamp marks those of the current one.
 #[derive(Debug)]
 pub(super) struct Target {
     words: Vec<Word>,
     now: u32,
-    /// How many channels the block names.
+    /// Number of channels that the block names.
     pub(super) count: u32,
 }
 
@@ -67,7 +67,7 @@ impl Target {
         Ok(())
     }
 
-    /// What the block says of a channel.
+    /// Word of the block for a channel.
     #[inline]
     pub(super) fn get(&self, channel: usize) -> Option<&Word> {
         let word = &self.words[channel];

@@ -1,5 +1,5 @@
-//! The proof of a post: its text is read back, played by the control's own rules, taken through the machine's forward
-//! kinematics and compared with what was asked: block by block with the part program that was written, and in time with
+//! Verification of a post: its text is read back, played by the control's own rules, and taken through the machine's
+//! forward kinematics. The result is compared block by block with the part program that was written, and in time with
 //! the planned motion.
 
 mod plan;
@@ -13,7 +13,7 @@ use seamwright_motion::WeldMotion;
 use seamwright_program::Program;
 use serde::Serialize;
 
-/// What a post is held against.
+/// Plan against which a post is verified.
 #[derive(Debug, Clone, Copy)]
 pub struct Planned<'a> {
     /// The machine.
@@ -35,7 +35,7 @@ pub struct Planned<'a> {
 pub struct Verification {
     /// Blocks with motion.
     pub moves: usize,
-    /// Greatest difference of an axis or process value between what was asked and what was read back, mm or degrees.
+    /// Maximum difference of an axis or process value between the request and the text read back, mm or degrees.
     pub rounding: f64,
     /// Each pass.
     pub passes: Vec<PassVerification>,
@@ -46,7 +46,7 @@ pub struct Verification {
 pub struct PassVerification {
     /// Its name.
     pub name: String,
-    /// Whether its blocks are the program's own points: there is nothing else that they could leave.
+    /// Whether its blocks are the program's own points: then they have no planned path to deviate from.
     pub as_it_stands: bool,
     /// Greatest distance of the tip from the planned path, mm.
     pub tip_mm: f64,
@@ -56,7 +56,7 @@ pub struct PassVerification {
     pub rotary: Option<(f64, String)>,
     /// Greatest deviation of the torch's direction, degrees.
     pub direction_deg: f64,
-    /// How far the tip is ahead of the plan or behind it at most, mm.
+    /// Maximum lead or lag of the tip against the plan, mm.
     pub lag_mm: f64,
     /// Greatest deviation of the tip's mean speed in a block, percent of the planned one.
     pub speed_percent: f64,
@@ -69,23 +69,23 @@ pub struct PassVerification {
     pub arc_s: f64,
     /// Deviation of that time, percent.
     pub time_percent: f64,
-    /// Greatest deviation of a process value, percent of its greatest in the pass, and its name.
+    /// Maximum deviation of a process value, percent of its maximum in the pass, and its name.
     pub process: Option<(f64, String)>,
 }
 
 /// Deviation of a pass' time that is allowed, percent.
 const TIME_PERCENT: f64 = 0.1;
-/// Deviation of a process value that is allowed, percent of its greatest: ramps go in steps of a fiftieth.
+/// Permitted deviation of a process value, percent of its maximum: ramps go in steps of a fiftieth.
 const PROCESS_PERCENT: f64 = 2.5;
 /// Rounding of six decimals.
 const ROUNDING: f64 = 1e-5;
 
-/// Holds `told`, read back from the text, against `asked`, from which it was written, and the plan; `start` is the row
-/// before the first block.
+/// Verifies the program read back from the text against `asked`, from which it was written, and the plan. `start` is
+/// the row before the first block.
 ///
 /// # Errors
-/// What is not as it must be, in words: blocks that are missing or differ, and deviations beyond the tolerance, 0.1 % of
-/// the time or 2.5 % of a process value.
+/// Descriptions of all faults: blocks that are missing or differ, and deviations beyond the tolerance, 0.1 % of the
+/// time or 2.5 % of a process value.
 pub fn verify(
     asked: &PartProgram,
     told: &PartProgram,
@@ -104,7 +104,7 @@ pub fn verify(
             false => plan::check(planned, (i, pass), &same.blocks),
         };
         wrong.extend(checked.complaints(planned, i + 1));
-        // What was asked for is not trusted here: a torch that burns where the program has no arc.
+        // Checks the text itself, not `asked`: the arc must be off in a pass without one.
         let burns = |block: &same::Block| block.pass == i && block.told.arc && planned.control.switches_arc();
         if !pass.has_arc() && same.blocks.iter().any(burns) {
             wrong.push(format!("pass {} ({}): the arc is on in a pass without one", i + 1, pass.name));

@@ -9,10 +9,10 @@ use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::{PassMotion, TipPath};
 use seamwright_program::{Pass, TorchPath};
 
-/// Places in a block that are looked at, its end among them.
+/// Stations checked in a block, its end among them.
 const PLACES: u32 = 16;
-/// Blocks shorter than this, or slower than this part of the fastest, tell nothing of the speed: run-up and run-down
-/// change within them.
+/// Blocks shorter than this, or slower than this part of the fastest, are not compared: speed changes within them in
+/// the acceleration and deceleration phases.
 const SHORTEST_S: f64 = 1e-3;
 const SLOWEST: f64 = 0.2;
 
@@ -69,7 +69,7 @@ pub(super) fn check(planned: Planned, (number, pass): (usize, &Pass), blocks: &[
     checker.proof
 }
 
-/// Each process channel of the control with the value's name and its greatest in the pass.
+/// Each process channel of the control with the value's name and its maximum in the pass.
 fn greatest_values(planned: Planned, pass: &Pass) -> Vec<(usize, String, f64)> {
     let names = pass.spans.first().into_iter().flat_map(|span| span.process.keys());
     let greatest = |name: &String| {
@@ -84,7 +84,7 @@ struct Checker<'a> {
     pass: &'a Pass,
     motion: &'a PassMotion,
     path: TipPath<'a>,
-    /// Where the tip's speed is compared with the plan.
+    /// Comparison of the tip's speed with the plan.
     even: EvenSpeed<'a>,
     /// When the torch begins to travel, on the text's clock, s.
     travel: f64,

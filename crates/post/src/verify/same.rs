@@ -2,7 +2,7 @@ use crate::Control;
 use crate::part_program::{ChannelKind, Event, PartProgram, Path, What};
 use crate::play::{Segment, play};
 
-/// A block of motion as read back, with what the program it was written from says of it.
+/// A block of motion as read back, with its data in the program that it was written from.
 pub(super) struct Block {
     pub(super) told: Segment,
     /// Whether the arc is on, as asked.
@@ -13,7 +13,7 @@ pub(super) struct Block {
     pub(super) rapid: bool,
 }
 
-/// All blocks, and the greatest difference found.
+/// All blocks, and the maximum difference found.
 pub(super) struct Same {
     pub(super) blocks: Vec<Block>,
     pub(super) rounding: f64,
@@ -24,11 +24,11 @@ const TIME: (f64, f64) = (1e-6, 2e-6);
 /// Values further apart than this are others.
 const OTHER: f64 = 1e-3;
 
-/// Compares what was asked with what was read back: the same blocks in the same order, to the same places, at the same
+/// Compares the request with the text read back: the same blocks in the same order, to the same positions, at the same
 /// times, with the same outputs between them.
 ///
 /// # Errors
-/// The first difference, in words.
+/// A description of the first difference.
 pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, start: &[f64]) -> Result<Same, String> {
     let [of_asked, of_told] = [asked, told].map(|program| moves(program, start));
     let passes = passes(asked);
@@ -107,7 +107,7 @@ fn passes(program: &PartProgram) -> Vec<usize> {
     program.steps.iter().map(of).collect()
 }
 
-/// What is switched, in order; words for people aside.
+/// Events in order, without messages.
 fn events<'a>(control: &Control, program: &'a PartProgram) -> Vec<&'a Event> {
     let of = |step: &'a crate::Step| match &step.what {
         What::Event { event: Event::Message(_), .. } => None,
@@ -116,7 +116,7 @@ fn events<'a>(control: &Control, program: &'a PartProgram) -> Vec<&'a Event> {
         _ => None,
     };
     let mut events: Vec<&Event> = program.steps.iter().filter_map(of).collect();
-    // LinuxCNC is told at once and with the motion; what is said twice is one.
+    // LinuxCNC gets an event at once and with the motion; the two count as one.
     events.dedup();
     events
 }

@@ -2,18 +2,17 @@ use super::Feed;
 use super::writer::Writer;
 use crate::part_program::{Arc, Move};
 
-/// How the control was told to take feeds, and the last one that stays in force.
+/// Feed mode of the control, and the last feed that stays in force.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub(super) struct FeedMode {
-    /// Whether feeds are in inverse time, if that was said in this pass.
+    /// Whether feeds are in inverse time, if this pass has set the mode.
     pub(super) inverse: Option<bool>,
     /// The last feed per minute.
     feed: Option<f64>,
 }
 
 impl FeedMode {
-    /// What must be said before a move: the mode, if it is another, and the feed, which in inverse time stays in no
-    /// block.
+    /// Words needed before a move: the mode, if it changes, and the feed. In inverse time every block needs its own.
     pub(super) fn said(
         &mut self,
         w: &Writer,

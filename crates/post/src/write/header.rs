@@ -1,4 +1,4 @@
-//! The comments at the begin of a text.
+//! The comments at the start of a text.
 
 use super::Feed;
 use super::tongue::Tongue;
@@ -7,7 +7,7 @@ use crate::Dialect;
 use crate::part_program::{ChannelKind, Event, Level, What};
 
 impl Writer<'_> {
-    /// The comments at the begin: what this is, and how to start again.
+    /// The comments at the start: the program's name and origin, and how to start again.
     pub(super) fn comments<T: Tongue>(&mut self, tongue: &T, passes: u32) {
         let name = self.control.dialect.title();
         let text = format!("Seamwright {} for {name}: {}", env!("CARGO_PKG_VERSION"), self.program.title);
@@ -52,7 +52,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Numbers of the passes that begin with the arc on.
+    /// Numbers of the passes that start with the arc on.
     fn burning(&self) -> Vec<String> {
         let (mut on, mut number, mut burning) = (false, 0, Vec::new());
         for step in &self.program.steps {

@@ -18,16 +18,16 @@ use crate::part_program::{Event, PartProgram};
 use crate::{Control, Dialect, Error};
 use writer::Writer;
 
-/// How a part program is written.
+/// Options of the writer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WriteOptions {
     /// The machine's title, for people.
     pub machine: String,
-    /// How times of blocks are said.
+    /// Form of the blocks' times.
     pub feed: Feed,
-    /// How far the control may round corners between blocks, mm; 0: as it does by itself. LinuxCNC only.
+    /// Rounding of corners between blocks by the control, mm; 0: the control's own default. LinuxCNC only.
     pub rounding_mm: f64,
-    /// Remarks for the begin of the text.
+    /// Remarks for the start of the text.
     pub remarks: Vec<String>,
 }
 
@@ -37,24 +37,24 @@ impl Default for WriteOptions {
     }
 }
 
-/// How times of blocks are said. PMAC: times, or a feed per second; its cubics and splines have times always.
+/// Form of the blocks' times. PMAC: times, or a feed per second; its cubics and splines have times always.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feed {
     /// Blocks per minute, G93.
     InverseTime,
-    /// mm/min along what the control counts, G94.
+    /// mm/min along the way that the control counts, G94.
     PerMinute,
 }
 
 /// The text of `program` in the language of `control`, whose channels must be those of the program.
 ///
-/// Words that stay as they were are left out, but the first move of each pass says all axes. Times are those of the moves
-/// by the control's own rule for feeds. With several passes Sinumerik and LinuxCNC get a sub-program for each; on the
-/// others each pass has a number to start from. `control.header` and `control.footer` stand in place of the usual lines
-/// at the begin and the end; `{title}` and `{machine}` in them are filled in.
+/// Unchanged words are left out, but the first move of each pass has all axes. Times are those of the moves by the
+/// control's own rule for feeds. With several passes Sinumerik and LinuxCNC get a sub-program for each; on the others
+/// each pass has a number to start from. `control.header` and `control.footer` replace the usual lines at the start and
+/// the end; `{title}` and `{machine}` in them are filled in.
 ///
 /// # Errors
-/// [`Error::Unwritable`]: what the control cannot take, with step, pass and cure.
+/// [`Error::Unwritable`]: the feature that the control lacks, with step, pass and operator action.
 pub fn write(control: &Control, program: &PartProgram, options: &WriteOptions) -> Result<String, Error> {
     let mut writer = Writer::new(control, program, options)?;
     let result = match control.dialect {
@@ -67,7 +67,7 @@ pub fn write(control: &Control, program: &PartProgram, options: &WriteOptions) -
 }
 
 impl Control {
-    /// Whether grblHAL's spindle words switch the arc: where a process value is its speed.
+    /// Whether grblHAL's spindle words switch the arc: if its speed is a process value.
     pub(crate) fn has_spindle_arc(&self) -> bool {
         self.dialect == Dialect::Grblhal && self.addresses.iter().any(|a| a == "S")
     }

@@ -16,8 +16,8 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     if text == "-0" { "0".to_owned() } else { text }
 }
 
-/// Adds `value` with at most six decimals to `out`, rounded as its exact value is to the nearest and ties to even, with
-/// `point` as the decimal point.
+/// Appends `value` with at most six decimals to `out`, with `point` as the decimal point. The exact value is rounded to
+/// the nearest, ties to even.
 pub(crate) fn push(out: &mut Vec<u8>, value: f64, point: u8) {
     let size = value.abs();
     if size.is_nan() || size > LARGEST {
@@ -70,7 +70,7 @@ fn millionths(size: f64) -> u64 {
     let scaled = size * SCALE;
     let whole = scaled.floor();
     let above = scaled - whole - 0.5;
-    // Where the product's rounding may decide, its error does.
+    // Near a tie the rounding error of the product decides.
     if above.abs() > scaled * f64::EPSILON {
         return whole as u64 + u64::from(above > 0.0);
     }
@@ -116,7 +116,8 @@ mod tests {
         assert_eq!(out, b"-19,2");
     }
 
-    /// Against the standard library's exact rounding: all sizes, and what is half-way between two decimals or next to it.
+    /// Against the standard library's exact rounding: all sizes, and values half-way between two decimals or next to
+    /// it.
     #[test]
     fn numbers_are_those_of_format() {
         let mut seed = 7u64;

@@ -106,8 +106,8 @@ impl Pmac {
         Ok(())
     }
 
-    /// Waits for the end of the move before: the control works out lines ahead of the motion, and what is set by `=` would
-    /// be set then.
+    /// Waits for the end of the move before: the control executes lines ahead of the motion, and `=` would set values
+    /// then.
     fn rest(&mut self, w: &mut Writer) {
         if std::mem::take(&mut self.moved) {
             w.text.line("DWELL0");

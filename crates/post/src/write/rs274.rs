@@ -1,4 +1,4 @@
-//! What LinuxCNC and grblHAL have in common.
+//! Words common to LinuxCNC and grblHAL.
 
 use super::feed_mode::FeedMode;
 use super::fixed;
@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 #[derive(Default)]
 pub(super) struct Rs274 {
     mode: FeedMode,
-    /// The axis square to the plane of arcs: X, Y or Z; unknown at the begin of a pass.
+    /// The axis normal to the plane of arcs: X, Y or Z; unknown at the start of a pass.
     plane: Option<usize>,
 }
 
@@ -18,7 +18,7 @@ pub(super) struct Rs274 {
 pub(super) const STATE: &str = "G21 G17 G90 G40 G49 G80 G94";
 
 impl Rs274 {
-    /// Forgets what the control may not know at the begin of a pass.
+    /// Resets the state, which the control may not have at the start of a pass.
     pub(super) fn forget(&mut self) {
         *self = Self::default();
     }

@@ -15,7 +15,7 @@ pub(super) struct Sinumerik {
     plane: Option<usize>,
 }
 
-/// Where the programs are kept in the control.
+/// Folder of the programs in the control.
 const FOLDER: &str = ";$PATH=/_N_WKS_DIR/_N_SEAMWRIGHT_WPD";
 
 impl Sinumerik {
@@ -126,7 +126,7 @@ impl Sinumerik {
         }
     }
 
-    /// Whether a channel must be said; process values have been set before the first move.
+    /// Whether a channel needs a word; process values have been set before the first move.
     fn changes(w: &Writer, i: usize, to: &[f64]) -> bool {
         let process = w.control.channels[i].kind == ChannelKind::Interpolated;
         if process { w.here.get(i) != Some(&to[i]) } else { w.changes(i, to) }
@@ -211,7 +211,7 @@ impl Tongue for Sinumerik {
     fn level(&mut self, w: &mut Writer, level: Level) {
         self.line(w, if level == Level::Tip { "TRAORI" } else { "TRAFOOF" });
         if level == Level::Tip {
-            // Rotary axes go evenly, as they do in the plan, whatever the control's usual way is.
+            // Rotary axes go evenly, as in the plan, regardless of the control's default.
             self.line(w, "ORIMKS ORIAXES");
         }
     }
@@ -267,7 +267,7 @@ impl Tongue for Sinumerik {
         w.text.number(value);
         w.text.glue(")");
         w.text.end();
-        // What is set need not be said by the next block.
+        // The next block need not repeat this value.
         if w.here.is_empty() {
             w.here = vec![f64::NAN; control.channels.len()];
         }

@@ -9,7 +9,7 @@ const LONGEST_COMMENT: usize = 200;
 /// The text so far.
 pub(super) struct Text {
     out: Vec<u8>,
-    /// Where the line begins that is being written.
+    /// Start of the current line.
     line: usize,
     point: u8,
     /// Begin and end of a comment.
@@ -50,12 +50,12 @@ impl Text {
         self.fine_number(value);
     }
 
-    /// A value to nine decimals behind what is there.
+    /// Appends a value to nine decimals.
     pub(super) fn fine_number(&mut self, value: f64) {
         number::push_fine(&mut self.out, value, self.point);
     }
 
-    /// A value behind what is there.
+    /// Appends a value.
     pub(super) fn number(&mut self, value: f64) {
         number::push(&mut self.out, value, self.point);
     }
@@ -103,7 +103,7 @@ impl Text {
         self.end();
     }
 
-    /// What a quoted message or comment may hold: comments may not hold parentheses or control characters.
+    /// Appends the text of a message or comment, cleaned: a comment must not hold parentheses or control characters.
     pub(super) fn clean(&mut self, text: &str, quoted: bool) {
         let most = if quoted { LONGEST_COMMENT } else { usize::MAX };
         self.out.extend(text.chars().take(most).map(|c| match c {

@@ -1,9 +1,9 @@
-//! What the dialects say differently.
+//! Differences between the dialects.
 
 use super::writer::{Problem, Writer};
 use crate::part_program::{Event, Level, Move};
 
-/// A dialect, with what it has to remember between lines.
+/// A dialect, with its state between lines.
 pub(super) trait Tongue {
     /// Whether several passes become sub-programs, and whether these stand before the main part.
     const SUBS: Option<bool>;
@@ -11,10 +11,10 @@ pub(super) trait Tongue {
     /// The very first lines, before the comments.
     fn first(&mut self, _w: &mut Writer) {}
 
-    /// The usual lines at the begin of the main part.
+    /// The usual lines at the start of the main part.
     fn head(&mut self, w: &mut Writer);
 
-    /// The begin of pass `number` (from 1), in a sub-program of its own or not.
+    /// The start of pass `number` (from 1), in a sub-program of its own or not.
     fn begin(&mut self, w: &mut Writer, number: u32, name: &str, sub: bool);
 
     /// Its end.
@@ -26,13 +26,13 @@ pub(super) trait Tongue {
     /// The usual lines at the end.
     fn tail(&mut self, w: &mut Writer);
 
-    /// How to start again at a pass.
+    /// Describes how to start again at a pass.
     fn restart(&self, passes: u32) -> String;
 
     /// Lines that make the control go over to axes or tip.
     fn level(&mut self, w: &mut Writer, level: Level);
 
-    /// Called before what is to happen at once, with the machine at rest.
+    /// Called before actions at once, with the machine at rest.
     fn wait(&mut self, _w: &mut Writer) {}
 
     /// A block of motion to the row `to`; what changed is in `w`.
@@ -47,7 +47,7 @@ pub(super) trait Tongue {
     /// Says something to the operator.
     fn message(&mut self, w: &mut Writer, text: &str);
 
-    /// Switches what needs no output; false if that is none of the dialect's own.
+    /// Switches events that need no output; false if the dialect has no word for this one.
     fn own(&mut self, _w: &mut Writer, _event: &Event, _at_once: bool) -> bool {
         false
     }

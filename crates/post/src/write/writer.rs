@@ -6,7 +6,7 @@ use crate::{Code, Control, Dialect, Error};
 use glam::DVec3;
 use std::ops::Range;
 
-/// What the control cannot take, and what to do.
+/// Feature that the control lacks, and the operator action.
 pub(super) struct Problem {
     pub(super) what: String,
     pub(super) cure: &'static str,
@@ -23,7 +23,7 @@ const LONGEST_S: f64 = 3600.0;
 /// Remarks up to this length stand behind a dwell.
 const SHORT: usize = 40;
 
-/// The text in the making and what the control knows by now.
+/// The text so far and the state of the control.
 pub(super) struct Writer<'a> {
     pub(super) control: &'a Control,
     pub(super) program: &'a PartProgram,
@@ -33,18 +33,18 @@ pub(super) struct Writer<'a> {
     pub(super) order: Vec<usize>,
     /// Row the control is at; empty before the first move.
     pub(super) here: Vec<f64>,
-    /// Whether its values have been said since the pass began.
+    /// Whether its values have been written since the pass started.
     pub(super) known: bool,
     /// Codes and words that go with the next move.
     pub(super) pending: String,
-    /// Level the control was told, if any.
+    /// Level last sent to the control, if any.
     level: Option<Level>,
-    /// Whether levels must be told.
+    /// Whether the control needs words for levels.
     tells_level: bool,
     at: usize,
     /// Block number that the step under way has of its own.
     pub(super) number: Option<u32>,
-    /// Whether the program has block numbers of its own: then there are no others.
+    /// Whether the program has its own block numbers: then no others are written.
     pub(super) numbered: bool,
 }
 
@@ -247,7 +247,7 @@ impl<'a> Writer<'a> {
         Err(Problem::new(format!("the machine file does not say how the control does {}", name(event)), cure))
     }
 
-    /// Ends the line with what it does.
+    /// Ends the line with a comment on its effect.
     fn remark(&mut self, event: &Event, at_once: bool) {
         let (name, on) = match event {
             Event::Arc(on) => ("arc", *on),
@@ -291,12 +291,12 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// How many passes there are.
+    /// Number of passes.
     pub(super) fn passes(&self) -> usize {
         self.program.steps.iter().filter(|step| matches!(step.what, What::Pass(_))).count()
     }
 
-    /// Whether passes are sub-programs: where there are several that do more than go somewhere.
+    /// Whether passes are sub-programs: if several of them do more than a move.
     pub(super) fn has_subs(&self) -> bool {
         let (mut welds, mut told) = (0, true);
         for step in &self.program.steps {
@@ -312,7 +312,7 @@ impl<'a> Writer<'a> {
         welds > 1
     }
 
-    /// Whether channel `i` must be said to get it to its value in `to`.
+    /// Whether channel `i` needs a word to get its value in `to`.
     pub(super) fn changes(&self, i: usize, to: &[f64]) -> bool {
         !self.known || to[i].to_bits() != self.here[i].to_bits()
     }
@@ -330,7 +330,7 @@ impl<'a> Writer<'a> {
         if self.known { arc.ok_or_else(|| Problem::new("an arc that is not there", cure)) } else { Err(start) }
     }
 
-    /// Feed of a move to `to` along all axes, per minute (PMAC: per s); none if nothing counts.
+    /// Feed of a move to `to` along all axes, per minute (PMAC: per s); `None` if the feed counts no moving axis.
     pub(super) fn feed(&self, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
         if !self.known {
             return None;

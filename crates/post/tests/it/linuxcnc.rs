@@ -54,7 +54,7 @@ fn post(job: &str, options: &Options) -> Result<Posted, Error> {
     Ok(Posted { machine, welding, motion, text })
 }
 
-/// A line or an arc of the text: positions by letter at its end, and what an arc has more.
+/// A line or an arc of the text: positions by letter at its end, and the words of an arc.
 #[derive(Clone)]
 struct Read {
     at: BTreeMap<char, f64>,
@@ -140,7 +140,7 @@ fn joints(machine: &Machine, at: &BTreeMap<char, f64>) -> Joints {
     q
 }
 
-/// Distance of a point from the seam, looked for around path length `s`; the place is left in `s`.
+/// Distance of a point from the seam, searched around path length `s`, which is set to the foot.
 fn distance(path: &dyn TorchPath, point: DVec3, s: &mut f64) -> f64 {
     for _ in 0..4 {
         let h = 1e-3;
@@ -200,8 +200,8 @@ fn no_block_could_be_left_out() {
     };
     let (fine, coarse) = (lines(0.001), lines(0.002));
     assert!((fine as f64 / coarse as f64 - 2f64.sqrt()).abs() < 0.1, "{fine} {coarse}");
-    // An ellipse's blocks, counted from its curvature: ds = sqrt(8 tol / k), so n is the integral of sqrt(k / 8 tol).
-    // A tenth of the tolerance is the control's, and 2 % of the rest is kept for what lies between the places checked.
+    // An ellipse's blocks, counted from its curvature: ds = sqrt(8 tol / k), so n is the integral of sqrt(k / 8 tol). A
+    // tenth of the tolerance is the control's, and 2 % of the rest is kept for deviations between the stations checked.
     let (a, b, tolerance) = (20.0f64, 16.0f64, 0.001 * (0.9 - 0.05) * 0.98);
     let n: f64 = (0..100_000)
         .map(|i| {
@@ -287,7 +287,7 @@ fn values_follow_the_weave() {
         before = s;
     }
     assert!(worst < 0.05 && most_step < 8.0, "{worst} A off, steps of {most_step} A");
-    // Between the fades 0.3 s of 1.333 s, and what is as good as there.
+    // Between the fades 0.3 s of 1.333 s, and stations that are as good.
     let share = at_sides / 110.0;
     assert!(share > 0.2 && share < 0.4, "{share}");
 }

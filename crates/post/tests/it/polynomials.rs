@@ -1,4 +1,4 @@
-//! Sinumerik's POLY: what is read is what the control would do, by dense sums; as a program of points it moves the same.
+//! Sinumerik's POLY: the reader follows the control, checked by dense sums; as a program of points it moves the same.
 
 use crate::reading::{self, MACHINE, good, refused};
 use rand_pcg::Pcg64Mcg;
@@ -14,7 +14,8 @@ use std::fmt::Write as _;
 
 const STEPS: usize = 20_000;
 
-/// A block as told: for x, y, z, b and c the ends and the coefficients of the powers 2 and up of a parameter to `length`.
+/// A block as written: for x, y, z, b and c the ends and the coefficients of the powers 2 and up of a parameter to
+/// `length`.
 struct Told {
     axes: [(f64, f64, [f64; 4]); 5],
     length: f64,
@@ -72,7 +73,7 @@ fn case(seed: u64) -> Case {
         let _ = write!(text, "POLY");
         for (i, name) in names.iter().enumerate() {
             let mut higher = [0.0; 4];
-            // The first three always bend, so that what is counted is never still.
+            // The first three always bend, so that the counted axes always move.
             let bends = i < 3 || between(0.0, 1.0) < 0.5;
             let to = if i < 3 { here[i] + between(5.0, 40.0) } else { between(-40.0, 40.0) };
             if bends {

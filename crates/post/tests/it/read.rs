@@ -64,7 +64,7 @@ fn inches_and_millimetres() {
     assert!(near(&rows(&program)[1][..5], &[50.8, 0.0, 0.0, 10.0, 0.0], 1e-12));
     let seconds: Vec<f64> = moves(&program).iter().map(|m| m.seconds).collect();
     assert!(near(&seconds, &[6.0, 3.0], 1e-12), "{seconds:?}");
-    // Degrees alone are no inches on LinuxCNC; on Siemens' G70 F stays mm.
+    // Degrees alone are not in inches on LinuxCNC; on Siemens' G70 F stays mm.
     assert!((moves(&good(Linuxcnc, "G20 G94 G1 B10 F10"))[0].seconds - 60.0).abs() < 1e-12);
     assert!((moves(&good(Sinumerik, "G70 G94 G1 X1 F25.4"))[0].seconds - 60.0).abs() < 1e-12);
     assert!((moves(&good(Sinumerik, "G700 G94 G1 X1 F1"))[0].seconds - 60.0).abs() < 1e-12);
@@ -90,7 +90,7 @@ fn feeds_by_each_controls_rule() {
     let seconds: Vec<f64> = moves(&good(Pmac, text)).iter().map(|m| m.seconds).collect();
     assert!(near(&seconds, &[10.0, 0.5, 0.8, 0.9], 1e-12), "{seconds:?}");
     assert!((moves(&good(Pmac, "I190=60000\nF60 LINEAR X10\n"))[0].seconds - 10.0).abs() < 1e-12);
-    // A block that goes nowhere takes no time, but PMAC's TM.
+    // A block without motion takes no time, except with PMAC's TM.
     assert_eq!(moves(&good(Sinumerik, "G93 G1 X0 F6\n"))[0].seconds, 0.0);
     assert_eq!(moves(&good(Pmac, "TM100 LINEAR X0\n"))[0].seconds, 0.1);
 }

@@ -1,4 +1,4 @@
-//! Arcs: every way to write them, and what is easily read wrong. Checked against the circle itself: each point of the
+//! Arcs: every way to write them, and typical errors of reading. Checked against the circle itself: each point of the
 //! arc is at its radius, it turns the right way, and it takes the time of its length.
 
 use crate::reading::{Uniform, cases, good, moves, near, refused, rows};
@@ -242,7 +242,7 @@ fn random_arcs_come_back() {
         };
         let program = good(dialect, &text);
         let (arc, a, b, seconds) = last_arc(&program);
-        // Near half and full circles the radius tells little of the centre.
+        // Near half and full circles the radius determines the centre poorly.
         let loose = 1e-3 + 1e-6 * radius / (sweep.abs() - PI).abs().max(1e-6);
         assert!((arc.sweep - sweep.abs()).abs() < loose, "{text}: {} {}", arc.sweep, sweep.abs());
         let mut axis = DVec3::ZERO;

@@ -1,4 +1,4 @@
-//! What is refused, each with its line and column, and what is said of it.
+//! Refused texts, each with its line and column, and the message.
 
 use crate::reading::{self, MACHINE, bad, good, refused, try_read};
 use seamwright_machine::Machine;

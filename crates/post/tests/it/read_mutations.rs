@@ -1,6 +1,6 @@
-//! Whatever the text, the reader gives a program or an error with its place, and never panics: random garbage, and
-//! programs with parts changed, doubled, cut and mixed. `SEAMWRIGHT_FUZZ_S` says for how many seconds; what once failed
-//! is kept in `tests/data/read`.
+//! For any text the reader gives a program or an error with its position, and never panics: random garbage, and
+//! programs with parts changed, doubled, cut and mixed. `SEAMWRIGHT_FUZZ_S` is the number of seconds; texts that once
+//! failed are in `tests/data/read`.
 
 use crate::reading::{self, Uniform, cases};
 use seamwright_post::{Control, Dialect, Path, ReadOptions, What, read};
@@ -116,7 +116,7 @@ fn survives(controls: &[Control; 4], text: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// A place between two characters.
+/// A position between two characters.
 fn place(random: &mut Uniform, text: &str) -> usize {
     let mut at = random.below(text.len() + 1);
     while !text.is_char_boundary(at) {
@@ -185,7 +185,7 @@ fn the_corpus_is_good() {
 fn garbage_and_mutations_never_panic() {
     let controls = Dialect::ALL.map(reading::control);
     let seconds = std::env::var("SEAMWRIGHT_FUZZ_S").ok().and_then(|v| v.parse().ok());
-    // Long runs begin elsewhere each day; a failing text is kept, so the seed need not be.
+    // Long runs start with another seed each day; a failing text is kept, so the seed need not be.
     let seed = seconds.and_then(|_: u64| std::time::UNIX_EPOCH.elapsed().ok()).map_or(1, |t| t.as_secs() as u32);
     let mut random = Uniform::new(seed);
     let (begin, mut tried) = (Instant::now(), 0);

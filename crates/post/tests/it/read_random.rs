@@ -7,7 +7,7 @@ use seamwright_post::Dialect::{self, Grblhal, Linuxcnc, Pmac, Sinumerik};
 use seamwright_post::{ChannelKind, Control, Event, Path, ReadOptions, What, read};
 use std::fmt::Write;
 
-/// What the test wrote, which the reader must find again.
+/// Command written by the test, which the reader must find again.
 #[derive(Debug, Clone, PartialEq)]
 enum Told {
     Move { row: Vec<f64>, path: &'static str, seconds: f64, exact_stop: bool },
@@ -16,7 +16,7 @@ enum Told {
     Dwell(f64),
 }
 
-/// A writer: the text so far, the state a person at the control would keep in mind, and what was told.
+/// A writer: the text so far, the modal state of the control, and the commands written.
 struct Writer<'a> {
     control: &'a Control,
     random: &'a mut Uniform,
@@ -233,7 +233,7 @@ impl Writer<'_> {
             _ => format!("G4 P{seconds:.4}"),
         };
         self.line(&[text]);
-        // Siemens' F of a dwell is no feed; with G93 others want it in every block anyway.
+        // Siemens' F of a dwell is no feed; with G93 the others need it in every block.
         self.told.push(Told::Dwell(seconds));
     }
 }

@@ -64,7 +64,7 @@ fn program(random: &mut Random, dialect: Dialect, machine: &str, rotary: [&str; 
         };
         let _ = writeln!(text, "start = {}", row(&here, 0.0, 0.0));
         let _ = writeln!(text, "events = [{{ after = 0, output = {}, on = {} }}]", 5 + pass, random.below(2) == 0);
-        // With the arc off there is at least one rapid move, so that the pass is told from one with it.
+        // With the arc off there is at least one rapid move, which distinguishes the pass from one with the arc.
         let spans = 1 + random.below(6);
         for span in 0..spans {
             let mut next = here;
@@ -169,7 +169,7 @@ fn outputs(control: &Control, program: &PartProgram) -> Vec<Event> {
     };
     let mut all: Vec<Event> = program.steps.iter().filter_map(|s| event(&s.what)).collect();
     all.dedup();
-    // What is off is switched off at the begin of every pass.
+    // Outputs that are off are switched off at the start of every pass.
     let mut on = false;
     all.retain(|event| !matches!(event, Event::Arc(arc) if std::mem::replace(&mut on, *arc) == *arc));
     all

@@ -1,4 +1,4 @@
-//! Part programs that come from elsewhere in each dialect: as they should look, and what a control cannot take.
+//! Part programs from elsewhere in each dialect: their text, and features that a control lacks.
 
 use crate::text;
 
@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn machine(name: &str, more: &str) -> Machine {
     let text = shipped(name).unwrap().text;
-    // Without what the file itself says of controls.
+    // Without the file's own settings of controls.
     let text = text.split("\n[controls.").next().unwrap();
     Machine::read("m", &format!("{text}\n{more}")).unwrap()
 }
@@ -181,7 +181,7 @@ fn interpolated_values_need_no_steps() {
     let plain = Control::new(&stepped.machine, Dialect::Sinumerik).unwrap();
     let by_steps = stepped.program(&plain, &Options::default()).unwrap();
     assert!(sets(&by_steps, plain.channel("current_a").unwrap()) > 100);
-    // Against the values that the plan asks for, at every place within every block.
+    // Against the planned values, at every station within every block.
     let (mut time, mut worst, mut on) = (0.0, 0.0f64, false);
     let begin =
         program.steps.iter().position(|s| matches!(s.what, What::Event { event: Event::Arc(true), .. })).unwrap();
@@ -278,7 +278,7 @@ fn arcs_of_several_turns() {
     }
 }
 
-/// Where the control can go over, passes are welded at tip level and air moves are made by the axes.
+/// If the control can change levels, passes are welded at tip level and transfer moves are made by the axes.
 #[test]
 fn passes_at_tip_level() {
     let job = std::fs::read_to_string(format!("{}/../../tests/data/passes.toml", env!("CARGO_MANIFEST_DIR"))).unwrap();
@@ -301,7 +301,7 @@ fn passes_at_tip_level() {
     assert!(matches!(planned.program(&control, &tip), Err(Error::TipPasses)));
 }
 
-/// Own lines at begin and end, own codes, and a spindle word that is a process value.
+/// Own lines at start and end, own codes, and a spindle word that is a process value.
 #[test]
 fn templates_codes_and_spindles() {
     let controls = "[controls.grblhal]\n\

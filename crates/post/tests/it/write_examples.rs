@@ -1,5 +1,5 @@
-//! Every example in every dialect that fits its machine: what is written is what was planned, it takes as long, and the
-//! tip stays within the tolerance however the control goes from row to row.
+//! Every example in every dialect that fits its machine: the text is the planned motion and takes as long. The tip
+//! stays within the tolerance on every way of the control from row to row.
 
 use crate::text;
 
@@ -22,7 +22,7 @@ fn variants(dialect: Dialect) -> Vec<Options> {
     }
 }
 
-/// The tip's greatest distance from the planned path, and the times of all passes against the plan's.
+/// The tip's maximum distance from the planned path, and the times of all passes against the plan's.
 fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
     let mut worst = 0.0f64;
     for (range, motion) in passes(program).into_iter().zip(&planned.motion.passes) {
@@ -81,7 +81,7 @@ fn proven(planned: &Planned, control: &Control, program: &PartProgram, options: 
     }
 }
 
-/// What is not as it was asked is found: a place, a feed, an output, a block less.
+/// Each difference from the request is found: a position, a feed, an output, a missing block.
 #[test]
 fn a_wrong_text_is_no_proof() {
     let planned = Planned::example("saddle");

@@ -1,4 +1,4 @@
-//! Speeds of cubics: each point of a span has its own, and so has the place where the span begins.
+//! Speeds of cubics: each point of a span has its own, and so has the start of the span.
 
 use super::draft::{PointsDraft, Row, RowSpan};
 use crate::Along;
@@ -17,7 +17,7 @@ impl RowSpan {
         self.along == Along::Cubic
     }
 
-    /// Speeds where it begins and at each point, as files have them; none but of a cubic.
+    /// Speeds at the start and at each point, as files have them; empty unless it is a cubic.
     pub(super) fn all_speeds(&self) -> Vec<Vec<f64>> {
         if !self.is_cubic() {
             return Vec::new();
@@ -32,13 +32,13 @@ impl RowSpan {
         self.rows.iter_mut().zip(speeds).for_each(|(row, speeds)| row.speeds = speeds);
     }
 
-    /// Makes it none: what was a cubic has no speeds any more.
+    /// Removes the speeds of a span that is no cubic any more.
     pub(super) fn forget_speeds(&mut self) {
         self.begin_speeds.clear();
         self.rows.iter_mut().for_each(|row| row.speeds.clear());
     }
 
-    /// Speeds where it begins and at each point; none but of a cubic.
+    /// Speeds at the start and at each point; empty unless it is a cubic.
     pub(super) fn each_speeds(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
         let all = std::iter::once(&mut self.begin_speeds).chain(self.rows.iter_mut().map(|row| &mut row.speeds));
         all.filter(|speeds| !speeds.is_empty())
@@ -51,7 +51,7 @@ impl RowSpan {
 }
 
 impl PointsDraft {
-    /// The columns that say the place, in the order of a cubic's speeds.
+    /// The position's columns, in the order of a cubic's speeds.
     pub(super) fn place_columns(&self) -> Vec<usize> {
         let known = self.known();
         let of_pose = crate::POSE_COLUMNS[..known.pose].iter().filter_map(|name| self.column(name));
@@ -60,7 +60,7 @@ impl PointsDraft {
         columns
     }
 
-    /// Where among a cubic's speeds those of some columns are; none if one of them says no place.
+    /// Indices of some columns among a cubic's speeds; `None` if one of them holds no position.
     pub(super) fn among_speeds(&self, columns: [usize; 3]) -> Option<[usize; 3]> {
         let places = self.place_columns();
         let [x, y, z] = columns.map(|column| places.iter().position(|c| *c == column));
@@ -106,8 +106,8 @@ impl PointsDraft {
         self.place_columns().into_iter().map(speed).collect()
     }
 
-    /// A point of a cubic halfway in time, given all but its place: its place and speeds are those that the cubic has
-    /// there, so both halves go the same way.
+    /// Sets position and speeds of a point halfway in time of a cubic to those of the cubic, so both halves go the same
+    /// way.
     pub(super) fn set_halfway(&self, row: &mut Row, (before, begin_speeds): (&Row, &[f64]), next: &Row) {
         let seconds = next.numbers[next.numbers.len() - 1];
         row.speeds.clear();
@@ -119,7 +119,7 @@ impl PointsDraft {
         }
     }
 
-    /// Speeds of the cubics that end and begin at a point.
+    /// Speeds of the cubics that end and start at a point.
     pub(super) fn speeds_at(&mut self, point: usize) -> Vec<&mut Vec<f64>> {
         let mut first = 0;
         let mut out = Vec::new();
@@ -133,12 +133,12 @@ impl PointsDraft {
         out
     }
 
-    /// Scales the speeds of cubics over the ways to points `from` to `to`. They are split where these begin and end: the
-    /// point in between has one speed before it and another behind it.
+    /// Scales the speeds of cubics over the ways to points `from` to `to`. They are split at the ends of this range:
+    /// the point in between has one speed before it and another behind it.
     pub(super) fn scale_cubics(&mut self, (from, to): (usize, usize), factor: f64) {
         for point in [from - 1, to] {
             if point > 0 && self.spans[self.place(point).0].is_cubic() {
-                // None where a span ends already.
+                // At the end of a span there is no cubic to split.
                 let _ = self.split(point);
             }
         }
@@ -173,7 +173,7 @@ impl PointsDraft {
     }
 }
 
-/// How fast values change that follow each other after `seconds`: of the parabola through each and its neighbours.
+/// Rates of values that follow each other after `seconds`: of the parabola through each and its neighbours.
 fn rates(values: &[DVec3], seconds: &[f64]) -> Vec<DVec3> {
     let n = seconds.len();
     let mean: Vec<DVec3> = (0..n).map(|k| (values[k + 1] - values[k]) / seconds[k]).collect();

@@ -17,7 +17,7 @@ pub(super) struct Draft<'a> {
     pub(super) is_recomputed: bool,
 }
 
-/// A pass with the place among the document's passes that it came from.
+/// A pass with its original index among the document's passes.
 #[derive(Debug, Clone)]
 pub(super) struct PassDraft {
     /// Without points and spans.
@@ -66,7 +66,7 @@ pub(super) struct RowSpan {
     pub(super) stops: bool,
     pub(super) via: Option<DVec3>,
     pub(super) normal: Option<Direction>,
-    /// Of a cubic: the speeds at its begin.
+    /// Of a cubic: the speeds at its start.
     pub(super) begin_speeds: Vec<f64>,
     pub(super) rows: Vec<Row>,
     pub(super) from: Option<usize>,
@@ -181,7 +181,7 @@ impl PassDraft {
         Self { pass: Pass { points: None, spans: Vec::new(), ..pass.clone() }, body, from }
     }
 
-    /// The pass; none if a number is not finite.
+    /// The pass; `None` if a number is not finite.
     pub(super) fn pass(&self) -> Option<Pass> {
         let mut pass = self.pass.clone();
         match &self.body {
@@ -261,7 +261,7 @@ impl PointsDraft {
         std::iter::once(&mut self.start).chain(self.spans.iter_mut().flat_map(|span| &mut span.rows))
     }
 
-    /// The span of a point after the start, and its place in it. The point must be there.
+    /// The span of a point after the start, and its index in it. The point must exist.
     pub(super) fn place(&self, point: usize) -> (usize, usize) {
         let mut left = point.saturating_sub(1);
         for (i, span) in self.spans.iter().enumerate() {

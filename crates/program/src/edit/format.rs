@@ -12,7 +12,7 @@ pub(super) fn formatted(text: &str, program: &Document<Program>) -> Result<Strin
     let usual = program.value.to_toml().unwrap_or_default();
     let mut old: DocumentMut = text.parse().map_err(unwritable)?;
     let mut new: DocumentMut = usual.parse().map_err(unwritable)?;
-    // What heads the file stays there, whatever key comes first now.
+    // The head of the file stays there, even if another key comes first now.
     let mut head = take_top(&mut old);
     if head.is_empty() {
         head.extend(usual.lines().next().map(str::to_owned));
@@ -48,7 +48,7 @@ fn take_top(old: &mut DocumentMut) -> Vec<String> {
     taken
 }
 
-/// Comments and expressions of `old` into `new`; the comments for which there is no place.
+/// Copies comments and expressions of `old` into `new`; returns the comments that have no key in `new`.
 fn dress(new: &mut Table, old: &dyn TableLike) -> Vec<String> {
     let mut left = Vec::new();
     for (key, item) in old.iter() {
@@ -101,7 +101,7 @@ fn dress_list(list: &mut toml_edit::ArrayOfTables, there: &Item, mut above: Vec<
     }
 }
 
-/// The same for a value; what has to stand above its key.
+/// The same for a value; returns the comments that go above its key.
 fn dress_value(new: &mut Value, there: &Item) -> Vec<String> {
     let Some(old) = there.as_value() else { return all_comments(there) };
     new.decor_mut().set_suffix(behind(old.decor()));
@@ -121,7 +121,7 @@ fn dress_value(new: &mut Value, there: &Item) -> Vec<String> {
     }
 }
 
-/// Expressions of `old` in place of their numbers in `new`.
+/// Replaces numbers in `new` by their expressions in `old`.
 fn express(new: &mut Value, old: &Value) {
     match (&mut *new, old) {
         (Value::Array(new), Value::Array(old)) => {

@@ -1,24 +1,24 @@
-//! What was done to a text, so that it can be undone: patches of what changed, not copies of the text.
+//! History of edits of a text, for undo: patches of the changes, not copies of the text.
 
 use seamwright_document::DocumentError;
 use serde::{Deserialize, Serialize};
 
-/// One edit: what stood at a place of the text, and what stands there instead.
+/// One edit: the position in the text, and the text there before and after.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Patch {
-    /// What was done, in words.
+    /// Description of the edit.
     pub name: String,
-    /// Bytes before the place.
+    /// Bytes before the edit's position.
     pub at: usize,
-    /// What stood there.
+    /// Text before the edit.
     pub removed: String,
-    /// What stands there.
+    /// Text after the edit.
     pub inserted: String,
 }
 
 impl Patch {
-    /// The edit that makes `after` of `before`: what they have in common at both ends is left out.
+    /// The edit from `before` to `after`: their common start and end are left out.
     pub fn between(name: &str, before: &str, after: &str) -> Self {
         let same = |(a, b): &(u8, u8)| a == b;
         let mut at = before.bytes().zip(after.bytes()).take_while(same).count();
@@ -34,12 +34,12 @@ impl Patch {
         Self { name: name.to_owned(), at, removed: removed.to_owned(), inserted: inserted.to_owned() }
     }
 
-    /// `text` after the edit; none if what it removes does not stand there.
+    /// `text` after the edit; `None` if the removed text is not there.
     fn applied(&self, text: &str) -> Option<String> {
         exchanged(text, self.at, (&self.removed, &self.inserted))
     }
 
-    /// `text` before the edit; none if what it inserted does not stand there.
+    /// `text` before the edit; `None` if the inserted text is not there.
     fn undone(&self, text: &str) -> Option<String> {
         exchanged(text, self.at, (&self.inserted, &self.removed))
     }
@@ -66,13 +66,13 @@ pub struct History {
 struct Head {
     /// Version of the format.
     history: u32,
-    /// How many edits are done; the others are undone.
+    /// Number of edits that are done; the others are undone.
     done: usize,
     /// Of the text, as it is with these done.
     checksum: String,
 }
 
-/// FNV-1a, 64 bits: tells a text that was changed by hand; nobody is to be fooled.
+/// FNV-1a, 64 bits: detects a text that was changed by hand; it does not protect against forgery.
 fn checksum(text: &str) -> String {
     let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     format!("{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325, step))
@@ -96,8 +96,8 @@ impl History {
         &self.patches[self.done..]
     }
 
-    /// `text` before the last edit, and that edit's name; none if nothing is left to undo, or the text is not that of the
-    /// history.
+    /// `text` before the last edit, and that edit's name; `None` if there is no edit to undo, or the text differs from
+    /// that of the history.
     pub fn undo(&mut self, text: &str) -> Option<(String, String)> {
         let patch = self.patches.get(self.done.checked_sub(1)?)?;
         let text = patch.undone(text)?;
@@ -105,7 +105,7 @@ impl History {
         Some((text, patch.name.clone()))
     }
 
-    /// `text` with the next edit done again, and that edit's name; none as for [`History::undo`].
+    /// `text` with the next edit redone, and that edit's name; `None` as for [`History::undo`].
     pub fn redo(&mut self, text: &str) -> Option<(String, String)> {
         let patch = self.patches.get(self.done)?;
         let text = patch.applied(text)?;
@@ -116,7 +116,7 @@ impl History {
     /// As JSON lines: a head with a checksum of `text`, the text with all edits that are done, and a line an edit.
     ///
     /// # Errors
-    /// None in practice: texts and numbers have a JSON form.
+    /// Not expected: texts and numbers have a JSON form.
     pub fn to_json_lines(&self, text: &str) -> Result<String, serde_json::Error> {
         let head = Head { history: 1, done: self.done, checksum: checksum(text) };
         let mut out = serde_json::to_string(&head)? + "\n";

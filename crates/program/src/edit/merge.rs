@@ -4,8 +4,7 @@ use super::format::{all_comments, comments, lines};
 use toml::Value as New;
 use toml_edit::{Array, ArrayOfTables, InlineTable, Item, Table, TableLike, Value};
 
-/// Puts what is different in `after` from `before` into `table`; keys that are the same keep layout, comments and
-/// expressions.
+/// Writes the differences of `after` from `before` into `table`; unchanged keys keep layout, comments and expressions.
 pub(super) fn merge_table(table: &mut dyn TableLike, before: &toml::Table, after: &toml::Table) {
     for (key, new) in after {
         let old = before.get(key);
@@ -20,7 +19,7 @@ pub(super) fn merge_table(table: &mut dyn TableLike, before: &toml::Table, after
     before.keys().filter(|key| !after.contains_key(*key)).for_each(|key| take_out(table, key));
 }
 
-/// Takes a key out if it is there; what is said of it stays.
+/// Removes a key if it is there; its comments stay.
 pub(super) fn take_out(table: &mut dyn TableLike, key: &str) {
     let mut said = table.key(key).map(|key| comments(key.leaf_decor())).unwrap_or_default();
     said.extend(table.remove(key).map(|item| all_comments(&item)).unwrap_or_default());
@@ -66,7 +65,7 @@ fn merge_value(there: &mut Value, old: Option<&New>, new: &New) {
     replace(there, value(new));
 }
 
-/// Another value in the same place.
+/// Replaces a value in place.
 pub(super) fn replace(there: &mut Value, mut new: Value) {
     *new.decor_mut() = there.decor().clone();
     *there = new;
@@ -91,12 +90,12 @@ fn value(new: &New) -> Value {
     }
 }
 
-/// A type's keys and values; empty for what is no table.
+/// A type's keys and values; empty for types that are no table.
 pub(super) fn table_of<T: serde::Serialize>(value: &T) -> toml::Table {
     toml::Table::try_from(value).unwrap_or_default()
 }
 
-/// The tables at `key` of `table` as an array of tables, whatever way they are written; an empty one if there are none.
+/// The tables at `key` of `table` as an array of tables, in any notation; empty if the key is missing.
 pub(super) fn tables<'a>(table: &'a mut Table, key: &str) -> Option<&'a mut ArrayOfTables> {
     if !table.get(key).is_some_and(Item::is_array_of_tables) {
         let mut said = table.key(key).map(|key| comments(key.leaf_decor())).unwrap_or_default();
@@ -114,8 +113,8 @@ pub(super) fn tables<'a>(table: &'a mut Table, key: &str) -> Option<&'a mut Arra
     table.get_mut(key).and_then(Item::as_array_of_tables_mut)
 }
 
-/// Gives each of the tables at `key` of `table` to `edit` with its index, in the order `from`: each is the one that was
-/// at its place, or a new one. Tables on one line stay so if their order does.
+/// Passes each of the tables at `key` of `table` to `edit` with its index, in the order `from`: each is the one of that
+/// original index, or a new one. Tables on one line stay so if their order does.
 pub(super) fn each_table(
     table: &mut Table,
     key: &str,
@@ -132,7 +131,7 @@ pub(super) fn each_table(
     list.iter_mut().enumerate().for_each(|(i, table)| edit(i, table));
 }
 
-/// The tables in a new order: each is a copy of the one at the place it came from, or a new one.
+/// The tables in a new order: each is a copy of the one of its original index, or a new one.
 pub(super) fn rebuild(list: &mut ArrayOfTables, from: &[Option<usize>]) {
     if from.len() == list.len() && from.iter().enumerate().all(|(i, from)| *from == Some(i)) {
         return;
@@ -145,7 +144,7 @@ pub(super) fn rebuild(list: &mut ArrayOfTables, from: &[Option<usize>]) {
         if let Some(i) = from
             && std::mem::replace(&mut used[*i], true)
         {
-            // A second copy does not say the same once more.
+            // A second copy does not repeat the comments.
             table.decor_mut().clear();
         }
         forget_positions(&mut table);

@@ -1,9 +1,9 @@
-//! Edits of a program, as a panel and the command line make them: on the document, so that comments and layout stay, and
-//! checked, so that a program stays a program.
+//! Edits of a program, as a panel and the command line make them. They change the document, so that comments and layout
+//! stay, and are checked, so that a program stays valid.
 //!
-//! An [`Operation`] is made in a draft of the typed program, in which each pass, span, point and event knows where in the
-//! document it came from; what is different is then written there. The text is read again: it must be a program, and
-//! the one that was meant. [`Editor::undo`] gives back the very bytes.
+//! An [`Operation`] is made in a draft of the typed program. In it each pass, span, point and event knows its origin in
+//! the document; differences are then written there. The text is read again: it must be a valid program equal to the
+//! draft. [`Editor::undo`] restores the text byte by byte.
 
 mod cubics;
 mod draft;
@@ -41,7 +41,7 @@ use crate::Program;
 use draft::Draft;
 use seamwright_document::{Document, DocumentError};
 
-/// A program under edit: its text, what it says, and what was done to it.
+/// A program under edit: its text, its values, and its history.
 #[derive(Debug, Clone)]
 pub struct Editor {
     file: String,
@@ -59,7 +59,7 @@ impl Editor {
         Self::with_history(file, text, History::default())
     }
 
-    /// The same with what was done to the text before.
+    /// The same with the history of the text.
     ///
     /// # Errors
     /// As for [`Editor::new`].
@@ -72,12 +72,12 @@ impl Editor {
         &self.text
     }
 
-    /// What it says, expressions as their numbers.
+    /// The program, with expressions as their numbers.
     pub fn program(&self) -> &Program {
         &self.program.value
     }
 
-    /// What was done.
+    /// History of the edits.
     pub fn history(&self) -> &History {
         &self.history
     }
@@ -85,8 +85,8 @@ impl Editor {
     /// Makes an edit.
     ///
     /// # Errors
-    /// Why it is refused: the operation asks for what is not there, or the result would be no program. The document
-    /// stays as it was.
+    /// The reason for a refusal: the operation refers to a missing object, or the result would be invalid. The document
+    /// stays unchanged.
     pub fn apply(&mut self, operation: &Operation) -> Result<Report, DocumentError> {
         let (text, program, report) = self.edited(operation)?;
         let changed = text != self.text;
@@ -97,10 +97,10 @@ impl Editor {
         Ok(Report { changed, ..report })
     }
 
-    /// Makes several edits one after the other; each stands in the history.
+    /// Makes several edits one after the other; each is in the history.
     ///
     /// # Errors
-    /// The index of the first one refused, and why; then none is made.
+    /// The index of the first one refused, and the reason; then no edit is made.
     pub fn apply_all(&mut self, operations: &[Operation]) -> Result<Vec<Report>, (usize, DocumentError)> {
         let mut edited = self.clone();
         let reports = operations.iter().enumerate().map(|(i, o)| edited.apply(o).map_err(|e| (i, e)));
@@ -130,18 +130,19 @@ impl Editor {
         Ok((text, program, report))
     }
 
-    /// Undoes the last edit: the text is byte by byte what it was. What was undone; none if nothing was left.
+    /// Undoes the last edit: the text is byte by byte as before. Returns its description; `None` if there is nothing to
+    /// undo.
     ///
     /// # Errors
-    /// The text is not that of the history.
+    /// The text differs from that of the history.
     pub fn undo(&mut self) -> Result<Option<String>, DocumentError> {
         if self.history.done().is_empty() { Ok(None) } else { self.step(History::undo).map(Some) }
     }
 
-    /// Makes the last edit undone again. What was made; none if nothing was left.
+    /// Redoes the last edit that was undone. Returns its description; `None` if there is nothing to redo.
     ///
     /// # Errors
-    /// The text is not that of the history.
+    /// The text differs from that of the history.
     pub fn redo(&mut self) -> Result<Option<String>, DocumentError> {
         if self.history.undone().is_empty() { Ok(None) } else { self.step(History::redo).map(Some) }
     }

@@ -1,4 +1,4 @@
-//! What can be done to a program, as data.
+//! Edits of a program, as data.
 
 use super::draft::Draft;
 use super::report::Report;

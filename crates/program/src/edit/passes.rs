@@ -1,4 +1,4 @@
-//! Whole passes, their events, and what holds for all of them.
+//! Edits of whole passes, their events, and the settings common to all of them.
 
 use super::draft::{Draft, EventDraft, PassDraft};
 use super::report::Report;
@@ -162,7 +162,7 @@ impl SetPass {
 }
 
 impl Draft<'_> {
-    /// Index for a new pass at a place from 1.
+    /// Index for a new pass at a position from 1.
     fn place(&self, at: usize, count: usize) -> Result<usize, DocumentError> {
         if (1..=count).contains(&at) {
             return Ok(at - 1);

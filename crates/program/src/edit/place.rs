@@ -1,4 +1,4 @@
-//! Where points are: mirrored, or moved by the torch's frame.
+//! Edits of points' positions: mirrored, or moved by the torch's frame.
 
 use super::draft::{Body, Draft, PointsDraft, Row, RowSpan};
 use super::report::Report;
@@ -149,7 +149,8 @@ impl PointsDraft {
         }
     }
 
-    /// Directions of travel where the way to each point begins and ends, of unit length; none for a way without length.
+    /// Directions of travel at the start and the end of the way to each point, of unit length; `None` for a way without
+    /// length.
     fn tangents(&self, columns: [usize; 3]) -> Vec<Option<(DVec3, DVec3)>> {
         let mut here = self.start.place(columns);
         let mut out = Vec::new();
@@ -189,7 +190,7 @@ impl PointsDraft {
         (0..=ways.len()).map(at).collect()
     }
 
-    /// Moves the points of a range; the number of a point that has no frame if there is one.
+    /// Moves the points of a range; fails with the number of a point that has no frame.
     fn offset(&mut self, (from, to): (usize, usize), by: DVec3, columns: [usize; 3]) -> Result<(), usize> {
         let travel = self.travel(columns);
         let rows: Vec<Row> = self.rows().cloned().collect();

@@ -201,7 +201,7 @@ impl PointsDraft {
         }
     }
 
-    /// A mean of opposite torch directions is none: the one before is taken.
+    /// Opposite torch directions have no mean: then the direction before is used.
     fn set_direction(&self, row: &mut Row, before: &Row) {
         let Some(columns) = self.directions() else { return };
         let mean = row.place(columns);
@@ -215,7 +215,7 @@ impl PointsDraft {
         Some([x?, y?, z?])
     }
 
-    /// Where a point's torch points; straight down without a direction.
+    /// Direction of the torch at a point; straight down without a direction.
     pub(super) fn direction(&self, row: &Row) -> DVec3 {
         self.directions().map_or(-DVec3::Z, |columns| row.place(columns).normalize_or_zero())
     }

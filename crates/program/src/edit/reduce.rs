@@ -134,7 +134,7 @@ impl PointsDraft {
         });
     }
 
-    /// Time or speed of a way of this length in place of those between the points.
+    /// Time or speed of a way of this length, which replaces those between the points.
     fn pace(&self, rows: &[Row], length: f64, columns: [usize; 3]) -> f64 {
         let pace = |row: &Row| row.numbers[row.numbers.len() - 1];
         if self.timed() {
@@ -147,7 +147,7 @@ impl PointsDraft {
     }
 }
 
-/// The point halfway round an arc; none for a line.
+/// The point halfway round an arc; `None` for a line.
 fn via(shape: Shape, start: DVec3, end: DVec3) -> Option<DVec3> {
     let Shape::Arc { centre, normal, .. } = shape else { return None };
     let (from, to) = (start - centre, end - centre);

@@ -1,4 +1,4 @@
-//! Tables of points in a document: a line for each as a rule, with what is said of it behind it or above.
+//! Tables of points in a document: a line for each as a rule, with its comment behind it or above.
 
 use super::draft::Row;
 use super::merge::{number, replace};
@@ -8,9 +8,9 @@ use toml_edit::{Array, Value};
 #[derive(Debug, Clone)]
 struct Line {
     value: Value,
-    /// What stands before it, from the end of the line before.
+    /// Text before it, from the end of the line before.
     lead: String,
-    /// What stands behind its comma on its line.
+    /// Text behind its comma on its line.
     tail: String,
 }
 
@@ -23,7 +23,7 @@ pub(super) struct Written {
     columns: Vec<Option<usize>>,
 }
 
-/// What stands around the points of an array.
+/// Text around the points of an array.
 struct Around {
     opening: String,
     lead: String,
@@ -47,13 +47,13 @@ impl Written {
         }
     }
 
-    /// Whether these are the `count` points that stand in the document from point `first` on.
+    /// Whether these are the `count` points of the document from point `first` on.
     fn is_same(&self, rows: &[Row], (first, count): (usize, usize)) -> bool {
         let same = |(i, row): (usize, &Row)| row.from == Some(first + i) && row.numbers == self.numbers[first + i];
         rows.len() == count && rows.iter().enumerate().all(same)
     }
 
-    /// The start as it is to be written; none if it stays.
+    /// The start as it is to be written; `None` if it is unchanged.
     pub(super) fn start(&self, row: &Row) -> Option<Value> {
         if row.from == Some(0) && row.numbers == self.numbers[0] {
             return None;
@@ -127,7 +127,7 @@ impl Written {
     }
 }
 
-/// What ends a line and what begins the next; a comment ends with its line.
+/// Joins the end of a line and the start of the next; a comment ends with its line.
 fn joined(tail: &str, lead: &str) -> String {
     let needs = tail.contains('#') && !lead.starts_with(['\n', '\r']);
     format!("{tail}{}{lead}", if needs { "\n" } else { "" })
@@ -149,7 +149,7 @@ fn suffix(value: &Value) -> &str {
     value.decor().suffix().and_then(|raw| raw.as_str()).unwrap_or_default()
 }
 
-/// What stands behind the last value, its comma included or not.
+/// Text behind the last value, its comma included or not.
 fn ending(array: &Array) -> String {
     let last = array.iter().last().filter(|_| !array.trailing_comma()).map_or("", suffix);
     format!("{last}{}", array.trailing().as_str().unwrap_or_default())

@@ -1,4 +1,4 @@
-//! Speeds of cubics in a document: a line for each place, as points have them.
+//! Speeds of cubics in a document: a line for each point, as points have them.
 
 use super::draft::{PointsDraft, Row};
 use super::merge::take_out;
@@ -23,7 +23,7 @@ pub(super) struct WrittenSpeeds {
     points: Vec<(usize, usize)>,
     /// For each span its first row of speeds and the number of them.
     speeds: Vec<(usize, usize)>,
-    /// Rows that stand in the new document: a second copy does not say the same once more.
+    /// Rows that are in the new document: a second copy does not repeat their comments.
     used: Vec<bool>,
 }
 
@@ -42,7 +42,7 @@ impl WrittenSpeeds {
         }
     }
 
-    /// The speeds of span `i` into its table; none if it is no cubic.
+    /// Writes the speeds of span `i` into its table, if it is a cubic.
     pub(super) fn write(&mut self, table: &mut dyn TableLike, after: &PointsDraft, i: usize) {
         let span = &after.spans[i];
         if !span.is_cubic() {

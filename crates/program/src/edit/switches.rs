@@ -1,9 +1,9 @@
-//! Events of a pass whose ways come in another order: what is on stays on over the same ways.
+//! Events of a pass whose ways are reordered: outputs stay on over the same ways.
 
 use super::draft::EventDraft;
 use crate::PointEvent;
 
-/// What an event switches.
+/// Output that an event switches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Switch {
     Gas,
@@ -11,7 +11,7 @@ enum Switch {
     Output(u16),
 }
 
-/// What an event switches, and whether to on.
+/// Output that an event switches, and whether to on.
 fn switched(event: &PointEvent) -> Option<(Switch, bool)> {
     let gas = event.gas.map(|on| (Switch::Gas, on));
     let wire = event.wire.map(|on| (Switch::Wire, on));
@@ -27,8 +27,9 @@ fn event(switch: Switch, after: usize, on: bool) -> PointEvent {
     }
 }
 
-/// The events when way `i` of the new order (from 0) is way `old_way(i)` of the `count` old ones and point `after` becomes
-/// `new_point(after)`. What was not switched yet counts as off; what was off at the end is so in the new order.
+/// The events when way `i` of the new order (from 0) is way `old_way(i)` of the `count` old ones and point `after`
+/// becomes `new_point(after)`. Outputs count as off until they are switched; those that were off at the end are off in
+/// the new order.
 pub(super) fn reordered(
     events: &[EventDraft],
     count: usize,

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Finite, NonNegative, Positive};
 use serde::{Deserialize, Serialize};
 
-/// A run of points is closed if it ends this near to its start, in every number of a place: mm, degrees.
+/// Maximum distance between end and start of a closed run of points, in every number of a position: mm, degrees.
 const CLOSED: f64 = 1e-6;
 
 /// Turns a pass to run from its end to its start. Times and speeds, stepped values and block numbers stay with the way
@@ -72,7 +72,7 @@ impl ReversePass {
 }
 
 impl PointsDraft {
-    /// The numbers of a place with those of the way to another: what `way` has in the columns of ways.
+    /// The numbers of a position with those of the way to another: the columns of ways come from `way`.
     fn with_way(&self, place: &Row, way: &Row) -> Row {
         let mut row = place.clone();
         self.way_columns().into_iter().for_each(|i| row.numbers[i] = way.numbers[i]);

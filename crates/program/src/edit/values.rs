@@ -72,7 +72,7 @@ impl Draft<'_> {
         }
         let there = self.pass(pass)?;
         for s in [from, to] {
-            // None where a span ends already.
+            // At the end of a span there is no span to split.
             let _ = there.split(s);
         }
         let Body::Seam(spans) = &there.body else { return Ok(0..0) };
@@ -135,7 +135,7 @@ impl ScaleSpeed {
 }
 
 impl Draft<'_> {
-    /// Scales the speeds of spans along the seam; false if one would be none.
+    /// Scales the speeds of spans along the seam; false if one would be invalid.
     fn scale_seam(&mut self, pass: usize, range: std::ops::Range<usize>, by: f64) -> Result<bool, DocumentError> {
         let Body::Seam(spans) = &mut self.pass(pass)?.body else { return Ok(false) };
         for span in &mut spans[range] {
@@ -197,7 +197,7 @@ impl PointsDraft {
         }
     }
 
-    /// What each way counts in a ramp: its time, or the distance of its ends; the same if there is no time or place.
+    /// Weight of each way in a ramp: its time, or the distance of its ends; all equal without times or positions.
     fn lengths(&self) -> Vec<f64> {
         let rows: Vec<_> = self.rows().collect();
         let each = rows.windows(2).map(|pair| match self.places() {

@@ -8,7 +8,7 @@ use crate::{Pass, Points, Program};
 use seamwright_document::DocumentError;
 use toml_edit::{Array, DocumentMut, Item, Table, TomlError, Value};
 
-/// `text` with what the draft changed.
+/// `text` with the changes of the draft.
 pub(super) fn write(text: &str, draft: &Draft) -> Result<String, DocumentError> {
     let unwritable = |e: TomlError| draft.file.error_at("", e.message().to_owned(), "");
     let mut document: DocumentMut = text.parse().map_err(unwritable)?;

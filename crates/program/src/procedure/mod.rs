@@ -97,7 +97,7 @@ const OWN_KEYS: [&str; 6] =
     ["speed_mm_s", "heat_input_kj_mm", "travel_angle_deg", "work_angle_deg", "preheat_c", "interpass_c"];
 
 impl Run {
-    /// Which passes it is for, in words.
+    /// Describes the passes that it is for.
     pub fn label(&self) -> String {
         match (&self.name, &self.passes) {
             (Some(role), _) => role.name().to_owned(),
@@ -136,7 +136,7 @@ impl Run {
             }
             check_process_name(file, &key, name)?;
             let (_, greatest) = window.ends();
-            // The least may be 0 or below: then it is no limit.
+            // A minimum of 0 or below is no limit.
             check_process_value(file, &key, (name, greatest), self.ranges.keys())?;
         }
         check_process_units(file, &format!("{path}.ranges"), &self.ranges.keys())
@@ -201,8 +201,8 @@ impl Procedure {
         Ok(())
     }
 
-    /// Checks that none of a program's passes is in two runs, one by what it is for and one by its number; `file` and
-    /// `table` as in [`Procedure::check`].
+    /// Checks that each of a program's passes is in one run only, not in one by its role and another by its number.
+    /// `file` and `table` as in [`Procedure::check`].
     ///
     /// # Errors
     /// With the second run's address.
@@ -218,7 +218,7 @@ impl Procedure {
         Ok(())
     }
 
-    /// The run for `pass`, a program's `number`th (from 1), if there is one.
+    /// The run for `pass`, a program's `number`th (from 1), if any.
     pub fn run_of(&self, number: usize, pass: &Pass) -> Option<&Run> {
         self.runs.iter().find(|run| run.is_for(number, pass))
     }
@@ -233,7 +233,7 @@ impl Procedure {
         self.deposition_efficiency.map_or(self.process.deposition_efficiency, Positive::get)
     }
 
-    /// The kind of weld where the least and the greatest angle between the faces (rad) along it are these.
+    /// The kind of weld for the minimum and maximum angle between the faces (rad) along it.
     pub fn joint(&self, (least, greatest): (f64, f64)) -> FilletOrButt {
         let fillet = 0.5 * (least + greatest).to_degrees() <= self.position_limits.fillet_up_to_deg.get();
         self.joint.unwrap_or(if fillet { FilletOrButt::Fillet } else { FilletOrButt::Butt })

@@ -37,19 +37,19 @@ impl fmt::Display for WeldingPosition {
     }
 }
 
-/// How a weld lies against gravity at one place.
+/// Inclination of a weld against gravity at one station.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inclination {
     /// Slope S of the direction of travel, rad: positive uphill.
     pub slope: f64,
-    /// Rotation rho of the weld's face about its axis, rad: 0 with the face up, pi with the face down. 0 where the weld
-    /// is vertical and there is no rotation.
+    /// Rotation rho of the weld's face about its axis, rad: 0 with the face up, pi with the face down. 0 for a vertical
+    /// weld, which has no rotation.
     pub rotation: f64,
 }
 
 impl Inclination {
-    /// Of a weld with the unit vectors `tangent` (direction of travel), `face` (from the root to the middle of the
-    /// face) and `up` against gravity, all in one frame.
+    /// Inclination of a weld with the unit vectors `tangent` (direction of travel), `face` (from the root to the middle
+    /// of the face) and `up` against gravity, in one frame.
     pub fn new(tangent: DVec3, face: DVec3, up: DVec3) -> Self {
         let (rise, level) = (tangent.dot(up), tangent.cross(up).length());
         let face = face.reject_from_normalized(tangent);
@@ -147,7 +147,7 @@ impl PositionLimits {
         *self == Self::default()
     }
 
-    /// The range of rotation of `position`, degrees; none if welds of that joint have no such position.
+    /// The range of rotation of `position`, degrees; `None` if welds of that joint have no such position.
     fn rotations(&self, joint: FilletOrButt, position: WeldingPosition) -> Option<(f64, f64)> {
         use WeldingPosition as P;
         let (butt, fillet) = (&self.butt, &self.fillet);
@@ -167,8 +167,8 @@ impl PositionLimits {
         Some((low, high))
     }
 
-    /// By how much (degrees) a weld is beyond the limits of `position`, the most of slope and rotation; negative or 0
-    /// within them, infinite if there is no such position.
+    /// Excess of a weld over the limits of `position`, degrees, the maximum of slope and rotation; negative or 0 within
+    /// them, infinite if the position does not exist.
     pub fn beyond(&self, joint: FilletOrButt, position: WeldingPosition, at: Inclination) -> f64 {
         use WeldingPosition as P;
         let (slope, rotation) = (at.slope.to_degrees(), at.rotation.to_degrees());
@@ -191,12 +191,12 @@ impl PositionLimits {
         WeldingPosition::ALL.into_iter().find(|p| beyond(p) <= least).unwrap_or(WeldingPosition::Pa)
     }
 
-    /// The positions along a pass, one after the other: `at` is how it lies at a path length (mm), looked at at
+    /// The positions along a pass, one after the other: `at` is its inclination at a path length (mm), evaluated at
     /// `places`, which increase.
     ///
-    /// A position goes on until its limits are passed by more than the hysteresis. The next one then begins where the
-    /// weld has come within its limits (found by halving, to rounding), so that no place is beyond the limits of its
-    /// position by more than the hysteresis.
+    /// A position goes on until its limits are exceeded by more than the hysteresis. The next one then starts where the
+    /// weld comes within its limits (found by halving, to rounding). So no station exceeds the limits of its position
+    /// by more than the hysteresis.
     pub fn along(&self, joint: FilletOrButt, places: &[f64], at: impl Fn(f64) -> Inclination) -> Vec<PositionStretch> {
         let (Some(&first), Some(&last)) = (places.first(), places.last()) else { return Vec::new() };
         let lies: Vec<Inclination> = places.iter().map(|s| at(*s)).collect();

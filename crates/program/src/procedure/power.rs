@@ -2,7 +2,7 @@ use super::Procedure;
 use crate::{ProcessValues, check_process_name};
 use seamwright_document::{Document, DocumentError};
 
-/// What a process value that makes power is, and what turns it into A, V or W.
+/// Kind of a process value that determines power, with its factor to A, V or W.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Factor {
     Current(f64),
@@ -39,12 +39,12 @@ impl Procedure {
         self.power.iter().flatten().map(String::as_str).chain(usual)
     }
 
-    /// The same, each with what turns it into A, V or W.
+    /// The same, each with its factor to A, V or W.
     pub fn power_factors(&self) -> impl Iterator<Item = (&str, f64)> {
         self.power_names().filter_map(|name| Some((name, Factor::of(name)?.scale())))
     }
 
-    /// Power, W, at a part (0 to 1) of a span with these process values; none if a value is missing.
+    /// Power, W, at a part (0 to 1) of a span with these process values; `None` if a value is missing.
     pub fn power_w(&self, values: &ProcessValues, part: f64) -> Option<f64> {
         let factor = |name: &str| Some(Factor::of(name)?.scale() * values.get(name)?.at(part));
         self.power_names().try_fold(1.0, |power, name| Some(power * factor(name)?))

@@ -3,8 +3,8 @@ use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 
-/// A welding process by its number in ISO 4063, with what is usual for it. A procedure file may override each usual
-/// value by a key of its own.
+/// A welding process by its number in ISO 4063, with its usual values. A procedure file may override each usual value
+/// by a key of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WeldingProcess {
     /// Number in ISO 4063.
@@ -23,8 +23,8 @@ const ARC: &[&str] = &["current_a", "voltage_v"];
 const ELECTRON_BEAM: &[&str] = &["beam_ma", "accelerating_kv"];
 const LASER: &[&str] = &["laser_w"];
 
-/// Numbers and names are those of ISO 4063, thermal efficiencies those of EN 1011-1. Deposition efficiencies are
-/// the middle of what filler metal makers give for each process.
+/// Numbers and names are those of ISO 4063, thermal efficiencies those of EN 1011-1. Deposition efficiencies are the
+/// middle of the values of filler metal makers for each process.
 const PROCESSES: [WeldingProcess; 12] = [
     process(111, "manual metal arc welding", 0.8, 0.65, ARC),
     process(114, "self-shielded tubular cored arc welding", 0.8, 0.8, ARC),

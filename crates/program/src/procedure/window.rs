@@ -4,14 +4,14 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 
-/// A value outside by less than this part of the window's larger limit (or of 1 in its unit, if that is more) counts as
-/// on the limit: rounding.
+/// Relative excess that still counts as on the limit, because of rounding: a part of the window's larger limit, or of 1
+/// in its unit if that is more.
 const ROUNDING: f64 = 1e-6;
 
 /// Halvings of a stretch in which a limit is crossed: to the last digit.
 const HALVINGS: usize = 60;
 
-/// A range of values that a procedure allows, both ends included: `[least, greatest]` in a file.
+/// A range of values that a procedure allows, both ends included: `[minimum, maximum]` in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(into = "[Finite; 2]")]
 pub struct Window {
@@ -66,16 +66,16 @@ pub struct Outside {
 }
 
 impl Window {
-    /// Least and greatest value allowed.
+    /// Minimum and maximum value allowed.
     pub fn ends(self) -> (f64, f64) {
         (self.least.get(), self.greatest.get())
     }
 
     /// The stretches on which `value`, a function of path length, is outside the window, those below it first.
     ///
-    /// `places` increase; between two of them the value is continuous and its extremes are at or near the places, so a
-    /// value that is linear between them is judged exactly, another as well as the places are close. Where the value
-    /// passes a limit is found by halving, to rounding. A value on a limit, or a millionth beyond, is within.
+    /// `places` increase. Between two of them the value is continuous and its extremes are at or near the `places`. A
+    /// linear value is judged exactly, another one as well as the `places` are close. A crossing of a limit is found by
+    /// halving, to rounding. A value on a limit, or a millionth beyond, is within.
     pub fn outside(self, places: &[f64], value: impl Fn(f64) -> f64) -> Vec<Outside> {
         let (least, greatest) = self.ends();
         let rounding = ROUNDING * least.abs().max(greatest.abs()).max(1.0);
@@ -111,7 +111,7 @@ impl Window {
     }
 }
 
-/// The place between `no`, where `holds` does not, and `yes`, where it does, at which that changes.
+/// The position between `no`, where `holds` is false, and `yes`, where it is true, at which that changes.
 pub(crate) fn halve(mut no: f64, mut yes: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (no + yes);

@@ -41,7 +41,7 @@ fn random_cubic(random: &mut Random, count: usize, more: &str) -> String {
     )
 }
 
-/// Where a pass of cubics is after `t` seconds, and how fast: Bernstein's form, not the one that edits use.
+/// Position and speed of a pass of cubics after `t` seconds: Bernstein's form, not the one that edits use.
 fn at(points: &Points, t: f64) -> (DVec3, DVec3) {
     let vector = |row: &[Finite]| DVec3::from_slice(&plain(row)[..3]);
     let (mut here, mut begin) = (vector(&points.start), 0.0);
@@ -76,7 +76,7 @@ fn seconds(points: &Points) -> f64 {
     points.spans.iter().flat_map(|span| &span.points).map(|row| plain(row)[3]).sum()
 }
 
-/// Places and speeds at 50 times are those that `wanted` says, given the time as a part of the whole.
+/// Positions and speeds at 50 times are those of `wanted`, given the time as a part of the whole.
 fn check(points: &Points, wanted: impl Fn(f64) -> (DVec3, DVec3), what: &str) {
     for k in 0..50 {
         let part = (f64::from(k) + 0.37) / 50.0;
@@ -237,7 +237,7 @@ fn a_spline_that_becomes_a_cubic_goes_the_same_way() {
         assert!(points(&editor).spans[0].speeds.is_empty());
         apply(&mut editor, json!({"op": "interpolate", "pass": 1, "span": 1, "along": "cubic"}));
         let cubic = points(&editor);
-        // The natural spline by time: no jump in acceleration at any point, and none at the ends.
+        // The natural spline by time: acceleration is continuous at all points, and zero at the ends.
         let mut t = 0.0;
         for row in cubic.spans[0].points.iter().take(count - 1) {
             t += plain(row)[3];
@@ -249,7 +249,7 @@ fn a_spline_that_becomes_a_cubic_goes_the_same_way() {
         let start = (at(&cubic, 1e-4).1 - at(&cubic, 0.0).1) / 1e-4;
         assert!(start.length() < 0.2, "seed {seed}: {start}");
     }
-    // Where the torch stops it stands.
+    // At a stop all speeds are 0.
     let text =
         random_cubic(&mut Random::new(3), 4, "").replace("along = \"cubic\"\n", "along = \"cubic\"\nstops = true\n");
     let mut editor = Editor::new("p.toml", &text).unwrap();

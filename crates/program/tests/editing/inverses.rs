@@ -5,7 +5,7 @@ use seamwright_program::edit::{Editor, Operation};
 use seamwright_program::{Pass, PointEvent, Points, Program};
 use serde_json::{Value, json};
 
-/// Whether two programs are the same but for rounding, by their JSON.
+/// Whether two programs are equal to rounding, by their JSON.
 fn same(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => {
@@ -29,7 +29,7 @@ fn apply(editor: &mut Editor, operation: Value) -> Result<(), String> {
     editor.apply(&operation).map(drop).map_err(|e| e.to_string())
 }
 
-/// What is on over each way, by what is switched; what was not switched is off.
+/// State of an output over each way; it is off until it is switched.
 fn states(points: &Points, switch: &dyn Fn(&PointEvent) -> Option<bool>) -> Vec<bool> {
     let mut events: Vec<&PointEvent> = points.events.iter().collect();
     events.sort_by_key(|event| event.after);
@@ -104,7 +104,7 @@ fn check_turned(old: &Points, new: &Points) {
     assert!(new.spans.iter().rev().map(|s| (s.along, s.via_mm)).eq(old.spans.iter().map(|s| (s.along, s.via_mm))));
 }
 
-/// Speed and current at every place of the seam are what they were.
+/// Speed and current are unchanged at every position of the seam.
 fn check_seam_turned(old: &Pass, new: &Pass) {
     let length = old.length();
     assert!(new.reverse != old.reverse && (new.length() - length).abs() < 1e-9);
@@ -150,7 +150,7 @@ fn mirrored_twice_and_scaled_back_is_the_same() {
     assert!(mirrored > 250);
 }
 
-/// Halfway between a place and its image is the plane; the way between them is along the normal.
+/// Halfway between a point and its image is the plane; the way between them is along the normal.
 fn check_mirrored(old: &Points, new: &Points, plane: &Value) {
     let vector =
         |key: &str| -> glam::DVec3 { glam::DVec3::from_array([0, 1, 2].map(|i| plane[key][i].as_f64().unwrap())) };

@@ -45,7 +45,7 @@ fn formatting_is_idempotent_and_keeps_program_and_comments() {
         assert!(lost(&once, comments).is_empty(), "seed {seed}: {:?}\n{text}\n====\n{once}", lost(&once, comments));
         assert_eq!(text.matches("\"= ").count(), once.matches("\"= ").count(), "seed {seed}\n{text}\n====\n{once}");
         assert!(!editor.apply(&Operation::Format).unwrap().changed, "seed {seed}\n{once}\n====\n{}", editor.text());
-        // Without comments and expressions it is what a program is written as.
+        // Without comments and expressions it is the usual text of a program.
         let plain = Program::read("p.toml", &text).unwrap().value.to_toml().unwrap();
         let mut editor = Editor::new("p.toml", &plain).unwrap();
         assert!(!editor.apply(&Operation::Format).unwrap().changed);

@@ -65,7 +65,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Sometimes a comment behind what is on the line; its end in any case.
+    /// Ends the line, sometimes with a comment.
     fn behind(&mut self) {
         if self.random.below(4) == 0 {
             self.comments += 1;
@@ -305,7 +305,7 @@ fn range(random: &mut Random, low: usize, count: usize) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// A random operation, most of them possible; none of those in `without`.
+/// A random operation that is not in `without`; most are possible.
 pub(crate) fn operation(random: &mut Random, program: &Program, without: &[&str]) -> Operation {
     loop {
         let value = any(random, program);

@@ -59,7 +59,7 @@ fn traced(points: &Points) -> Vec<Vec<DVec3>> {
     out
 }
 
-/// Places on the circle through three points, by its centre as the meeting of bisecting planes.
+/// Points on the circle through three points, by its centre as the intersection of bisecting planes.
 fn circle(a: DVec3, via: DVec3, b: DVec3, places: impl Iterator<Item = f64>) -> Vec<DVec3> {
     let normal = (via - a).cross(b - a).normalize();
     let planes = glam::DMat3::from_cols(via - a, b - a, normal).transpose();
@@ -90,7 +90,7 @@ fn every_point_is_within_the_tolerance() {
         assert!(a[0] == b[0] && a[a.len() - 1][..5] == b[b.len() - 1][..5], "seed {seed}: ends");
         fewer += old.count() - new.count();
         arcs += new.spans.iter().filter(|span| span.along == Along::Arc).count();
-        // Every point that is left is one that was; those between are near the way.
+        // Every remaining point is an original one; those between are near the way.
         let kept: Vec<usize> = b
             .iter()
             .scan(0, |from, row| {

@@ -1,4 +1,4 @@
-//! What is refused, and in which words.
+//! Refused edits, and their messages.
 
 use seamwright_program::edit::{Editor, Operation};
 

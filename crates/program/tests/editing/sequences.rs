@@ -1,4 +1,4 @@
-//! Whatever is done can be undone, byte by byte.
+//! Every edit can be undone, byte by byte.
 
 use super::random::{Random, cases, operation, program};
 use seamwright_program::Program;

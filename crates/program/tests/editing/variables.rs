@@ -61,7 +61,7 @@ fn what_is_wrong_has_its_place() {
         let e = wrong("= start_angle_deg + 15", bad);
         assert!(e.message.contains("not finite") && e.line == 12, "{bad}");
     }
-    // What is wrong with the number itself keeps its line and key; so do later lines.
+    // Errors in the number itself keep their line and key; so do later lines.
     assert_eq!(wrong("= 2 * (start", "= -2 * (start").line, 18);
     assert_eq!(wrong("= times", "= times * 1000").line, 15);
     assert_eq!(wrong("= times", "= times / 2").key, "passes[0].repeat");

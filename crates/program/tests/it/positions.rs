@@ -1,4 +1,4 @@
-//! Welding positions against welds that are turned into place, and against the table written out once more.
+//! Welding positions against welds that are turned into position, and against a second copy of the table.
 
 use crate::common::{Uniform, cases};
 use glam::{DQuat, DVec3};
@@ -29,7 +29,7 @@ fn slope_and_rotation_are_those_a_weld_was_turned_by() {
     for _ in 0..cases(20_000) {
         let (slope, rotation) = (random.in_range(-89.0, 89.0), random.in_range(-180.0, 180.0));
         let (tangent, face) = turned(slope, rotation, random.in_range(-4.0, 4.0));
-        // Whatever the face has along the weld does not matter.
+        // The face's component along the weld has no effect.
         let leaning = (face + random.in_range(-2.0, 2.0) * tangent).normalize();
         let found = Inclination::new(tangent, leaning, DVec3::Z);
         assert!((found.slope.to_degrees() - slope).abs() < 1e-10, "{slope} {rotation}");
@@ -190,7 +190,7 @@ fn positions_of_random_swings_change_on_limits_and_for_a_reason() {
         let places: Vec<f64> = (0..=3000).map(|i| 6.0 * f64::from(i) / 3000.0).collect();
         let found = limits.along(joint, &places, swing);
         assert!(found[0].from_mm.abs() < 1e-12 && (found[found.len() - 1].to_mm - 6.0).abs() < 1e-12);
-        // Every place is within its position's limits and the hysteresis.
+        // Every station is within its position's limits and the hysteresis.
         for &s in &places {
             let beyond = limits.beyond(joint, position_of(&found, s), swing(s));
             assert!(beyond <= 4.0 + 1e-6, "{s}: {beyond}");

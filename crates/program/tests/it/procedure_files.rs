@@ -1,4 +1,4 @@
-//! Procedure files: what is read, and what each mistake says.
+//! Procedure files: their content, and the message of each mistake.
 
 use seamwright_document::DocumentError;
 use seamwright_program::{PROCEDURES, Pass, Procedure, Program, Role};
@@ -39,7 +39,7 @@ fn runs_are_found_by_name_and_by_number() {
     assert_eq!(run(1, "rooted"), None);
     assert_eq!(run(3, "fill 2.1").as_deref(), Some("passes 2-4, 7"));
     assert_eq!((run(5, "fill 2.4"), run(1, "pass 1")), (None, None));
-    // What a pass is for counts before its name.
+    // The role of a pass takes precedence over its name.
     let of = |name, role| p.run_of(9, &pass(name, Some(role))).map(seamwright_program::Run::label);
     assert_eq!(of("north, part 1", Role::Root).as_deref(), Some("root"));
     assert_eq!(of("root, part 1", Role::Fill), None);

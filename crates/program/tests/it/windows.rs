@@ -97,7 +97,7 @@ fn heat_input_by_hand() {
 
 #[test]
 fn energy_of_ramps_is_their_integral() {
-    // The energy of a pass with U and I ramping along it at constant speed, by Simpson's rule (exact for a quadratic)
+    // The energy of a pass with U and I ramping along it at constant speed: by Simpson's rule (exact for a quadratic)
     // from the heat input, and in closed form.
     let mut random = Uniform::new(12);
     for _ in 0..cases(2000) {

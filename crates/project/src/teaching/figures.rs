@@ -6,7 +6,7 @@ use seamwright_geometry::{Arc, Curve, Spline};
 use seamwright_tracking::teach::{Curves, Reduced, Source};
 use std::f64::consts::TAU;
 
-/// Raw points are told every so many mm.
+/// Minimum distance between reported raw points along the line, mm.
 const TOLD_MM: f64 = 0.5;
 /// The reduced path is measured by points so far apart, mm.
 const STEP_MM: f64 = 0.5;
@@ -30,7 +30,7 @@ pub struct Told {
     pub from_nominal: Option<(f64, f64)>,
 }
 
-/// What a taught line and its program come to.
+/// Figures of a taught line and its program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figures {
     /// Points of the line as it was seen.
@@ -40,7 +40,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// Of what was found along the `nominal` seam, and what it was reduced to.
+    /// Figures of the teaching `outcome` along the `nominal` seam, and of its reduced path.
     pub fn new(nominal: &SeamLine, outcome: &Outcome, reduced: &Reduced) -> Self {
         let points = match &reduced.curves {
             Curves::Arcs(arcs) => along_arcs(outcome, &arcs.spans),
@@ -68,7 +68,7 @@ impl Figures {
     }
 }
 
-/// How far a point is across the nominal seam and above it, mm; none far away from it.
+/// Distance of a point across the nominal seam and above it, mm; `None` far away from it.
 pub fn from_nominal(nominal: &SeamLine, point: DVec3) -> Option<(f64, f64)> {
     let foot = nominal.foot(point)?;
     let off = point - foot.at.point;

@@ -6,8 +6,7 @@ use seamwright_cell::teach::{Carrier, Guide};
 use seamwright_machine::{Joints, Machine, Sensor, Surroundings};
 use seamwright_motion::PassMotion;
 
-/// What a machine that is to move along a joint needs to know: the planned weld, near which its axes to spare stay, and what is
-/// around.
+/// Data for a move along a joint: the planned weld, near which its redundant axes stay, and the surroundings.
 pub struct Ground<'a> {
     nominal: &'a SeamLine,
     planned: PassMotion,
@@ -18,7 +17,7 @@ impl<'a> Ground<'a> {
     /// Of a job with its seam.
     ///
     /// # Errors
-    /// A first pass that the machine cannot weld; solids that cannot be kept apart.
+    /// A first pass that the machine cannot weld; solids whose clearance cannot be checked.
     pub fn new(loaded: &'a Loaded, nominal: &'a SeamLine) -> Result<Self, Failure> {
         let pass = &loaded.welding.program.value.passes[0];
         let planned = PassMotion::plan(&loaded.machine, &loaded.welding.path(0), pass, 1).map_err(Failure::Findings)?;
@@ -37,7 +36,7 @@ impl<'a> Ground<'a> {
         self.planned.path.at(0.0)
     }
 
-    /// What the machine keeps clear of.
+    /// Obstacles of the machine.
     pub fn around(&self) -> &Surroundings<'a> {
         &self.around
     }

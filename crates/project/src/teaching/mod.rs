@@ -24,7 +24,7 @@ use seamwright_weld::Attitude;
 
 /// Distance of the points of the smoothed line, mm.
 pub const EVERY_MM: f64 = 0.5;
-/// How far smoothing looks to both sides, mm.
+/// Reach of smoothing to both sides, mm.
 const WINDOW_MM: f64 = 2.5;
 /// A joint that ends further before the end of the nominal seam does not end: it is hidden.
 const EARLY_MM: f64 = 15.0;
@@ -43,16 +43,16 @@ pub fn nominal(loaded: &Loaded) -> Result<SeamLine, Failure> {
     }))
 }
 
-/// How a crawl goes along this seam, in steps of at most `step_mm`.
+/// Settings of the joint following along this seam, in steps of at most `step_mm`.
 pub fn settings(nominal: &SeamLine, step_mm: f64) -> Settings {
     let ends_after_mm = if nominal.is_closed() { f64::INFINITY } else { nominal.length() - EARLY_MM };
     Settings { step_mm, ends_after_mm, longest_mm: 2.0 * nominal.length() + 100.0, ..Settings::default() }
 }
 
-/// What finds the joint in frames with the map `table`, over tacks of up to `longest_tack_mm`.
+/// Joint follower in frames with the map `table`, over tacks of up to `longest_tack_mm`.
 ///
 /// # Errors
-/// A map that knows no height.
+/// A map without heights.
 pub fn follower(table: &HeightTable, longest_tack_mm: f64) -> Result<JointFollower, Failure> {
     let (low, high) = table.range();
     let middle = if low.is_finite() { 0.5 * (low + high) } else { 0.0 };
@@ -61,7 +61,7 @@ pub fn follower(table: &HeightTable, longest_tack_mm: f64) -> Result<JointFollow
     Ok(JointFollower::new(longest_tack_mm / scale))
 }
 
-/// Where a crawl begins at `point`, as the nominal seam runs nearby; none if it is not near.
+/// Start of the joint following at `point`, in the direction of the nominal seam nearby; `None` if it is not near.
 pub fn start(nominal: &SeamLine, point: DVec3) -> Option<EyePose> {
     let foot = Some(point).filter(|p| p.is_finite()).and_then(|p| nominal.foot(p))?;
     Some(EyePose { point, normal: foot.at.normal, along: foot.along })
@@ -72,11 +72,11 @@ pub(super) fn smooth(line: &TaughtLine, end: Option<&End>) -> Vec<LinePoint> {
     smoothed(line, EVERY_MM, WINDOW_MM, matches!(end, Some(End::Closed { .. })))
 }
 
-/// The program of a smoothed line: curves within `tolerance` (mm), the torch's direction within `attitude` (rad), and its text,
-/// which is read back: a program that other verbs refuse is none. `name` stands in errors.
+/// The program of a smoothed line: curves within `tolerance` (mm), the torch's direction within `attitude` (rad), and
+/// its text. The text is read back, so that other verbs accept the program. `name` appears in errors.
 ///
 /// # Errors
-/// A line that makes no program.
+/// A line from which no valid program can be made.
 pub fn reduced(
     (loaded, nominal): (&Loaded, &SeamLine),
     line: &[LinePoint],

@@ -3,7 +3,7 @@ use seamwright_cell::teach::{TaughtRun, Truth};
 use seamwright_program::Finding;
 use seamwright_tracking::teach::{Crawl, End, EyeNote, LinePoint, TaughtLine};
 
-/// What teaching has found. Without frames (the operator's points) there is only the smooth line.
+/// Result of teaching. Without frames (the operator's points) there is only the smooth line.
 #[derive(Default)]
 pub struct Outcome {
     /// The line as it was seen.
@@ -22,7 +22,7 @@ pub struct Outcome {
     pub gap_mm: Option<f64>,
     /// Why the joint was not taught to its end.
     pub finding: Option<String>,
-    /// How far it truly is from the seam; only a simulation knows.
+    /// True distance from the seam; known in a simulation only.
     pub truth: Option<Truth>,
     /// The last frame.
     pub picture: Option<Picture>,

@@ -20,12 +20,12 @@ pub struct Picture {
     aim: Option<(DVec2, DVec2)>,
     /// The middle of the beam or of the camera.
     cross: Option<DVec2>,
-    /// Where the next move goes.
+    /// Target of the next move.
     to: Option<DVec2>,
 }
 
 impl Picture {
-    /// What was looked at, with the map `table` of the eye.
+    /// The picture of `look`, with the map `table` of the camera.
     pub fn of(look: &Look, table: &HeightTable) -> Self {
         let back = look.view.camera.inverse();
         let to = match look.next {
@@ -49,7 +49,7 @@ impl Picture {
     /// As PNG.
     ///
     /// # Errors
-    /// A frame that is none.
+    /// An invalid frame.
     pub fn png(&self) -> Result<Vec<u8>, Failure> {
         let frame = self.image.frame().map_err(|e| Failure::Input(e.to_string()))?;
         let mut picture = Overlay::of(&frame);

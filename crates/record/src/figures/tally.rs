@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 /// A value outside by less than this part of the window's larger limit (or of 1, if that is more) is on the limit.
 const ROUNDING: f64 = 1e-6;
-/// Bins of a pass at most: 20 km of it.
-const MOST_BINS: f64 = 1e7;
+/// Maximum number of bins of a pass: 20 km of it.
+const MAX_BINS: f64 = 1e7;
 /// Columns that every trace has, first.
 const ALWAYS: [&str; 4] = ["t_s", "pass", "s_mm", "arc"];
 
@@ -19,7 +19,7 @@ struct Heat {
     unsteady: bool,
 }
 
-/// What is known of a pass bin by bin.
+/// Data of a pass bin by bin.
 #[derive(Debug, Clone, Default)]
 struct Pass {
     heat: Vec<Heat>,
@@ -54,7 +54,7 @@ struct Span {
 }
 
 impl Gathered {
-    /// Nothing has been gathered yet.
+    /// Tally without data.
     fn new(judged: Judged, column: Option<usize>) -> Self {
         let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         Self {
@@ -177,7 +177,7 @@ impl Tally {
         self.figures.arc_on_s += time;
         let steady = self.steady.is_none_or(|place| row[place] > 0.5);
         let pass = self.passes.entry(number as u32).or_default();
-        let bin = (s / BIN_MM).clamp(0.0, MOST_BINS) as usize;
+        let bin = (s / BIN_MM).clamp(0.0, MAX_BINS) as usize;
         if !self.power.is_empty() {
             grow(&mut pass.heat, bin, Heat::default());
             let heat = &mut pass.heat[bin];

@@ -3,7 +3,7 @@ use crate::{Error, Moment};
 use rusqlite::{Row, params};
 use serde::Serialize;
 
-/// Where and when in a weld.
+/// Position and time in a weld.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Place {
     /// The pass, counted from 1.
@@ -19,7 +19,7 @@ pub struct Place {
 pub struct Alarm {
     /// Its name in the catalogue.
     pub name: String,
-    /// What was the cause, in words.
+    /// Cause, in words.
     pub cause: String,
     /// Where.
     #[serde(flatten)]
@@ -29,7 +29,7 @@ pub struct Alarm {
     pub raised: Moment,
     /// It was the first of those that came together.
     pub first_out: bool,
-    /// Who acknowledged it, and when.
+    /// User who acknowledged it, and the time.
     #[serde(serialize_with = "acknowledged")]
     pub acknowledged: Option<(String, Moment)>,
 }

@@ -3,7 +3,7 @@ use super::find::pattern;
 use crate::{Error, Moment, sha256};
 use rusqlite::{TransactionBehavior, params};
 
-/// Who did what, where from.
+/// A command with its user and station.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AuditEntry {
     /// When.
@@ -18,11 +18,11 @@ pub struct AuditEntry {
     pub old: String,
     /// The value after; may be empty.
     pub new: String,
-    /// What came of it.
+    /// Result of the command.
     pub result: String,
 }
 
-/// What is looked for in the audit log.
+/// Search in the audit log.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct AuditQuery {
     /// Only entries whose number is lower.
@@ -35,7 +35,7 @@ pub struct AuditQuery {
     pub most: u32,
 }
 
-/// What [`Library::verify_audit`] found.
+/// Result of [`Library::verify_audit`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AuditCheck {
     /// Entries up to the first that does not hold.
@@ -109,7 +109,7 @@ impl Library {
         Ok(page.into_iter().map(|(_, entry)| entry).collect())
     }
 
-    /// What is looked for in the audit log, the newest first, each entry with its number.
+    /// Entries of the audit log that match `query`, the newest first, each with its number.
     ///
     /// # Errors
     /// If the library cannot be read.

@@ -2,7 +2,7 @@ use super::Library;
 use crate::{Error, Moment, sha256};
 use rusqlite::{Row, params};
 
-/// What a text is.
+/// Kind of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DocumentKind {
     /// A job file.
@@ -71,7 +71,7 @@ impl Library {
     /// The text of that number.
     ///
     /// # Errors
-    /// If there is none.
+    /// If it is missing.
     pub fn document(&self, id: i64) -> Result<Document, Error> {
         let found = self.row(&format!("{SELECT} WHERE id = ?1"), [id], document)?;
         found.ok_or_else(|| Error::wrong(format!("there is no document {id}"), "a number that the library has"))

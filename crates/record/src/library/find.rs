@@ -3,7 +3,7 @@ use super::{Library, WeldRecord, WeldResult};
 use crate::{Error, Moment};
 use rusqlite::types::Value;
 
-/// What welds are looked for; what is not given does not matter.
+/// Search for welds; a missing criterion matches all.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Query {
     /// The whole number of the part.
@@ -18,7 +18,7 @@ pub struct Query {
     pub procedure: Option<String>,
     /// Name of the machine.
     pub machine: Option<String>,
-    /// What came of it.
+    /// Result of the weld.
     pub result: Option<WeldResult>,
     /// Somewhere in part, title, welder, note, the texts of job or program, or names and causes of alarms; letters
     /// count alike, large and small.
@@ -55,7 +55,7 @@ impl Library {
     }
 }
 
-/// What LIKE finds the text by, itself.
+/// Pattern with which LIKE finds `text` literally.
 pub(super) fn pattern(text: &str) -> String {
     let plain = text.replace('\\', "\\\\").replace('%', "\\%").replace('_', "\\_");
     format!("%{plain}%")

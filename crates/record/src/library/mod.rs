@@ -22,7 +22,7 @@ use rusqlite::{Connection, OpenFlags, Params, Row};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// How long a call waits for another program's.
+/// Maximum wait of a call for another program's.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// An open library.
@@ -39,7 +39,7 @@ impl Library {
     /// If it cannot be written, is damaged, is no library, or is of a later version.
     pub fn open(path: &Path) -> Result<Self, Error> {
         if !path.exists() {
-            // What SQLite puts beside it has the same permissions. If it cannot be made SQLite says why.
+            // SQLite gives files beside it the same permissions. If it cannot be created, SQLite reports the reason.
             drop(private::options().write(true).create_new(true).open(path));
         }
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
@@ -57,10 +57,10 @@ impl Library {
         self.db.execute(sql, [to.to_string_lossy()]).map(drop).map_err(|e| self.failed(e))
     }
 
-    /// Opens the library at `path` only to read it, also where nothing may be written.
+    /// Opens the library at `path` only to read it, also in a read-only folder.
     ///
     /// # Errors
-    /// If there is none, it is damaged, or of another version.
+    /// If it is missing, damaged, or of another version.
     pub fn open_to_read(path: &Path) -> Result<Self, Error> {
         if !path.is_file() {
             let what = format!("{}: there is no library", path.display());
@@ -139,7 +139,7 @@ impl Library {
         Ok(self.version()? >= schema::MANIFEST_VERSION)
     }
 
-    /// Where it is.
+    /// Path of the library.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -153,10 +153,10 @@ impl Library {
         set.map_err(|e| self.failed(e))
     }
 
-    /// What SQLite finds wrong with the file: nothing, if it is whole.
+    /// Faults that SQLite finds in the file; empty if it is whole.
     ///
     /// # Errors
-    /// If it cannot be read at all.
+    /// If the file cannot be read.
     pub fn integrity(&self) -> Result<Vec<String>, Error> {
         let mut found: Vec<String> = self.all("PRAGMA integrity_check", (), |row| row.get(0))?;
         found.retain(|text| text != "ok");

@@ -97,7 +97,7 @@ fn copy(db: &Connection, from: &Path) -> rusqlite::Result<()> {
             (),
         )?;
     }
-    // How far tables have counted: entries cut off the end of the audit log are found by it.
+    // Last numbers of the tables: they reveal entries cut off the end of the audit log.
     db.execute_batch(
         "DELETE FROM main.sqlite_sequence;
          INSERT INTO main.sqlite_sequence (name, seq)
@@ -143,7 +143,7 @@ mod tests {
         assert!(back.foreign_schema().unwrap().is_empty() && back.integrity().unwrap().is_empty());
     }
 
-    /// Whatever was added to the schema is named, and nothing of it is taken over.
+    /// Every addition to the schema is named and refused.
     #[test]
     fn foreign_schemas_are_named_and_refused() {
         for (sql, said) in [

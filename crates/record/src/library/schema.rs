@@ -1,9 +1,9 @@
 //! The tables, version by version. A library is brought up to date when it is opened to be written.
 
-/// What `PRAGMA application_id` says of our files: "SWLb".
+/// Value of `PRAGMA application_id` in our files: "SWLb".
 pub(super) const APPLICATION: i64 = 0x5357_4c62;
 
-/// What leads from each schema version to the next; the first makes an empty file version 1.
+/// Steps from each schema version to the next; the first makes an empty file version 1.
 pub(super) const MIGRATIONS: [&str; 3] = [FIRST, LISTED, WITH_MANIFEST];
 
 /// Programs of this version on write archives with the hashes of all files: see [`super::Library::has_manifests`]. Tables stay.

@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::fmt;
 use std::str::FromStr;
 
-/// What came of a weld.
+/// Result of a weld.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WeldResult {
     /// It runs, or the program that welded it crashed and nobody has recovered it.
@@ -73,9 +73,9 @@ pub struct NewWeld {
     pub welder: Option<String>,
     /// When.
     pub begun: Moment,
-    /// What figures are worked out from.
+    /// Inputs of the figures.
     pub basis: Basis,
-    /// What is known of it from its begin on.
+    /// Note made at the start of the weld.
     pub note: String,
 }
 
@@ -92,14 +92,14 @@ pub struct WeldFile {
     pub rows: Option<u64>,
 }
 
-/// How a weld ended.
+/// End of a weld.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WeldEnd {
     /// When.
     pub ended: Moment,
     /// With what result.
     pub result: WeldResult,
-    /// What else there is to say, for example what is missing of the record; may be empty.
+    /// Further remarks, for example on missing parts of the record; may be empty.
     pub note: String,
     /// Least, mean and greatest heat input, kJ/mm.
     pub heat_input_kj_mm: Option<[f64; 3]>,
@@ -128,10 +128,10 @@ pub struct WeldRecord {
     /// When it ended.
     #[serde(serialize_with = "crate::moment::written_option")]
     pub ended: Option<Moment>,
-    /// What came of it.
+    /// Result of the weld.
     #[serde(serialize_with = "written_result")]
     pub result: WeldResult,
-    /// What else there is to say.
+    /// Further remarks.
     pub note: String,
     /// Name and version of the job.
     pub job: Option<(String, i64)>,
@@ -225,7 +225,8 @@ impl Library {
             change.execute(sql, row).map_err(failed)?;
         }
         change.commit().map_err(failed)?;
-        // Out of the write-ahead log, whose damage SQLite takes for its end. Whoever reads just now does not keep it from the next time.
+        // Moves the entry out of the write-ahead log, because SQLite takes damage in it for its end. A reader blocks
+        // this once; the next checkpoint includes it.
         let _ = self.db.query_row("PRAGMA wal_checkpoint(PASSIVE)", (), |_| Ok(()));
         Ok(())
     }
@@ -241,7 +242,7 @@ impl Library {
     /// A weld.
     ///
     /// # Errors
-    /// If there is none of that number.
+    /// If no weld has that number.
     pub fn weld(&self, id: i64) -> Result<WeldRecord, Error> {
         let found = self.row(&format!("{SELECT} WHERE weld.id = ?1"), [id], weld_record)?;
         found.ok_or_else(|| {
@@ -251,10 +252,10 @@ impl Library {
         })
     }
 
-    /// A weld with all that belongs to it.
+    /// A weld with all its data.
     ///
     /// # Errors
-    /// If there is none of that number.
+    /// If no weld has that number.
     pub fn detail(&self, id: i64) -> Result<WeldDetail, Error> {
         Ok(WeldDetail {
             weld: self.weld(id)?,
@@ -265,10 +266,10 @@ impl Library {
         })
     }
 
-    /// What figures of a weld are worked out from.
+    /// Inputs of a weld's figures.
     ///
     /// # Errors
-    /// If there is no such weld.
+    /// If no weld has that number.
     pub fn basis(&self, id: i64) -> Result<Basis, Error> {
         let text: String = self.one("SELECT basis FROM weld WHERE id = ?1", [id])?;
         serde_json::from_str(&text)

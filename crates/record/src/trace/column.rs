@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-/// How a column's values are kept.
+/// Storage type of a column's values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
@@ -42,7 +42,7 @@ pub struct Column {
     pub name: String,
     /// Unit; `1` of what has none.
     pub unit: String,
-    /// How its values are kept.
+    /// Storage type of its values.
     pub kind: Kind,
 }
 

@@ -1,9 +1,9 @@
 //! The trace of a weld: one row a period.
 //!
-//! While the weld runs, [`TraceWriter`] appends rows to a raw file: a header that says columns and units, then blocks
-//! with a checksum, on the disk at least every half second. When the weld ends, each raw file becomes a Parquet file,
-//! written whole, and goes. What a crash leaves is read up to its last whole block by [`recover()`]. [`Trace`] reads the
-//! Parquet files.
+//! While the weld runs, [`TraceWriter`] appends rows to a raw file: a header with columns and units, then blocks with a
+//! checksum, on the disk at least every half second. When the weld ends, each raw file is converted to a Parquet file,
+//! written whole, and removed. After a crash [`recover()`] reads the raw file up to its last whole block. [`Trace`]
+//! reads the Parquet files.
 //!
 //! # The raw file
 //! All numbers are little-endian.

@@ -45,7 +45,7 @@ impl Outline {
         }
     }
 
-    /// The next row, with one value a column. What is no number is no peak.
+    /// Adds the next row, with one value a column. NaN is never a peak.
     pub fn row(&mut self, values: &[f64]) {
         let bucket = self.number.saturating_mul(self.buckets) / self.rows.max(1);
         if bucket != self.bucket {

@@ -14,12 +14,12 @@ const BLOCK_MARK: &[u8; 4] = b"BLCK";
 const BLOCK_HEAD: usize = 16;
 /// Bytes of rows after which a block is written, whatever the time.
 const BLOCK_BYTES: usize = 1 << 17;
-/// Longest header that is believed.
-const MOST_HEADER: u32 = 1 << 24;
+/// Maximum length of a header; longer ones are refused.
+const MAX_HEADER: u32 = 1 << 24;
 /// Rows are on the disk no later than this after they came.
 const SYNC_EVERY: Duration = Duration::from_millis(500);
 
-/// What the rows are.
+/// Description of the rows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Header {
     pub(super) columns: Vec<Column>,
@@ -143,7 +143,7 @@ impl RawWriter {
         self.rows += rows;
         match &written {
             Ok(()) => self.whole += self.block.len() as u64,
-            // What was written of the block goes, so that later ones can be read; if that fails too they cannot.
+            // Removes the incomplete block, so that later ones can be read; if that fails too they are lost.
             Err(_) => {
                 self.lost += rows;
                 let _ = self.file.set_len(self.whole).and_then(|()| self.file.seek(SeekFrom::Start(self.whole)));
@@ -206,7 +206,7 @@ impl RawReader {
         file.read_exact(&mut fixed).map_err(|_| damaged())?;
         let [.., a, b, c, d] = fixed;
         let size = u32::from_le_bytes([a, b, c, d]);
-        if &fixed[..8] != FILE_MARK || size > MOST_HEADER {
+        if &fixed[..8] != FILE_MARK || size > MAX_HEADER {
             return Err(damaged());
         }
         let mut text = vec![0; size as usize];
@@ -355,7 +355,7 @@ mod tests {
     #[cfg(target_os = "linux")]
     #[test]
     fn a_full_disk_is_told() {
-        // Whatever is written to this device fails for want of room.
+        // Every write to this device fails with a full disk.
         let file = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let error = RawWriter::on(file, Path::new("trace.raw"), &header()).unwrap_err();
         assert!(matches!(error, Error::Full { .. }) && !error.is_input(), "{error}");

@@ -51,12 +51,12 @@ impl Trace {
         &self.columns
     }
 
-    /// What was said of the weld when the trace was begun.
+    /// Description of the weld from the start of the trace.
     pub fn about(&self) -> &[(String, String)] {
         &self.about
     }
 
-    /// How many rows it has.
+    /// Number of rows.
     pub fn rows(&self) -> u64 {
         u64::try_from(self.reader.metadata().file_metadata().num_rows()).unwrap_or(0)
     }

@@ -16,8 +16,9 @@ pub struct Part {
 
 /// Writes a trace row by row, so that a crash loses no more than its last second; Parquet when it is finished.
 ///
-/// Memory is bounded, and a row costs no allocation. A row may wait for the disk (up to tens of ms, twice a second):
-/// rows belong into a thread that may wait. Where no rows come, [`TraceWriter::flush`] puts the last ones on the disk.
+/// Memory is bounded, and a row costs no allocation. A row may wait for the disk (up to tens of ms, twice a second), so
+/// rows belong into a thread that may wait. In the absence of rows, [`TraceWriter::flush`] puts the last ones on the
+/// disk.
 #[derive(Debug)]
 pub struct TraceWriter {
     /// The first part's Parquet file.
@@ -225,7 +226,7 @@ mod tests {
         assert_eq!(trace.about(), [("title".to_owned(), "a weld".to_owned())]);
         let told = trace.read(&["y_mm"], |_| {}).unwrap_err().to_string();
         assert!(told.contains("no column y_mm") && told.contains("t_s, x_mm"), "{told}");
-        // Nothing else is left.
+        // No other files are left.
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
     }
 

@@ -1,4 +1,4 @@
-//! Libraries that cannot be opened or written: clear messages, nothing changed.
+//! Libraries that fail to open or to be written: clear messages, no changes.
 
 use crate::common::{WeldResult, outcome, plan, row};
 use seamwright_record::library::{DocumentKind, Library, Query};
@@ -90,7 +90,7 @@ fn a_full_library_is_told_and_keeps_what_it_has() {
     assert_eq!(data.library().find(&Query::default()).unwrap().len(), 1);
 }
 
-/// Where nothing may be written the library is read, and writing is refused. Root may write everywhere.
+/// In a read-only folder the library is readable, and writing is refused. Root may write everywhere.
 #[cfg(unix)]
 #[test]
 fn a_read_only_folder() {
@@ -115,7 +115,7 @@ fn a_read_only_folder() {
         assert_eq!(data.library().find(&Query::default()).unwrap().len(), 1);
     }
     all(0o755, 0o644);
-    // Whoever may write everywhere: a library opened to be read refuses to be written.
+    // Even for root, a library opened to be read refuses to be written.
     let data = DataFolder::open_to_read(path).unwrap();
     let error = data.library().add_document(DocumentKind::Job, "job", "text").unwrap_err();
     assert!(matches!(error, Error::ReadOnly { .. }) && error.to_string().contains("cannot be written"), "{error}");

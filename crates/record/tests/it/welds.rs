@@ -62,8 +62,8 @@ fn figures_are_those_of_the_rows() {
     assert!(figures.deviations[0].points.iter().any(|p| (p.1 - 0.2).abs() < 1e-6 && (p.0 - 30.0).abs() < 1e-9));
 }
 
-/// A hold in the seam, with the arc on at rest, out, and struck anew: no value has left its window. What leaves it while the torch
-/// travels has, and where.
+/// A hold in the seam, with the arc on at rest, out, and struck anew: all values stay within their windows. A violation
+/// while the torch travels is reported with its position.
 #[test]
 fn a_hold_is_no_violation_and_a_violation_has_a_place() {
     let folder = tempfile::tempdir().unwrap();
@@ -176,7 +176,7 @@ fn alarms_and_events_come_back() {
     assert!(data.library().add_alarm(Some(77), &alarm("arc lost")).is_err());
 }
 
-/// What is on the panel's list stays there, also for the next program, until somebody acknowledges it.
+/// An alarm on the panel's list stays there, also for the next program, until it is acknowledged.
 #[test]
 fn alarms_on_the_list_wait_for_somebody() {
     let folder = tempfile::tempdir().unwrap();
@@ -390,7 +390,7 @@ fn a_folder_that_is_removed_in_a_weld_is_told() {
     assert!(trouble.contains("removed") && trouble.contains("trace.raw"), "{trouble}");
 }
 
-/// What is recorded is its owner's alone, in a folder that everybody reads too.
+/// Records are readable by their owner only, even in a folder that is readable by all.
 #[cfg(unix)]
 #[test]
 fn records_are_private_in_an_open_folder() {
@@ -450,7 +450,7 @@ fn open_records_become_private_when_the_folder_is_opened() {
 fn a_record_that_cannot_be_begun_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let mut data = DataFolder::open(folder.path()).unwrap();
-    // Where its folder would be there is a file.
+    // A file has the name of its folder.
     fs::write(folder.path().join("welds/000001"), "").unwrap();
     assert!(data.begin(&plan("P-1")).is_err());
     assert!(data.library().find(&Query::default()).unwrap().is_empty());

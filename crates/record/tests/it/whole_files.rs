@@ -135,7 +135,7 @@ fn mode_and_owner_of_what_is_replaced_stay() {
         write(&path).unwrap();
         assert_eq!((read(&path).as_str(), mode(&path)), ("new", kept), "{kept:o}");
     }
-    // What is secret is so also where it replaces what was not.
+    // A private file stays private when it replaces a public one.
     let secret = WholeFile::create_private(&path).unwrap();
     secret.finish().unwrap();
     assert_eq!(mode(&path), 0o600);

@@ -14,7 +14,7 @@ fn has_letters(text: &str, count: usize) -> bool {
     bare.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() >= count)
 }
 
-/// What a language shares with English.
+/// Words that German shares with English.
 const SAME: [&str; 8] = ["Name", "Position", "Version", "Text", "Bytes", "Gas", "Alarm", "Override {0} %"];
 
 #[test]

@@ -1,4 +1,4 @@
-//! One view of a machine being drawn: symbols moved apart where they would cover each other, then names.
+//! One view of a machine: symbols, moved apart where they would overlap, then names.
 
 use super::drawing::{DrawnAxis, MachineDrawing, along};
 use super::glyph::{self, Point, Seen};
@@ -7,13 +7,13 @@ use crate::place;
 use crate::svg::{Anchor, Rect, Svg};
 use crate::text::width;
 
-/// Less of a direction than this in the plane of the view: it points towards or away.
+/// Minimum in-plane part of a direction; below it the symbol points towards or away from the viewer.
 const OUT_OF_PLANE: f64 = 0.35;
-/// Shortest arrow of a linear axis, px.
+/// Minimum length of a linear axis' arrow, px.
 const SHORTEST: f64 = 34.0;
 /// Length of a beam, px.
 const BEAM: f64 = 44.0;
-/// Half of a rotary axis' centre line, px.
+/// Half length of a rotary axis' centre line, px.
 const CENTRE_LINE: f64 = 30.0;
 /// Radius of a turn's ring, px.
 const RING: f64 = 15.0;
@@ -27,7 +27,7 @@ pub(super) struct Canvas<'a> {
     svg: &'a mut Svg,
     map: Map,
     frame: Rect,
-    /// Names to be set, each with its place and colour (0: none).
+    /// Names to draw, each with its position and colour (0: none).
     labels: Vec<(String, Point, u8)>,
     taken: Vec<Rect>,
     ink: Vec<Point>,
@@ -52,7 +52,7 @@ impl<'a> Canvas<'a> {
             self.svg.path("line outline", &glyph::polyline(&points));
             points.windows(2).for_each(|w| self.note(w[0], w[1]));
         }
-        // Beams end at their tips: bars keep off them. Bars are drawn first: rings, beams and marks stand on them.
+        // Beams end at their torch tips, and bars keep off them. Bars are drawn first, below rings, beams and marks.
         for (_, tip, direction) in &drawing.heads {
             self.bars.extend(self.beam_line(*tip, *direction));
         }
@@ -73,7 +73,7 @@ impl<'a> Canvas<'a> {
         (u, v, (0..3).map(|i| t[i] * direction[i]).sum())
     }
 
-    /// Remembers a line as ink that names keep off.
+    /// Adds a line to the ink that names avoid.
     fn note(&mut self, a: Point, b: Point) {
         let n = ((b.0 - a.0).hypot(b.1 - a.1) / 5.0).ceil().clamp(1.0, 400.0);
         let part = |i: u32| (a.0 + (b.0 - a.0) * f64::from(i) / n, a.1 + (b.1 - a.1) * f64::from(i) / n);
@@ -117,7 +117,7 @@ impl<'a> Canvas<'a> {
                 self.svg.path(&format!("line c{colour}"), &glyph::zigzag(at, way));
             }
         }
-        // Where the carriage is now.
+        // Current position of the carriage.
         if length >= SHORTEST {
             let here = shifted(at, across, by);
             self.svg.circle(&format!("mark c{colour}"), here.0, here.1, 2.8);
@@ -136,7 +136,7 @@ impl<'a> Canvas<'a> {
         if flat >= OUT_OF_PLANE {
             let way = unit((seen.0, -seen.1));
             let half = CENTRE_LINE * flat;
-            // Towards the positive end, clear of what meets on the axis.
+            // Towards the positive end, clear of other rings on the axis.
             centre = shifted(at, way, 0.6 * half);
             while self.rings.iter().any(|r| distance(r.0, centre) < 14.0) {
                 centre = shifted(centre, way, 14.0);
@@ -164,7 +164,7 @@ impl<'a> Canvas<'a> {
         self.labels.push((axis.label.clone(), points[points.len() / 2], colour));
     }
 
-    /// Back end and tip of a beam, px; none if it points towards or away.
+    /// Returns back end and tip of a beam, px; `None` if it points towards or away from the viewer.
     fn beam_line(&self, tip: [f64; 3], direction: [f64; 3]) -> Option<(Point, Point)> {
         let seen = self.seen(direction);
         let flat = seen.0.hypot(seen.1);
@@ -188,7 +188,7 @@ impl<'a> Canvas<'a> {
         self.labels.push((name.to_owned(), back, 3));
     }
 
-    /// Base and work: where the machine's numbers count from.
+    /// Draws the origins of base and work frame.
     fn origins(&mut self, drawing: &MachineDrawing) {
         let (base, work) = (self.map.px([0.0; 3]), self.map.px(drawing.work));
         let together = distance(base, work) < 6.0;
@@ -203,7 +203,7 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// Directions of the base frame, and up, each in the emptiest corner that is left.
+    /// Draws the directions of the base frame, and up, each in the emptiest remaining corner.
     fn corners(&mut self, drawing: &MachineDrawing) {
         let (left, right) = (self.frame.x + 34.0, self.frame.right() - 34.0);
         let (top, bottom) = (self.frame.y + 36.0, self.frame.bottom() - 34.0);
@@ -242,7 +242,7 @@ impl<'a> Canvas<'a> {
         self.svg.text("tick", text.0, text.1 + 4.0, Anchor::Middle, name);
     }
 
-    /// A circle with a dot (towards) or a cross (away).
+    /// Draws a circle with a dot (towards the viewer) or a cross (away).
     fn dot(&mut self, p: Point, colour: u8, towards: bool) {
         self.svg.circle(&format!("ring c{colour}"), p.0, p.1, DOT);
         match towards {
@@ -253,7 +253,7 @@ impl<'a> Canvas<'a> {
         self.taken.push(square(p, DOT + 1.0));
     }
 
-    /// The place nearest to `at` where a circle covers no other.
+    /// Returns the position nearest to `at` where a circle does not overlap another.
     fn free_dot(&self, at: Point) -> Point {
         let clear = |p: &Point| self.dots.iter().all(|d| distance(*d, *p) > 2.0 * DOT + 2.0);
         let rings = (0..5).flat_map(|ring| {
@@ -263,7 +263,7 @@ impl<'a> Canvas<'a> {
         rings.map(|(r, turn)| (at.0 + r * turn.cos(), at.1 + r * turn.sin())).find(clear).unwrap_or(at)
     }
 
-    /// How far a bar must be moved across so that it covers no other along it, px.
+    /// Returns the lateral shift of a bar, px, that avoids overlapping another along it.
     fn free_bar(&self, [low, high]: [Point; 2], way: Point) -> f64 {
         let across = (-way.1, way.0);
         let covers = |by: f64| {
@@ -280,7 +280,7 @@ impl<'a> Canvas<'a> {
         places.map(|k| k * APART).into_iter().find(|by| !covers(*by)).unwrap_or(0.0)
     }
 
-    /// Names beside their symbols, the crowded ones with a line to them.
+    /// Draws names beside their symbols, with a leader line in crowded places.
     fn names(&mut self) {
         let bounds = self.frame.inset(3.0);
         for (name, p, colour) in std::mem::take(&mut self.labels) {
@@ -310,7 +310,7 @@ fn shifted(p: Point, way: Point, by: f64) -> Point {
     (p.0 + by * way.0, p.1 + by * way.1)
 }
 
-/// The part of a line inside a rectangle, and which of its ends was cut; a line outside stays as it is.
+/// Clips a line to a rectangle and returns which ends were cut; a line outside is unchanged.
 fn clipped(ends: [Point; 2], room: Rect) -> ([Point; 2], [bool; 2]) {
     let (dx, dy) = (ends[1].0 - ends[0].0, ends[1].1 - ends[0].1);
     let (mut from, mut to) = (0.0f64, 1.0f64);

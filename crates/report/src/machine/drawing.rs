@@ -10,35 +10,35 @@ use crate::views::first_angle;
 use seamwright_machine::check::Side;
 use seamwright_machine::{AxisKind, Machine};
 
-/// A machine at home in its base frame: every axis where it is, with its positive sense, in three views in first-angle
-/// projection and a small pictorial one.
+/// A machine at home in its base frame, with position and positive sense of every axis. It has three views in
+/// first-angle projection and a small pictorial one.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MachineDrawing {
     /// Heading; may be empty.
     pub title: String,
-    /// Further polylines in the base frame, mm, drawn thin below everything else: outlines of shapes.
+    /// Outlines of shapes: further polylines in the base frame, mm, drawn thin below everything else.
     pub outlines: Vec<Vec<[f64; 3]>>,
     pub(super) axes: Vec<DrawnAxis>,
-    /// Lines from the base through the axes to the tips and to the work.
+    /// Lines from the base through the axes to the torch tips and to the work.
     pub(super) links: Vec<Vec<[f64; 3]>>,
-    /// Name, tip and beam of each head.
+    /// Name, torch tip and beam direction of each head.
     pub(super) heads: Vec<(String, [f64; 3], [f64; 3])>,
     /// Origin of the work frame.
     pub(super) work: [f64; 3],
-    /// Against gravity.
+    /// Direction opposite to gravity.
     pub(super) up: [f64; 3],
 }
 
 /// One axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DrawnAxis {
-    /// Name, and letter if that is another.
+    /// Name, and letter if it differs.
     pub(super) label: String,
     /// Whether it carries the work.
     pub(super) moves_work: bool,
     pub(super) rotary: bool,
     pub(super) at: [f64; 3],
-    /// Positive motion or turn of what it carries.
+    /// Positive direction of motion or rotation axis of the carried part.
     pub(super) direction: [f64; 3],
     /// Both ends of the stroke from `at`, mm; only of linear axes.
     pub(super) stroke: (f64, f64),
@@ -46,13 +46,13 @@ pub(super) struct DrawnAxis {
 
 crate::svg::both_forms!(MachineDrawing);
 
-/// Strokes are drawn up to this many times the size of the structure, where that is not small beside them.
+/// Maximum ratio of drawn strokes to the size of the structure, unless the structure is small.
 const STROKES: f64 = 1.15;
 
-/// Strokes up to this many times what they would be cut to are drawn whole.
+/// Maximum ratio of a stroke to its cut length up to which it is drawn whole.
 const WHOLE: f64 = 1.8;
 
-/// Below this part of the strokes the structure is small.
+/// Ratio to the second longest stroke below which the structure is small.
 const SMALL: f64 = 0.25;
 
 pub(super) fn along(at: [f64; 3], direction: [f64; 3], by: f64) -> [f64; 3] {
@@ -60,7 +60,7 @@ pub(super) fn along(at: [f64; 3], direction: [f64; 3], by: f64) -> [f64; 3] {
 }
 
 impl MachineDrawing {
-    /// The machine with its axes at home.
+    /// Draws the machine with its axes at home.
     pub fn new(machine: &Machine) -> Self {
         let home = machine.home();
         let skeleton = machine.skeleton(&home);
@@ -103,8 +103,8 @@ impl MachineDrawing {
         self.links.iter().flatten().chain(self.outlines.iter().flatten()).copied().filter(whole)
     }
 
-    /// Lowest and highest corner of what is drawn. Strokes that are long beside the structure are cut, so that one long
-    /// gantry does not make everything else too small to see.
+    /// Returns the bounds of the drawing. Strokes that are long compared with the structure are cut, so that one long
+    /// gantry does not make everything else too small.
     fn extent(&self) -> [[f64; 3]; 2] {
         let mut low = [f64::INFINITY; 3];
         let mut high = [f64::NEG_INFINITY; 3];
@@ -121,7 +121,7 @@ impl MachineDrawing {
         let longest = halves.last().copied().unwrap_or(0.0);
         let second = halves.iter().rev().nth(1).copied().unwrap_or(longest);
         let most = if size < SMALL * second { STROKES * second } else { STROKES * size };
-        // A little more is not worth a break.
+        // A slightly longer stroke is not cut.
         let most = if longest < WHOLE * most { f64::INFINITY } else { most };
         let (from, to) = (low, high);
         for axis in &self.axes {
@@ -137,7 +137,7 @@ impl MachineDrawing {
         [low, high]
     }
 
-    /// The same with room for symbols and names around it, and in a flat direction.
+    /// Returns the bounds with room for symbols and names around them, also in a flat direction.
     fn with_room([low, high]: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
         let widest = (0..3).map(|i| high[i] - low[i]).fold(1e-3, f64::max);
         let room = |i: usize| (0.07 * widest).max(0.5 * (0.5 * widest - (high[i] - low[i])));
@@ -177,7 +177,7 @@ impl MachineDrawing {
         (svg, layout.bottom())
     }
 
-    /// Points that the pictorial view must hold: structure and strokes within the extent.
+    /// Returns the points of the pictorial view: structure and strokes within the extent.
     fn seen_in(&self, [low, high]: [[f64; 3]; 2]) -> impl Iterator<Item = [f64; 3]> {
         let ends = self.axes.iter().flat_map(|a| [a.stroke.0, a.stroke.1].map(|by| along(a.at, a.direction, by)));
         let ends = ends.map(move |p| std::array::from_fn(|i| p[i].clamp(low[i], high[i])));
@@ -199,7 +199,7 @@ impl MachineDrawing {
     }
 }
 
-/// What the symbols mean.
+/// Draws the legend of the symbols.
 fn symbols(svg: &mut Svg, baseline: f64) {
     let y = baseline - 4.5;
     let mut x = 0.0;

@@ -13,7 +13,7 @@ pub(super) fn polyline(points: &[Point]) -> String {
     d
 }
 
-/// A filled arrow head with its tip at `tip`, pointing along the unit vector `way`.
+/// Returns a filled arrow head with its tip at `tip`, pointing along the unit vector `way`.
 pub(super) fn arrow_head(tip: Point, way: Point, length: f64) -> String {
     let across = (-way.1, way.0);
     let half = 0.42 * length;
@@ -22,13 +22,13 @@ pub(super) fn arrow_head(tip: Point, way: Point, length: f64) -> String {
     polyline(&[tip, side(1.0), side(-1.0)]) + "z"
 }
 
-/// A diagonal cross.
+/// Returns a diagonal cross.
 pub(super) fn cross(x: f64, y: f64, half: f64) -> String {
     let half = half * std::f64::consts::FRAC_1_SQRT_2;
     polyline(&[(x - half, y - half), (x + half, y + half)]) + &polyline(&[(x - half, y + half), (x + half, y - half)])
 }
 
-/// Two strokes across a line along `way`: it goes on.
+/// Returns two strokes across a line along `way`: the symbol for a continued line.
 pub(super) fn zigzag(at: Point, way: Point) -> String {
     let across = (-way.1, way.0);
     let stroke = |by: f64| {
@@ -43,26 +43,26 @@ pub(super) fn zigzag(at: Point, way: Point) -> String {
     stroke(-2.0) + &stroke(2.0)
 }
 
-/// Direction of an axis seen by a viewer: right, up, towards the viewer.
+/// Direction of an axis for a viewer: right, up, towards the viewer.
 pub(super) type Seen = (f64, f64, f64);
 
-/// Least part of an axis towards the viewer that its turn is drawn with, so that the ring does not fall into a line.
-const LEAST: f64 = 0.36;
+/// Minimum component towards the viewer with which a rotation is drawn, so that its ring does not collapse to a line.
+const MIN_TOWARDS: f64 = 0.36;
 
-/// Three quarters of a turn by the right-hand rule about an axis through `centre`, its open quarter behind the axis.
-/// Points in px, y down.
+/// Returns three quarters of a turn by the right-hand rule about an axis through `centre`, its open quarter behind the
+/// axis. Points in px, y down.
 pub(super) fn turn(centre: Point, axis: Seen, radius: f64) -> Vec<Point> {
     let (mut u, mut v, mut w) = axis;
     let flat = u.hypot(v);
-    if w.abs() < LEAST {
-        w = if w < 0.0 { -LEAST } else { LEAST };
+    if w.abs() < MIN_TOWARDS {
+        w = if w < 0.0 { -MIN_TOWARDS } else { MIN_TOWARDS };
         let scale = (1.0 - w * w).sqrt() / flat.max(1e-9);
         (u, v) = (u * scale, v * scale);
     }
-    // Two directions at right angles to the axis and to each other, the first in the plane of the view.
+    // Two directions perpendicular to the axis and to each other, the first in the plane of the view.
     let flat = u.hypot(v);
     let first = if flat > 1e-6 { (-v / flat, u / flat) } else { (1.0, 0.0) };
-    // Axis x first.
+    // Cross product of axis and `first`.
     let second = (-w * first.1, w * first.0);
     let point = |degrees: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();
@@ -76,7 +76,7 @@ pub(super) fn turn(centre: Point, axis: Seen, radius: f64) -> Vec<Point> {
 mod tests {
     use super::*;
 
-    /// Area enclosed by the arc and its chord, positive if it goes counter-clockwise for the viewer.
+    /// Returns the area enclosed by the arc and its chord, positive if counter-clockwise for the viewer.
     fn sense(points: &[Point]) -> f64 {
         let closed = points.iter().zip(points.iter().cycle().skip(1));
         closed.map(|(a, b)| 0.5 * (b.0 * a.1 - a.0 * b.1)).sum::<f64>()
@@ -86,10 +86,10 @@ mod tests {
     fn turns_follow_the_right_hand() {
         assert!(sense(&turn((50.0, 50.0), (0.0, 0.0, 1.0), 20.0)) > 900.0);
         assert!(sense(&turn((50.0, 50.0), (0.0, 0.0, -1.0), 20.0)) < -900.0);
-        // About an axis to the right, what faces the viewer (t = 45 to 135 degrees, the middle) goes down.
+        // About an axis to the right, the part facing the viewer (t = 45 to 135 degrees, the middle) moves down.
         let points = turn((0.0, 0.0), (1.0, 0.0, 0.0), 20.0);
         assert!(points[22].1 > points[14].1, "{points:?}");
-        // About an axis up, it goes to the right.
+        // About an axis up, it moves to the right.
         let points = turn((0.0, 0.0), (0.0, 1.0, 0.0), 20.0);
         assert!(points[22].0 > points[14].0, "{points:?}");
         let points = turn((0.0, 0.0), (0.0, -1.0, 0.0), 20.0);

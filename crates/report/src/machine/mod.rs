@@ -1,4 +1,4 @@
-//! A machine file's check: drawing and page.
+//! Check of a machine file: drawing and page.
 
 mod canvas;
 mod drawing;

@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 /// Points of a drawn circle.
 const AROUND: u32 = 36;
 
-/// Lines that show the machine's solids where they are at home, in the base frame, mm: edges of boxes, rims and sides
-/// of round shapes. Half-spaces, which have no end, are left out; of a mesh the box around it is shown.
+/// Returns outlines of the machine's solids at home, in the base frame, mm: edges of boxes, rims and sides of round
+/// shapes. Unbounded half-spaces are omitted; a mesh is shown by its bounding box.
 pub(super) fn outlines(machine: &Machine) -> Vec<Vec<[f64; 3]>> {
     let motion = machine.link_frames(&machine.home());
     let base = machine.links.frame("base").map_or(DAffine3::IDENTITY, |f| motion[f.link] * f.zero);
@@ -19,7 +19,7 @@ pub(super) fn outlines(machine: &Machine) -> Vec<Vec<[f64; 3]>> {
     drawn.collect()
 }
 
-/// The lines of one solid, in the frame it is given in.
+/// Returns the lines of one solid, in the frame in which it is given.
 fn wires(solid: &Solid) -> Vec<Vec<DVec3>> {
     let local = match *solid.shape() {
         Shape::Box { size } => box_edges(0.5 * size),
@@ -59,13 +59,13 @@ fn box_edges(half: DVec3) -> Vec<Vec<DVec3>> {
     lines
 }
 
-/// A point of the circle of radius 1 in the xy plane.
+/// Returns a point of the circle of radius 1 in the xy plane.
 fn on_circle(i: u32) -> DVec3 {
     let (sin, cos) = (TAU * f64::from(i) / f64::from(AROUND)).sin_cos();
     DVec3::new(cos, sin, 0.0)
 }
 
-/// Rims, each a radius and a height, and four lines between them.
+/// Returns rims, each given by radius and height, and four lines between them.
 fn round(rims: &[(f64, f64); 2]) -> Vec<Vec<DVec3>> {
     let at = |(radius, z): (f64, f64), i: u32| radius * on_circle(i) + z * DVec3::Z;
     let mut lines: Vec<Vec<DVec3>> = rims.iter().map(|rim| (0..=AROUND).map(|i| at(*rim, i)).collect()).collect();
@@ -73,7 +73,7 @@ fn round(rims: &[(f64, f64); 2]) -> Vec<Vec<DVec3>> {
     lines
 }
 
-/// The three great circles (ellipses) of a ball with semi-axes `r`.
+/// Returns the three great circles (ellipses) of a ball with semi-axes `r`.
 fn ball(r: DVec3) -> Vec<Vec<DVec3>> {
     let turned: [fn(DVec3) -> DVec3; 3] = [|p| p, |p| DVec3::new(p.x, 0.0, p.y), |p| DVec3::new(0.0, p.x, p.y)];
     turned.map(|turn| (0..=AROUND).map(|i| r * turn(on_circle(i))).collect()).into()
@@ -83,7 +83,7 @@ fn ball(r: DVec3) -> Vec<Vec<DVec3>> {
 mod tests {
     use super::*;
 
-    /// Every line runs on its solid's surface: a tiny ball there touches it, one a little farther out does not.
+    /// Every line lies on its solid's surface: a tiny ball on it touches the solid.
     #[test]
     fn lines_lie_on_the_shapes() {
         let pose = DAffine3::from_rotation_translation(glam::DQuat::from_rotation_x(0.7), DVec3::new(3.0, -9.0, 40.0));

@@ -3,8 +3,8 @@ use super::tables::{axes, measure, number, reach, results, singular, small, stru
 use crate::{Block, Finding, Language, Page, Severity, Tile, Verdict, format_number};
 use seamwright_machine::check::{Check, HeadCheck, Remark};
 
-/// The check of a machine file as one self-contained HTML page; `file` is its name, `source` its text, `date` when the
-/// page is made.
+/// Renders the check of a machine file as one self-contained HTML page; `file` is its name, `source` its text, `date`
+/// that of the page.
 pub fn check_page(check: &Check, drawing: &MachineDrawing, file: &str, source: &str, date: &str) -> String {
     let mut blocks = vec![Block::Tiles(tiles(check))];
     if !check.failures.is_empty() {
@@ -154,7 +154,7 @@ fn reach_words(h: &HeadCheck) -> String {
     )
 }
 
-/// The check for people, as text.
+/// Renders the check as plain text.
 pub fn check_text(check: &Check) -> String {
     use std::fmt::Write;
     let mut text = format!("{}\n", check.title);

@@ -7,12 +7,12 @@ pub(super) fn number(value: f64) -> String {
     format_number(value, 5)
 }
 
-/// A measured error: two digits.
+/// Formats a measured error to two digits.
 pub(super) fn small(value: f64) -> String {
     format_number(value, 2)
 }
 
-/// Unit of the axis called `name`.
+/// Returns the unit of the axis called `name`.
 pub(super) fn unit(check: &Check, name: &str) -> &'static str {
     check.axes.iter().find(|a| a.name == name).map_or("", |a| a.unit)
 }
@@ -149,13 +149,13 @@ pub(super) fn reach(check: &Check) -> Table {
     }
 }
 
-/// The measure of a head's reach with its deviation.
+/// Formats the measure of a head's reach with its standard deviation.
 pub(super) fn measure(head: &HeadCheck) -> String {
     let v = &head.reach.volume;
     if v.part_of_box <= 0.0 {
         return "no volume: the tip stays on a surface or a line".to_owned();
     }
-    // Cubic and square metres are easier to grasp than mm.
+    // Metres are easier to grasp than mm.
     let (value, deviation, unit) = match v.dimensions {
         3 => (v.measure * 1e-9, v.deviation * 1e-9, "m³"),
         2 => (v.measure * 1e-6, v.deviation * 1e-6, "m²"),

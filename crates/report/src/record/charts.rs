@@ -2,10 +2,10 @@ use crate::said;
 use crate::{Axis, Block, Chart, Language, LimitLine, Series};
 use seamwright_record::figures::{BIN_MM, Curve, Figures, HEAT_INPUT, Value};
 
-/// Curves of one chart at most: eight colours tell that many apart.
-const MOST: usize = 8;
+/// Maximum number of curves in a chart: the palette has eight colours.
+const MAX_CURVES: usize = 8;
 
-/// A chart of `curves` over path length, as many as can be told apart, with a caption of what each point is.
+/// Returns a chart of `curves` over path length, up to the maximum number, with a caption that describes a point.
 fn figure(
     (title, caption): (&'static str, &'static str),
     y: Axis,
@@ -23,21 +23,21 @@ fn figure(
         title: language.say(title).to_owned(),
         x: Axis::new(language.say("path length s"), language.say("mm")),
         y,
-        series: curves.iter().take(MOST).map(|c| Series::line(called(c), c.points.clone())).collect(),
+        series: curves.iter().take(MAX_CURVES).map(|c| Series::line(called(c), c.points.clone())).collect(),
         limits,
         height: Some(170.0),
         ..Chart::default()
     };
     let mut caption = language.fill(caption, &[&BIN_MM.to_string()]);
-    if curves.len() > MOST {
-        let [most, all] = [MOST, curves.len()].map(|n| n.to_string());
+    if curves.len() > MAX_CURVES {
+        let [most, all] = [MAX_CURVES, curves.len()].map(|n| n.to_string());
         caption += language.between_sentences();
         caption += &language.fill("{0} of {1} curves; all are in the trace.", &[&most, &all]);
     }
     Block::Figure { svg: chart.to_svg(), caption }
 }
 
-/// Heat input along the passes, with the window if all have the same.
+/// Returns heat input along the passes, with the window if all share one.
 pub(super) fn heat_input(figures: &Figures, values: &[Value], language: Language) -> Block {
     let curves: Vec<&Curve> = figures.heat_input.iter().collect();
     if curves.is_empty() {
@@ -57,7 +57,7 @@ pub(super) fn heat_input(figures: &Figures, values: &[Value], language: Language
     figure(said, heat, &curves, limits, language)
 }
 
-/// Deviations along the passes.
+/// Returns deviations along the passes.
 pub(super) fn deviations(figures: &Figures, language: Language) -> Vec<Block> {
     let (path, seam): (Vec<&Curve>, Vec<&Curve>) = figures.deviations.iter().partition(|c| c.name == "path_error_mm");
     let drawn = |said, curves: &[&Curve]| {

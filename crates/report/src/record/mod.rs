@@ -1,4 +1,4 @@
-//! The report of a recorded weld: what was welded, against its procedure, to be signed.
+//! Report of a recorded weld against its procedure, to be signed.
 
 mod charts;
 mod tables;
@@ -9,8 +9,8 @@ use crate::{Block, Language, Page, Severity, Tile, Verdict, format_number};
 use seamwright_record::figures::{Figures, Value};
 use seamwright_record::library::{WeldDetail, WeldRecord, WeldResult};
 
-/// The report as one self-contained HTML page in this language; `program` is the text that was welded, `date` when the page
-/// is made. What people have typed stays as it is.
+/// Renders the report as one self-contained HTML page in this language; `program` is the welded text, `date` that of
+/// the page. Typed texts stay untranslated.
 pub fn recorded_weld_page(
     detail: &WeldDetail,
     figures: &Figures,
@@ -87,7 +87,8 @@ fn verdict(detail: &WeldDetail, figures: &Figures, language: Language) -> Verdic
     Verdict { ok, text: [language.say(said), &windows, &note].join(language.between_sentences()).trim_end().to_owned() }
 }
 
-/// A value that left its window, and where: as the trace says, which knows more of it than the library.
+/// Formats a value outside its window and the location, preferably from the trace, which is more detailed than the
+/// library.
 fn outside(value: &Value, figures: &Figures, language: Language) -> String {
     let name = said::value(language, &value.name);
     let known = figures.values.iter().find(|v| (v.pass, &v.name) == (value.pass, &value.name));

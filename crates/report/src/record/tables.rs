@@ -8,7 +8,7 @@ fn number(value: f64) -> String {
     format_number(value, 5)
 }
 
-/// What was found against what is allowed.
+/// Returns the actual values against the allowed ones.
 pub(super) fn values(values: &[Value], language: Language) -> Block {
     if values.is_empty() {
         return Block::Paragraph(language.say("Nothing of it is known.").to_owned());
@@ -67,7 +67,7 @@ pub(super) fn events(events: &[Event], language: Language) -> Block {
     table(language.say("Events in the order in which they came"), &head, rows.collect(), 2..5)
 }
 
-/// What the weld was made from, in which versions.
+/// Returns the source texts of the weld with their versions.
 pub(super) fn made_from(weld: &WeldRecord, language: Language) -> Block {
     let mut rows = Vec::new();
     let mut row = |kind, name: &str, version: i64| {

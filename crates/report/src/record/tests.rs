@@ -92,7 +92,7 @@ fn everything_stands_on_the_page() {
         assert!(page.contains(wanted), "{wanted}");
     }
     assert!(!page.contains("<script"));
-    // Well-formed, and it reaches for nothing.
+    // Well-formed, and without external references.
     let body = page.split_once("<!DOCTYPE html>").unwrap().1;
     roxmltree::Document::parse(body.trim()).unwrap();
     for outside in ["https://", "@import", "url("] {
@@ -112,14 +112,14 @@ fn only_a_good_weld_is_in_order() {
     assert!(!verdict(&|d| d.weld.result = WeldResult::Interrupted));
     assert!(!verdict(&|d| d.weld.note = "3 rows of the trace were lost".to_owned()));
     assert!(!verdict(&|d| d.values[0].outside_s = 0.01));
-    // Nothing known at all is a page too.
+    // A record without any data has a page too.
     let empty = WeldDetail { values: vec![], alarms: vec![], events: vec![], files: vec![], ..detail() };
     assert!(
         recorded_weld_page(&empty, &Figures::default(), "", "", Language::English).contains("Nothing of it is known")
     );
 }
 
-/// Pages on which everything stands that a page can say, with names that are no words.
+/// Returns pages with every text that a page can contain, and with invented names.
 fn full(language: Language) -> String {
     let good = detail();
     let record = WeldRecord {
@@ -179,7 +179,7 @@ fn full(language: Language) -> String {
             files: vec![WeldFile { sha256: "0".repeat(64), ..good.files[0].clone() }],
         };
         pages += &recorded_weld_page(&detail, &many, "", "", language);
-        // What is said where something is not there, or of one or several.
+        // Texts for missing data, and for one or several items.
         let values = vec![good.values[1].clone(); i];
         let procedure = record.procedure.clone().filter(|_| i > 0);
         let weld = WeldRecord { procedure, ..detail.weld };
@@ -189,12 +189,12 @@ fn full(language: Language) -> String {
     pages
 }
 
-/// The words that are read, not those of the styles.
+/// Returns the visible words, without those of the styles.
 fn words(page: &str) -> std::collections::BTreeSet<String> {
     let bare = page.split("<style>").flat_map(|part| part.split("</style>").skip(1).chain(["<"]));
     let mut text = String::new();
     for piece in bare.collect::<String>().split('<') {
-        // An attribute that is read aloud, and the text behind the tag.
+        // The label for screen readers, and the text behind the tag.
         let (tag, rest) = piece.split_once('>').unwrap_or(("", piece));
         text += tag.split_once("aria-label=\"").map_or("", |(_, label)| label.split('"').next().unwrap());
         text += " ";
@@ -219,7 +219,7 @@ fn a_page_in_another_language_has_no_english_left() {
             continue;
         }
         let left: Vec<String> = words(&page).intersection(&english).cloned().collect();
-        // Names, and what is the same word there.
+        // Names, and words that are equal in both languages.
         let same: &[&str] = match language {
             Language::German => &["name", "version", "text", "bytes", "alarm", "override", "gas", "hand"],
             _ => &[],

@@ -4,50 +4,50 @@ use seamwright_motion::{Binding, PassMotion, plain};
 use seamwright_program::Pass;
 use serde::Serialize;
 
-/// What a pass reaches and what bounds it where, for machines to read: mm, s, and mm or degrees for the axes. Whoever
-/// knows the set-points and the machine's limits can check it.
+/// Speeds of a pass and their bounds, machine-readable: mm, s, and mm or degrees for the axes. They can be verified
+/// from the set-points and the machine's limits.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CertificateFigures {
-    /// Least and greatest speed asked for, mm/s; they differ where spans do and in ramps.
+    /// Minimum and maximum requested speed, mm/s; they differ between spans and in ramps.
     pub asked_speed_mm_s: (f64, f64),
-    /// Least planned speed of the tip between run-up and run-down, mm/s.
+    /// Minimum planned speed of the torch tip between acceleration and deceleration phase, mm/s.
     pub least_speed_mm_s: f64,
-    /// Greatest planned speed of the tip there, mm/s.
+    /// Maximum planned speed of the torch tip there, mm/s.
     pub greatest_speed_mm_s: f64,
-    /// Where the run-up ends, mm.
+    /// End of the acceleration phase, mm.
     pub run_up_end_mm: f64,
-    /// Where the run-down begins, mm.
+    /// Start of the deceleration phase, mm.
     pub run_down_start_mm: f64,
-    /// Part of the path's length on which the tip is as fast as asked, %; run-up and run-down count as slower.
+    /// Percentage of the path's length at the requested torch-tip speed; acceleration and deceleration phase count as
+    /// slower.
     pub at_asked_percent: f64,
-    /// A speed of the tip that every axis can hold everywhere, mm/s.
+    /// Torch-tip speed that every axis can hold everywhere, mm/s.
     pub everywhere_mm_s: f64,
-    /// Stretches of the path in order, each with what bounds its speed.
+    /// Stretches of the path in order, each with the bound of its speed.
     pub intervals: Vec<IntervalFigures>,
-    /// The greatest use of each axis' limits over the whole path.
+    /// Maximum use of each axis' limits over the whole path.
     pub uses: Vec<UseFigures>,
-    /// The greatest use of the torch tip's own limits, if it has any.
+    /// Maximum use of the torch tip's own limits, if it has any.
     pub tip: Option<TipFigures>,
 }
 
-/// What stands for an axis where a limit of the torch tip binds.
+/// Name in place of an axis where a limit of the torch tip binds.
 pub(super) const TIP: &str = "torch tip";
 
-/// The greatest use that a pass makes of the torch tip's limits, seen from the directions in which they are imposed;
-/// a limit that there is not is missing.
+/// Maximum use of the torch tip's limits in a pass, in the directions in which they apply; `None` without that limit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TipFigures {
-    /// Of its speed, %.
+    /// Use of its speed limit, %.
     pub speed_percent: Option<f64>,
-    /// Its limit, mm/s.
+    /// Speed limit, mm/s.
     pub max_speed: Option<f64>,
-    /// Of its acceleration, %.
+    /// Use of its acceleration limit, %.
     pub acceleration_percent: Option<f64>,
-    /// Its limit, mm/s^2.
+    /// Acceleration limit, mm/s^2.
     pub max_acceleration: Option<f64>,
-    /// Of its jerk, %.
+    /// Use of its jerk limit, %.
     pub jerk_percent: Option<f64>,
-    /// Its limit, mm/s^3.
+    /// Jerk limit, mm/s^3.
     pub max_jerk: Option<f64>,
 }
 
@@ -72,51 +72,51 @@ impl TipFigures {
 /// A stretch of the path with one bound.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct IntervalFigures {
-    /// Path length at which it begins, mm.
+    /// Path length of its start, mm.
     pub from_mm: f64,
-    /// Path length at which it ends, mm.
+    /// Path length of its end, mm.
     pub to_mm: f64,
-    /// Least planned speed of the tip in it, mm/s.
+    /// Minimum planned speed of the torch tip in it, mm/s.
     pub least_speed_mm_s: f64,
-    /// Where that is, mm.
+    /// Path length of that minimum, mm.
     pub least_at_mm: f64,
-    /// Greatest planned speed of the tip in it, mm/s.
+    /// Maximum planned speed of the torch tip in it, mm/s.
     pub greatest_speed_mm_s: f64,
-    /// False in run-up and run-down.
+    /// False in the acceleration and deceleration phases.
     pub between: bool,
-    /// `asked` (nothing else binds), `speed`, `acceleration` or `jerk`.
+    /// `asked` (the requested speed itself), `speed`, `acceleration` or `jerk`.
     pub bound: &'static str,
-    /// The axis whose limit binds, or `torch tip`.
+    /// Axis of the binding limit, or `torch tip`.
     pub axis: Option<String>,
-    /// The limit that binds, in mm or degrees per s, s^2 or s^3.
+    /// Binding limit, in mm or degrees per s, s^2 or s^3.
     pub limit: Option<f64>,
     /// Its unit.
     pub unit: Option<String>,
 }
 
-/// The greatest use that a pass makes of one axis' limits; limits in mm or degrees per s, s^2 and s^3.
+/// Maximum use of one axis' limits in a pass; limits in mm or degrees per s, s^2 and s^3.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct UseFigures {
     /// Name of the axis.
     pub axis: String,
     /// `mm` or `deg`.
     pub unit: &'static str,
-    /// Of its speed, %.
+    /// Use of its speed limit, %.
     pub speed_percent: f64,
-    /// Its limit.
+    /// Speed limit.
     pub max_speed: f64,
-    /// Of its acceleration, %.
+    /// Use of its acceleration limit, %.
     pub acceleration_percent: f64,
-    /// Its limit.
+    /// Acceleration limit.
     pub max_acceleration: f64,
-    /// Of its jerk, %.
+    /// Use of its jerk limit, %.
     pub jerk_percent: f64,
-    /// Its limit.
+    /// Jerk limit.
     pub max_jerk: f64,
 }
 
 impl CertificateFigures {
-    /// The certificate of `pass`, planned as `motion` on `machine`.
+    /// Computes the certificate of `pass`, planned as `motion` on `machine`.
     pub fn new(machine: &Machine, pass: &Pass, motion: &PassMotion) -> Self {
         let (certificate, report) = (&motion.certificate, motion.law.report());
         let (least, greatest) = motion.tip_band(machine);

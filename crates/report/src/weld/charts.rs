@@ -17,37 +17,37 @@ use seamwright_weld::{SeamCurve, Welding};
 pub struct Plots {
     /// The seam with torch vectors in three views.
     pub seam: ThreeViews,
-    /// The taught spans of the seam.
+    /// Plots of the taught spans of the seam.
     pub taught: Vec<TaughtPlot>,
     /// Torch angles over path length, along a seam.
     pub torch: Option<Chart>,
-    /// Process values over path length, where they change.
+    /// Process values over path length, only those that change.
     pub process: Option<ChartGrid>,
-    /// The woven path of the tip, if the torch weaves.
+    /// Woven path of the torch tip, if the torch weaves.
     pub weave: Option<Chart>,
-    /// The path of the oscillating beam on the work, if it does.
+    /// Path of the beam on the work, if it oscillates.
     pub oscillation: Option<Chart>,
     /// Axis positions, speeds and accelerations against their limits.
     pub axes: ChartGrid,
     /// Jerk of each axis against its limit.
     pub jerks: ChartGrid,
-    /// Tip speed: planned, and true if simulated.
+    /// Torch-tip speed: planned, and actual if simulated.
     pub speed: Chart,
     /// Heat input and welding positions, if there is a procedure.
     pub procedure: Option<ProcedurePlots>,
-    /// How near anything watched comes, if the machine file has shapes.
+    /// Minimum distance of the checked objects, if the machine file has shapes.
     pub clearance: Option<Chart>,
-    /// Deviation of the true tip's speed from the planned one, if simulated.
+    /// Deviation of the actual torch-tip speed from the planned one, if simulated.
     pub deviation: Option<Chart>,
     /// Following error of each axis, if simulated.
     pub following: Option<ChartGrid>,
-    /// Distance of the true tip from the seam, if simulated.
+    /// Distance of the actual torch tip from the seam, if simulated.
     pub path_error: Option<Chart>,
-    /// Joint and weld, if the joint may lie elsewhere than planned.
+    /// Joint and weld, if the joint may deviate from the plan.
     pub tracking: Option<ChartGrid>,
-    /// Attitude error of the true torch, if simulated.
+    /// Attitude error of the actual torch, if simulated.
     pub attitude: Option<Chart>,
-    /// With the first pass, the end of the branch or nozzle as it is cut, if that is known: an SVG at true size.
+    /// With the first pass, the cut end of the branch or nozzle, if known: an SVG at true size.
     pub cut: Option<String>,
     /// With the first pass, cross-sections of the joint along the seam, if the file has one.
     pub sections: Option<Gallery>,
@@ -55,7 +55,7 @@ pub struct Plots {
     pub order: Option<OrderDrawing>,
 }
 
-/// Torch vectors drawn along the seam.
+/// Number of torch vectors drawn along the seam.
 const VECTORS: u32 = 36;
 
 impl Plots {
@@ -104,7 +104,7 @@ impl Plots {
         }
     }
 
-    /// The plots as files of their own: name and SVG.
+    /// Returns the plots as separate files: name and SVG.
     pub fn files(&self) -> Vec<(String, String)> {
         let mut files = vec![
             ("seam.svg", self.seam.to_svg_standalone()),
@@ -136,7 +136,7 @@ impl Plots {
     }
 }
 
-/// Cross-sections at nine places: on a seam welded all round every ninth of it.
+/// Draws cross-sections at nine stations; on an all-round weld at every ninth of the seam.
 fn gallery(welding: &Welding, seam: &SeamCurve, language: Language) -> Gallery {
     let step = if seam.all_round() { seam.length() / 9.0 } else { seam.weld_length() / 8.0 };
     let places: Vec<f64> = (0..9).map(|i| f64::from(i) * step).collect();
@@ -155,7 +155,7 @@ pub(super) fn line(language: Language, name: &'static str, points: Vec<(f64, f64
     Series::line(language.say(name), points)
 }
 
-/// A chart over path length.
+/// Creates a chart over path length.
 pub(super) fn chart(
     language: Language,
     title: &'static str,
@@ -170,7 +170,7 @@ fn views(welding: &Welding, pass: usize, language: Language) -> ThreeViews {
     let path = welding.path(pass);
     let length = path.length();
     let seam = path.along_seam();
-    // Once round, in the seam's frame and without a weave; points in the work frame.
+    // One turn, in the seam's frame and without a weave; points in the work frame.
     let turn = seam.map_or(length, |path| path.seam.length());
     let drawn = length.min(turn);
     let torch = |s: f64| match seam {
@@ -231,7 +231,7 @@ fn torch(samples: &[Sample], language: Language) -> Option<Chart> {
     Some(chart(language, "Torch angles and groove", ("angle", "deg"), series))
 }
 
-/// Process values that are not the same all along; none of a pass without.
+/// Returns charts of the process values that change along the pass; `None` if all are constant.
 fn process(pass: &Pass, language: Language) -> Option<ChartGrid> {
     let ends = |name: &String| -> Vec<(f64, f64)> {
         let of = |span: &Span| {
@@ -283,7 +283,7 @@ fn jerks(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid
     ChartGrid { title, columns: 3, charts: charts.collect() }
 }
 
-/// Position (order 0), speed, acceleration or jerk of axis `i` over path length.
+/// Returns position (order 0), speed, acceleration or jerk of axis `i` over path length.
 fn curve(samples: &[Sample], i: usize, order: usize) -> Vec<(f64, f64)> {
     samples.iter().map(|s| (s.s, s.axes[i][order])).collect()
 }
@@ -306,8 +306,8 @@ fn axis_chart(
     }
 }
 
-/// Stretches between run-up and run-down on which the tip is slower than asked, each named by what binds at its
-/// slowest.
+/// Returns stretches between acceleration and deceleration phase that are slower than requested, each named by the
+/// bound at its slowest point.
 fn slowed(certificate: &CertificateFigures, language: Language) -> Vec<Band> {
     let mut runs: Vec<Vec<&IntervalFigures>> = vec![Vec::new()];
     for interval in &certificate.intervals {
@@ -338,7 +338,7 @@ fn speed(
     let ends = |leg: &Leg| [band("run-up", leg.from, leg.run_up_end), band("run-down", leg.run_down_start, leg.to)];
     let mut bands: Vec<Band> = motion.law.legs().iter().flat_map(ends).collect();
     bands.extend(slowed(certificate, language));
-    // Bands too narrow to see would only put their names over the curve.
+    // Omits narrow bands, whose names would only cover the curve.
     let wide = 0.01 * motion.path.length();
     Chart {
         bands: bands.into_iter().filter(|b| b.to - b.from > wide).collect(),
@@ -346,7 +346,7 @@ fn speed(
     }
 }
 
-/// The speed's deviation in percent, between run-up and run-down.
+/// Plots the speed's deviation in percent, between acceleration and deceleration phase.
 fn deviation(machine: &Machine, motion: &PassMotion, curves: &SimulationCurves, language: Language) -> Chart {
     let legs = motion.law.legs();
     let steady = |s: f64| legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);

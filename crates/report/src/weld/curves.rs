@@ -2,13 +2,13 @@ use super::tracking::HeadCurves;
 use seamwright_cell::Sample;
 use seamwright_machine::Machine;
 
-/// Buckets along the weld; of each the least and greatest value are kept, so that no peak is lost.
+/// Number of buckets along the weld; each keeps its minimum and maximum, so that all peaks remain.
 const BUCKETS: usize = 1000;
 
 /// Path length (mm) and value.
 type Point = (f64, f64);
 
-/// One curve over path length, thinned as it comes.
+/// One curve over path length, thinned sample by sample.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Envelope {
     /// Lowest and highest point of each bucket.
@@ -39,7 +39,7 @@ impl Envelope {
     }
 }
 
-/// What a simulated weld did along the seam, gathered sample by sample in bounded memory; mm, deg, s.
+/// Curves of a simulated weld along the seam, gathered sample by sample in bounded memory; mm, deg, s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimulationCurves {
     following: Vec<Envelope>,
@@ -51,7 +51,7 @@ pub struct SimulationCurves {
 }
 
 impl SimulationCurves {
-    /// For a weld of `length` mm on a machine with `axes` axes.
+    /// Creates empty curves for a weld of `length` mm on a machine with `axes` axes.
     pub fn new(axes: usize, length: f64) -> Self {
         let empty = Envelope::new(length);
         let following = vec![empty.clone(); axes];
@@ -65,7 +65,7 @@ impl SimulationCurves {
         }
     }
 
-    /// Adds a sample; only those while the torch travels count.
+    /// Adds a sample; ignores samples without torch travel.
     pub fn add(&mut self, machine: &Machine, sample: &Sample) {
         if !sample.travels() {
             return;
@@ -86,22 +86,22 @@ impl SimulationCurves {
         }
     }
 
-    /// Following error of axis `i` over path length.
+    /// Returns the following error of axis `i` over path length.
     pub(crate) fn following(&self, i: usize) -> Vec<(f64, f64)> {
         self.following[i].points()
     }
 
-    /// Distance of the true tip from the seam over path length.
+    /// Returns the distance of the actual torch tip from the seam over path length.
     pub(crate) fn path_error(&self) -> Vec<(f64, f64)> {
         self.path_error.points()
     }
 
-    /// Speed of the true tip over path length.
+    /// Returns the speed of the actual torch tip over path length.
     pub(crate) fn tip_speed(&self) -> Vec<(f64, f64)> {
         self.tip_speed.points()
     }
 
-    /// Attitude error of the true torch over path length.
+    /// Returns the attitude error of the actual torch over path length.
     pub(crate) fn attitude(&self) -> Vec<(f64, f64)> {
         self.attitude.points()
     }

@@ -1,4 +1,4 @@
-//! The end of a tube as it is cut, unrolled and drawn at its true size: a template to wrap around the tube.
+//! Template of a tube's cut end, unrolled at true size, to wrap around the tube.
 
 use crate::Language;
 use crate::text::escape;
@@ -7,16 +7,16 @@ use std::fmt::Write;
 
 /// Free space around the drawing, mm.
 const MARGIN_MM: f64 = 12.0;
-/// The template's square edge is so far above the cut's highest point, mm.
+/// Distance of the template's square edge above the cut's highest point, mm.
 const ABOVE_MM: f64 = 20.0;
-/// What is said of each side.
+/// Caption of each side.
 const OUTSIDE: &str = "outside: radius {0} mm, once around {1} mm, cut {2} to {3} mm along the axis, edge at {4} mm";
 const INSIDE: &str = "inside: radius {0} mm, once around {1} mm, cut {2} to {3} mm along the axis, edge at {4} mm";
-/// Upright lines, degrees apart.
+/// Spacing of the upright lines, degrees.
 const EVERY_DEG: u32 = 30;
 
-/// The drawing at true size (its units are mm): outside and, if known, inside, each with the cut below and a square edge
-/// above. Heights at the left count from the tube's origin.
+/// Draws the template at true size (its units are mm): outside and, if known, inside, each with the cut below and a
+/// square edge above. Heights at the left count from the tube's origin.
 pub(crate) fn template(cut: &Cut, language: Language) -> String {
     let sides = [Some((OUTSIDE, &cut.outside)), cut.inside.as_ref().map(|inside| (INSIDE, inside))];
     let mut body = String::new();
@@ -34,7 +34,7 @@ pub(crate) fn template(cut: &Cut, language: Language) -> String {
     )
 }
 
-/// One side from `top` on, above it what is `said` of its lengths; returns where it ends.
+/// Draws one side from `top` on, below the caption `said` of its lengths; returns its lower end.
 fn draw(body: &mut String, said: &dyn Fn(&[&str]) -> String, side: &Unrolled, top: f64) -> f64 {
     let heights = side.points.iter().map(|p| p.height);
     let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
@@ -72,13 +72,13 @@ fn draw(body: &mut String, said: &dyn Fn(&[&str]) -> String, side: &Unrolled, to
     head + edge - low
 }
 
-/// True at multiples of [`EVERY_DEG`].
+/// Returns whether `phi` is a multiple of [`EVERY_DEG`].
 fn is_drawn(phi: f64) -> bool {
     let turns = phi.to_degrees() / f64::from(EVERY_DEG);
     (turns - turns.round()).abs() < 1e-9
 }
 
-/// A length to a thousandth.
+/// Formats a length to a thousandth.
 fn mm(value: f64) -> String {
     format!("{value:.3}")
 }

@@ -13,14 +13,14 @@ use seamwright_weld::{SeamCurve, Welding};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The numbers of one weld; mm, s, degrees. This is `report.json`.
+/// Figures of one weld; mm, s, degrees. This is `report.json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WeldReport {
-    /// Version of Seamwright that made it.
+    /// Version of Seamwright that created the report.
     pub seamwright: &'static str,
     /// The job's title.
     pub title: String,
-    /// The file it came from.
+    /// Source file of the job.
     pub file: String,
     /// The machine.
     pub machine: MachineFigures,
@@ -33,44 +33,44 @@ pub struct WeldReport {
     pub plan: PlanFigures,
     /// The simulated first pass, if it was simulated.
     pub simulation: Option<Summary>,
-    /// What all passes together come to.
+    /// Totals of all passes.
     pub totals: TotalsFigures,
     /// All passes.
     pub passes: Vec<PassFigures>,
-    /// Time of the air moves: from home, between passes and back home, s.
+    /// Time of the transfer moves: from home, between passes and back home, s.
     pub air_s: f64,
     /// Time from home to home, s.
     pub total_s: f64,
-    /// Part programs written with it, each proven.
+    /// Part programs written with the plan, each verified.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub posts: Vec<PostFigures>,
-    /// Everything to be said about the weld.
+    /// All findings about the weld.
     pub findings: Vec<Finding>,
 }
 
-/// Which machine.
+/// The machine of a weld.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MachineFigures {
     /// Short name.
     pub name: String,
     /// Title.
     pub title: String,
-    /// Axes whose file describes no drive, so that the simulation assumes one.
+    /// Axes without a drive in the file, for which the simulation assumes one.
     pub assumed_drives: Vec<String>,
 }
 
-/// The seam in numbers.
+/// Figures of the seam.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SeamFigures {
     /// `nozzle`, `ellipse`, `line`, `T-joint` or `girth`.
     pub kind: &'static str,
-    /// Length once, mm.
+    /// Length of one turn, mm.
     pub length_mm: f64,
-    /// Length of the weld, with overlap or in part, mm.
+    /// Length of the weld, with overlap or of a part, mm.
     pub weld_length_mm: f64,
-    /// Least angle between the faces over the weld, degrees.
+    /// Minimum angle between the faces over the weld, degrees.
     pub dihedral_min_deg: f64,
-    /// Greatest angle between the faces over the weld, degrees.
+    /// Maximum angle between the faces over the weld, degrees.
     pub dihedral_max_deg: f64,
 }
 
@@ -87,52 +87,52 @@ impl SeamFigures {
     }
 }
 
-/// One pass in numbers.
+/// Figures of one pass.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PassFigures {
     /// Its name.
     pub name: String,
-    /// Name of the copy of the seam that it is welded on, if there are copies.
+    /// Name of the copy of the seam on which it is welded, if there are copies.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub copy: Option<String>,
-    /// What it is for: `tack`, `root`, `fill`, `cap` or `cosmetic`, if that is known.
+    /// Role: `tack`, `root`, `fill`, `cap` or `cosmetic`, if known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub role: Option<&'static str>,
-    /// Least and greatest of each process value anywhere in it, by name.
+    /// Minimum and maximum of each process value in the pass, by name.
     pub process_range: BTreeMap<String, (f64, f64)>,
-    /// Arc energy U I t, kJ; none if current and voltage are not given.
+    /// Arc energy U I t, kJ; `None` without current and voltage.
     pub arc_energy_kj: Option<f64>,
-    /// Length of wire, m; none if the wire feed is not given.
+    /// Length of wire, m; `None` without a wire feed.
     pub wire_m: Option<f64>,
-    /// Time of the air move before it, s.
+    /// Time of the transfer move before it, s.
     pub air_before_s: f64,
     /// The plan.
     pub plan: PlanFigures,
-    /// What it reaches and what bounds it where.
+    /// Speeds of the pass and their bounds.
     pub certificate: CertificateFigures,
-    /// What it does, and what its procedure allows.
+    /// Values of the pass against its procedure.
     pub procedure: Option<PassProcedureFigures>,
-    /// How near things come, if the machine file has shapes.
+    /// Minimum distance, if the machine file has shapes.
     pub clearance: Option<ClearanceFigures>,
     /// The simulated pass, if it was simulated.
     pub simulation: Option<Summary>,
 }
 
-/// The nearest that two things come.
+/// Minimum distance between two checked objects.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ClearanceFigures {
-    /// Their distance, mm; at least this, if it says nothing of between.
+    /// Distance, mm; a lower bound if `between` is `None`.
     pub nearest_mm: f64,
-    /// Where, mm.
+    /// Path length of the minimum, mm.
     pub at_mm: Option<f64>,
-    /// Who and who.
+    /// Names of both objects.
     pub between: Option<String>,
-    /// Everything that is watched.
+    /// All checked objects.
     pub watched: Vec<String>,
 }
 
 impl WeldReport {
-    /// Gathers the numbers and plots (those of each pass, in this language) of a planned, and perhaps simulated, weld.
+    /// Collects the figures of a planned, and perhaps simulated, weld, and the plots of each pass in this language.
     pub fn new(
         machine: &Machine,
         welding: &Welding,
@@ -204,7 +204,8 @@ impl WeldReport {
 }
 
 impl PassFigures {
-    /// Least and greatest heat input, kJ/mm, if its procedure says how much of the power counts; infinite at a stop.
+    /// Returns minimum and maximum heat input, kJ/mm, if the procedure gives the thermal efficiency; infinite at a
+    /// stop.
     pub fn heat_input_kj_mm(&self) -> Option<(f64, f64)> {
         let quantities = self.procedure.iter().flat_map(|procedure| &procedure.quantities);
         quantities.filter(|q| q.key == "heat_input_kj_mm").find_map(|q| q.found)

@@ -1,4 +1,4 @@
-//! The job in numbers.
+//! Data of the job.
 
 use super::figures::WeldReport;
 use super::overview::{extremes, range};
@@ -6,10 +6,10 @@ use super::page::{number, table};
 use crate::{Block, Language, said};
 use seamwright_program::{Sequence, Slope, WeldDirection};
 
-/// Seams that do not go around.
+/// Kinds of seams that do not go around a tube.
 const STRAIGHT: [&str; 3] = ["line", "T-joint", "spline"];
 
-/// A slope of process values: what its values and its time are called, and where it is.
+/// A slope of process values: labels of its values and of its time, and its accessor.
 type SlopeRows = (&'static str, &'static str, fn(&Sequence) -> Option<&Slope>);
 
 const SLOPES: [SlopeRows; 2] = [
@@ -18,7 +18,7 @@ const SLOPES: [SlopeRows; 2] = [
 ];
 
 impl WeldReport {
-    /// What the job asks for.
+    /// Returns the requested values of the job.
     pub(super) fn data_table(&self, language: Language) -> Block {
         let mut rows = self.seam_rows(language);
         let row = |label, value: f64, unit| said_row(language, label, number(value), unit);
@@ -37,7 +37,7 @@ impl WeldReport {
             rows.push(row("Overlap", start.overlap_mm.get(), "mm"));
         }
         rows.extend(self.sequence_rows(language));
-        // What each of several passes is welded with is in the table of passes.
+        // With several passes the table of passes shows their process values.
         let process = self.plan.process.iter().filter(|_| !several);
         rows.extend(process.map(|(name, value)| {
             let [title, unit] = said::value_parts(language, name);
@@ -49,7 +49,7 @@ impl WeldReport {
         table(language.say("Job data"), &head, rows, 1..2)
     }
 
-    /// What happens before and after the travel; the range of it where passes differ.
+    /// Returns the times and slopes before and after the travel, as a range where passes differ.
     fn sequence_rows(&self, language: Language) -> Vec<Vec<String>> {
         let sequences = || self.passes.iter().map(|pass| &pass.plan.sequence);
         let row = |label, of: &dyn Fn(&Sequence) -> Option<f64>| {

@@ -1,4 +1,4 @@
-//! Which limits bind where, in words and tables.
+//! Binding limits along the path, in words and tables.
 
 use super::CertificateFigures;
 use super::certificate::{IntervalFigures, TIP, UseFigures};
@@ -6,10 +6,10 @@ use super::page::{number, table};
 use super::plan::AxisFigures;
 use crate::{Block, Language, format_number};
 
-/// Stretches listed at most; a report is read, and report.json has all of them.
+/// Maximum number of listed stretches, for a readable report; report.json has all of them.
 const LISTED: usize = 24;
 
-/// What the pass reaches, in one paragraph.
+/// Describes requested and planned speed of the pass in one paragraph.
 pub(super) fn speed_text(c: &CertificateFigures, language: Language) -> String {
     let (low, high) = c.asked_speed_mm_s;
     let range = |least: &str, greatest: &str| language.fill("{0} to {1}", &[least, greatest]);
@@ -22,7 +22,7 @@ pub(super) fn speed_text(c: &CertificateFigures, language: Language) -> String {
     )
 }
 
-/// What bounds the speed, stretch by stretch.
+/// Returns the bounds of the speed, stretch by stretch.
 pub(super) fn bounds_table(c: &CertificateFigures, language: Language) -> Block {
     let last = c.intervals.len();
     let rows = c.intervals.iter().take(LISTED).enumerate().map(|(i, interval)| {
@@ -61,12 +61,12 @@ fn what_binds(interval: &IntervalFigures, language: Language) -> String {
     }
 }
 
-/// Whose limit binds.
+/// Returns the name of the binding axis, or of the torch tip.
 fn whose(axis: &str, language: Language) -> String {
     if axis == TIP { language.say("the torch tip").to_owned() } else { language.fill("axis {0}", &[axis]) }
 }
 
-/// What binds, shortly: `axis c, jerk`.
+/// Names the bound in short form: `axis c, jerk`.
 pub(super) fn binds(interval: &IntervalFigures, language: Language) -> String {
     match &interval.axis {
         Some(axis) => format!("{}, {}", whose(axis, language), language.say(interval.bound)),
@@ -74,7 +74,7 @@ pub(super) fn binds(interval: &IntervalFigures, language: Language) -> String {
     }
 }
 
-/// The greatest use of each axis' limits.
+/// Returns the maximum use of each axis' limits.
 pub(super) fn uses_table(uses: &[UseFigures], language: Language) -> Block {
     let rows = uses.iter().map(|u| {
         let limit =
@@ -94,7 +94,7 @@ pub(super) fn uses_table(uses: &[UseFigures], language: Language) -> Block {
     table(language.say("Greatest use of each axis' limits"), &head, rows.collect(), 1..7)
 }
 
-/// Where each axis goes.
+/// Returns the positions of each axis against its range.
 pub(super) fn axes_table(axes: &[AxisFigures], language: Language) -> Block {
     let rows = axes.iter().map(|a| {
         let range = match a.range {
@@ -107,7 +107,7 @@ pub(super) fn axes_table(axes: &[AxisFigures], language: Language) -> Block {
     table(language.say("Positions of the axes against their ranges"), &head, rows.collect(), 2..5)
 }
 
-/// Parts of a limit; 0 where there is nothing but rounding.
+/// Formats a percentage of a limit; rounding noise becomes 0.
 fn percent(value: f64) -> String {
     if value < 1e-4 { "0".to_owned() } else { format_number(value, 3) }
 }

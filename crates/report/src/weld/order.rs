@@ -5,10 +5,10 @@ use glam::DVec3;
 use seamwright_program::{Pass, Role, TorchPath};
 use seamwright_weld::Welding;
 
-/// Places at which each pass is drawn.
+/// Number of drawn segments per pass.
 const PLACES: i32 = 96;
 
-/// From where the order is drawn.
+/// Directions towards the viewer from which the order may be drawn.
 const VIEWS: [(DVec3, &str); 6] = [
     (DVec3::Z, "seen from above"),
     (DVec3::NEG_Z, "seen from below"),
@@ -18,8 +18,8 @@ const VIEWS: [(DVec3, &str); 6] = [
     (DVec3::NEG_Y, "seen from -y"),
 ];
 
-/// The passes of a weld in their order, without weaves, seen from the side to which most faces look; none of a weld in
-/// one pass.
+/// Draws the passes of a weld in their order, without weaves, from the side that most faces look to. Returns `None` for
+/// a weld in one pass.
 pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawing> {
     let passes = &welding.program.value.passes;
     if passes.len() < 2 {
@@ -31,7 +31,7 @@ pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawin
         (0..paths.len()).map(|i| (0..=PLACES).map(|k| paths[i].centre(at(i, k))).collect()).collect();
     let faces = (0..paths.len()).flat_map(|i| (0..PLACES).map(move |k| (i, k)));
     let mean: DVec3 = faces.map(|(i, k)| paths[i].face(at(i, k))).sum();
-    // Where two are alike, the first of them.
+    // Equal views: the first one wins.
     let nearer = |a: (DVec3, &'static str), b: (DVec3, &'static str)| {
         if mean.dot(b.0) > mean.dot(a.0) + 1e-6 * mean.length() { b } else { a }
     };
@@ -39,7 +39,7 @@ pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawin
     let right = if out.x.abs() > 0.5 { DVec3::Y } else { DVec3::X };
     let up = out.cross(right);
     let flat = |p: DVec3| [p.dot(right), p.dot(up)];
-    // Each number stands towards the middle of the seam it belongs to.
+    // Each number lies towards the middle of its seam.
     let middle = |copy: usize| {
         let Some(seam) = &welding.seam else {
             let all = tips.iter().flatten();
@@ -70,7 +70,7 @@ pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawin
 }
 
 impl WeldReport {
-    /// Passes in the order of welding with their times.
+    /// Returns the passes in the order of welding with their times.
     pub(super) fn order_table(&self, language: Language) -> Block {
         let mut begun = 0.0;
         let rows = self.passes.iter().enumerate().map(|(i, pass)| {

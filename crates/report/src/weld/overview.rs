@@ -1,4 +1,4 @@
-//! What a plan comes to, at the top of its page.
+//! Overview of a plan, at the top of its page.
 
 use super::figures::{PassFigures, WeldReport};
 use super::page::{number, small};
@@ -8,7 +8,7 @@ use seamwright_cell::Summary;
 use seamwright_program::group_findings;
 
 impl WeldReport {
-    /// What was looked at, and what not.
+    /// Describes the checks that were made and their limits.
     pub(super) fn checked(&self, language: Language) -> String {
         let watched = self.passes.iter().find_map(|p| p.clearance.as_ref());
         let clearance = match watched {
@@ -44,13 +44,13 @@ impl WeldReport {
         Verdict { ok: self.findings.iter().all(|f| f.allowed), text: text.join(language.between_sentences()) }
     }
 
-    /// The simulated pass that strays furthest from its path, if any was simulated.
+    /// Returns the simulated pass with the maximum path error, if any was simulated.
     pub(super) fn worst_simulated(&self) -> Option<(&PassFigures, &Summary)> {
         let simulated = self.passes.iter().filter_map(|pass| Some((pass, pass.simulation.as_ref()?)));
         simulated.max_by(|a, b| a.1.path_error_mm.max.total_cmp(&b.1.path_error_mm.max))
     }
 
-    /// The figures of the whole weld; with several passes sums, and the extremes of all passes.
+    /// Returns the key figures of the weld; with several passes sums, and the extremes of all passes.
     pub(super) fn tiles(&self, language: Language) -> Vec<Tile> {
         let totals = &self.totals;
         let tile = |label, value: f64, unit, note| tile(language, (label, unit), number(value), note);
@@ -88,12 +88,12 @@ impl WeldReport {
     }
 }
 
-/// Least and greatest of the values; infinite the wrong way round of none.
+/// Returns minimum and maximum of the values; (∞, -∞) if empty.
 pub(super) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), v| (least.min(v), greatest.max(v)))
 }
 
-/// A value, or the range of several.
+/// Formats a value, or the range of several.
 pub(super) fn range((low, high): (f64, f64), language: Language) -> String {
     if high > low { language.fill("{0} to {1}", &[&number(low), &number(high)]) } else { number(low) }
 }
@@ -103,7 +103,7 @@ fn tile(language: Language, (label, unit): (&'static str, &'static str), value: 
     Tile { label: language.say(label).to_owned(), value, unit, note, ..Tile::default() }
 }
 
-/// What the simulated pass did.
+/// Returns the key figures of the simulated pass.
 fn simulated_tiles(s: &Summary, language: Language) -> [Tile; 2] {
     let (ripple, note) = match (&s.tip_speed_mm_s, s.speed_ripple) {
         (Some(v), Some(ripple)) => {
@@ -121,7 +121,7 @@ fn simulated_tiles(s: &Summary, language: Language) -> [Tile; 2] {
 }
 
 impl PlanFigures {
-    /// What the simulated pass comes to, in words.
+    /// Describes the result of the simulated pass.
     fn simulated(&self, s: &Summary, language: Language) -> String {
         let speed = match s.speed_ripple {
             Some(r) => {
@@ -145,7 +145,7 @@ impl PlanFigures {
     }
 }
 
-/// Arc energy, if current and voltage are given.
+/// Returns the arc energy, if current and voltage are given.
 fn energy_tile((least, greatest): (f64, f64), language: Language) -> Option<Tile> {
     if !greatest.is_finite() {
         return None;

@@ -10,7 +10,7 @@ use seamwright_program::{FindingGroup, FindingPlace, group_findings};
 /// Maximum number of places listed of one finding.
 const MAX_PLACES: usize = 6;
 
-// What drawings show, of one pass and of several.
+// Captions of drawings, for one pass and for several.
 pub(super) const SECTIONS: &str = "Cross-sections along the seam, all at one scale, the second part's face level or a butt joint's face up: beads in the order of welding, and where the wire points in each; the area is that of the groove and of the cap over it.";
 pub(super) const TAUGHT: &str =
     "The seam as welded against the nominal one: at both joins the same place, direction and curvature.";
@@ -27,8 +27,8 @@ pub(super) const FOLLOWING: &str = "Set-point less true position of each axis.";
 pub(super) const AXES: &str = "Planned position, speed and acceleration of each axis against its limits.";
 
 impl WeldReport {
-    /// The report as one self-contained HTML page in this language; `source` is the job's or program's text, `date`
-    /// when it is made, `plots` those of each pass, made in the same language. What people have typed stays as it is.
+    /// Renders the report as one self-contained HTML page in this language. `source` is the text of the job or program,
+    /// `date` that of the report, `plots` those of each pass in the same language. Typed texts stay untranslated.
     pub fn page(&self, plots: &[Plots], source: &str, date: &str, language: Language) -> String {
         let heading = |text| Block::Heading(language.say(text).to_owned());
         let mut blocks = vec![Block::Tiles(self.tiles(language)), heading("Findings")];
@@ -73,7 +73,7 @@ impl WeldReport {
         .render()
     }
 
-    /// Errors and warnings, equal ones once; then notes, which ask for nothing.
+    /// Returns errors and warnings, equal ones once, then notes, which need no action.
     fn findings(&self, language: Language) -> Vec<Block> {
         let several = self.passes.len() > 1;
         let groups = group_findings(&self.findings);
@@ -90,7 +90,7 @@ impl WeldReport {
         blocks
     }
 
-    /// Everything about the pass of a weld that has one.
+    /// Adds all sections about the pass of a single-pass weld.
     fn only_pass(&self, pass: &PassFigures, plots: &Plots, blocks: &mut Vec<Block>, language: Language) {
         let heading = |what| Block::Heading(language.say(what).to_owned());
         blocks.push(heading("Seam and torch"));
@@ -134,7 +134,7 @@ impl WeldReport {
         blocks.extend(axes(pass, plots, language));
     }
 
-    /// The pass against its procedure, if there is one.
+    /// Returns the pass against its procedure, if there is one.
     fn procedure(&self, pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
         let (Some(figures), Some(drawn), Some(procedure)) = (&pass.procedure, &plots.procedure, &self.procedure) else {
             return Vec::new();
@@ -150,7 +150,7 @@ impl WeldReport {
         blocks
     }
 
-    /// What the simulated weld did, if it was simulated.
+    /// Returns the results of the simulated weld, if it was simulated.
     fn simulated(&self, pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
         let (Some(summary), Some(path_error), Some(following), Some(attitude)) =
             (&pass.simulation, &plots.path_error, &plots.following, &plots.attitude)
@@ -171,7 +171,7 @@ impl WeldReport {
     }
 }
 
-/// Seam, torch and what the torch or beam does on its way.
+/// Returns the drawings of seam, torch, process values, weave and oscillation.
 pub(super) fn seam(plots: &Plots, language: Language) -> Vec<Block> {
     let drawn = [
         (Some(plots.seam.to_svg()), "Seam with the torch axis asked for, in the job's frame, first-angle projection."),
@@ -212,7 +212,7 @@ fn speed(pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
     blocks
 }
 
-/// How far the weld lies from the joint, if that may lie elsewhere than planned.
+/// Returns the deviation of the weld from the joint, if the joint may deviate from the plan.
 fn tracking(pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
     let Some((summary, tracked)) = pass.simulation.as_ref().zip(plots.tracking.as_ref()) else { return Vec::new() };
     let mut blocks = vec![
@@ -234,7 +234,7 @@ fn axes(pass: &PassFigures, plots: &Plots, language: Language) -> [Block; 4] {
     ]
 }
 
-/// Room for those who release the weld.
+/// Returns a form for the release of the weld.
 fn released(language: Language) -> Block {
     let row = |who| vec![language.say(who).to_owned(), String::new(), String::new(), String::new()];
     let head = ["", "Name", "Date", "Signature"].map(|head| language.say(head));
@@ -242,12 +242,12 @@ fn released(language: Language) -> Block {
     table(language.say("To be filled in by hand"), &head, rows, 4..4)
 }
 
-/// Lengths, times and positions.
+/// Formats lengths, times and positions.
 pub(super) fn number(value: f64) -> String {
     format_number(value, 5)
 }
 
-/// Errors and deviations, which nobody reads to more digits.
+/// Formats errors and deviations, for which two digits suffice.
 pub(super) fn small(value: f64) -> String {
     format_number(value, 2)
 }
@@ -280,7 +280,7 @@ fn finding(group: &FindingGroup<'_>, several: bool, language: Language) -> Findi
     }
 }
 
-/// Where a finding is; with its pass if there are several.
+/// Formats the location of a finding, with its pass if there are several.
 fn place_text(place: &FindingPlace, several: bool, language: Language) -> String {
     let at = match place.is_point() {
         true => language.fill("s = {0} mm", &[&number(place.from_mm)]),

@@ -1,5 +1,5 @@
-//! A weld of several passes on its page: tables by pass, and the curves of one pass of each kind. The curves of all passes
-//! would fill a book, and say the same again and again.
+//! Page of a weld of several passes: tables by pass, and the curves of one pass of each kind. The curves of all passes
+//! would fill a book with repetitions.
 
 use super::Plots;
 use super::certificate::UseFigures;
@@ -13,14 +13,14 @@ use super::tracking;
 use crate::{Block, Chart, ChartGrid, Language, Table, format_number, said};
 use seamwright_cell::tracking::HeadSummary;
 
-/// A column of a table by pass: its heading and what a pass has in it.
+/// A column of a table by pass: its heading and its cell for a pass.
 type Column<'a> = (String, Box<dyn Fn(&PassFigures) -> String + 'a>);
 
-/// Stands for a value that a pass does not have.
+/// Placeholder for a missing value.
 const NONE: &str = "–";
 
 impl WeldReport {
-    /// What is said of all passes, before the job.
+    /// Returns the sections about all passes, before the job.
     pub(super) fn all_passes(&self, plots: &[Plots], language: Language) -> Vec<Block> {
         let heading = |text| Block::Heading(language.say(text).to_owned());
         let mut blocks = vec![heading("Passes"), self.passes_table(language)];
@@ -44,7 +44,7 @@ impl WeldReport {
         blocks
     }
 
-    /// The curves of one pass of each kind.
+    /// Returns the curves of one pass of each kind.
     pub(super) fn curves(&self, plots: &[Plots], language: Language) -> Vec<Block> {
         let mut blocks = vec![
             Block::Heading(language.say("Curves").to_owned()),
@@ -63,8 +63,8 @@ impl WeldReport {
         blocks
     }
 
-    /// One pass of each kind, in the order of welding: one with a finding against it, or else the longest. A pass without a
-    /// role, as in a program of points, is alike only to those of its name.
+    /// Returns one pass of each kind, in the order of welding: one with a finding against it, or else the longest. A
+    /// pass without a role, as in a program of points, is alike only to those of its name.
     fn typical_passes(&self) -> Vec<usize> {
         let weight = |i: usize| {
             let against = self.findings.iter().any(|f| f.pass == i + 1 && !f.allowed);
@@ -83,8 +83,8 @@ impl WeldReport {
         typical
     }
 
-    /// What each pass is welded with, and what it comes to; passes that are alike in one row. Times of arc and gas are in
-    /// the table of the order: all of it would be wider than a page.
+    /// Returns process values and results of each pass, with equal passes in one row. Times of arc and gas are in the
+    /// table of the order, because the table would be wider than a page.
     fn passes_table(&self, language: Language) -> Block {
         let say = |text: &'static str| language.say(text).to_owned();
         let mut names: Vec<&String> = self.passes.iter().flat_map(|pass| pass.process_range.keys()).collect();
@@ -117,7 +117,7 @@ impl WeldReport {
         Block::Table(by_pass)
     }
 
-    /// The last row of the table of passes: sums under the columns that have some.
+    /// Returns the last row of the table of passes: sums of the columns that have one.
     fn sums(&self, table: &Table, columns: usize, language: Language) -> Vec<String> {
         let totals = &self.totals;
         let sums =
@@ -130,7 +130,7 @@ impl WeldReport {
         all.into_iter().chain(table.head[2..columns + 2].iter().map(sum)).collect()
     }
 
-    /// What was checked of each pass.
+    /// Returns the checks of each pass.
     fn checks_table(&self, language: Language) -> Block {
         let say = |text: &'static str| language.say(text).to_owned();
         let mut columns: Vec<Column<'_>> = vec![
@@ -157,7 +157,7 @@ impl WeldReport {
         Block::Table(by_pass)
     }
 
-    /// Where the axes go in any pass.
+    /// Returns the extremes of the axes over all passes.
     fn axes_of_all(&self) -> Vec<AxisFigures> {
         let mut passes = self.passes.iter().map(|pass| &pass.plan.axes);
         let mut all = passes.next().cloned().unwrap_or_default();
@@ -169,7 +169,7 @@ impl WeldReport {
         all
     }
 
-    /// The greatest use of limits in any pass.
+    /// Returns the maximum use of limits over all passes.
     fn uses_of_all(&self) -> Vec<UseFigures> {
         let mut passes = self.passes.iter().map(|pass| &pass.certificate.uses);
         let mut all = passes.next().cloned().unwrap_or_default();
@@ -183,7 +183,7 @@ impl WeldReport {
         all
     }
 
-    /// What the simulated passes did, if they were simulated.
+    /// Returns the results of the simulated passes, if they were simulated.
     fn simulated_of_all(&self, language: Language) -> Vec<Block> {
         let Some((_, worst)) = self.worst_simulated() else { return Vec::new() };
         let heading = |text| Block::Heading(language.say(text).to_owned());
@@ -210,7 +210,7 @@ impl WeldReport {
         blocks
     }
 
-    /// How far each pass lies from the joint, and how beams corrected.
+    /// Returns the deviation of each pass from the joint, and the corrections of beams.
     fn tracked_of_all(&self, language: Language) -> Vec<Block> {
         let heads = |pass: &PassFigures| pass.simulation.as_ref().map_or_else(Vec::new, |s| s.heads.clone());
         let all: Vec<HeadSummary> = self.passes.iter().flat_map(heads).collect();
@@ -230,7 +230,7 @@ impl WeldReport {
     }
 }
 
-/// A table about the heads of one pass, if it has something to show.
+/// A table about the heads of one pass, if it has rows.
 type HeadTable = fn(&[HeadSummary], Language) -> Option<Table>;
 
 /// Joins the tables of several passes, which have the same columns, with the number of the pass in front.
@@ -248,7 +248,7 @@ fn joined(tables: impl Iterator<Item = (usize, Table)>, language: Language) -> O
     Some(all)
 }
 
-/// A table with a row a pass; passes that follow one another and have the same in all columns share one.
+/// Creates a table with a row per pass; consecutive passes with equal columns share one.
 fn by_pass(passes: &[PassFigures], columns: &[Column<'_>], caption: &str, language: Language) -> Table {
     let mut rows: Vec<(usize, usize, Vec<String>)> = Vec::new();
     for (i, pass) in passes.iter().enumerate() {
@@ -281,13 +281,13 @@ fn optional(text: Option<String>) -> String {
     text.unwrap_or_else(|| NONE.to_owned())
 }
 
-/// A range to three digits.
+/// Formats a range to three digits.
 fn short_range((low, high): (f64, f64), language: Language) -> String {
     let ends = [low, high].map(|value| format_number(value, 3));
     if ends[0] == ends[1] { ends[0].clone() } else { language.fill("{0} to {1}", &ends.each_ref().map(String::as_str)) }
 }
 
-/// The drawings of one pass.
+/// Returns the drawings of one pass.
 fn pass_curves(pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
     let mut blocks = seam(plots, language);
     for taught in &plots.taught {

@@ -5,76 +5,77 @@ use seamwright_program::{Pass, ProcessValues, SeamStart, Sequence, Tolerance};
 use seamwright_weld::Welding;
 use serde::Serialize;
 
-/// The plan in numbers.
+/// Figures of the plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlanFigures {
-    /// Least and greatest speed asked for, mm/s; they differ where spans do and in ramps.
+    /// Minimum and maximum requested speed, mm/s; they differ between spans and in ramps.
     pub asked_speed_mm_s: (f64, f64),
-    /// True if every axis can hold the asked speed everywhere.
+    /// True if every axis can hold the requested speed everywhere.
     pub speed_held: bool,
     /// Path length of the pass, mm.
     pub length_mm: f64,
-    /// Least planned speed between run-up and run-down, mm/s.
+    /// Minimum planned speed between acceleration and deceleration phase, mm/s.
     pub least_speed_mm_s: f64,
-    /// Greatest planned speed, mm/s.
+    /// Maximum planned speed, mm/s.
     pub greatest_speed_mm_s: f64,
-    /// Length of the run-up, mm.
+    /// Length of the acceleration phase, mm.
     pub run_up_mm: f64,
-    /// Length of the run-down, mm.
+    /// Length of the deceleration phase, mm.
     pub run_down_mm: f64,
     /// Travel time from rest to rest, s.
     pub weld_s: f64,
     /// Time with the arc (or beam) on, s.
     pub arc_on_s: f64,
-    /// Time from the first gas to the last, s.
+    /// Time from the start of gas preflow to the end of postflow, s.
     pub total_s: f64,
-    /// Largest angle between the torch attitude asked for and the one the axes reach, degrees.
+    /// Maximum angle between the requested torch attitude and that of the axes, degrees.
     pub attitude_error_deg: f64,
-    /// Where that is, mm.
+    /// Path length of that maximum, mm.
     pub attitude_error_at_mm: f64,
-    /// Arc energy U I / v at the planned speed between run-up and run-down, least and greatest, kJ/mm, if current and
-    /// voltage are given.
+    /// Minimum and maximum arc energy U I / v at the planned speed between acceleration and deceleration phase, kJ/mm,
+    /// if current and voltage are given.
     pub arc_energy_kj_mm: Option<(f64, f64)>,
-    /// Where the weld starts, which way it goes, its overlap.
+    /// Start, direction and overlap of the weld.
     pub start: SeamStart,
     /// Times before and after the travel.
     pub sequence: Sequence,
-    /// How far from what was asked the weld may be.
+    /// Allowed deviation of the weld from the request.
     pub tolerance: Tolerance,
     /// Process values of the first span.
     pub process: ProcessValues,
-    /// Each axis' extremes against its limits.
+    /// Extremes of each axis against its limits.
     pub axes: Vec<AxisFigures>,
 }
 
-/// What the plan asks of one axis, in mm or degrees.
+/// Motion of one axis in the plan, in mm or degrees.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AxisFigures {
     /// Name.
     pub axis: String,
     /// `mm` or `deg`.
     pub unit: &'static str,
-    /// Least position.
+    /// Minimum position.
     pub min: f64,
-    /// Greatest position.
+    /// Maximum position.
     pub max: f64,
     /// Range, if it has one.
     pub range: Option<(f64, f64)>,
-    /// Greatest speed, per s.
+    /// Maximum speed, per s.
     pub speed: f64,
-    /// Its limit.
+    /// Speed limit.
     pub max_speed: f64,
-    /// Greatest acceleration, per s^2.
+    /// Maximum acceleration, per s^2.
     pub acceleration: f64,
-    /// Its limit.
+    /// Acceleration limit.
     pub max_acceleration: f64,
-    /// Greatest jerk, per s^3.
+    /// Maximum jerk, per s^3.
     pub jerk: f64,
-    /// Its limit.
+    /// Jerk limit.
     pub max_jerk: f64,
 }
 
-/// Least and greatest arc energy (kJ/mm) at the planned speed within `steady`, if current and voltage are given there.
+/// Returns minimum and maximum arc energy (kJ/mm) at the planned speed in the steady part of `legs`, if current and
+/// voltage are given there.
 fn arc_energy(pass: &Pass, samples: &[Sample], legs: &[Leg]) -> Option<(f64, f64)> {
     let steady = |s: f64| legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);
     let inside = samples.iter().filter(|s| steady(s.s) && s.speed > 0.0);
@@ -89,7 +90,7 @@ fn arc_energy(pass: &Pass, samples: &[Sample], legs: &[Leg]) -> Option<(f64, f64
 }
 
 impl PlanFigures {
-    /// The numbers of pass `pass` of the program, planned as `motion`.
+    /// Computes the figures of pass `pass` of the program, planned as `motion`.
     pub(crate) fn new(
         machine: &Machine,
         welding: &Welding,

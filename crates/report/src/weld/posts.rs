@@ -1,4 +1,4 @@
-//! The proof of each part program that was written with the plan.
+//! Verification of each part program written with the plan.
 
 use super::page::{number, table};
 use crate::{Block, Language, said};
@@ -10,21 +10,21 @@ use serde::Serialize;
 pub struct PostFigures {
     /// Name of the control's language.
     pub dialect: &'static str,
-    /// The file.
+    /// File name.
     pub file: String,
-    /// Greatest distance allowed between the blocks' path and the planned one of the tip, mm.
+    /// Maximum allowed distance between the path of the blocks and the planned path of the torch tip, mm.
     pub tolerance_mm: f64,
-    /// How the text, read back, compares with the plan.
+    /// Comparison of the text, read back, with the plan.
     pub proof: Verification,
 }
 
 impl PostFigures {
-    /// Of a part program in the file `file`.
+    /// Creates the figures of a part program in the file `file`.
     pub fn new(dialect: Dialect, file: &str, tolerance_mm: f64, proof: Verification) -> Self {
         Self { dialect: dialect.name(), file: file.to_owned(), tolerance_mm, proof }
     }
 
-    /// Text and table for the page.
+    /// Returns text and table for the page.
     pub(super) fn blocks(&self, language: Language) -> [Block; 2] {
         let text = language.fill(
             "{0} for {1}: {2} moves, read back, played by the control's own rules for interpolation and feeds, taken \

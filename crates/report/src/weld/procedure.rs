@@ -1,4 +1,4 @@
-//! The pass against its welding procedure: numbers, charts and tables.
+//! Comparison of a pass with its welding procedure: figures, charts and tables.
 
 use super::charts::{chart, line};
 use super::page::{number, table};
@@ -7,7 +7,7 @@ use seamwright_motion::procedure::PassProcedure;
 use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};
 use serde::Serialize;
 
-/// Which procedure.
+/// The procedure of a weld.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ProcedureFigures {
     /// Its number.
@@ -18,7 +18,7 @@ pub struct ProcedureFigures {
     pub process: u16,
     /// Name of the process.
     pub process_name: &'static str,
-    /// Part of the power that counts as heat input.
+    /// Fraction of the power that counts as heat input.
     pub thermal_efficiency: f64,
 }
 
@@ -34,31 +34,31 @@ impl ProcedureFigures {
     }
 }
 
-/// What a pass does, and what its procedure allows.
+/// Values of a pass and the limits of its procedure.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PassProcedureFigures {
-    /// The procedure's run that it belongs to; none if there is none.
+    /// Run of the procedure for this pass; `None` if it has no matching run.
     pub run: Option<String>,
-    /// `fillet` or `butt`, for the positions.
+    /// Kind of weld for the positions: `fillet` or `butt`.
     pub joint: FilletOrButt,
     /// Values along the pass.
     pub quantities: Vec<QuantityFigures>,
-    /// Positions allowed; any if none are given.
+    /// Allowed positions; `None` allows any.
     pub positions_allowed: Option<Vec<WeldingPosition>>,
-    /// Positions one after the other.
+    /// Positions in order along the pass.
     pub positions: Vec<PositionFigures>,
 }
 
 /// A value along a pass.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct QuantityFigures {
-    /// Its key, which ends in its unit.
+    /// Key, which ends in the unit.
     pub key: String,
-    /// Least and greatest value of the plan; none if it is to be measured or not known.
+    /// Minimum and maximum value of the plan; `None` if it is to be measured or unknown.
     pub found: Option<(f64, f64)>,
-    /// Least and greatest value allowed.
+    /// Minimum and maximum allowed value.
     pub allowed: Option<(f64, f64)>,
-    /// Where it is outside; a value without bound (a torch at rest) is null.
+    /// Stretches outside the allowed range; a value without bound (a torch at rest) is null.
     pub outside: Vec<Outside>,
 }
 
@@ -69,13 +69,13 @@ pub struct PositionFigures {
     pub position: WeldingPosition,
     /// Whether the procedure allows it.
     pub allowed: bool,
-    /// Path length at which it begins, mm.
+    /// Path length of its start, mm.
     pub from_mm: f64,
-    /// Path length at which it ends, mm.
+    /// Path length of its end, mm.
     pub to_mm: f64,
-    /// Least and greatest slope in it, degrees.
+    /// Minimum and maximum slope in it, degrees.
     pub slope_deg: Option<(f64, f64)>,
-    /// Least and greatest rotation in it, degrees.
+    /// Minimum and maximum rotation in it, degrees.
     pub rotation_deg: Option<(f64, f64)>,
 }
 
@@ -116,13 +116,13 @@ impl PassProcedureFigures {
 /// Charts of a pass against its procedure.
 #[derive(Debug, Clone)]
 pub struct ProcedurePlots {
-    /// Heat input over path length, if the pass says its power.
+    /// Heat input over path length, if the pass gives its power.
     pub heat_input: Option<Chart>,
     /// Slope and rotation over path length, with the positions above.
     pub positions: Chart,
 }
 
-/// Heat input is shown up to this many times the greatest allowed: near a stop it has no bound.
+/// Maximum ratio of shown to allowed heat input: near a stop it has no bound.
 const SHOWN: f64 = 2.5;
 
 impl ProcedurePlots {
@@ -176,7 +176,7 @@ fn heat_input(held: &PassProcedure, language: Language) -> Chart {
     }
 }
 
-/// Which procedure and run, and how heat input is reckoned.
+/// Describes procedure, run and calculation of heat input.
 pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureFigures, language: Language) -> String {
     let run = match &pass.run {
         Some(run) => language.fill("run {0}", &[run]),
@@ -200,7 +200,7 @@ pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureF
     )
 }
 
-/// What was found against what is allowed.
+/// Returns the planned values against the allowed ones.
 pub(super) fn windows_table(figures: &PassProcedureFigures, language: Language) -> Block {
     let rows = figures.quantities.iter().map(|q| window_row(q, verdict(q, language), language));
     windows(language.say("The plan against the procedure"), rows.collect(), language)
@@ -223,7 +223,7 @@ pub(super) fn window_row(q: &QuantityFigures, verdict: String, language: Languag
     vec![said::named_value(language, &q.key), least, greatest, allowed, verdict]
 }
 
-/// Rounding about zero is zero.
+/// Formats a value; rounding noise becomes zero.
 fn value(v: f64, language: Language) -> String {
     match v {
         v if v.is_infinite() => language.say("no bound").to_owned(),
@@ -247,7 +247,7 @@ pub(super) fn verdict(q: &QuantityFigures, language: Language) -> String {
     }
 }
 
-/// The positions one after the other.
+/// Returns the positions in order along the pass.
 pub(super) fn positions_table(figures: &PassProcedureFigures, language: Language) -> Block {
     let rows = figures.positions.iter().map(|p| {
         vec![

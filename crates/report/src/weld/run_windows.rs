@@ -1,4 +1,4 @@
-//! The passes of each run of the procedure together: what they do against what it allows.
+//! Values of the passes of each run of the procedure against its limits.
 
 use super::figures::WeldReport;
 use super::page::{number, table};
@@ -10,7 +10,7 @@ use seamwright_program::WeldingPosition;
 
 /// The passes of one run.
 struct RunPasses<'a> {
-    /// Number, counted from 1, and figures of each.
+    /// Number, counted from 1, and figures of each pass.
     passes: Vec<(usize, &'a PassProcedureFigures)>,
 }
 
@@ -25,7 +25,7 @@ struct PositionSum {
 }
 
 impl WeldReport {
-    /// All passes against their procedure, run by run, if there is one.
+    /// Returns all passes against their procedure, run by run, if there is one.
     pub(super) fn procedure_of_all(&self, language: Language) -> Vec<Block> {
         let Some(procedure) = &self.procedure else { return Vec::new() };
         let mut runs: Vec<RunPasses<'_>> = Vec::new();
@@ -66,7 +66,7 @@ impl<'a> RunPasses<'a> {
         windows(&caption, rows.collect(), language)
     }
 
-    /// The quantity with the extremes of all passes, and the passes in which it is outside.
+    /// Returns the quantity with the extremes of all passes, and the passes in which it is outside.
     fn quantity(&self, of: &QuantityFigures) -> (QuantityFigures, Vec<usize>) {
         let (mut found, mut outside) = (None, Vec::new());
         for (number, figures) in &self.passes {
@@ -123,7 +123,7 @@ impl<'a> RunPasses<'a> {
     }
 }
 
-/// The range that holds both.
+/// Returns the union of both ranges.
 fn wider(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
     match (a, b) {
         (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
@@ -131,7 +131,7 @@ fn wider(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
     }
 }
 
-/// Increasing numbers of passes: `1 to 4, 6`.
+/// Formats increasing numbers of passes: `1 to 4, 6`.
 fn numbers(passes: &[usize], language: Language) -> String {
     let runs = passes.chunk_by(|a, b| *b == a + 1);
     let text = |run: &[usize]| match run {

@@ -3,25 +3,25 @@ use seamwright_motion::PassMotion;
 use seamwright_program::Weaving;
 use seamwright_weld::Welding;
 
-/// Evenly spaced places along the weld, and places closing in on each end, where the speed changes quickly.
+/// Numbers of evenly spaced stations, and of stations that close in on each end, where the speed changes quickly.
 const EVEN: u32 = 1200;
 const NEAR_ENDS: i32 = 60;
-/// Places in a period of a weave, at least.
+/// Minimum number of stations per weave period.
 const A_PERIOD: f64 = 32.0;
 
-/// The plan at one place along the weld; mm, deg, s.
+/// The plan at one station of the weld; mm, deg, s.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Sample {
     pub(crate) s: f64,
-    /// Planned speed of the tip.
+    /// Planned speed of the torch tip.
     pub(crate) speed: f64,
-    /// Each axis' position, speed, acceleration and jerk, in mm or degrees.
+    /// Position, speed, acceleration and jerk of each axis, in mm or degrees.
     pub(crate) axes: Vec<[f64; 4]>,
     /// Work angle (offset from the bisector), travel angle and dihedral angle, along a seam.
     pub(crate) angles: Option<(f64, f64, f64)>,
 }
 
-/// The plan along the whole of pass `pass`, counted from 0.
+/// Samples the plan along the whole of pass `pass`, counted from 0.
 pub(crate) fn samples(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion) -> Vec<Sample> {
     let length = motion.path.length();
     let pass_as_asked = &welding.program.value.passes[pass];

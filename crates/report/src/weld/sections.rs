@@ -3,20 +3,20 @@ use glam::DVec2;
 use seamwright_program::Role;
 use seamwright_weld::{BeadAt, BeadPlan, Section, Welding};
 
-/// Cross-sections of the joint at path lengths `places` (mm), with its beads if they are planned, and the torch in each of
-/// them; places without a groove are left out.
+/// Draws cross-sections of the joint at path lengths `places` (mm), with planned beads and the torch in each of them.
+/// Omits stations without a groove.
 pub fn sections(welding: &Welding, places: &[f64], language: Language) -> Gallery {
     let drawing = |s: &f64| section(welding, *s, language);
     Gallery { language, title: String::new(), sections: places.iter().filter_map(drawing).collect() }
 }
 
-/// Where the torch points in a section and the angle of its body from the bisector, rad.
+/// Target of the torch in a section, and the angle of its body from the bisector, rad.
 struct Torch {
     tip: DVec2,
     lean: f64,
 }
 
-/// The torch in each bead, or at the seam where no beads are planned.
+/// Returns the torch in each bead, or at the seam without planned beads.
 fn torches(welding: &Welding, here: Option<&(&BeadPlan, Vec<BeadAt>)>, s: f64) -> Vec<Torch> {
     let work = |role| welding.torch_angles(role, s).map(|(work, _)| work);
     match here {
@@ -31,7 +31,7 @@ fn torches(welding: &Welding, here: Option<&(&BeadPlan, Vec<BeadAt>)>, s: f64) -
     }
 }
 
-/// The torch's own angles, of the weld's first pass that is no tack.
+/// Describes the torch angles of the weld's first pass other than a tack.
 fn torch_note(welding: &Welding, s: f64, language: Language) -> Option<String> {
     let roles = [None, Some(Role::Root), Some(Role::Fill), Some(Role::Cap)];
     let (work, travel) = roles.into_iter().find_map(|role| welding.torch_angles(role, s))?;

@@ -1,11 +1,11 @@
-//! A simulated pass in words and numbers.
+//! Results of a simulated pass in words and numbers.
 
 use super::figures::ClearanceFigures;
 use super::page::{number, small, table};
 use crate::{Block, Language, format_number, said};
 use seamwright_cell::Summary;
 
-/// How it was simulated, and what it comes to.
+/// Describes the simulation and its result.
 pub(super) fn simulation_text(s: &Summary, assumed: &[String], language: Language) -> String {
     let mut text = vec![language.fill(
         "Every axis on its position loop at the servo period, with inertia, friction, cogging, encoder steps and current limit (seed {0}). It is the nominal part: no misplacement, no distortion, no fit-up error, no wire cast. Speed ripple is the greatest deviation of the tip's speed from the planned one, from half a second after the run-up to the run-down.",
@@ -39,13 +39,13 @@ pub(super) fn following_table(summary: &Summary, language: Language) -> Block {
 }
 
 impl ClearanceFigures {
-    /// The nearest place in words.
+    /// Describes the minimum distance and its position.
     pub(super) fn nearest_text(&self, language: Language) -> Option<String> {
         let of = [self.between_text(language)?, number(self.nearest_mm), number(self.at_mm?)];
         Some(language.fill("Nearest: {0}, {1} mm apart at s = {2} mm.", &of.each_ref().map(String::as_str)))
     }
 
-    /// Which two things come nearest, in words.
+    /// Names the two objects with the minimum distance.
     pub(super) fn between_text(&self, language: Language) -> Option<String> {
         let between = self.between.as_ref()?;
         let pair = between

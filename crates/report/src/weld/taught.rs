@@ -1,4 +1,4 @@
-//! Charts of the spans of a seam that are taught.
+//! Charts of the taught spans of a seam.
 
 use super::charts::{chart, line};
 use crate::{Band, Chart, ChartGrid, Language, Series, Style, format_number};
@@ -6,27 +6,27 @@ use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_weld::{SeamCurve, TaughtSpan};
 
-/// Places of a span and of what is shown beside it.
+/// Number of intervals over a span and the seam shown beside it.
 const PLACES: u32 = 600;
-/// How much of the seam is shown to each side, as a part of the span.
+/// Length of the seam shown to each side, as a fraction of the span.
 const BESIDE: f64 = 0.2;
 
-/// One span: how it leaves the nominal seam and comes back, and how the torch goes along it.
+/// Plots of one span: its deviation from the nominal seam, and the torch motion along it.
 #[derive(Debug, Clone)]
 pub struct TaughtPlot {
-    /// What is seen, in words.
+    /// Description of the plots.
     pub text: String,
     /// Distance, direction, curvature and speed over path length.
     pub charts: ChartGrid,
 }
 
-/// All taught spans of `seam` in one pass.
+/// Plots all taught spans of `seam` in one pass.
 pub(crate) fn taught(machine: &Machine, seam: &SeamCurve, motion: &PassMotion, language: Language) -> Vec<TaughtPlot> {
     let spans = seam.taught().iter().enumerate();
     spans.map(|(i, span)| Shown { seam, span, number: i + 1, language }.plot(machine, motion)).collect()
 }
 
-/// A span that is shown.
+/// A span to plot.
 struct Shown<'a> {
     seam: &'a SeamCurve,
     span: &'a TaughtSpan,
@@ -86,7 +86,7 @@ impl Shown<'_> {
         TaughtPlot { text: self.text(&places), charts: ChartGrid { title, columns: 1, charts } }
     }
 
-    /// Where the charts have values: evenly, with the joins and the points among them.
+    /// Returns the stations of the charts: evenly spaced, plus joins and taught points.
     fn places(&self) -> Vec<f64> {
         let (from, to) = self.span.seam;
         let beside = BESIDE * (to - from);
@@ -99,7 +99,7 @@ impl Shown<'_> {
         places
     }
 
-    /// The place on the nominal seam that goes along with `s`.
+    /// Returns the station of the nominal seam that corresponds to `s`.
     fn nominal_s(&self, s: f64) -> f64 {
         let ((from, to), (a, b)) = (self.span.seam, self.span.nominal);
         match (s - from) / (to - from) {

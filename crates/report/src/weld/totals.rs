@@ -1,17 +1,17 @@
-//! What all passes together come to: lengths, times, arc energy, wire.
+//! Totals of all passes: lengths, times, arc energy, wire.
 
 use super::figures::PassFigures;
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::Pass;
 use serde::Serialize;
 
-/// Instants at which process values are summed up while the arc is on: a ramp of a tenth of it is met to 0.01 %.
+/// Number of instants for integrating process values while the arc is on; a ramp of a tenth of it is exact to 0.01 %.
 const INSTANTS: u32 = 4000;
 
 /// Sums over all passes; mm, s.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TotalsFigures {
-    /// Number of passes, tacks too.
+    /// Number of passes, including tacks.
     pub passes: usize,
     /// Length of all passes together, mm.
     pub length_mm: f64,
@@ -19,13 +19,13 @@ pub struct TotalsFigures {
     pub weld_s: f64,
     /// Time with the arc (or beam) on, s.
     pub arc_on_s: f64,
-    /// Time of the air moves, s.
+    /// Time of the transfer moves, s.
     pub air_s: f64,
     /// Time from home to home, s.
     pub total_s: f64,
-    /// Arc energy U I t, kJ; none if a pass with an arc gives no current and voltage.
+    /// Arc energy U I t, kJ; `None` if a pass with an arc has no current or voltage.
     pub arc_energy_kj: Option<f64>,
-    /// Length of wire, m; none if a pass with an arc gives no wire feed.
+    /// Length of wire, m; `None` if a pass with an arc has no wire feed.
     pub wire_m: Option<f64>,
 }
 
@@ -45,19 +45,19 @@ impl TotalsFigures {
     }
 }
 
-/// Arc energy of one pass U I t, kJ: nothing without an arc, unknown without current and voltage.
+/// Returns the arc energy U I t of one pass, kJ: zero without an arc, `None` without current and voltage.
 pub(super) fn arc_energy_kj(pass: &Pass, motion: &PassMotion) -> Option<f64> {
     let watts = |name: &dyn Fn(&str) -> Option<f64>| Some(name("current_a")? * name("voltage_v")?);
     Some(while_arc_is_on(pass, motion, watts)? / 1000.0)
 }
 
-/// Wire that one pass takes, m: nothing without an arc, unknown without a wire feed.
+/// Returns the wire of one pass, m: zero without an arc, `None` without a wire feed.
 pub(super) fn wire_m(pass: &Pass, motion: &PassMotion) -> Option<f64> {
     let metres_per_minute = |name: &dyn Fn(&str) -> Option<f64>| name("wire_feed_m_min");
     Some(while_arc_is_on(pass, motion, metres_per_minute)? / 60.0)
 }
 
-/// The integral over time of what `rate` makes of the process values, while the arc is on.
+/// Integrates `rate` of the process values over the time with the arc on.
 fn while_arc_is_on(
     pass: &Pass,
     motion: &PassMotion,

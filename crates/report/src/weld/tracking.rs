@@ -1,4 +1,4 @@
-//! How far a weld lies from a joint that is elsewhere than planned, with and without tracking.
+//! Deviation of a weld from a displaced joint, with and without tracking.
 
 use super::charts::{chart, line};
 use super::curves::{Envelope, SimulationCurves};
@@ -8,11 +8,11 @@ use seamwright_cell::tracking::{BeamFit, HeadSample, HeadSummary};
 /// One head's curves over path length, gathered sample by sample; mm.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct HeadCurves {
-    /// Where the joint truly is: lateral, height.
+    /// Actual position of the joint: lateral, height.
     seam: [Envelope; 2],
     miss: [Envelope; 2],
     sigma: Envelope,
-    /// What a beam's deflection corrects, and what the axes that carry the gun.
+    /// Correction by the beam's deflection, and by the axes that carry the gun.
     beam: [Envelope; 2],
 }
 
@@ -37,7 +37,7 @@ impl HeadCurves {
     }
 }
 
-/// Before and after: of each head the joint beside the planned path, and the weld beside the joint.
+/// Plots for each head the joint relative to the planned path, and the weld relative to the joint.
 pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary], language: Language) -> Option<ChartGrid> {
     let mut charts = Vec::new();
     for (head, curves) in heads.iter().zip(&curves.heads) {
@@ -74,9 +74,9 @@ pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary], language:
     (!charts.is_empty()).then(|| ChartGrid { title: language.say("Joint and weld").to_owned(), columns: 1, charts })
 }
 
-/// Both numbers of each head.
+/// Returns the deviations of each head with and without tracking.
 pub(super) fn table(heads: &[HeadSummary], language: Language) -> Table {
-    // Of a weld that was not begun nothing is known.
+    // A head that has not welded has no deviations.
     let mm =
         |value: f64| if value.is_finite() { format_number(value, 3) } else { language.say("none welded").to_owned() };
     let row = |h: &HeadSummary| {
@@ -114,7 +114,7 @@ pub(super) fn table(heads: &[HeadSummary], language: Language) -> Table {
     }
 }
 
-/// How beams corrected; none if no beam did.
+/// Returns the corrections of beams; `None` without a beam.
 pub(super) fn beam_table(heads: &[HeadSummary], language: Language) -> Option<Table> {
     let number = format_number;
     let row = |h: &HeadSummary| {
@@ -148,7 +148,7 @@ pub(super) fn beam_table(heads: &[HeadSummary], language: Language) -> Option<Ta
     })
 }
 
-/// What the operator should look at.
+/// Describes the alarms that the operator should check.
 pub(super) fn text(heads: &[HeadSummary], language: Language) -> String {
     let alarms = heads.iter().flat_map(|h| h.alarms.iter().map(move |a| (h, a)));
     let told = alarms.map(|(h, a)| {

@@ -3,16 +3,16 @@ use crate::{Chart, Language, LimitLine, format_number};
 use seamwright_program::Pass;
 use seamwright_weld::PassPath;
 
-/// Periods of a weave that are drawn, within these lengths (mm), and places a period.
+/// Number of drawn weave periods, minimum and maximum drawn length (mm), and number of points per period.
 const PERIODS: f64 = 6.0;
 const DRAWN_MM: (f64, f64) = (20.0, 60.0);
 const PLACES: f64 = 96.0;
 
-/// Periods of an oscillation that are drawn.
+/// Number of drawn oscillation periods.
 const TURNS: u32 = 5;
 
-/// The woven path of the first centimetres of a pass, seen along the torch with the seam laid straight, at one scale both
-/// ways; none without a weave.
+/// Draws the woven path of the first centimetres of a pass, seen along the torch with the seam laid straight. Both
+/// scales are equal; `None` without a weave.
 pub(super) fn weave(pass: &Pass, path: &PassPath, language: Language) -> Option<Chart> {
     let (weave, weaving) = (pass.weave.as_ref()?, path.weaving.as_ref()?);
     let length = pass.length();
@@ -40,7 +40,7 @@ pub(super) fn weave(pass: &Pass, path: &PassPath, language: Language) -> Option<
     })
 }
 
-/// The beam's path on the work over several periods at the pass' first speed, at one scale both ways; none without an
+/// Draws the beam's path on the work over several periods at the pass' first speed, at equal scales; `None` without an
 /// oscillation.
 pub(super) fn oscillation(pass: &Pass, language: Language) -> Option<Chart> {
     let oscillation = pass.oscillation.as_ref()?;

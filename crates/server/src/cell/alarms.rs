@@ -5,33 +5,34 @@ use seamwright_cell::executive::{Alarm, AlarmList, AlarmState, Ask, Note, Raised
 use seamwright_record::{Moment, library};
 use std::time::{Duration, Instant};
 
-/// Nothing is shelved for longer, min: a shift.
-const MOST_MINUTES: u32 = 480;
+/// Maximum time for which an alarm is shelved, min: one shift.
+const MAX_MINUTES: u32 = 480;
 
-/// The executive's list of alarms, kept in step by what it notes; those that nobody has acknowledged before this program began; who
-/// acknowledged which, and which are shelved.
+/// Copy of the executive's alarm list, updated from its notes. Adds unacknowledged alarms of earlier runs,
+/// acknowledgements and shelving.
 pub(super) struct Mirror {
-    /// They have returned as far as anybody knows: what is there still is raised anew. Details count down from the highest.
+    /// Alarms of earlier runs, shown as returned: the executive raises active ones anew. Details count down from the
+    /// maximum.
     before: Vec<AlarmView>,
     list: AlarmList,
     said: Vec<Said>,
     shelf: Vec<Shelved>,
 }
 
-/// What is known of an alarm on the list beside what the executive knows.
+/// Data of a listed alarm that the executive does not know.
 struct Said {
     key: (Alarm, u8),
     at: Moment,
     acknowledged: Option<WhoWhen>,
 }
 
-/// An alarm that is put aside.
+/// A shelved alarm.
 struct Shelved {
     view: AlarmView,
     ends: Instant,
 }
 
-/// What is shown of an alarm's number and detail.
+/// Returns number and detail of a shown alarm.
 fn key(view: &AlarmView) -> (u8, u8) {
     (view.number, view.detail)
 }
@@ -43,7 +44,7 @@ impl Mirror {
         Self { before, list: AlarmList::default(), said: Vec::new(), shelf: Vec::new() }
     }
 
-    /// True if the list has changed; `user` asked, if it is about a command.
+    /// Updates the list from a note. Returns true if it changed; `user` gave the command, if there is one.
     pub(super) fn noted(&mut self, note: &Note, user: &str) -> bool {
         let mut changed = false;
         match note {
@@ -68,14 +69,14 @@ impl Mirror {
         let key = (raised.alarm, raised.detail);
         self.said.retain(|said| said.key != key);
         self.said.push(Said { key, at: Moment::now(), acknowledged: None });
-        // What does more than tell is seen, whatever was put aside.
+        // An alarm with a reaction beyond `Tell` is shown even if it was shelved.
         if raised.reaction != Reaction::Tell {
             let number = raised.alarm.number() as u8;
             self.shelf.retain(|shelved| self::key(&shelved.view) != (number, raised.detail));
         }
     }
 
-    /// Somebody knows one alarm or all; true if one was from before this program.
+    /// Acknowledges one alarm or all. Returns true if one of an earlier run was among them.
     fn acknowledged(&mut self, one: Option<(Alarm, u8)>, user: &str) -> bool {
         let before = self.before.len();
         self.before.retain(|view| one.is_some_and(|(a, d)| (a.number() as u8, d) != key(view)));
@@ -90,7 +91,7 @@ impl Mirror {
         before != self.before.len()
     }
 
-    /// What the library calls the alarm that is acknowledged by itself.
+    /// Returns the library's name of an alarm that is acknowledged individually.
     pub(super) fn name(&self, names: &Names, (alarm, detail): (Alarm, u8)) -> String {
         let views = self.before.iter().find(|view| key(view) == (alarm.number() as u8, detail));
         let of = views.map_or_else(|| names.detail(alarm, detail), |view| view.of.clone());
@@ -98,15 +99,15 @@ impl Mirror {
         of.map_or_else(|| name.to_owned(), |of| format!("{name} ({of})"))
     }
 
-    /// Puts an alarm aside for a while, or takes it back; its name.
+    /// Shelves an alarm for a time, or unshelves it. Returns its name.
     ///
     /// # Errors
-    /// In words: one that is not on the list, or does more than tell: those stop the process or keep it from being started, and
-    /// are never hidden.
+    /// In words, if the alarm is not listed or its reaction is not `Tell`. Alarms that stop the process or prevent its
+    /// start are never hidden.
     pub(super) fn shelve(&mut self, names: &Names, asked: &Shelving, by: &str) -> Result<String, String> {
         let wanted = (asked.number, asked.detail);
-        if asked.minutes > MOST_MINUTES {
-            return Err(format!("{} min; allowed: up to {MOST_MINUTES}", asked.minutes));
+        if asked.minutes > MAX_MINUTES {
+            return Err(format!("{} min; allowed: up to {MAX_MINUTES}", asked.minutes));
         }
         let views = self.views(names);
         let Some(view) = views.into_iter().find(|view| key(view) == wanted) else {
@@ -129,21 +130,21 @@ impl Mirror {
         Ok(name)
     }
 
-    /// Takes back what has been put aside for long enough; true if there was some.
+    /// Unshelves alarms whose time is over. Returns true if there were any.
     pub(super) fn expire(&mut self) -> bool {
         let before = self.shelf.len();
         self.shelf.retain(|shelved| Instant::now() < shelved.ends);
         before != self.shelf.len()
     }
 
-    /// Another machine has an executive of its own: what it raises, it raises anew.
+    /// Clears the list: another machine has its own executive, which raises its alarms anew.
     pub(super) fn forget(&mut self) {
         self.list = AlarmList::default();
         self.said.clear();
         self.shelf.clear();
     }
 
-    /// All on the list, then what is shelved and not on it.
+    /// Returns all listed alarms, then those that are shelved and no longer listed.
     pub(super) fn views(&self, names: &Names) -> Vec<AlarmView> {
         let shelved = |view: &AlarmView| self.shelf.iter().find(|s| key(&s.view) == key(view)).map(|s| &s.view.shelved);
         let seen = self.list.iter().map(|raised| {
@@ -166,7 +167,7 @@ impl Mirror {
     }
 }
 
-/// An alarm as the library has it, `NAME (OF)`; none if this version has no such alarm.
+/// Parses a library alarm, `NAME (OF)`; `None` if this version has no such alarm.
 fn returned(kept: &library::Alarm) -> Option<AlarmView> {
     let split = |text: &str| text.strip_suffix(')')?.split_once(" (").map(|(a, b)| (a.to_owned(), b.to_owned()));
     let (name, of) = split(&kept.name).map_or_else(|| (kept.name.clone(), None), |(name, of)| (name, Some(of)));
@@ -241,7 +242,7 @@ mod tests {
         Shelving { number: alarm.number() as u8, detail: 0, minutes }
     }
 
-    /// Only what tells is put aside, for a shift at most; the others are always seen.
+    /// Only alarms with reaction `Tell` can be shelved, for one shift at most.
     #[test]
     fn what_stops_the_process_is_never_shelved() {
         let names = names();
@@ -251,13 +252,14 @@ mod tests {
             mirror.noted(&alarm(of), "");
             let tells = of.entry().reaction == Reaction::Tell && of != Alarm::Interlock;
             assert_eq!(mirror.shelve(&names, &asked(of, 5), "ada").is_ok(), tells, "{of:?}");
-            assert!(mirror.shelve(&names, &asked(of, MOST_MINUTES + 1), "ada").is_err());
+            assert!(mirror.shelve(&names, &asked(of, MAX_MINUTES + 1), "ada").is_err());
             let view = mirror.views(&names).pop().unwrap();
             assert_eq!(view.shelved.map(|s| s.by), tells.then(|| "ada".to_owned()), "{of:?}");
         }
     }
 
-    /// What is shelved and comes with more than telling is seen at once; what has gone is on the shelf until its time is over.
+    /// A shelved alarm that returns with a stronger reaction is shown at once. A shelved alarm that has gone stays
+    /// shelved until its time is over.
     #[test]
     fn a_shelf_hides_nothing_that_grows_worse() {
         let names = names();
@@ -271,7 +273,7 @@ mod tests {
         assert!(!mirror.expire());
         mirror.shelf[0].ends = Instant::now();
         assert!(mirror.expire() && mirror.views(&names).is_empty());
-        // A warning of tracking, and then its stop, while it is there.
+        // A tracking warning, followed by its stop while still active.
         let Note::Alarm(told) = alarm(Alarm::Tracking) else { unreachable!() };
         let told = Raised { reaction: Reaction::Tell, ..told };
         mirror.noted(&Note::Alarm(told), "");
@@ -280,7 +282,7 @@ mod tests {
         assert_eq!(mirror.views(&names).pop().unwrap().shelved, None);
     }
 
-    /// Who acknowledged which stays with it, until it comes anew.
+    /// The acknowledging user stays with the alarm until it is raised again.
     #[test]
     fn who_knows_of_an_alarm_is_told() {
         let names = names();

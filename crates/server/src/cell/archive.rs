@@ -1,4 +1,4 @@
-//! What is kept of commands and of alarms, written by a thread of its own.
+//! Audit log and alarm archive, written by a separate thread.
 
 use super::happening::happening;
 use super::hub::Hub;
@@ -12,19 +12,19 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Maximum number of alarms, and of orders, that wait for the disk; past that they are counted only: nobody who stops a machine waits
+/// Maximum number of alarms, and of orders, that wait for the disk. Further ones are only counted: a stop never waits
 /// for a disk.
 const MAX_WAITING: usize = 4096;
-/// At the end the disk is waited for this long.
+/// Maximum wait for the disk at the end.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Maximum number of characters of a field of the audit log.
-const MOST: usize = 500;
+const MAX_FIELD_CHARS: usize = 500;
 
-/// What is kept of commands and of alarms. Alarms, orders and refusals wait apart: none of them takes the room of another.
+/// Audit log and alarm archive. Alarms, orders and refusals have separate queues, so that none displaces another.
 #[derive(Clone)]
 pub(crate) struct Archive(Arc<Owner>);
 
-/// Lets the writer end when nobody is left who could add something.
+/// Lets the writer end when the last [`Archive`] is dropped.
 struct Owner(Arc<Shared>);
 
 impl Drop for Owner {
@@ -40,43 +40,43 @@ struct Shared {
     room: usize,
 }
 
-/// What waits for the disk.
+/// Entries that wait for the disk.
 #[derive(Default)]
 struct Waiting {
     alarms: VecDeque<Entry>,
     orders: VecDeque<AuditEntry>,
     refusals: Refusals,
-    /// Alarms and orders for which there was no room.
+    /// Number of alarms and orders dropped for lack of room.
     left_out: u64,
-    /// Who waits until everything before has been written.
+    /// Clients that wait until all earlier entries are written.
     flushes: Vec<Sender<()>>,
-    /// The library is to be closed once everything has been written.
+    /// Close the library once everything is written.
     closes: bool,
 }
 
-/// Something to be written.
+/// An entry to be written.
 enum Entry {
     Audit(AuditEntry),
     Alarm(Option<i64>, Box<Alarm>),
-    /// By whom; the alarm of this name, or all.
+    /// The user, the time, and the name of the alarm; `None`: all alarms.
     Acknowledge(String, Moment, Option<String>),
 }
 
-/// What the writer does next.
+/// Next step of the writer.
 enum Next {
     Write(Vec<Entry>),
-    /// Everything has been written: these are told, and the library is closed if so asked.
+    /// Everything is written: notify these clients, and close the library if true.
     Tell(Vec<Sender<()>>, bool),
     Wait(Option<Duration>),
 }
 
 impl Waiting {
-    /// Somebody waits until all is written.
+    /// Returns true if a client waits until everything is written.
     fn ends(&self) -> bool {
         self.closes || !self.flushes.is_empty()
     }
 
-    /// Alarms first, then orders, then what is due of refusals.
+    /// Returns alarms first, then orders, then due refusals.
     fn next(&mut self, now: Instant) -> Next {
         let ends = self.ends();
         let mut entries: Vec<Entry> = self.alarms.pop_front().into_iter().collect();
@@ -103,7 +103,7 @@ impl Shared {
         self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Waits until there is something to write, or everything has been written and somebody is to be told.
+    /// Waits until there is something to write, or everything is written and clients must be notified.
     fn take(&self) -> Next {
         let mut waiting = self.waiting();
         loop {
@@ -117,18 +117,18 @@ impl Shared {
     }
 }
 
-/// True for what changes a text's look, or is not seen: controls, and marks that turn its direction.
+/// Returns true for invisible characters and those that change the look of text: controls, direction marks.
 pub(crate) fn hides(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
 }
 
-/// A text of others as one line that looks like what it is.
+/// Returns foreign text as one line, with hidden characters escaped.
 fn plain(text: &str) -> String {
     let mut out = String::new();
     for (i, c) in text.chars().enumerate() {
         match c {
-            _ if i == MOST => {
+            _ if i == MAX_FIELD_CHARS => {
                 out.push('…');
                 break;
             }
@@ -163,7 +163,7 @@ fn write(data: &mut DataFolder, item: &Entry) -> Result<(), Error> {
     }
 }
 
-/// Between tries where the disk or the library cannot be written for now.
+/// Delay between attempts while disk or library cannot be written.
 const AGAIN: Duration = Duration::from_millis(200);
 
 /// The thread that writes.
@@ -175,13 +175,13 @@ struct Writer {
 }
 
 impl Writer {
-    /// Writes what comes until the library is to be closed.
+    /// Writes entries until the library is to be closed.
     fn run(mut self) {
         loop {
             match self.shared.take() {
                 Next::Write(entries) => entries.iter().for_each(|item| self.write(item)),
                 Next::Tell(flushes, closes) => {
-                    // Who asked may have gone.
+                    // The client may have gone.
                     let tell = || {
                         for to in flushes {
                             let _ = to.send(());
@@ -198,7 +198,7 @@ impl Writer {
         }
     }
 
-    /// Writes an entry, again and again where the disk may come back; at the end once.
+    /// Writes an entry. Retries if the disk may recover; at the end it tries once.
     fn write(&mut self, item: &Entry) {
         while let Err(e) = write(&mut self.data, item) {
             if !self.fails {
@@ -234,7 +234,7 @@ impl Archive {
         Ok(Self(Arc::new(Owner(shared))))
     }
 
-    /// Changes what waits, and wakes the writer.
+    /// Changes the queues and wakes the writer.
     fn add(&self, change: impl FnOnce(&mut Waiting)) {
         let shared = &self.0.0;
         change(&mut shared.waiting());
@@ -249,12 +249,12 @@ impl Archive {
         });
     }
 
-    /// Waits until all is on the disk, for a while: at the end of the program.
+    /// Waits until everything is on the disk, at most [`PATIENCE`]: at the end of the program.
     pub(crate) fn flush(&self) {
         self.wait(false);
     }
 
-    /// Writes what there is and closes the library for good; true once that is done.
+    /// Writes all entries and closes the library for good. Returns true once that is done.
     pub(crate) fn close(&self) -> bool {
         self.wait(true)
     }
@@ -268,7 +268,7 @@ impl Archive {
         written.recv_timeout(PATIENCE).is_ok()
     }
 
-    /// Who did what, from where, and what came of it.
+    /// Adds an entry to the audit log: user, station, command, change and result.
     pub(crate) fn audit(&self, user: &str, station: &str, command: &str, change: (&str, &str), result: &str) {
         let (item, room) = (entry(user, station, command, change, result), self.0.0.room);
         self.add(|waiting| match waiting.orders.len() < room {
@@ -277,24 +277,24 @@ impl Archive {
         });
     }
 
-    /// Something was refused to somebody: counted where it is repeated.
+    /// Adds a refusal; repeated ones are counted.
     pub(crate) fn refused(&self, user: &str, station: &str, command: &str, result: &str) {
         let [user, station, command, result] = [user, station, command, result].map(plain);
         self.add(|waiting| waiting.refusals.add(&user, &station, &command, &result, Instant::now()));
     }
 
-    /// Something that may be asked for without end, and does not change what is: counted where it is repeated.
+    /// Adds a command that changes no state and may be repeated without limit; repeated ones are counted.
     pub(crate) fn repeatable(&self, user: &str, station: &str, command: &str, result: &str) {
         self.refused(user, station, command, result);
     }
 
-    /// An alarm, of a weld or beside: on the list until somebody acknowledges it.
+    /// Adds an alarm, of a weld or of none. It stays listed until acknowledged.
     pub(crate) fn alarm(&self, weld: Option<i64>, alarm: Alarm) {
         log::warning(&format!("alarm: {}", plain(&alarm.name)));
         self.add_alarm(Entry::Alarm(weld, Box::new(alarm)));
     }
 
-    /// Somebody knows the alarm of this name on the list, or all. Where no alarm has come since, once more says nothing new.
+    /// Acknowledges the listed alarm of this name, or all. Skipped if it repeats one since the last alarm.
     pub(crate) fn acknowledge(&self, user: &str, name: Option<String>) {
         let item = Entry::Acknowledge(plain(user), Moment::now(), name);
         let Entry::Acknowledge(.., name) = &item else { return };
@@ -319,7 +319,7 @@ mod tests {
         assert_eq!(plain("load Зварка 1.toml"), "load Зварка 1.toml");
         assert_eq!(plain("a\nada  arm  taken"), "a\\nada  arm  taken");
         assert_eq!(plain("\u{202e}nimda\u{0}\u{1b}[2J"), "\\u{202e}nimda\\u{0}\\u{1b}[2J");
-        assert!(plain(&"x".repeat(1 << 20)).len() < MOST + 8);
+        assert!(plain(&"x".repeat(1 << 20)).len() < MAX_FIELD_CHARS + 8);
     }
 
     fn alarm(name: &str) -> Alarm {
@@ -328,14 +328,14 @@ mod tests {
         Alarm { name, cause, place, raised, first_out: false, acknowledged: None }
     }
 
-    /// A library that somebody else holds, as a slow disk would, until it is let go.
+    /// Locks the library, as a slow disk would, until the connection is dropped.
     fn hold(folder: &Path) -> rusqlite::Connection {
         let busy = rusqlite::Connection::open(folder.join("library.sqlite")).unwrap();
         busy.execute_batch("BEGIN IMMEDIATE").unwrap();
         busy
     }
 
-    /// A disk that is too slow costs entries, which are counted, and never time.
+    /// A slow disk costs entries, which are counted, but no time.
     #[test]
     fn nobody_waits_for_the_disk() {
         let folder = tempfile::tempdir().unwrap();
@@ -356,7 +356,7 @@ mod tests {
         assert!(data.library().verify_audit().unwrap().broken.is_none());
     }
 
-    /// Whoever acknowledges or takes control without end, on a disk that stands meanwhile, costs no alarm and no order.
+    /// Endless acknowledgements and control requests on a stalled disk displace no alarm and no order.
     #[test]
     fn what_is_repeated_takes_no_room_of_alarms_and_orders() {
         let folder = tempfile::tempdir().unwrap();
@@ -378,13 +378,13 @@ mod tests {
         let entries = data.library().audit_entries(1000).unwrap();
         assert_eq!(entries.iter().filter(|e| e.command.starts_with("order ")).count(), 5, "{entries:?}");
         assert!(!entries.iter().any(|e| e.result.contains("left out")), "{entries:?}");
-        // All but the last were acknowledged after they came.
+        // All but the last were acknowledged after they were raised.
         let listed = data.library().listed_alarms().unwrap();
         assert_eq!(listed.iter().map(|alarm| alarm.name.as_str()).collect::<Vec<_>>(), ["last"]);
         assert!(entries.iter().any(|e| e.result.contains("control taken: 999 more")), "{entries:?}");
     }
 
-    /// Refusals without end, on a disk that stands meanwhile, cost no alarm and no order; they are counted.
+    /// Endless refusals on a stalled disk displace no alarm and no order; they are counted.
     #[test]
     fn refusals_take_no_room_of_alarms_and_orders() {
         let folder = tempfile::tempdir().unwrap();

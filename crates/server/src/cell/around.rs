@@ -1,4 +1,4 @@
-//! What is near to what, for the eye: beside the cycle, which keeps clear by itself.
+//! Smallest distances for display, computed beside the cycle, which has its own collision monitor.
 
 use super::hub::Hub;
 use crate::view::near;
@@ -9,11 +9,11 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Weak};
 use std::time::Duration;
 
-/// How often it is looked at.
+/// Period of the distance computation.
 const LOOK: Duration = Duration::from_millis(50);
-/// Nothing is told beyond this, mm.
+/// Maximum distance that is reported, mm.
 const WITHIN_MM: f64 = 60.0;
-/// Nearer to what is allowed than this everything is told, mm.
+/// Below this margin over the minimum clearance all pairs are considered, mm.
 const URGENT_MM: f64 = 10.0;
 
 self_cell! {
@@ -27,13 +27,13 @@ self_cell! {
 /// Machine, part and fixtures.
 pub(crate) struct Around {
     all: Stood,
-    /// Each link alone with part, fixtures and zones: links of the machine are always near to some of each other.
+    /// Each link alone with part, fixtures and zones: links of the machine are always close to each other.
     links: Vec<Stood>,
 }
 
 impl Around {
     /// # Errors
-    /// In words: solids that cannot be kept apart.
+    /// In words, if a solid is invalid for distance computation.
     pub(crate) fn new(machine: &Machine, clamped: &Clamped) -> Result<Self, String> {
         let stand = |machine: Machine| {
             let owner = (machine, clamped.clone());
@@ -49,8 +49,8 @@ impl Around {
         Ok(Self { all: stand(machine.clone())?, links: links.into_iter().map(alone).collect::<Result<_, _>>()? })
     }
 
-    /// What is nearest to being too near with the axes at `q`, mm or rad; links of the machine against each other only where
-    /// they nearly are.
+    /// Returns the pair with the smallest margin with the axes at `q`, mm or rad. Pairs of links are considered only
+    /// below [`URGENT_MM`].
     pub(super) fn near(&self, q: &Joints) -> Option<NearView> {
         let of = |stood: &Stood| stood.with_dependent(|_, around| near(around, q, WITHIN_MM));
         let room = |near: &NearView| near.distance_mm - near.least_mm;
@@ -61,12 +61,12 @@ impl Around {
     }
 }
 
-/// Looks at what is near as long as somebody shows it.
+/// Updates the smallest distance for as long as the hub exists.
 pub(super) fn watch(hub: &Weak<Hub>) {
     let mut last: Option<([u64; MAX_AXES], Arc<Around>)> = None;
     while let Some(hub) = hub.upgrade() {
         if let Some((around, q)) = hub.around().zip(hub.set_points()) {
-            // The same place in the same surroundings needs no second look.
+            // Skips the computation for the same position in the same surroundings.
             let at = q.map(f64::to_bits);
             if !last.as_ref().is_some_and(|(was, of)| *was == at && Arc::ptr_eq(of, &around)) {
                 hub.set_near(around.near(&q));
@@ -84,7 +84,7 @@ mod tests {
     use seamwright_clearance::{Shape, Solid};
     use seamwright_machine::shipped;
 
-    /// A ball near the torch's tip comes nearer as the machine goes down to it: by as much as it goes, and by its name.
+    /// The distance to a ball below the torch tip decreases by as much as the machine goes down; the ball is named.
     #[test]
     fn a_ball_under_the_torch_comes_nearer_as_it_goes_down() {
         let machine = Machine::read("m.toml", shipped("saddle-4axis").unwrap().text).unwrap();

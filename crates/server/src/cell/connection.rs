@@ -1,4 +1,4 @@
-//! The devices of the cell, and what they are connected for.
+//! The devices of the cell, and the program and values they serve.
 
 use super::prepared::{Prepared, SEED};
 use seamwright_cell::executive::{Devices, Orders, Reports, Slack};
@@ -10,55 +10,56 @@ use std::sync::{Arc, Weak};
 pub(crate) struct CellDevices {
     cell: devices::Cell,
     to: Connection,
-    /// Goes after them.
+    /// Dropped after the devices.
     _there: Arc<()>,
 }
 
-/// What devices are connected for.
+/// Machine and process values that connected devices serve.
 #[derive(Debug, Clone)]
 pub(crate) struct Connection {
     /// See [`super::Prepared::fingerprint`].
     fingerprint: String,
-    /// Process values, by whose places real devices know them; none: all devices are simulated.
+    /// Process values, by whose index real devices know them; `None`: all devices are simulated.
     values: Option<Vec<String>>,
     /// The lines to real devices.
     pub(crate) lines: Arc<Lines>,
-    /// Gone as soon as the devices are.
+    /// Expires once the devices are dropped.
     there: Weak<()>,
 }
 
 impl Connection {
-    /// They serve this machine's programs with these process values.
+    /// Returns true if they serve this machine's programs with these process values.
     pub(crate) fn serves(&self, fingerprint: &str, values: &[String]) -> bool {
         self.fingerprint == fingerprint && self.values.as_ref().is_none_or(|known| known == values)
     }
 
-    /// They serve what is prepared.
+    /// Returns true if they serve the prepared task.
     pub(crate) fn serves_it(&self, prepared: &Prepared) -> bool {
         prepared.with(|work| self.serves(prepared.fingerprint(), work.values()))
     }
 
-    /// They must be gone before others come: a device may take one connection only.
+    /// Returns true for real devices. They must be dropped before others connect: a device may accept one connection
+    /// only.
     pub(crate) fn is_real(&self) -> bool {
         self.values.is_some()
     }
 
-    /// The devices are still somewhere.
+    /// Returns true if the devices still exist.
     pub(crate) fn is_there(&self) -> bool {
         self.there.strong_count() > 0
     }
 }
 
 impl CellDevices {
-    /// Connects those that the machine file of what is `prepared` names, with files as seen from `beside`; `values` are the process
-    /// values of what is to be run. Simulated ones if it names none.
+    /// Connects the devices of the machine file of `prepared`, or simulated ones if it names none. Paths are relative
+    /// to `beside`; `values` are the process values of the program to be run.
     ///
     /// # Errors
-    /// In words: a period at which no cell runs, drives that are none, a device that does not answer or has no register for a value.
+    /// In words: an invalid period, invalid drives, a device that does not answer or has no register for a value.
     pub(crate) fn new(prepared: &Prepared, beside: &Path, values: &[String]) -> Result<Self, String> {
         let machine = prepared.machine();
         devices::check_period(machine).map_err(|e| e.text())?;
-        // Connecting waits for answers, which no thread of the panel's own may do.
+        // Connecting waits for answers, which the panel's threads must not do.
         let connect = || devices::of_machine(machine, beside, values, &[], SEED).map_err(|e| e.text());
         let connected = std::thread::scope(|scope| scope.spawn(connect).join());
         let (cell, lines) = connected.map_err(|_| "the devices cannot be connected".to_owned())??;
@@ -69,7 +70,7 @@ impl CellDevices {
         Ok(Self { cell, to, _there: there })
     }
 
-    /// What they are connected for.
+    /// Machine and process values that the devices serve.
     pub(super) fn to(&self) -> &Connection {
         &self.to
     }

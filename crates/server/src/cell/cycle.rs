@@ -11,16 +11,16 @@ use seamwright_machine::Machine;
 use std::cell::RefCell;
 use std::sync::{Arc, OnceLock};
 
-/// What the cycle is given and gives back.
+/// Tasks given to and returned by the cycle.
 pub(super) struct Swap {
-    /// The next task; there when [`End::Load`] comes.
+    /// The next task; present when [`End::Load`] comes.
     pub(super) next: Consumer<Box<Prepared>>,
-    /// Those that are done with, to be dropped elsewhere.
+    /// Finished tasks, to be dropped in another thread.
     pub(super) done: Producer<Box<Prepared>>,
 }
 
 impl Swap {
-    /// The task that is meant: those before it were refused.
+    /// Returns the newest task: earlier ones were refused.
     fn next(&mut self) -> Option<Box<Prepared>> {
         let mut meant = None;
         while let Ok(next) = self.next.pop() {
@@ -29,14 +29,16 @@ impl Swap {
         meant
     }
 
-    /// Where nobody takes it, it is dropped here: late, at rest.
+    /// Returns a task; if the queue is full it is dropped here: late, at rest.
     fn done(&mut self, task: Option<Box<Prepared>>) {
         drop(task.map(|task| self.done.push(task)));
     }
 }
 
-/// Runs on `devices` until it is told to quit. A task for another machine brings its devices, and gets a new executive, which is
-/// off. What the system grants to the thread is put into `footing`. A panic leaves the devices off and asks for `shutdown`.
+/// Runs on `devices` until a quit command. A task for another machine brings its devices and gets a new executive,
+/// which is off.
+/// The real-time rights granted to the thread go to `footing`. A panic switches the devices off and requests
+/// `shutdown`.
 pub(super) fn run(
     mut task: Box<Prepared>,
     mut devices: CellDevices,
@@ -50,19 +52,19 @@ pub(super) fn run(
         let mut paced = Paced { devices: WithSensors { devices, sensors: None }, pacer };
         let next =
             guarded(&mut paced, shutdown, |paced| on_machine(&machine, paced, &mut port, (&mut task, &mut swap)));
-        // The desk hears from the flag that the cycle has failed.
+        // The desk learns from the flag that the cycle has failed.
         let Ok(Some(next)) = next else { return };
         task.devices = Some(paced.devices.devices);
         swap.done(Some(std::mem::replace(&mut task, next)));
         match task.devices.take() {
             Some(its) => devices = its,
-            // The desk has made sure of them before it gave the task.
+            // The desk ensures devices before it hands over the task.
             None => return,
         }
     }
 }
 
-/// Runs the programs of one machine; the first task for another one, or none at the end.
+/// Runs the programs of one machine. Returns the first task for another one, or `None` at the end.
 fn on_machine(
     machine: &Machine,
     paced: &mut Paced<WithSensors<CellDevices, Option<Sensing>>>,
@@ -78,7 +80,7 @@ fn on_machine(
         if task.with(|work| executive.serve(Some(work))) == End::Quit {
             return None;
         }
-        // They go with their task.
+        // Guide and sensors go with their task.
         task.guide = guide.take();
         task.sensors = executive.devices_mut().devices.sensors.take();
         match swap.next() {

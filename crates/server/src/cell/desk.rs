@@ -22,50 +22,50 @@ use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 
-/// How often the desk looks at what the cycle has sent.
+/// Polling period for messages of the cycle.
 const LOOK: Duration = Duration::from_millis(2);
-/// How often clients are shown what the cell is doing.
+/// Period of status updates to clients.
 const SHOW: Duration = Duration::from_micros(33_333);
 
-/// After a signal or a panic the cycle has this long to come to its end; then the desk ends without it.
+/// Maximum time of the cycle to end after a signal or a panic; then the desk ends without it.
 const SHUTDOWN: Duration = Duration::from_secs(15);
 
-/// Commands that wait for the cycle at most.
+/// Maximum number of commands that wait for the cycle.
 const WAITING: usize = 512;
 
-/// What the outside wants of the desk.
+/// Requests to the desk.
 pub(crate) enum ToDesk {
-    /// For the executive.
+    /// A command for the executive.
     Command(Command),
-    /// Start of a weld whose finished passes may be welded again: somebody was asked.
+    /// Start of a weld whose finished passes may be welded again: the operator confirmed.
     Reweld(Command),
-    /// Another program.
+    /// Loads another program.
     Load(Box<Loading>, Loaded),
-    /// An alarm put aside, or taken back, by a user.
+    /// Shelves or unshelves an alarm, by a user.
     Shelve(Shelving, String, oneshot::Sender<Result<(), String>>),
-    /// Everything off, then the end.
+    /// Switches everything off, then ends.
     Quit,
 }
 
-/// A program on its way into the cell.
+/// A program to be loaded into the cell.
 pub(crate) struct Loading {
     pub(crate) prepared: Box<Prepared>,
     pub(crate) view: Option<Arc<WorkView>>,
-    /// What the machine must keep clear of, for the eye.
+    /// Surroundings for the display of distances.
     pub(crate) around: Arc<Around>,
-    /// What is recorded of a weld of it.
+    /// Plan of the record of its weld.
     pub(crate) plan: Option<Plan>,
-    /// Passes that are to be welded.
+    /// Number of passes to be welded.
     pub(crate) passes: usize,
-    /// How much of a finished weld is welded over on purpose where it goes on, mm.
+    /// Length of finished weld that is welded over on purpose when a weld is continued, mm.
     pub(crate) overlap_mm: f64,
     pub(crate) user: String,
 }
 
-/// Who waits for a program to be loaded.
+/// Receiver of the result of loading a program.
 pub(crate) type Loaded = oneshot::Sender<Result<(), LackView>>;
 
-/// Listens to the cycle: tells clients, records welds, passes commands on.
+/// Handles messages of the cycle: informs clients, records welds, forwards commands.
 pub(super) struct Desk {
     pub(super) hub: Arc<Hub>,
     pub(super) archive: Archive,
@@ -77,44 +77,44 @@ pub(super) struct Desk {
     pub(super) recorder: Recorder,
     pub(super) mirror: Mirror,
     pub(super) to_weld: Option<ToWeld>,
-    /// The weld that runs.
+    /// The running weld.
     pub(super) welding: Option<Welding>,
     pub(super) safe_outputs: SafeOutputs,
     waiting: VecDeque<Command>,
-    /// What stands against something, as it is told, for each who asked.
+    /// Missing conditions reported so far, by station and command number.
     pub(super) lacks: HashMap<(u32, u32), Vec<LackView>>,
     loading: Option<Box<Pending>>,
     now: Option<Shown>,
     shown: Instant,
     stillness: Stillness,
-    /// What the system grants to the cycle.
+    /// Real-time rights granted to the cycle.
     pub(super) footing: Arc<OnceLock<Footing>>,
-    /// It was told.
+    /// The missing real-time rights have been reported.
     granted: bool,
     missed: u32,
-    /// The most cycles missed at once.
+    /// Maximum number of cycles missed at once.
     longest: u32,
     pub(super) left: Option<Left>,
-    /// The one before, until the weld that runs comes to something.
+    /// The value before the running weld, until that weld has a result.
     pub(super) left_before: Option<Left>,
     pub(super) parts: Parts,
     pub(super) quits: bool,
-    /// What keeps the record from being written, as it was told.
+    /// The last reported reason for which the record cannot be written.
     pub(super) trouble: Option<String>,
 }
 
-/// How far the weld that runs has come, whether it is recorded or not.
+/// Progress of the running weld, recorded or not.
 #[derive(Debug, Default)]
 pub(super) struct Welding {
-    /// Passes that have come to their end.
+    /// Number of finished passes.
     pub(super) passes: usize,
-    /// It was left in the middle.
+    /// It was left before its end.
     pub(super) is_left: bool,
-    /// A cycle of it has come: those before it may wait in the queue when it begins.
+    /// A cycle of this weld has arrived: earlier ones may still be in the queue when it starts.
     runs: bool,
 }
 
-/// The desk's ends of the queues to the cycle.
+/// The desk's ends of the queues to and from the cycle.
 pub(super) struct Queues {
     pub(super) outside: Outside,
     pub(super) next: Producer<Box<Prepared>>,
@@ -164,10 +164,10 @@ impl Desk {
         }
     }
 
-    /// Runs until `ended` says that the cycle has ended, or `shutdown` was asked for and it does not. Records are closed then.
+    /// Runs until `ended` returns true, or a requested `shutdown` times out. Then closes records.
     pub(super) fn run(mut self, ended: impl Fn() -> bool, shutdown: &Shutdown) {
         let mut asked: Option<Instant> = None;
-        // After a fault of its own it only waits: the cycle ends by itself, which the fault has asked it to.
+        // After a panic of its own the desk only waits: the panic requests a shutdown, so the cycle ends by itself.
         let mut fails = false;
         while !ended() {
             fails = fails || catch_unwind(AssertUnwindSafe(|| self.look())).is_err();
@@ -192,7 +192,7 @@ impl Desk {
         }
     }
 
-    /// Tells once what the cycle lacks of real-time rights.
+    /// Reports once which real-time rights the cycle lacks.
     fn tell_footing(&mut self) {
         let Some(footing) = self.footing.get().filter(|_| !self.granted) else { return };
         if !footing.is_whole() {
@@ -247,14 +247,14 @@ impl Desk {
         }
     }
 
-    /// Drops a task that the cycle is done with, or does not get. Its devices take their time.
+    /// Drops a task that the cycle has finished or does not get. Its devices end in another thread.
     fn drop_task(&self, mut task: Box<Prepared>) {
         if let Some(devices) = task.devices.take() {
             self.safe_outputs.let_go(devices);
         }
     }
 
-    /// False, and refused, if the weld would weld what is finished without anybody having been asked.
+    /// Refuses a start, and returns false, if it would weld finished passes without confirmation.
     fn may_start(&mut self, command: &Command) -> bool {
         let Some(of) = &self.to_weld else { return true };
         let data = DataFolder::open_to_read(self.recorder.folder()).ok();
@@ -263,7 +263,7 @@ impl Desk {
         false
     }
 
-    /// More is asked than the cycle takes: what comes now is refused. Stops and holds have a way of their own.
+    /// Refuses a command that exceeds the queue. Stops and holds bypass the queue.
     fn crowded(&self, command: &Command) {
         if matches!(command.ask, Ask::Jog(_)) {
             return;
@@ -272,7 +272,7 @@ impl Desk {
         self.hub.tell(command.origin.station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
     }
 
-    /// At the end everything comes to rest, then the power goes.
+    /// Brings everything to rest, then switches the power off.
     fn wind_down(&mut self) {
         let Some(now) = &self.now else { return };
         self.waiting.push_back(Command::of(match now.mode {
@@ -292,7 +292,8 @@ impl Desk {
             self.tell(happening("record_fails", [trouble.clone()]));
             self.trouble = Some(trouble);
         }
-        // A weld that came to nothing leaves what was left before it. Where it was left itself is told before it is over.
+        // A weld without a result restores the previous position. If the weld itself was left, that note arrives before
+        // it is over.
         if let Some(welding) = &mut self.welding {
             welding.runs |= matches!(shown.mode, Mode::Weld | Mode::Hold);
         }
@@ -331,7 +332,7 @@ impl Desk {
         self.hub.event(self.time(), happened);
     }
 
-    /// What stands against a program that is to be loaded.
+    /// Returns the reason for which a program cannot be loaded, if any.
     fn unfit(&self, loading: &Loading) -> Option<LackView> {
         let lack = |key: &str, text: &str| Some(LackView { key: key.to_owned(), of: vec![], text: text.to_owned() });
         let prepared = &loading.prepared;
@@ -350,9 +351,9 @@ impl Desk {
         self.now.is_some_and(moves).then(|| self.names.lack(Missing::Moving))
     }
 
-    /// Gives a program to the cycle; it is taken at rest only.
+    /// Gives a program to the cycle, which takes it only at rest.
     fn load(&mut self, loading: Loading, answer: Loaded) {
-        // Nobody has to wait for the answer.
+        // The client may have gone.
         if let Some(lack) = self.unfit(&loading) {
             drop(answer.send(Err(lack)));
             self.drop_task(loading.prepared);
@@ -382,7 +383,7 @@ impl Desk {
             drop(pending.answer.send(Err(self.names.lack(missing))));
             return;
         }
-        // Its rows are those of the program before.
+        // Its rows belong to the previous program.
         self.recorder.end();
         if pending.names.fingerprint != self.names.fingerprint {
             self.mirror.forget();
@@ -420,10 +421,10 @@ impl Desk {
     }
 }
 
-/// A program that the cycle has been given and has not taken yet.
+/// A program that the cycle has been given but not yet taken.
 pub(super) struct Pending {
     names: Names,
-    /// What the devices that it brings are connected for.
+    /// Machine and process values that its devices serve.
     to: Option<Connection>,
     view: Option<Arc<WorkView>>,
     around: Arc<Around>,

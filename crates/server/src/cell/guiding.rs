@@ -1,4 +1,4 @@
-//! Tracking of the task that is in the cell: what corrects its passes, and what sees their joints.
+//! Tracking of the loaded task: correction of its passes, and sensors of its joints.
 
 use super::prepared::Base;
 use seamwright_cell::devices::Sensors;
@@ -15,7 +15,7 @@ type TrackingOf<'a> = Tracking<'a>;
 type SensorsOf<'a> = SimulatedSensors<'a>;
 
 self_cell! {
-    /// What corrects the passes of a task.
+    /// Corrects the passes of a task.
     pub(super) struct Guiding {
         owner: Arc<Base>,
         #[not_covariant]
@@ -24,7 +24,7 @@ self_cell! {
 }
 
 self_cell! {
-    /// What sees the joints of a task.
+    /// Senses the joints of a task.
     pub(super) struct Sensing {
         owner: Arc<Base>,
         #[not_covariant]
@@ -36,10 +36,10 @@ self_cell! {
 const NOTHING: &str = "there is nothing to track";
 
 impl Guiding {
-    /// Of a task that begins at `start`.
+    /// Creates the tracking of a task that starts at `start`.
     ///
     /// # Errors
-    /// What cannot be tracked, in words.
+    /// If the task cannot be tracked, in words.
     pub(super) fn of(base: &Arc<Base>, start: Place) -> Result<Self, String> {
         Self::try_new(Arc::clone(base), |base| {
             base.with_dependent(|_, cell| {
@@ -51,10 +51,10 @@ impl Guiding {
 }
 
 impl Sensing {
-    /// Of a task.
+    /// Creates the sensors of a task.
     ///
     /// # Errors
-    /// What cannot be tracked, in words.
+    /// If the task cannot be tracked, in words.
     pub(super) fn of(base: &Arc<Base>) -> Result<Self, String> {
         Self::try_new(Arc::clone(base), |base| {
             base.with_dependent(|_, cell| {
@@ -75,7 +75,7 @@ impl Sensors for Sensing {
     }
 }
 
-/// Where the guide of one task after another stands, while the executive stays.
+/// Slot for the guides of successive tasks of one executive.
 pub(super) struct Slot<'a>(pub(super) &'a RefCell<Option<Guiding>>);
 
 impl Slot<'_> {

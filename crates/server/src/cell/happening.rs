@@ -1,7 +1,7 @@
 use crate::wire::LackView;
 
-/// What can happen, by key: its kind, and the English sentence with `{0}`, `{1}` .. for its parameters. Panels have the sentences
-/// in their languages (`web/src/words`), checked against this table.
+/// Events by key: kind, and English sentence with `{0}`, `{1}` .. for its parameters. Panels have translations
+/// (`web/src/words`), checked against this table.
 const HAPPENINGS: [(&str, &str, &str); 35] = [
     ("mode", "mode", "{0} -> {1}"),
     ("order", "order", "{0}"),
@@ -48,20 +48,20 @@ const HAPPENINGS: [(&str, &str, &str); 35] = [
     ("teach_ended", "teach", "teaching {0} ended: {1}"),
 ];
 
-/// Something that happened.
+/// An event.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Happening {
-    /// In the table.
+    /// Key in the table.
     pub(super) key: &'static str,
-    /// Its parameters, in the table's order.
+    /// Parameters, in the table's order.
     pub(super) of: Vec<String>,
-    /// Who did it, if somebody did.
+    /// User who caused it, if any.
     pub(super) user: Option<String>,
-    /// What stands against it, if it was refused.
+    /// Reason, if it was refused.
     pub(super) why: Option<LackView>,
 }
 
-/// What happened, by its key in the table, with its parameters.
+/// Creates an event from its key in the table and its parameters.
 pub(crate) fn happening<const N: usize>(key: &'static str, of: [String; N]) -> Happening {
     debug_assert!(HAPPENINGS.iter().any(|row| row.0 == key), "{key} has no words");
     Happening { key, of: of.into(), user: None, why: None }
@@ -72,15 +72,15 @@ impl Happening {
         Self { user, ..self }
     }
 
-    /// Refused for this.
+    /// Adds the reason of a refusal.
     pub(super) fn because(self, why: LackView) -> Self {
         Self { why: Some(why), ..self }
     }
 
-    /// Its kind, its words in English, its parts.
+    /// Returns kind, English sentence, and the event.
     pub(super) fn told(self) -> (&'static str, String, Self) {
         let (_, kind, words) = HAPPENINGS.iter().find(|row| row.0 == self.key).unwrap_or(&HAPPENINGS[1]);
-        // In one go: what looks like a hole in a parameter is none.
+        // One pass only, so that braces in a parameter are not replaced.
         let mut text = String::new();
         for (i, piece) in words.split('{').enumerate() {
             match piece.split_once('}') {

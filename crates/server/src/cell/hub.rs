@@ -10,32 +10,32 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, watch};
 
-/// Events that a new client is told.
+/// Number of recent events sent to a new client.
 const RECENT: usize = 100;
-/// Messages that wait for a client at most: one that is slower is cut off, and must connect anew.
+/// Maximum number of messages that wait for a client. A slower client is disconnected and must connect anew.
 const WAITING: usize = 1024;
-/// The control token is lost without a sign of life for this long.
+/// The control token is lost after this time without a heartbeat.
 const BEAT: Duration = Duration::from_secs(1);
 
-/// Maximum number of pages at once, of those who only watch, and of one user.
+/// Maximum number of pages: in total, of viewers, and per user.
 const MAX_PAGES: usize = 64;
 const MAX_WATCHING: usize = 32;
 const MAX_OF_USER: usize = 24;
-/// Places that are kept for the first page of somebody who may operate the machine.
+/// Places reserved for the first page of an operator.
 const KEPT: usize = 8;
 
-/// A client: its station, what it hears in order, the newest status.
+/// A client: its station, its messages in order, the newest status.
 pub(crate) type Connected = (u32, mpsc::Receiver<Text>, watch::Receiver<Option<Text>>);
 
-/// A message as it goes over the socket.
+/// A message as sent over the socket.
 pub(crate) type Text = Arc<str>;
 
-/// What all clients see: the newest status, events and alarms that none may miss, the control token.
+/// State that all clients see: the newest status, events and alarms without loss, the control token.
 pub(crate) struct Hub {
     status: watch::Sender<Option<Text>>,
     latest: Mutex<Option<(Status, Joints)>>,
     near: Mutex<Option<NearView>>,
-    /// When the cycle was heard of last.
+    /// Time of the last status of the cycle.
     shown: Mutex<Option<Instant>>,
     told: Mutex<Told>,
 }
@@ -50,7 +50,7 @@ struct Told {
     work: Option<Arc<WorkView>>,
     work_text: Option<Text>,
     machine: Option<Arc<Machine>>,
-    /// Of the devices.
+    /// Machine and process values that the devices serve.
     connection: Option<Connection>,
     around: Option<Arc<Around>>,
     control: Option<Holder>,
@@ -67,28 +67,28 @@ struct Client {
 struct Holder {
     station: u32,
     beat: Instant,
-    /// It jogs or jogged a moment ago: the token stays.
+    /// End of the time during which the token stays with it: it jogs, or jogged a moment ago.
     jogs_until: Instant,
 }
 
-/// Who has the control token.
+/// Holder of the control token.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Control {
     pub(crate) station: u32,
     pub(crate) user: String,
 }
 
-/// Why the token does not move.
+/// Reason for refusing the token.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Refusal {
-    /// Somebody else has it.
+    /// Another station holds it.
     Held(Control),
-    /// Whoever has it moves axes by hand.
+    /// Its holder is jogging.
     Jogs,
 }
 
 fn text(message: &FromCell) -> Text {
-    // Plain data with text keys: it cannot fail.
+    // Plain data with text keys: serialising cannot fail.
     serde_json::to_string(message).unwrap_or_default().into()
 }
 
@@ -103,12 +103,12 @@ impl Hub {
         }
     }
 
-    /// What is told stays whole even where somebody failed while he told it.
+    /// Locks the shared state, which stays consistent even if a thread panicked.
     fn told(&self) -> MutexGuard<'_, Told> {
         self.told.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A new client; none: there are too many, of all or of its kind.
+    /// Connects a client. `None`: too many, in total or of its kind.
     pub(crate) fn connect(&self, user: &str, role: Role) -> Option<Connected> {
         let mut told = self.told();
         let watches = role < Role::Operator;
@@ -120,26 +120,26 @@ impl Hub {
         let (to, from) = mpsc::channel(WAITING);
         let hello = FromCell::Hello { station, version: env!("CARGO_PKG_VERSION").to_owned() };
         let mut first = vec![text(&hello), text(&FromCell::Machine), text(&told.control(station))];
-        // As it was told to the others: the program may be long.
+        // Reuses the serialised text: the program may be long.
         first.push(told.work_text.clone().unwrap_or_else(|| text(&FromCell::Work { work: None })));
         first.push(text(&told.alarms()));
         first.push(text(&FromCell::Teach(told.teach.clone())));
         first.extend(told.events.iter().cloned().map(|event| text(&FromCell::Event(event))));
         for message in first {
-            // There is room for all of them.
+            // The queue has room for all of them.
             drop(to.try_send(message));
         }
         told.clients.insert(station, Client { user: user.to_owned(), watches, to });
         Some((station, from, self.status.subscribe()))
     }
 
-    /// How many clients there are.
+    /// Number of clients.
     #[cfg(test)]
     pub(crate) fn clients(&self) -> usize {
         self.told().clients.len()
     }
 
-    /// A client has gone; what it controlled, nobody does.
+    /// Disconnects a client; its control token becomes free.
     pub(crate) fn disconnect(&self, station: u32) {
         let mut told = self.told();
         told.clients.remove(&station);
@@ -148,7 +148,7 @@ impl Hub {
         }
     }
 
-    /// The newest status, and where the axes shall be, mm or rad.
+    /// Publishes the newest status, with the set-points of the axes, mm or rad.
     pub(crate) fn show(&self, mut status: Status, set: Joints) {
         status.near.clone_from(&self.near.lock().unwrap_or_else(PoisonError::into_inner));
         let message = text(&FromCell::Status(Box::new(status.clone())));
@@ -157,29 +157,29 @@ impl Hub {
         self.status.send_replace(Some(message));
     }
 
-    /// The newest status.
+    /// Newest status.
     pub(crate) fn latest(&self) -> Option<Status> {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(|(status, _)| status.clone())
     }
 
-    /// Time since the cycle was heard of; none before its first status.
+    /// Time since the last status of the cycle; `None` before the first one.
     pub(crate) fn age(&self) -> Option<Duration> {
         self.shown.lock().unwrap_or_else(PoisonError::into_inner).map(|shown| shown.elapsed())
     }
 
-    /// Where the axes shall be, mm or rad, if their references are known.
+    /// Set-points of the axes, mm or rad, if all axes are referenced.
     pub(crate) fn set_points(&self) -> Option<Joints> {
         let latest = self.latest.lock().unwrap_or_else(PoisonError::into_inner);
         let known = |status: &Status| status.axes.iter().all(|axis| axis.referenced);
         latest.as_ref().filter(|(status, _)| known(status)).map(|(_, set)| *set)
     }
 
-    /// The newest status, and where the axes shall be, mm or rad.
+    /// Newest status, with the set-points of the axes, mm or rad.
     pub(crate) fn standing(&self) -> Option<(Status, Joints)> {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Tells everybody what happened.
+    /// Sends an event to all clients.
     pub(crate) fn event(&self, t: f64, happened: Happening) {
         let (what, text, Happening { key, of, user, why }) = happened.told();
         let mut told = self.told();
@@ -201,7 +201,7 @@ impl Hub {
         told.all(&message);
     }
 
-    /// What teaching by eye is doing.
+    /// Publishes the state of teaching by camera.
     pub(crate) fn teaches(&self, view: TeachView) {
         let mut told = self.told();
         if told.teach != view {
@@ -217,7 +217,7 @@ impl Hub {
         told.everybody(&message);
     }
 
-    /// The machine of the cell.
+    /// Machine of the cell.
     pub(crate) fn machine(&self) -> Option<Arc<Machine>> {
         self.told().machine.clone()
     }
@@ -228,7 +228,7 @@ impl Hub {
         told.all(&FromCell::Machine);
     }
 
-    /// What the devices are connected for.
+    /// Machine and process values that the devices serve.
     pub(crate) fn connection(&self) -> Option<Connection> {
         self.told().connection.clone()
     }
@@ -237,7 +237,7 @@ impl Hub {
         self.told().connection = Some(to.clone());
     }
 
-    /// What the machine must keep clear of now.
+    /// Sets the surroundings that the machine must keep clear of.
     pub(crate) fn set_around(&self, around: Arc<Around>) {
         self.told().around = Some(around);
         self.set_near(None);
@@ -247,7 +247,7 @@ impl Hub {
         self.told().around.clone()
     }
 
-    /// What is nearest, for the statuses to come.
+    /// Sets the smallest distance for later statuses.
     pub(super) fn set_near(&self, near: Option<NearView>) {
         *self.near.lock().unwrap_or_else(PoisonError::into_inner) = near;
     }
@@ -256,7 +256,7 @@ impl Hub {
         self.told().work.clone()
     }
 
-    /// To one client.
+    /// Sends a message to one client.
     pub(crate) fn tell(&self, station: u32, message: &FromCell) {
         self.told().one(station, text(message));
     }
@@ -266,20 +266,20 @@ impl Hub {
         self.told().clients.get(&station).map(|c| c.user.clone())
     }
 
-    /// Name of whoever has the control token.
+    /// Name of the holder of the control token.
     pub(crate) fn holder(&self) -> Option<String> {
         let told = self.told();
         told.control.as_ref().and_then(|h| told.clients.get(&h.station)).map(|c| c.user.clone())
     }
 
-    /// A sign of life.
+    /// Records a heartbeat.
     pub(crate) fn beat(&self, station: u32) {
         if let Some(holder) = self.told().control.as_mut().filter(|h| h.station == station) {
             holder.beat = Instant::now();
         }
     }
 
-    /// True if this station may command; `jogs`: it moves axes by hand.
+    /// Returns true if this station may command; `jogs`: it moves axes by hand.
     pub(crate) fn controls(&self, station: u32, jogs: bool) -> bool {
         let mut told = self.told();
         let Some(holder) = told.control.as_mut().filter(|h| h.station == station) else { return false };
@@ -302,7 +302,7 @@ impl Hub {
                 return Err(Refusal::Held(Control { station: holder.station, user }));
             }
         }
-        // Who has it already and jogs, jogs on.
+        // A holder who takes it again keeps jogging.
         let jogs_until = told.control.as_ref().filter(|h| h.station == station).map_or(now, |h| h.jogs_until);
         told.give(Some(Holder { station, beat: now, jogs_until }));
         Ok(())
@@ -316,7 +316,7 @@ impl Hub {
         }
     }
 
-    /// Takes the token from whoever has not been heard of; true if somebody lost it.
+    /// Takes the token from a silent holder. Returns true if it was lost.
     pub(crate) fn forget_silent(&self) -> bool {
         let mut told = self.told();
         let silent = told.control.as_ref().is_some_and(|h| h.beat.elapsed() > BEAT);
@@ -328,7 +328,7 @@ impl Hub {
 }
 
 impl Told {
-    /// True if there is a place for one more page of `user`. The last ones are kept for operators who have none yet.
+    /// Returns true if `user` may open one more page. The last places are reserved for operators without a page.
     fn has_place(&self, user: &str, watches: bool) -> bool {
         let all = self.clients.len();
         let own = self.clients.values().filter(|c| c.user == user).count();
@@ -351,7 +351,7 @@ impl Told {
         }
     }
 
-    /// A client that does not listen is cut off: it must not miss anything.
+    /// Sends a message, or disconnects a client that does not read: it must not miss any.
     fn one(&mut self, station: u32, message: Text) {
         if self.clients.get(&station).is_some_and(|c| c.to.try_send(message).is_err()) {
             self.clients.remove(&station);
@@ -386,7 +386,7 @@ mod tests {
     use super::*;
     use crate::cell::happening;
 
-    /// However many pages others have open, an operator gets one, and his others do not take those of the next.
+    /// An operator always gets one page, and further pages do not take the places of other operators.
     #[test]
     fn places_are_kept_for_those_who_operate() {
         let hub = Hub::new();
@@ -405,19 +405,19 @@ mod tests {
         assert!(hub.connect("one more", Role::Operator).is_some());
     }
 
-    /// What was sent to a client that does not listen is not kept for ever.
+    /// Messages to a client that does not read are bounded.
     #[test]
     fn clients_that_do_not_listen_go() {
         let hub = Hub::new();
         let others: Vec<Connected> =
             (0..8).map(|i| hub.connect(&format!("user {i}"), Role::Operator).unwrap()).collect();
-        // The token goes with whoever is cut off.
+        // The token is lost with the disconnected client.
         hub.take_control(others[0].0, false).unwrap();
         (0..2 * WAITING).for_each(|i| hub.event(0.0, happening("order", [format!("{i}")])));
         assert!(hub.clients() == 0 && hub.holder().is_none());
     }
 
-    /// The token is not taken while its holder jogs, also if he asks for it once more.
+    /// The token cannot be taken while its holder jogs, even after the holder took it again.
     #[test]
     fn the_token_stays_with_a_hand_that_moves() {
         let hub = Hub::new();

@@ -1,4 +1,4 @@
-//! The running cell behind the panel: the cycle in its thread, the desk that listens to it, what the panel's clients see.
+//! The running cell behind the panel: the cycle in its thread, the desk that handles its messages, the clients' view.
 
 mod alarms;
 mod archive;

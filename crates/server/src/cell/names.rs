@@ -5,14 +5,14 @@ use seamwright_cell::realtime::{Footing, Shown};
 use seamwright_cell::tracking;
 use seamwright_machine::{AxisKind, Joints, Level, Machine};
 
-/// The machine's names for what the executive counts, and its chain for where things are.
+/// The machine's names for the executive's indices, and its kinematic chain.
 pub(super) struct Names {
     pub(super) machine: Machine,
     /// See [`super::Prepared::fingerprint`].
     pub(super) fingerprint: String,
-    /// Process values of the program.
+    /// Number of process values of the program.
     pub(super) values: usize,
-    /// Heads that are tracked.
+    /// Number of tracked heads.
     pub(super) heads: usize,
 }
 
@@ -25,7 +25,7 @@ impl Names {
         self.machine.interlocks.iter().map(|i| i.name.as_str()).collect()
     }
 
-    /// What a cycle says of standing still.
+    /// Updates `stillness` from a cycle.
     pub(super) fn watch(&self, stillness: &mut Stillness, c: &Shown) {
         let axes = self.machine.axes.len();
         let rests = c.orders.set[..axes].iter().all(|set| set.velocity == 0.0);
@@ -33,7 +33,7 @@ impl Names {
         stillness.cycle(c.t, rests, &c.reports.drives.position, &rotary);
     }
 
-    /// Which axis or condition an alarm is about, or what tracking says.
+    /// Returns the axis or condition of an alarm, or the trouble that tracking reports.
     pub(super) fn detail(&self, alarm: Alarm, detail: u8) -> Option<String> {
         let names = match alarm {
             Alarm::Interlock => self.conditions(),
@@ -183,12 +183,12 @@ impl Names {
     }
 }
 
-/// True if an alarm only tells and may be put aside. A condition that is not met is told, but keeps things from being started.
+/// Returns true if an alarm only informs and may be shelved. An unmet condition also only informs, but prevents starts.
 pub(super) fn shelvable(alarm: Alarm, reaction: Reaction) -> bool {
     reaction == Reaction::Tell && alarm != Alarm::Interlock
 }
 
-/// Commands that can be asked about.
+/// Commands whose missing conditions can be queried.
 pub(crate) const WHY: [(&str, Event); 7] = [
     ("switch_on", Event::SwitchOn),
     ("home", Event::Home),
@@ -199,10 +199,10 @@ pub(crate) const WHY: [(&str, Event); 7] = [
     ("reset", Event::Reset),
 ];
 
-/// What the desk knows beside the cycle.
+/// Status data that the desk adds to that of the cycle.
 pub(super) struct Extra<'a> {
     pub(super) missed: u32,
-    /// The most cycles missed at once.
+    /// Maximum number of cycles missed at once.
     pub(super) longest: u32,
     pub(super) footing: Option<&'a Footing>,
     pub(super) left: Option<LeftView>,
@@ -212,7 +212,7 @@ pub(super) struct Extra<'a> {
     pub(super) stands: bool,
 }
 
-/// A mode as the wire calls it.
+/// Returns the wire's name of a mode.
 pub(super) fn mode(mode: Mode) -> &'static str {
     match mode {
         Mode::DryRun => "dry_run",

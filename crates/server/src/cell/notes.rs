@@ -1,4 +1,4 @@
-//! What the cycle notes, told to everybody whom it concerns: pages, record, library, audit log.
+//! Distribution of the cycle's notes to pages, record, library and audit log.
 
 use super::desk::{Desk, Welding};
 use super::happening::happening;
@@ -11,7 +11,7 @@ use seamwright_cell::realtime::Footing;
 impl Desk {
     pub(super) fn noted(&mut self, t: f64, note: Note) {
         self.recorder.noted(t, &note);
-        // Its name in the library, while it is on the list.
+        // Name in the library; available only while the alarm is listed.
         let one = match note {
             Note::Taken(Command { ask: Ask::AcknowledgeOne(alarm, detail), .. }) => {
                 Some(self.mirror.name(&self.names, (alarm, detail)))
@@ -69,7 +69,7 @@ impl Desk {
         }
     }
 
-    /// A weld came to its end, or to none: recorded or not, what is finished is known.
+    /// Handles the end of a weld. Finished parts are known whether the weld was recorded or not.
     fn weld_is_over(&mut self) {
         let Some(welding) = self.welding.take() else { return };
         if let Some(of) = &mut self.to_weld
@@ -78,7 +78,7 @@ impl Desk {
         {
             self.parts.note(of, Progress::Whole(self.recorder.weld()));
             self.left_before = None;
-            // The next weld of this program is another part's, from its beginning.
+            // The next weld of this program is another part, from its start.
             of.plan.part.clear();
         }
     }
@@ -90,7 +90,7 @@ impl Desk {
         let missing: Vec<&str> = self.footing.get().into_iter().flat_map(Footing::missing).collect();
         match self.recorder.begin(&of.plan, of.passes, &welder, &missing) {
             Ok(()) => {
-                // What the last one lost is told; this one is whole so far.
+                // Trouble of the previous record has been reported; this record is complete so far.
                 self.outside.mend();
                 self.trouble = None;
             }
@@ -134,14 +134,14 @@ impl Desk {
     }
 
     fn refused(&mut self, command: Command, missing: Missing) {
-        // At the end quitting is asked for until everything rests.
+        // At the end, quit commands repeat until everything is at rest.
         if self.quits || matches!(command.ask, Ask::Jog(_)) {
             return;
         }
         self.refuse(command, self.names.lack(missing));
     }
 
-    /// Tells everybody whom it concerns that a command was refused.
+    /// Reports a refused command to clients and audit log.
     pub(super) fn refuse(&self, command: Command, why: LackView) {
         let station = command.origin.station;
         let user = self.hub.user(station);

@@ -12,20 +12,20 @@ use self_cell::self_cell;
 use std::path::Path;
 use std::sync::Arc;
 
-/// How far an axis may be from home for the plain way from there, mm or rad.
+/// Maximum distance of an axis from home for the planned approach from home, mm or rad.
 const AT_HOME: f64 = 0.005;
-/// Of everything random in a simulated cell.
+/// Random seed of a simulated cell.
 pub(super) const SEED: u64 = 1;
 
 /// A planned job, owned.
 pub(crate) struct Planned {
     pub(crate) loaded: Loaded,
     pub(crate) motion: WeldMotion,
-    /// How its part lies, if devices are simulated.
+    /// Pose of its part, if devices are simulated.
     pub(crate) part: Part,
 }
 
-/// What a cell can be given: a planned job, or a machine alone.
+/// Task of a cell: a planned job, or a machine alone.
 pub(crate) enum Task {
     Job(Box<Planned>),
     Machine(Box<Machine>),
@@ -40,7 +40,7 @@ impl Task {
     }
 }
 
-/// What a task stands on.
+/// Data that borrows from a task.
 pub(super) struct Ground<'a> {
     around: Surroundings<'a>,
     paths: Vec<WeldPath<'a>>,
@@ -54,11 +54,11 @@ self_cell! {
     }
 }
 
-/// A job has one.
+/// Present for a job only.
 type CellOf<'a> = Option<SimulatedCell<'a>>;
 
 self_cell! {
-    /// What everything of a task borrows from.
+    /// Owner of the data that everything in a task borrows from.
     pub(super) struct Base {
         owner: Stood,
         #[not_covariant]
@@ -68,7 +68,7 @@ self_cell! {
 
 impl Base {
     /// # Errors
-    /// What is wrong, in words.
+    /// In words, if the task is invalid.
     fn of(task: Task) -> Result<Self, String> {
         let stood = Stood::try_new(task, |task| {
             let nothing = Clamped::default();
@@ -97,28 +97,28 @@ self_cell! {
     }
 }
 
-/// The same for machines that are the same in everything: files of one name may differ.
+/// Equal for machines that are identical: files of one name may differ.
 pub(crate) fn fingerprint(machine: &Machine) -> String {
     sha256(format!("{machine:?}").as_bytes())
 }
 
-/// A task with everything made that running it takes memory for: ready to be handed to the cycle's thread.
+/// A task with all memory allocated: ready for the cycle's thread.
 pub(crate) struct Prepared {
     worked: Worked,
-    /// What corrects its passes, if they are tracked.
+    /// Corrects its passes, if they are tracked.
     pub(super) guide: Option<Guiding>,
-    /// What sees their joints.
+    /// Senses their joints.
     pub(super) sensors: Option<Sensing>,
-    /// The devices of a machine that is not yet the cell's.
+    /// Devices of a machine that the cell does not have yet.
     pub(crate) devices: Option<CellDevices>,
     fingerprint: String,
 }
 
 impl Prepared {
-    /// With the axes at `at`; `from`: where to begin, if not at the begin.
+    /// Prepares a task with the axes at `at`; `from`: start position, if not at the start of the first pass.
     ///
     /// # Errors
-    /// What is wrong, in words.
+    /// In words, if the task is invalid.
     pub(crate) fn new(task: Task, at: &Joints, from: Option<Place>) -> Result<Self, String> {
         let tracks = matches!(&task, Task::Job(planned) if planned.part.tracking);
         let base = Arc::new(Base::of(task)?);
@@ -136,10 +136,10 @@ impl Prepared {
         self.worked.with_dependent(|_, work| run(work))
     }
 
-    /// A machine without a program, on simulated devices.
+    /// Prepares a machine without a program, on simulated devices.
     ///
     /// # Errors
-    /// What is wrong, in words.
+    /// In words, if the machine is invalid.
     pub(crate) fn bare(machine: &Machine) -> Result<Self, String> {
         let mut machine = machine.clone();
         machine.devices = MachineDevices::default();

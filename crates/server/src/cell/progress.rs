@@ -1,4 +1,5 @@
-//! How far parts are welded: which passes are finished, where a weld was left, by program and part, from the library and since.
+//! Weld progress of parts: finished passes and the position where a weld was left, by program and part, from the
+//! library and since.
 
 use crate::wire::{LackView, LeftView};
 use seamwright_cell::executive::{Note, Place};
@@ -8,14 +9,14 @@ use seamwright_record::library::{Library, Query, WeldRecord, WeldResult};
 use seamwright_record::{Error, Plan, sha256};
 use std::collections::{HashMap, HashSet};
 
-/// A start this much before the place up to which a pass is welded welds nothing again that is finished, mm: places are written with
-/// two digits.
+/// Tolerance for a start before the end of a pass's finished length, mm: positions are written with two digits.
 const SAME_MM: f64 = 0.5;
 
-/// Where a weld was left, and which one: going on there with anything else would weld where nothing is.
+/// Position where a weld was left, with its program and part: continuing there with another one would weld in the wrong
+/// position.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Left {
-    /// The pass, and up to where it is welded, mm: all passes before it are finished.
+    /// The pass, and the end of its finished length, mm. All passes before it are finished.
     at: (u32, f64),
     record: Option<i64>,
     title: String,
@@ -24,23 +25,23 @@ pub(super) struct Left {
     program: String,
 }
 
-/// How far a part is welded.
+/// Weld progress of a part.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Progress {
-    /// It was left there.
+    /// It was left at this position.
     Left(Left),
-    /// All of it was welded, in this record.
+    /// It is welded completely, in this record.
     Whole(Option<i64>),
 }
 
-/// What is in the cell to be welded.
+/// The loaded weld.
 pub(super) struct ToWeld {
     pub(super) plan: Plan,
-    /// Passes that are to be welded.
+    /// Number of passes to be welded.
     pub(super) passes: usize,
-    /// Where it begins: the pass, and the place in it, mm.
+    /// Start: the pass, and the position in it, mm.
     pub(super) start: (u32, f64),
-    /// How much of a finished weld before `start` is welded over on purpose, mm: asked for when it was loaded.
+    /// Length of finished weld before `start` that is welded over on purpose, mm: requested when it was loaded.
     overlap_mm: f64,
     /// SHA-256 of the program.
     program: String,
@@ -52,7 +53,7 @@ impl ToWeld {
         Self { plan, passes, start: start.unwrap_or((1, 0.0)), overlap_mm: 0.0, program }
     }
 
-    /// The same, where so much of a finished weld is welded over on purpose, mm.
+    /// Returns the same with this length of finished weld welded over on purpose, mm.
     pub(super) fn with_overlap(self, overlap_mm: f64) -> Self {
         Self { overlap_mm, ..self }
     }
@@ -66,7 +67,7 @@ impl ToWeld {
 type Key = (String, String);
 
 impl Left {
-    /// A weld of what is in this cell, recorded as `record`.
+    /// A weld of the loaded program that was left, recorded as `record`.
     pub(super) fn now(at: (u32, f64), record: Option<i64>, of: &ToWeld) -> Self {
         let (title, part) = (of.plan.title.clone(), of.plan.part.clone());
         Self { at, record, title, part, program: of.program.clone() }
@@ -76,7 +77,7 @@ impl Left {
         Self { at, record: Some(weld.id), title: weld.title, part: weld.part, program: weld.program.2 }
     }
 
-    /// As pages see it while that is in the cell.
+    /// Returns the view for pages while `now` is loaded.
     pub(super) fn seen(&self, now: Option<&ToWeld>) -> LeftView {
         let same = |part: &str| part.is_empty() || part == self.part;
         let here = now.is_some_and(|now| now.program == self.program && same(&now.plan.part));
@@ -86,14 +87,14 @@ impl Left {
     }
 }
 
-/// Puts where a failure of power or program left a weld, which its journal knows, into the events of its record: there it is found
-/// like any other place, however many welds come after it.
+/// Adds the position at which a failure of power or program left a weld to the events of its record. The position comes
+/// from its journal. It is then found like any other position, however many welds follow.
 ///
 /// # Errors
 /// If the library cannot be read or written.
 pub(super) fn remember(at: &Position, library: &Library) -> Result<(), Error> {
     let weld = i64::try_from(at.weld).unwrap_or(0);
-    // Of a weld whose record is gone nothing can be said.
+    // A weld without a record is skipped.
     let Ok(record) = library.weld(weld) else { return Ok(()) };
     if record.result != WeldResult::Interrupted || weld_events::left(&library.events(weld)?).is_some() {
         return Ok(());
@@ -103,24 +104,24 @@ pub(super) fn remember(at: &Position, library: &Library) -> Result<(), Error> {
         .map_or(Ok(()), |event| library.add_event(Some(weld), &event).map(drop))
 }
 
-/// How far parts are welded: what the library has, and what has happened since, which it may not have yet.
+/// Weld progress of parts: from the library, and from newer events that it may not contain yet.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     known: HashMap<Key, Progress>,
 }
 
 impl Parts {
-    /// What is in the cell was left there, or welded whole.
+    /// Notes the progress of the loaded part.
     pub(super) fn note(&mut self, of: &ToWeld, progress: Progress) {
         self.known.insert(of.key(), progress);
     }
 
-    /// How far the part is that is in the cell. A program that is loaded for a part without a number is that for any part of which
-    /// something is left, the newest.
+    /// Returns the progress of the loaded part. A program loaded without a part number matches any part of it that was
+    /// left, the newest.
     pub(super) fn of(&self, now: &ToWeld, library: Option<&Library>) -> Option<Progress> {
         let part = &now.plan.part;
         match self.known.get(&now.key()) {
-            // The last part without a number is whole; others may be left.
+            // The last part without a number is complete; others may be left.
             Some(Progress::Whole(_)) if part.is_empty() => {}
             Some(known) => return Some(known.clone()),
             None => {}
@@ -138,19 +139,19 @@ impl Parts {
             ..Query::default()
         };
         let simulated = |weld: &WeldRecord| weld.simulated == now.plan.simulated;
-        // A library that cannot be read has told so elsewhere.
+        // Reading errors of the library are reported elsewhere.
         let recorded = library.and_then(|library| newest_of(library, &query, simulated).ok()).flatten();
         recorded.filter(|progress| !matches!(progress, Progress::Left(left) if self.is_done(left)))
     }
 
-    /// What the library has of it is out of date.
+    /// Returns true if the library's position is out of date.
     fn is_done(&self, left: &Left) -> bool {
         let key = (left.program.clone(), left.part.clone());
         matches!(self.known.get(&key), Some(Progress::Whole(_)))
     }
 
-    /// Why what is in the cell must not be welded from where it begins without a question: it would weld a finished pass again, by
-    /// more than the overlap that was asked for.
+    /// Returns the reason for which the loaded weld needs confirmation: it would weld a finished pass again, beyond the
+    /// requested overlap.
     pub(super) fn finished(&self, now: &ToWeld, library: Option<&Library>) -> Option<LackView> {
         let (part, start) = (&now.plan.part, now.start);
         match self.of(now, library)? {
@@ -165,7 +166,7 @@ impl Parts {
                 let of = vec![part.clone(), pass.to_string(), format!("{s_mm:.2}")];
                 again.then(|| LackView { key: "finished_pass".to_owned(), of, text })
             }
-            // Parts without a number are others each time.
+            // Each weld without a part number is another part.
             Progress::Whole(record) if !part.is_empty() => {
                 let record = record.map_or_else(|| "–".to_owned(), |id| id.to_string());
                 let text = format!(
@@ -178,7 +179,7 @@ impl Parts {
     }
 }
 
-/// Where the newest weld was left whose part was not welded whole since.
+/// Returns the newest weld that was left and whose part has not been completed since.
 ///
 /// # Errors
 /// If the library cannot be read.
@@ -187,15 +188,15 @@ pub(super) fn newest_left(library: &Library) -> Result<Option<Left>, Error> {
     Ok(progress.and_then(|progress| if let Progress::Left(left) = progress { Some(left) } else { None }))
 }
 
-/// How far the newest part among these welds is: the newest place at which one was left, of parts that were not welded whole since;
-/// if there is none, the newest that is whole.
+/// Returns the progress of the newest part among these welds: the newest one left whose part was not completed since,
+/// or else the newest complete one.
 fn newest_of(
     library: &Library,
     query: &Query,
     counts: impl Fn(&WeldRecord) -> bool,
 ) -> Result<Option<Progress>, Error> {
     let mut welds = library.find(query)?;
-    // By number: clocks are set.
+    // By number, since clocks can be set.
     welds.sort_by_key(|weld| std::cmp::Reverse(weld.id));
     let (mut whole, mut done) = (None, HashSet::new());
     for weld in welds.into_iter().filter(counts) {
@@ -206,7 +207,7 @@ fn newest_of(
                 done.insert(key);
             }
             WeldResult::Stopped | WeldResult::Interrupted if !done.contains(&key) => {
-                // One that was left before anything was welded changes nothing.
+                // A weld that was left before anything was welded changes nothing.
                 if let Some(at) = weld_events::left(&library.events(weld.id)?) {
                     return Ok(Some(Progress::Left(Left::recorded(at, weld))));
                 }
@@ -243,7 +244,7 @@ mod tests {
         ToWeld::new(plan, 3, Some(start))
     }
 
-    /// A continued weld that is left again in its second pass: the root is finished, and no older place brings it back.
+    /// A continued weld is left again in its second pass: the root is finished, and older positions are out of date.
     #[test]
     fn a_finished_pass_is_not_begun_again_unasked() {
         let mut parts = Parts::default();
@@ -264,10 +265,11 @@ mod tests {
             let lack = parts.finished(&to_weld("N-1", start), None);
             assert_eq!(lack.as_ref().map(|lack| lack.key.as_str()), again.then_some("finished_pass"), "{start:?}");
             assert!(lack.is_none_or(|lack| lack.of == ["N-1", "2", "6.00"]), "{start:?}");
-            // Another part is not concerned.
+            // Another part is not affected.
             assert_eq!(parts.finished(&to_weld("N-2", start), None), None);
         }
-        // Some weld over the end of what is finished is asked for each time: so much of the same pass needs no question.
+        // Overlap over the end of the finished weld is requested explicitly: within it the same pass needs no
+        // confirmation.
         for (start, overlap_mm, again) in
             [((2, 0.0), 6.0, false), ((2, 1.0), 5.0, false), ((2, 1.0), 4.0, true), ((1, 135.2), 10.0, true)]
         {
@@ -277,11 +279,11 @@ mod tests {
         let Some(Progress::Left(left)) = parts.of(&continued, None) else { panic!("nothing is left") };
         let seen = left.seen(Some(&continued));
         assert_eq!((seen.pass, seen.finished, seen.here, seen.record), (2, 1, true, Some(2)));
-        // Loaded without the number of a part it is offered too, but starts anew unasked: it may be another part.
+        // Loaded without a part number it is offered too, but starts anew without confirmation: it may be another part.
         let unnumbered = to_weld("", (1, 0.0));
         assert_eq!(parts.of(&unnumbered, None), Some(Progress::Left(left)));
         assert_eq!(parts.finished(&unnumbered, None), None);
-        // Welded whole it is finished; one without a number never is.
+        // A complete part is finished; a part without a number never is.
         parts.note(&continued, Progress::Whole(Some(3)));
         assert_eq!(parts.finished(&first, None).map(|lack| lack.key), Some("finished_part".to_owned()));
         parts.note(&unnumbered, Progress::Whole(Some(4)));

@@ -14,20 +14,20 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// After the program has ended, its gas too, the record goes on for this long, s.
+/// Duration of the record after the end of the program and its gas, s.
 const AFTER_S: f64 = 1.0;
-/// At the end of the program records that are being closed have this long.
+/// Maximum time to close records at the end of the program.
 const CLOSING: Duration = Duration::from_secs(30);
 
-/// Records welds as they come.
+/// Records welds while they run.
 pub(super) struct Recorder {
     folder: PathBuf,
     hub: Arc<Hub>,
     archive: Archive,
     open: Option<Open>,
-    /// The journal of positions while a weld is recorded or its record is being closed: one for all of them, since it is locked.
+    /// Journal of positions while a weld is recorded or closed: one for all of them, since it is locked.
     places: Option<Arc<Places>>,
-    /// Records that are being closed.
+    /// Threads that close records.
     closing: Vec<JoinHandle<()>>,
 }
 
@@ -41,13 +41,13 @@ struct Open {
     passes: usize,
     wanted: usize,
     left: Option<Place>,
-    /// Where the torch was last, and what happened.
+    /// Last position of the torch, and events.
     here: Place,
     events: Vec<Event>,
     stopped: Option<String>,
-    /// A cycle of the weld itself has come: those before it may wait in the queue when it is begun.
+    /// A cycle of this weld has arrived: earlier ones may still be in the queue when it starts.
     runs: bool,
-    /// When the program ended, s.
+    /// Time of the end of the program, s.
     ended: Option<f64>,
 }
 
@@ -62,17 +62,17 @@ impl Recorder {
         Self { folder: folder.to_owned(), hub, archive, open: None, places: None, closing: Vec::new() }
     }
 
-    /// Where welds are recorded.
+    /// Data folder of the records.
     pub(super) fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Number of the weld that is recorded.
+    /// Number of the weld that is being recorded.
     pub(super) fn weld(&self) -> Option<i64> {
         self.open.as_ref().map(|o| o.recording.id())
     }
 
-    /// A weld begins: `passes` of it are to come, by `welder`; `missing` is what the cycle lacks of real-time rights.
+    /// Starts the record of a weld with `passes` passes by `welder`; `missing`: real-time rights that the cycle lacks.
     ///
     /// # Errors
     /// If it cannot be recorded.
@@ -80,7 +80,7 @@ impl Recorder {
         self.end();
         let mut data = DataFolder::open(&self.folder)?;
         let plan = Plan { welder: Some(welder.to_owned()), ..plan.clone() };
-        // First, so that a weld without a journal leaves nothing in the library.
+        // Opened first, so that a weld without a journal leaves no entry in the library.
         let places = self.journal(&data)?;
         let recording = data.begin(&plan)?;
         let welder = welder.to_owned();
@@ -107,7 +107,7 @@ impl Recorder {
         Ok(())
     }
 
-    /// The journal that is open already, for a weld that is still being closed, or opens it.
+    /// Returns the journal that a closing record has open, or opens it.
     fn journal(&mut self, data: &DataFolder) -> Result<Arc<Places>, Error> {
         if let Some(places) = &self.places {
             return Ok(Arc::clone(places));
@@ -117,14 +117,14 @@ impl Recorder {
         Ok(places)
     }
 
-    /// Lets other programs have the journal once no weld needs it.
+    /// Closes the journal once no weld needs it.
     fn free_journal(&mut self) {
         if self.open.is_none() {
             drop(self.places.take_if(|places| Arc::strong_count(places) == 1));
         }
     }
 
-    /// A cycle; the trouble that keeps rows from being written, if there is some.
+    /// Records a cycle. Returns the trouble that prevents writing rows, if any.
     pub(super) fn row(&mut self, names: &Names, shown: &Shown) -> Option<String> {
         self.free_journal();
         let open = self.open.as_mut()?;
@@ -158,7 +158,7 @@ impl Recorder {
         }
     }
 
-    /// An alarm is kept at once, of the weld that is recorded or of none.
+    /// Archives an alarm at once, with the weld that is recorded, if any.
     pub(super) fn alarm(&mut self, t: f64, raised: &Raised, name: &str) {
         if let Some(open) = self.open.as_mut().filter(|_| raised.reaction >= Reaction::Hold) {
             open.stopped.get_or_insert_with(|| name.to_owned());
@@ -166,7 +166,7 @@ impl Recorder {
         self.archive.alarm(self.weld(), alarm(t, raised, name));
     }
 
-    /// Ends what is being recorded, in a thread of its own: a long trace takes a while.
+    /// Ends the current record in a separate thread: a long trace takes time.
     pub(super) fn end(&mut self) {
         let Some(open) = self.open.take() else { return };
         let (folder, hub) = (self.folder.clone(), Arc::clone(&self.hub));
@@ -184,7 +184,7 @@ impl Recorder {
         self.closing.push(std::thread::spawn(finish));
     }
 
-    /// What is recorded was ended from outside.
+    /// Notes that the recorded weld was ended from outside.
     pub(super) fn stopped_by(&mut self, cause: &str) {
         let Some(open) = &mut self.open else { return };
         let text = format!("stopped by: {cause}");
@@ -192,7 +192,7 @@ impl Recorder {
         open.stopped.get_or_insert_with(|| cause.to_owned());
     }
 
-    /// Ends what is being recorded, and waits until all records are on the disk, for a while.
+    /// Ends the current record and waits until all records are on the disk, at most [`CLOSING`].
     pub(super) fn close(&mut self) {
         self.end();
         let begun = Instant::now();
@@ -203,7 +203,7 @@ impl Recorder {
     }
 }
 
-/// An alarm as the library keeps it.
+/// Converts an alarm for the library.
 fn alarm(t: f64, raised: &Raised, name: &str) -> Alarm {
     let in_pass = raised.place.pass > 0;
     Alarm {
@@ -220,12 +220,12 @@ fn alarm(t: f64, raised: &Raised, name: &str) -> Alarm {
     }
 }
 
-/// Closes a record, and takes its weld out of the journal of positions.
+/// Closes a record, and removes its weld from the journal of positions.
 fn finish(open: Open, folder: &Path) -> Result<WeldResult, Error> {
     let (places, whole) = (Arc::clone(&open.places), open.is_whole());
     let id = u64::try_from(open.recording.id()).unwrap_or(0);
     let result = settle(open, folder);
-    // It ended in order: nothing is left to power failures. Where it was left stays in the journal if the library does not have it.
+    // A regular end needs no journal entry. Otherwise the position stays in the journal, unless the library has it.
     let cleared = if whole || result.is_ok() { places.over(id) } else { Ok(()) };
     result.and_then(|result| cleared.map(|()| result))
 }
@@ -236,7 +236,7 @@ fn settle(open: Open, folder: &Path) -> Result<WeldResult, Error> {
     let whole = open.is_whole();
     let result = match &open.stopped {
         None if whole => WeldResult::Good,
-        // It was held by an alarm, and went on to its end.
+        // It was held by an alarm and then continued to its end.
         Some(_) if whole => WeldResult::Deviating,
         _ => WeldResult::Stopped,
     };
@@ -305,7 +305,7 @@ mod tests {
         welds.iter().map(|weld| weld.result).collect()
     }
 
-    /// A weld that begins at once after another one has its record, and its place in the journal.
+    /// Welds in quick succession each have a record and a place in the journal.
     #[test]
     fn a_weld_is_recorded_while_the_record_before_is_being_closed() {
         let folder = tempfile::tempdir().unwrap();
@@ -313,11 +313,11 @@ mod tests {
         (0..10).for_each(|_| recorder.begin(&plan(), 1, "ada", &[]).unwrap());
         recorder.close();
         assert_eq!(results(folder.path()), [WeldResult::Stopped; 10]);
-        // Nothing is left in the journal, which others may have now.
+        // The journal is empty and unlocked.
         assert_eq!(DataFolder::open(folder.path()).unwrap().journal().unwrap().last(), None);
     }
 
-    /// A record that cannot be closed takes nothing from the welds to come.
+    /// A record that fails to close does not affect later welds.
     #[test]
     fn a_record_that_fails_leaves_the_journal_to_the_next_weld() {
         let folder = tempfile::tempdir().unwrap();
@@ -332,7 +332,7 @@ mod tests {
         assert_eq!(results(folder.path()), [WeldResult::Stopped]);
     }
 
-    /// Where the journal is somebody else's, no weld is left that runs for ever.
+    /// If the journal is locked by another program, no unfinished weld is left in the library.
     #[test]
     fn a_weld_without_a_journal_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();

@@ -1,16 +1,16 @@
-//! Refusals on their way to the audit log: counted and summed up, so whoever repeats them fills neither queue nor disk.
+//! Refusals on their way to the audit log: counted and summed up, so that repetition fills neither queue nor disk.
 
 use super::archive::entry;
 use seamwright_record::library::AuditEntry;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
-/// After the first refusal of a kind, the others are counted for this long and written as one entry.
+/// After the first refusal of a kind, further ones are counted for this time and written as one entry.
 const SUM_UP: Duration = Duration::from_secs(60);
-/// Maximum number of kinds that are counted at a time; all others are one more kind.
+/// Maximum number of kinds counted at a time; all others share one more kind.
 const MAX_KINDS: usize = 64;
 
-/// What was refused, and to whom.
+/// Kind of a refusal: user, command and result.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Kind {
     user: String,
@@ -26,7 +26,7 @@ struct Counted {
     count: u64,
 }
 
-/// Refusals that have not been written yet.
+/// Refusals not written yet.
 #[derive(Debug, Default)]
 pub(super) struct Refusals {
     kinds: HashMap<Kind, Counted>,
@@ -34,7 +34,7 @@ pub(super) struct Refusals {
 }
 
 impl Refusals {
-    /// Counts a refusal: the first of its kind gets an entry at once.
+    /// Counts a refusal; the first of its kind gets an entry at once.
     pub(super) fn add(&mut self, user: &str, station: &str, command: &str, result: &str, now: Instant) {
         let mut kind = Kind { user: user.to_owned(), command: command.to_owned(), result: result.to_owned() };
         if self.kinds.len() >= MAX_KINDS && !self.kinds.contains_key(&kind) {
@@ -48,7 +48,7 @@ impl Refusals {
         self.kinds.insert(kind, Counted { station: station.to_owned(), since: now, count: 0 });
     }
 
-    /// Takes the entries that are due; `all`: also those that would be counted for longer.
+    /// Takes the entries that are due; `all`: also those still being counted.
     pub(super) fn due(&mut self, now: Instant, all: bool) -> Vec<AuditEntry> {
         let mut entries = std::mem::take(&mut self.first);
         self.kinds.retain(|kind, counted| {
@@ -68,7 +68,7 @@ impl Refusals {
         entries
     }
 
-    /// Time until something is due; none if nothing waits.
+    /// Time until the next entry is due; `None` if nothing waits.
     pub(super) fn next(&self, now: Instant) -> Option<Duration> {
         if !self.first.is_empty() {
             return Some(Duration::ZERO);
@@ -90,7 +90,7 @@ mod tests {
         let due = refusals.due(begin + SUM_UP, false);
         assert_eq!(due.len(), 1);
         assert_eq!((due[0].user.as_str(), due[0].result.as_str()), ("eve", "refused: role: 312 more in 60 s"));
-        // Nothing more came: the next one is a first one again.
+        // Without further refusals the next one counts as the first again.
         assert!(refusals.due(begin + 2 * SUM_UP, false).is_empty());
         refusals.add("eve", "panel", "users.read", "refused: role", begin + 2 * SUM_UP);
         assert_eq!(refusals.due(begin + 2 * SUM_UP, true).len(), 1);

@@ -1,4 +1,4 @@
-//! Devices that are let go, and whether their outputs are safe then.
+//! Release of devices, and confirmation of their safe outputs.
 
 use super::connection::{CellDevices, Connection};
 use super::happening::happening;
@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 
-/// Lets devices go and judges whether they have confirmed their safe outputs.
+/// Releases devices and checks that they have confirmed their safe outputs.
 #[derive(Clone)]
 pub(super) struct SafeOutputs {
     hub: Arc<Hub>,
@@ -16,7 +16,7 @@ pub(super) struct SafeOutputs {
 
 #[derive(Default)]
 struct Shared {
-    /// Devices without a confirmation, and why.
+    /// Devices without a confirmation, with the reason.
     unconfirmed: BTreeMap<String, String>,
     /// Threads that wait for devices.
     waiting: Vec<JoinHandle<()>>,
@@ -27,7 +27,7 @@ impl SafeOutputs {
         Self { hub, shared: Arc::default() }
     }
 
-    /// Drops `devices` and judges them, in a thread of its own: they have some seconds to answer.
+    /// Drops `devices` and checks them in a separate thread: they have some seconds to answer.
     pub(super) fn let_go(&self, devices: CellDevices) {
         let own = self.clone();
         let waits = std::thread::spawn(move || {
@@ -40,7 +40,7 @@ impl SafeOutputs {
         shared.waiting.push(waits);
     }
 
-    /// Reports devices of `to`, which have been dropped, that have not confirmed their safe outputs.
+    /// Reports the dropped devices of `to` that have not confirmed their safe outputs.
     fn judge(&self, to: &Connection) {
         for (name, line) in to.lines.iter() {
             let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".to_owned()));
@@ -50,15 +50,15 @@ impl SafeOutputs {
             }
             let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
             match safe {
-                // What was connected anew since, and is safe now, is safe.
+                // A device that was reconnected and is safe now is removed.
                 Ok(()) => shared.unconfirmed.remove(name),
                 Err(why) => shared.unconfirmed.insert(name.clone(), why),
             };
         }
     }
 
-    /// Waits for all devices that were let go and judges the last ones, of `to`, which have been dropped; all without a confirmation,
-    /// a line each.
+    /// Waits for all released devices and checks the last ones, of `to`, which have been dropped. Returns one line for
+    /// each device without a confirmation.
     pub(super) fn end(&self, to: Option<&Connection>) -> Vec<String> {
         let waiting = std::mem::take(&mut self.shared.lock().unwrap_or_else(PoisonError::into_inner).waiting);
         waiting.into_iter().for_each(|thread| drop(thread.join()));

@@ -19,30 +19,31 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread::JoinHandle;
 
-/// Programs that wait for the cycle, and those that it has done with.
+/// Capacity of the queues of programs to and from the cycle.
 const PROGRAMS: usize = 4;
 
 /// A running cell.
 pub(crate) struct Cell {
     pub(crate) hub: Arc<Hub>,
     pub(crate) archive: Archive,
-    /// Stops and holds, past everything that waits.
+    /// Stops and holds, which bypass all queues.
     pub(crate) urgent: Urgent,
     pub(crate) desk: Sender<ToDesk>,
-    /// The real devices that jobs may use, and where files that they name are seen from: those of the machine at the start, chosen
-    /// by who started the panel.
+    /// Real devices that jobs may use, and the folder of their paths: those of the machine at the start, chosen by the
+    /// user who started the panel.
     pub(crate) devices: (MachineDevices, PathBuf),
     safe_outputs: SafeOutputs,
     thread: Mutex<Option<JoinHandle<()>>>,
 }
 
 impl Cell {
-    /// Starts a cell on the devices of `machine`, off and without a program; records go to `data`. Files that the machine file
-    /// names are seen from `beside`; `values` are the process values of the programs that come, for devices that are not simulated.
-    /// `shutdown` ends it past everything else: process off within a cycle, rest, power off.
+    /// Starts a cell on the devices of `machine`, off and without a program; records go to `data`. Paths in the machine
+    /// file are relative to `beside`. `values` are the process values of later programs, for devices that are not
+    /// simulated.
+    /// `shutdown` ends the cell first of all: process off within a cycle, rest, power off.
     ///
     /// # Errors
-    /// In words: a folder that cannot be written, values in the machine file that make no drive, devices that do not answer.
+    /// In words: an unwritable folder, invalid drive values in the machine file, devices that do not answer.
     pub(crate) fn start(
         machine: &Machine,
         beside: &Path,
@@ -88,7 +89,7 @@ impl Cell {
         let (from_cycle, done) = rtrb::RingBuffer::new(PROGRAMS);
         let task = Box::new(Prepared::new(Task::Machine(Box::new(machine.clone())), &machine.home(), None)?);
         let fingerprint = task.fingerprint().to_owned();
-        // Files that are not devices' come first: nothing is switched before everything else is good.
+        // Devices come last: nothing is switched before all files are valid.
         let devices = CellDevices::new(&task, beside, values)?;
         hub.set_connection(devices.to());
         let footing = Arc::new(OnceLock::new());
@@ -114,10 +115,10 @@ impl Cell {
         Ok(Self { hub, archive, urgent, desk, devices, safe_outputs, thread: Mutex::new(Some(thread)) })
     }
 
-    /// Stops, takes the power away, and waits for the end; the devices that have not confirmed that their outputs are safe, a line
-    /// each.
+    /// Stops, switches the power off, and waits for the end. Returns one line for each device that has not confirmed
+    /// its safe outputs.
     pub(crate) fn end(&self) -> Vec<String> {
-        // A desk that has gone has ended already.
+        // Sending fails only if the desk has already ended.
         drop(self.desk.send(ToDesk::Quit));
         let thread = self.thread.lock().unwrap_or_else(PoisonError::into_inner).take();
         let Some(thread) = thread else { return Vec::new() };

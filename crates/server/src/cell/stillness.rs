@@ -1,21 +1,22 @@
 use seamwright_machine::{Joints, MAX_AXES};
 
-/// How long nothing may have moved until it stands, s: an axis swings a little after its set-point has come to rest.
+/// Time without motion until the axes count as still, s: an axis oscillates briefly after its set-point has come to
+/// rest.
 const FOR_S: f64 = 0.2;
-/// What counts as no motion: 0.02 mm, 0.02 degrees (rad).
+/// Maximum displacement that counts as no motion: 0.02 mm, 0.02 degrees (rad).
 const LINEAR_MM: f64 = 0.02;
 const ROTARY: f64 = 3.5e-4;
 
-/// Knows if the axes stand: nothing is asked to move, and nothing has moved for a moment as far as drives tell.
+/// Detects standstill: set-points at rest, and no measured motion for [`FOR_S`].
 #[derive(Debug, Default)]
 pub(super) struct Stillness {
-    /// Since when, s, and where.
+    /// Start of the standstill, s, and the axis positions.
     since: Option<(f64, Joints)>,
     t: f64,
 }
 
 impl Stillness {
-    /// A cycle: whether set-points are at rest, and where the axes are.
+    /// Updates from a cycle: whether set-points are at rest, and measured axis positions.
     pub(super) fn cycle(&mut self, t: f64, rests: bool, at: &Joints, rotary: &[bool; MAX_AXES]) {
         self.t = t;
         let limit = |i: usize| if rotary[i] { ROTARY } else { LINEAR_MM };
@@ -45,7 +46,7 @@ mod tests {
         at
     }
 
-    /// Cycles of 1 ms from `t` on; if it stands after each.
+    /// Runs cycles of 1 ms from `t` on; returns the standstill after each.
     fn cycles(of: &mut Stillness, t: f64, count: u32, rests: bool, x: impl Fn(u32) -> f64) -> Vec<bool> {
         let cycle = |i: u32| {
             of.cycle(t + 1e-3 * f64::from(i), rests, &at(x(i)), &LINEAR);
@@ -60,19 +61,19 @@ mod tests {
         assert!(!cycles(&mut of, 0.0, 300, false, |_| 5.0).contains(&true), "it is asked to move");
         let told = cycles(&mut of, 0.3, 400, true, |_| 5.0);
         assert!(!told[150] && told[399]);
-        // Moved again: at once it does not stand.
+        // After another motion it is not still at once.
         assert!(!cycles(&mut of, 0.7, 1, false, |_| 5.0)[0]);
     }
 
     #[test]
     fn an_axis_that_swings_or_is_pushed_does_not_stand() {
         let mut of = Stillness::default();
-        // 10 mm/s without being asked.
+        // Motion of 10 mm/s without a command.
         assert!(!cycles(&mut of, 0.0, 1000, true, |i| 0.01 * f64::from(i)).contains(&true));
-        // Noise of an encoder.
+        // Encoder noise.
         let told = cycles(&mut of, 1.0, 500, true, |i| 10.0 + 0.005 * f64::from(i % 2));
         assert!(told[499]);
-        // Slowly, but further and further.
+        // Slow continuous drift.
         let told = cycles(&mut of, 1.5, 2000, true, |i| 10.0 + 1e-4 * f64::from(i));
         assert!(told.contains(&false));
     }

@@ -1,4 +1,4 @@
-//! Answers on their way out: bounded in memory, and in the time that their reader may take.
+//! Answers being sent: bounded in memory and in the time that their reader may take.
 
 use super::room::{Room, Taken};
 use crate::http::Refused;
@@ -10,16 +10,15 @@ use std::pin::Pin;
 use std::sync::Arc;
 use std::task::{Context, Poll, ready};
 
-/// Bytes of all large answers together that are held until their readers have them, and of those of one user: enough for the largest
-/// one.
+/// Maximum size of all large answers held until sent, bytes, and of those of one user: enough for the largest answer.
 const ROOM: usize = 256 << 20;
 const SHARE: usize = 128 << 20;
-/// Answers of up to so many bytes take no room: connections are few enough for them.
+/// Answers up to this size, bytes, need no room: the number of connections bounds them.
 const SMALL: usize = 64 << 10;
-/// Bytes that are handed on at a time: where a connection copies them, it copies few.
+/// Maximum size of a piece, bytes: a connection that copies pieces copies little.
 const CHUNK: usize = 64 << 10;
 
-/// Room for answers.
+/// Memory limit of answers.
 pub(super) struct Answers(Arc<Room>);
 
 impl Default for Answers {
@@ -33,8 +32,8 @@ impl Answers {
         Self(Room::new(all, share))
     }
 
-    /// An answer to `user` with the room that it takes until its last byte is sent; a refusal if there is none. What is streamed holds no
-    /// more than its pieces.
+    /// Returns the answer to `user`, which holds its room until its last byte is sent, or a refusal if there is no
+    /// room. Streamed answers hold only their pieces.
     pub(super) fn hold(&self, user: &str, response: Response<Body>) -> Response<Body> {
         let Some(size) = size(response.body()).filter(|size| *size > SMALL) else { return response };
         let Some(taken) = self.0.try_take(user, size) else {
@@ -45,15 +44,15 @@ impl Answers {
     }
 }
 
-/// Bytes of a body, if it is known how many there are.
+/// Size of a body, bytes, if known.
 pub(super) fn size(body: &Body) -> Option<usize> {
     body.size_hint().exact().and_then(|size| usize::try_from(size).ok())
 }
 
-/// A body whose bytes hold room, wherever they wait to be sent.
+/// A body whose bytes hold room until they are sent.
 struct Counted {
     body: Body,
-    /// Of the piece that came last, what is still to be handed on.
+    /// Rest of the last piece.
     rest: Bytes,
     taken: Arc<Taken>,
 }

@@ -1,4 +1,4 @@
-//! Bodies of requests, collected whole within bounds of size, memory and time.
+//! Request bodies, collected completely within limits of size, memory and time.
 
 use super::room::Room;
 use crate::http::{MAX_BYTES, MAX_UNKNOWN, Refused};
@@ -7,13 +7,14 @@ use axum::http::StatusCode;
 use hyper::body::Body as _;
 use std::sync::Arc;
 
-/// Bytes of all large bodies together while they come, and of those of one user: whoever lets many of them trickle in holds up no others.
+/// Maximum size of all large bodies being received, bytes, and of those of one user: a slow sender does not block
+/// others.
 const ROOM: usize = 64 << 20;
 const SHARE: usize = 16 << 20;
-/// Bodies of up to so many bytes come without waiting for room: connections are few enough for them.
+/// Bodies up to this size, bytes, do not wait for room: the number of connections bounds them.
 const SMALL: usize = 64 << 10;
 
-/// Room for bodies.
+/// Memory limit of bodies.
 pub(super) struct Bodies(Arc<Room>);
 
 impl Default for Bodies {
@@ -23,12 +24,12 @@ impl Default for Bodies {
 }
 
 impl Bodies {
-    /// Collects the body of somebody who is not logged in.
+    /// Collects the body of a client without a session.
     pub(super) async fn stranger(&self, body: Body) -> Result<Body, Refused> {
         collect(body, MAX_UNKNOWN).await
     }
 
-    /// Collects the body of a user who is, when there is room for it.
+    /// Collects the body of a user with a session, once there is room.
     pub(super) async fn known(&self, user: &str, body: Body) -> Result<Body, Refused> {
         let size = body.size_hint().upper().and_then(|n| usize::try_from(n).ok());
         let most = size.unwrap_or(MAX_BYTES).min(MAX_BYTES);
@@ -50,7 +51,7 @@ async fn collect(body: Body, most: usize) -> Result<Body, Refused> {
     }
     match axum::body::to_bytes(body, most).await {
         Ok(bytes) => Ok(Body::from(bytes)),
-        // The only other cause is a side that has gone, which reads no answer.
+        // The only other cause is a closed connection, which reads no answer.
         Err(_) => Err(too_large()),
     }
 }

@@ -1,7 +1,8 @@
-//! The front: accepts connections, hears STOP, sockets and questions after health on threads of its own, and passes everything else on.
+//! Front end: accepts connections, serves STOP, sockets and health checks on its own threads, and forwards all other
+//! requests.
 //!
-//! Nothing on these threads waits for a disk, a database, a plan or another client. Handlers of other routes run on another runtime:
-//! even if one of them blocks its thread, a stop is heard.
+//! These threads never wait for a disk, a database, a plan or another client. Handlers of other routes run on another
+//! runtime: a stop is handled even if one of them blocks its thread.
 
 mod answers;
 mod bodies;
@@ -38,23 +39,23 @@ use tokio::runtime::Handle;
 use tokio::task::JoinHandle;
 use tower::ServiceExt as _;
 
-/// How long the other side may take.
+/// Time limits of clients.
 #[derive(Debug, Clone, Copy)]
 struct Patience {
     /// For the TLS handshake, and for the head of a request.
     head: Duration,
-    /// For the body of somebody who is not logged in.
+    /// For the body of a client without a session.
     stranger: Duration,
-    /// For the body of somebody who is.
+    /// For the body of a user with a session.
     body: Duration,
-    /// Until it reads some of what was written.
+    /// For reading some of the written bytes.
     read: Duration,
-    /// Least rate at which it reads an answer, bytes/s, after a first time of `read`.
+    /// Minimum rate at which a client reads an answer, bytes/s, after an initial time of `read`.
     rate: usize,
 }
 
 impl Patience {
-    /// Time for an answer of so many bytes.
+    /// Time limit for an answer of this size.
     fn to_read(self, bytes: usize) -> Duration {
         self.read + Duration::from_secs_f64(bytes as f64 / self.rate as f64)
     }
@@ -68,21 +69,21 @@ const PATIENCE: Patience = Patience {
     rate: 64 << 10,
 };
 
-/// The route that stops the machine.
+/// Route that stops the machine.
 const STOP: &str = "/api/stop";
-/// Where everything but the panel's own files is.
+/// Path prefix of everything except the panel's files.
 const API: &str = "/api/";
-/// The one route with a body that is not collected: an archive is as large as the data, and its handler has a bound of its own.
+/// The only route whose body is not collected: an archive is as large as the data, and its handler limits it.
 const STREAMED: &str = "/api/restore";
 
-/// Answers by HTTP/1.1 until it is dropped: later versions name the host otherwise, and have ways of their own to be too many. Handlers
-/// run on `work`.
+/// Serves HTTP/1.1 until dropped; handlers run on `work`. Later versions name the host differently and need limits of
+/// their own.
 pub(crate) async fn answer(listener: TcpListener, tls: Option<RustlsConfig>, panel: Arc<Panel>, work: Handle) {
     let rest = app(&panel);
     Front::new(panel, rest, work, PATIENCE).accept(listener, tls).await;
 }
 
-/// What all connections share.
+/// State shared by all connections.
 struct Front {
     panel: Arc<Panel>,
     urgent: Router,
@@ -95,7 +96,7 @@ struct Front {
     patience: Patience,
 }
 
-/// A connection: where it comes from, its place, and when its answer must have been read.
+/// A connection: address, place, and deadline for reading its answer.
 #[derive(Clone)]
 struct Connection {
     from: SocketAddr,
@@ -103,7 +104,7 @@ struct Connection {
     deadline: Deadline,
 }
 
-/// Work of a handler that ends with whoever waits for it.
+/// A handler's task, aborted when its receiver is dropped.
 struct Ends<T>(JoinHandle<T>);
 
 impl<T> Drop for Ends<T> {
@@ -123,11 +124,11 @@ impl Front {
         let tls = tls.map(|config| RustlsAcceptor::new(config).handshake_timeout(self.patience.head));
         loop {
             let Ok((stream, from)) = listener.accept().await else {
-                // Too many open files, perhaps: others close.
+                // Possibly too many open files: wait until others close.
                 tokio::time::sleep(Duration::from_millis(50)).await;
                 continue;
             };
-            // What is sent 30 times a second is small: it does not wait for more.
+            // Status messages, sent 30 times a second, are small and must not be delayed.
             if stream.set_nodelay(true).is_err() {
                 continue;
             }
@@ -164,7 +165,7 @@ impl Front {
             async move { Ok::<_, Infallible>(front.answer(request, &of).await) }
         });
         let connection = builder.serve_connection(TokioIo::new(stream), service);
-        // Whoever breaks off has gone.
+        // An error means that the client has gone.
         drop(connection.with_upgrades().await);
     }
 
@@ -187,7 +188,7 @@ impl Front {
             of.place.known_as(&session.user);
         }
         if path == STOP {
-            // At any rate, and before its body has come: nobody else is waited for.
+            // Handled without a rate limit and before the body has arrived.
             return hand(self.urgent.clone(), request).await;
         }
         if !self.allows(session.as_ref(), of) {
@@ -202,7 +203,7 @@ impl Front {
             },
         };
         of.place.answers(true);
-        // The panel's files are held by all who read them together.
+        // The panel's files are shared in memory by all answers.
         let user = session.filter(|_| request.uri().path().starts_with(API)).map(|session| session.user);
         let response = if is_urgent { hand(self.urgent.clone(), request).await } else { self.pass_on(request).await };
         of.place.answers(false);
@@ -217,7 +218,7 @@ impl Front {
         self.rates.allows(asker, Instant::now())
     }
 
-    /// The request with all of its body.
+    /// Returns the request with its complete body.
     async fn whole(&self, request: Request<Body>, session: Option<&Session>) -> Result<Request<Body>, Refused> {
         let (parts, body) = request.into_parts();
         let collected = match session {
@@ -228,7 +229,7 @@ impl Front {
         Ok(Request::from_parts(parts, collected.map_err(late)??))
     }
 
-    /// Lets another runtime answer; what is asked for ends if the other side goes.
+    /// Answers on the other runtime. The work is aborted if the client goes.
     async fn pass_on(&self, request: Request<Body>) -> Response<Body> {
         let mut answering = Ends(self.work.spawn(hand(self.rest.clone(), request)));
         let answered = (&mut answering.0).await;
@@ -243,7 +244,7 @@ async fn hand(app: Router, request: Request<Body>) -> Response<Body> {
     }
 }
 
-/// Ends the connection with the answer: what is still to come of the request is not read.
+/// Closes the connection after the answer: the rest of the request is not read.
 fn closing(refused: Refused) -> Response<Body> {
     let mut response = refused.into_response();
     response.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));

@@ -1,4 +1,4 @@
-//! Places of connections, by who is behind them.
+//! Connection slots, by the user or address behind them.
 
 use std::collections::HashMap;
 use std::net::IpAddr;
@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::Notify;
 
-/// Maximum number of connections on which nobody has shown a session: the oldest one ends when another comes, so a newcomer, who may
-/// want to stop the machine, always gets in.
+/// Maximum number of connections without a session. A new one closes the oldest: a newcomer, who may want to stop the
+/// machine, always gets in.
 pub(super) const MAX_STRANGERS: usize = 128;
-/// Maximum number of these from one address. Not applied on this computer: behind a tunnel everybody is there.
+/// The same from one address. Not applied on this computer: behind a tunnel everybody has its address.
 pub(super) const MAX_STRANGERS_OF_ADDRESS: usize = 64;
-/// Maximum number of connections with a session, and of one user; beyond these a connection stays a stranger's.
+/// Maximum number of connections with a session, in total and per user; further ones count as without a session.
 pub(super) const MAX_KNOWN: usize = 400;
 pub(super) const MAX_OF_USER: usize = 64;
 
@@ -21,19 +21,19 @@ pub(super) struct Places(Arc<Mutex<Table>>);
 
 #[derive(Default)]
 struct Table {
-    /// By number: a lower one is older.
+    /// Connections by number: a lower one is older.
     seats: HashMap<u64, Arc<Seat>>,
     next: u64,
 }
 
-/// A connection as the table knows it.
+/// Entry of a connection in the table.
 #[derive(Debug)]
 struct Seat {
     number: u64,
     address: IpAddr,
-    /// Name of the user whose session the connection has shown.
+    /// User of the session that the connection has sent.
     user: Mutex<Option<String>>,
-    /// A request has come whole and is being answered.
+    /// A complete request is being answered.
     is_answering: AtomicBool,
     ends: Notify,
 }
@@ -48,7 +48,7 @@ impl Seat {
     }
 }
 
-/// A connection's place; free again when the last clone is dropped.
+/// Slot of a connection; freed when the last clone is dropped.
 #[derive(Clone)]
 pub(super) struct Place(Arc<Held>);
 
@@ -62,8 +62,8 @@ impl Places {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Gives a place to a new connection. Where there are too many strangers, the connection that has been unfinished for longest ends,
-    /// of the address with the most of them.
+    /// Gives a slot to a new connection. If there are too many without a session, the oldest one without a complete
+    /// request ends. It is chosen from the address with the most.
     pub(super) fn enter(&self, address: IpAddr) -> Place {
         let address = address.to_canonical();
         let mut table = self.table();
@@ -112,17 +112,17 @@ impl Table {
 }
 
 impl Place {
-    /// Waits until the place is given to somebody else.
+    /// Waits until the slot is taken by another connection.
     pub(super) async fn ends(&self) {
         self.0.seat.ends.notified().await;
     }
 
-    /// Marks whether a whole request is being answered.
+    /// Sets whether a complete request is being answered.
     pub(super) fn answers(&self, is_answering: bool) {
         self.0.seat.is_answering.store(is_answering, Ordering::Relaxed);
     }
 
-    /// Takes a place of those with a session, as long as there are some for this user.
+    /// Counts the connection as one of `user`, as long as the limits allow.
     pub(super) fn known_as(&self, user: &str) {
         let table = self.0.of.table();
         if self.0.seat.is_of(user) {
@@ -152,7 +152,7 @@ mod tests {
         waiting.poll(&mut Context::from_waker(Waker::noop())).is_ready()
     }
 
-    /// However many strangers hold connections, a newcomer gets in, and those with a session stay.
+    /// A newcomer gets in and known users stay, however many connections have no session.
     #[test]
     fn newcomers_get_in_and_known_users_stay() {
         let (places, here) = (Places::default(), IpAddr::from([127, 0, 0, 1]));
@@ -165,7 +165,7 @@ mod tests {
         let ended = idle.iter().filter(|place| has_ended(place)).count();
         assert_eq!(ended, 3 * MAX_STRANGERS - (MAX_STRANGERS - 1));
         assert!(!has_ended(&idle[idle.len() - 1]));
-        // Beyond a user's share a connection is a stranger's, which the next newcomers end.
+        // A connection beyond a user's share counts as without a session and is closed for newcomers.
         let late = places.enter(here);
         late.known_as("olga");
         let newer: Vec<Place> = (0..MAX_STRANGERS).map(|_| places.enter(here)).collect();
@@ -174,7 +174,7 @@ mod tests {
         assert_eq!(places.count(), 0);
     }
 
-    /// Other addresses keep their places when one opens too many connections.
+    /// An address that opens too many connections does not affect other addresses.
     #[test]
     fn one_address_ends_its_own_connections() {
         let places = Places::default();

@@ -6,18 +6,18 @@ use std::net::IpAddr;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Requests per second of one session or address, and how many may come at once: opening the panel asks for some dozens.
+/// Requests per second of one session or address, and maximum burst: opening the panel takes some dozens.
 const RATE: f64 = 50.0;
 const BURST: f64 = 400.0;
-/// Maximum number of sessions and addresses that are remembered.
+/// Maximum number of remembered sessions and addresses.
 const MAX_KEYS: usize = 2000;
 
-/// Who asks.
+/// Sender of a request.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub(super) enum Asker {
-    /// A session, by its number.
+    /// A session, by its identifier.
     Session(String),
-    /// Somebody without a session, by address.
+    /// A client without a session, by address.
     Stranger(IpAddr),
 }
 
@@ -26,25 +26,26 @@ impl Asker {
         Self::Stranger(house(address))
     }
 
-    /// Strangers on this computer are not counted: behind a tunnel everybody is there, and nobody may lock out all.
+    /// Clients without a session on this computer are not counted: behind a tunnel all share its address and would be
+    /// locked out together.
     fn is_counted(&self) -> bool {
         !matches!(self, Self::Stranger(address) if address.is_loopback())
     }
 }
 
-/// What is left to each asker, and when that was counted.
+/// Remaining allowance of each sender, and the time of its update.
 #[derive(Default)]
 pub(super) struct Rates(Mutex<HashMap<Asker, (f64, Instant)>>);
 
 impl Rates {
-    /// Counts a request; false if it is one too many.
+    /// Counts a request. Returns false if it exceeds the limit.
     pub(super) fn allows(&self, asker: Asker, now: Instant) -> bool {
         if !asker.is_counted() {
             return true;
         }
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if known.len() >= MAX_KEYS && !known.contains_key(&asker) {
-            // Whoever has all of it left needs no entry.
+            // Senders with a full allowance need no entry.
             let filled = Duration::from_secs_f64(BURST / RATE);
             known.retain(|_, (_, since)| now.saturating_duration_since(*since) < filled);
             if known.len() >= MAX_KEYS {

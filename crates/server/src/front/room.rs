@@ -1,4 +1,4 @@
-//! Room for bytes that are held in memory: so much of all, and of it a share for each user.
+//! Limit of bytes held in memory: in total, and a share per user.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -20,7 +20,7 @@ struct Held {
     of_users: HashMap<String, usize>,
 }
 
-/// Room that is taken; free again when it is dropped.
+/// Room that is taken; freed when dropped.
 #[derive(Debug)]
 pub(super) struct Taken {
     room: Arc<Room>,
@@ -37,7 +37,7 @@ impl Room {
         self.held.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Takes room for `user`, if there is enough of it now.
+    /// Takes room for `user`, if available now.
     pub(super) fn try_take(self: &Arc<Self>, user: &str, bytes: usize) -> Option<Taken> {
         let mut held = self.held();
         let own = held.of_users.get(user).copied().unwrap_or(0);
@@ -49,11 +49,11 @@ impl Room {
         Some(Taken { room: Arc::clone(self), user: user.to_owned(), bytes })
     }
 
-    /// Takes room for `user` once there is enough of it.
+    /// Takes room for `user` once available.
     pub(super) async fn take(self: &Arc<Self>, user: &str, bytes: usize) -> Taken {
         loop {
             let mut freed = std::pin::pin!(self.freed.notified());
-            // Before the look: what is freed after it is not missed.
+            // Registered before the check, so that a release after it is not missed.
             freed.as_mut().enable();
             if let Some(taken) = self.try_take(user, bytes) {
                 return taken;
@@ -94,7 +94,7 @@ mod tests {
         assert!(room.held().of_users.is_empty() && room.held().all == 0);
     }
 
-    /// Whoever waits is woken when room is free.
+    /// A waiting task wakes when room is freed.
     #[tokio::test]
     async fn room_that_is_freed_is_taken_by_who_waits() {
         let room = Room::new(10, 10);

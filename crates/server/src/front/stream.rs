@@ -1,4 +1,4 @@
-//! The stream of a connection, which holds its place and ends where the other side does not read.
+//! Stream of a connection: holds its slot, and ends if the client does not read.
 
 use super::places::Place;
 use std::io;
@@ -10,7 +10,7 @@ use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::TcpStream;
 use tokio::time::{Instant, Sleep, sleep_until};
 
-/// When the other side must have read an answer. Shared by whoever answers and the stream that sends.
+/// Deadline for reading an answer. Shared by the handler and the sending stream.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Deadline(Arc<Mutex<Option<Instant>>>);
 
@@ -24,13 +24,13 @@ impl Deadline {
     }
 }
 
-/// A connection that has its place.
+/// A connection with its slot.
 pub(super) struct Held {
     stream: TcpStream,
     _place: Place,
-    /// Time that a write may wait for the other side to read.
+    /// Maximum time that a write waits for the client to read.
     patience: Duration,
-    /// However often the other side reads a little of an answer.
+    /// Limit for the whole answer, however often the client reads some of it.
     deadline: Deadline,
     /// Runs while a write waits.
     stalled: Option<Pin<Box<Sleep>>>,
@@ -41,7 +41,7 @@ impl Held {
         Self { stream, _place: place, patience, deadline, stalled: None }
     }
 
-    /// Passes a write's outcome on; an error once it has waited for too long.
+    /// Returns the result of a write; an error once it has waited too long.
     fn in_time<T>(&mut self, cx: &mut Context<'_>, written: Poll<io::Result<T>>) -> Poll<io::Result<T>> {
         if written.is_ready() {
             self.stalled = None;

@@ -1,4 +1,4 @@
-//! Connections that hang, trickle, or do not read; handlers that block their threads.
+//! Connections that hang, send slowly or do not read; handlers that block their threads.
 
 use super::*;
 use crate::tests::Bench;
@@ -9,10 +9,10 @@ use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
 use tokio::net::TcpStream;
 use tokio::runtime::Runtime;
 
-/// Longer than anything here takes on a busy computer.
+/// Longer than any step takes on a busy computer.
 const LONG: Duration = Duration::from_secs(60);
 
-/// A front on threads of its own, with other routes than the panel's.
+/// A front end on its own threads, with routes other than the panel's.
 struct Fronted {
     bench: Bench,
     front: Arc<Front>,
@@ -43,7 +43,7 @@ impl Fronted {
         TcpStream::connect(&self.address).await.unwrap()
     }
 
-    /// Sends the begin of a request.
+    /// Sends the start of a request.
     async fn say(&self, what: &str) -> TcpStream {
         let mut stream = self.connect().await;
         stream.write_all(what.as_bytes()).await.unwrap();
@@ -54,7 +54,7 @@ impl Fronted {
         format!("{method} {path} HTTP/1.1\r\nhost: {}\r\ncontent-type: application/json\r\n{more}\r\n", self.address)
     }
 
-    /// STOP as the login page sends it; what is answered.
+    /// Sends STOP as the login page does; returns the answer.
     async fn stop(&self) -> String {
         let text = self.head("POST", "/api/stop", "connection: close\r\ncontent-length: 2\r\n") + "{}";
         all(self.say(&text).await).await
@@ -67,10 +67,10 @@ impl Drop for Fronted {
     }
 }
 
-/// All that is said until the connection ends.
+/// Reads everything until the connection ends.
 async fn all(mut stream: TcpStream) -> String {
     let mut said = Vec::new();
-    // Whether it ends in order does not matter.
+    // An error at the end is irrelevant.
     drop(tokio::time::timeout(LONG, stream.read_to_end(&mut said)).await.expect("it stays open"));
     String::from_utf8_lossy(&said).into_owned()
 }
@@ -79,7 +79,7 @@ fn here(_: &Arc<Panel>) -> Router {
     Router::new().route("/", get(|| async { "here" }))
 }
 
-/// HTTP/2 is not spoken, and who says nothing is cut off.
+/// HTTP/2 is not supported, and silent clients are disconnected.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn only_the_plain_version_is_spoken_and_in_time() {
     let fronted = Fronted::new(Patience { head: Duration::from_millis(300), ..PATIENCE }, here);
@@ -93,7 +93,7 @@ async fn only_the_plain_version_is_spoken_and_in_time() {
     }
 }
 
-/// A disk that hangs in every handler, as nobody may write one: a stop is answered all the same, over HTTP and over a socket.
+/// A stop is answered over HTTP and over a socket while a hanging disk blocks every handler.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 #[allow(clippy::await_holding_lock, reason = "that handlers wait for it is what is tried")]
 async fn stop_is_heard_while_handlers_block_their_threads() {
@@ -113,7 +113,7 @@ async fn stop_is_heard_while_handlers_block_their_threads() {
     for _ in 0..8 {
         stuck.push(fronted.say(&fronted.head("GET", "/api/save", "")).await);
     }
-    // They have come to the handlers, as far as those have threads.
+    // The requests have reached the handlers, as far as threads are available.
     tokio::time::sleep(Duration::from_millis(300)).await;
     for _ in 0..3 {
         let said = fronted.stop().await;
@@ -126,7 +126,7 @@ async fn stop_is_heard_while_handlers_block_their_threads() {
     drop((held, stuck));
 }
 
-/// Requests that never become whole, more of them than one address may hold: a stop and a login come through, and they end in time.
+/// Unfinished requests, more than one address may hold: a stop and a login succeed, and the requests time out.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn unfinished_requests_keep_nobody_from_stopping() {
     let fronted = Fronted::new(Patience { stranger: Duration::from_secs(20), ..PATIENCE }, app);
@@ -145,13 +145,13 @@ async fn unfinished_requests_keep_nobody_from_stopping() {
     let said = all(fronted.say(&(head + &body)).await).await;
     assert!(said.starts_with("HTTP/1.1 200") && said.contains("\"admin\""), "{said}");
     assert!(fronted.front.places.count() <= places::MAX_STRANGERS);
-    // The first ones were ended for those who came later, the last ones when their time was over.
+    // The first were closed for newcomers; the last timed out.
     let last = all(stuck.pop().unwrap()).await;
     assert!(last.starts_with("HTTP/1.1 408"), "{last}");
     assert_eq!(all(stuck.swap_remove(0)).await, "");
 }
 
-/// Whoever asks for much and reads nothing is cut off.
+/// A client that requests much and reads nothing is disconnected.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn who_does_not_read_is_cut_off() {
     let rest = |_: &Arc<Panel>| Router::new().route("/much", get(|| async { vec![b'x'; 64 << 20] }));
@@ -168,7 +168,7 @@ async fn who_does_not_read_is_cut_off() {
     drop(stream);
 }
 
-/// Whoever reads a large answer byte by byte is cut off too, and its room is free again.
+/// A client that reads a large answer byte by byte is disconnected too, and its room is freed.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn who_reads_an_answer_too_slowly_is_cut_off() {
     let rest = |_: &Arc<Panel>| Router::new().route("/much", get(|| async { vec![b'x'; 64 << 20] }));
@@ -176,7 +176,7 @@ async fn who_reads_an_answer_too_slowly_is_cut_off() {
     let fronted = Fronted::new(patience, rest);
     let mut stream = fronted.say(&fronted.head("GET", "/much", "")).await;
     let (begin, mut some) = (Instant::now(), [0; 64 << 10]);
-    // Each piece comes in time for the next one, all of them together do not.
+    // Each piece is read in time, the whole answer is not.
     while stream.read(&mut some).await.is_ok_and(|n| n > 0) {
         assert!(begin.elapsed() < LONG, "it is still read");
         tokio::time::sleep(Duration::from_millis(100)).await;
@@ -184,7 +184,7 @@ async fn who_reads_an_answer_too_slowly_is_cut_off() {
     assert!(begin.elapsed() > Duration::from_secs(1));
 }
 
-/// Large answers that nobody reads take a bounded part of the memory, a user's share of it each, and give it back.
+/// Large unread answers take bounded memory, at most a share per user, and free it.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn answers_that_nobody_reads_take_bounded_memory() {
     let rest = |_: &Arc<Panel>| {
@@ -209,7 +209,7 @@ async fn answers_that_nobody_reads_take_bounded_memory() {
     for (user, fits) in [(1, true), (1, true), (1, true), (1, false), (2, true), (2, true), (2, true), (3, false)] {
         assert_eq!(taken(user, "/api/much").await, fits, "{user}");
     }
-    // The panel itself comes all the same.
+    // The panel's files are still served.
     assert!(taken(3, "/panel.js").await);
     held.clear();
     let begin = Instant::now();
@@ -219,7 +219,7 @@ async fn answers_that_nobody_reads_take_bounded_memory() {
     }
 }
 
-/// A user who lets large requests trickle in holds up none of the others.
+/// A user whose large requests arrive slowly does not block others.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn large_requests_that_trickle_hold_up_no_other_user() {
     let fronted = Fronted::new(PATIENCE, app);
@@ -238,7 +238,7 @@ async fn large_requests_that_trickle_hold_up_no_other_user() {
     drop(stuck);
 }
 
-/// A session that asks without end is refused for a while; others, and its stops, are not.
+/// A session with too many requests is refused for a while; other sessions and its stops are not.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn who_asks_without_end_is_slowed_down() {
     let fronted = Fronted::new(PATIENCE, here);
@@ -259,7 +259,7 @@ async fn who_asks_without_end_is_slowed_down() {
     };
     let begin = Instant::now();
     let mut refused = None;
-    // Faster than 50 a second, or this test says nothing.
+    // The loop must exceed 50 requests per second for the test to be meaningful.
     for _ in 0..4000 {
         let said = ask(&users[0].1.cookie, "GET", "/").await;
         if said.starts_with("HTTP/1.1 429") {
@@ -273,7 +273,7 @@ async fn who_asks_without_end_is_slowed_down() {
     assert!(ask(&users[1].1.cookie, "GET", "/").await.starts_with("HTTP/1.1 200"));
 }
 
-/// Large requests that trickle in take the room of other large ones, not of small ones, and a stop does not even wait for its own body.
+/// Large slow requests take room from other large ones only. A stop does not wait for its body.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn large_requests_that_trickle_hold_up_nothing_small() {
     let fronted = Fronted::new(PATIENCE, app);

@@ -5,7 +5,7 @@ use axum::http::{StatusCode, header};
 use axum::response::{Html, IntoResponse, Response};
 use seamwright_project::Failure;
 
-/// A request that is refused or failed.
+/// A refused or failed request.
 #[derive(Debug)]
 pub(crate) struct Refused {
     pub(crate) status: StatusCode,
@@ -18,7 +18,7 @@ impl Refused {
         Self { status, key, text: text.into() }
     }
 
-    /// A refusal of another process of this program.
+    /// Restores the refusal of a child process of this program.
     pub(crate) fn known(status: u16, key: &str, text: String) -> Self {
         let status = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
         let key = ["input", "not_found"].into_iter().find(|known| *known == key).unwrap_or("server");
@@ -72,10 +72,10 @@ impl From<tokio::task::JoinError> for Refused {
     }
 }
 
-/// What most handlers answer.
+/// Result of most handlers.
 pub(crate) type Answer<T> = Result<Json<T>, Refused>;
 
-/// A report as a page: it carries its own styles, and nothing that runs.
+/// Returns a report as an HTML page with its own styles and without scripts.
 pub(super) fn page_of(html: String) -> Response {
     let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; \
                   base-uri 'none'; form-action 'none'; frame-ancestors 'none'";

@@ -1,4 +1,4 @@
-//! The panel's files, compressed once and told apart by what is in them.
+//! The panel's files, compressed once and identified by their contents.
 
 use super::answer::Refused;
 use super::panel::Panel;
@@ -16,19 +16,19 @@ use std::io::Write as _;
 use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::OnceCell;
 
-/// The panel as it was built.
+/// The panel as built.
 #[derive(RustEmbed)]
 #[folder = "$OUT_DIR/web"]
 struct Web;
 
-/// Smaller files gain nothing by being compressed.
+/// Minimum size for compression, bytes; smaller files do not gain from it.
 const MIN_COMPRESSED: usize = 256;
 
-/// Maximum number of files that wait to be compressed: more than there are.
+/// Maximum number of files that wait for compression: more than exist.
 const MAX_FILES: usize = 4096;
 
-/// Compressed files by their tags; all of them are small beside the program. Each is compressed once, in a place of its own, however many
-/// pages open at once: what comes first of a page is its key STOP.
+/// Compressed files by tag; all are small beside the program. Each is compressed once, however many pages open at once:
+/// the first thing a page shows is its STOP button.
 pub(crate) struct Compressed {
     files: Mutex<HashMap<String, Arc<OnceCell<Bytes>>>>,
     turns: Turns,
@@ -46,7 +46,7 @@ impl Compressed {
         Arc::clone(files.entry(tag.to_owned()).or_default())
     }
 
-    /// The compressed file of a tag, whose contents are `data`.
+    /// Returns the compressed file of a tag, whose contents are `data`.
     async fn of(&self, tag: &str, data: Cow<'static, [u8]>) -> Result<Bytes, Refused> {
         let make = async || {
             let made = move || gzip(&data).map_err(|e| Refused::server(e.to_string()));
@@ -62,7 +62,7 @@ fn gzip(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
     encoder.finish()
 }
 
-/// A file of the panel.
+/// Serves a file of the panel.
 pub(super) async fn serve(State(panel): State<Arc<Panel>>, method: Method, uri: Uri, headers: HeaderMap) -> Response {
     let path = uri.path().trim_start_matches('/');
     if !matches!(method, Method::GET | Method::HEAD) || path.starts_with("api/") {
@@ -81,7 +81,7 @@ async fn sent(panel: &Arc<Panel>, name: &str, file: EmbeddedFile, headers: &Head
     let compresses = is_text && file.data.len() >= MIN_COMPRESSED;
     let zipped = compresses && accepts_gzip(headers);
     let tag = if zipped { format!("\"{hash}-gz\"") } else { format!("\"{hash}\"") };
-    // Names of built files carry their contents' hash.
+    // Names of built files contain a hash of their contents.
     let cache = if name.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };
     let mut response = if is_known(headers, &tag) {
         StatusCode::NOT_MODIFIED.into_response()
@@ -110,13 +110,13 @@ fn accepts_gzip(headers: &HeaderMap) -> bool {
     })
 }
 
-/// True if whoever asks has this very file already.
+/// Returns true if the client has this version of the file.
 fn is_known(headers: &HeaderMap, tag: &str) -> bool {
     let known = headers.get(header::IF_NONE_MATCH).and_then(|value| value.to_str().ok()).unwrap_or_default();
     known.split(',').any(|one| matches!(one.trim().trim_start_matches("W/"), one if one == tag || one == "*"))
 }
 
-/// Content type of a file, and whether it is text.
+/// Returns the content type of a file, and whether it is text.
 fn kind(name: &str) -> (&'static str, bool) {
     match name.rsplit('.').next() {
         Some("js" | "mjs") => ("text/javascript; charset=utf-8", true),

@@ -8,11 +8,11 @@ use seamwright_record::library::{AuditEntry, AuditQuery};
 use serde::Deserialize;
 use std::sync::Arc;
 
-/// Entries that are sent if nothing else is asked for, and at most.
+/// Default and maximum number of entries sent.
 const SENT: u32 = 200;
-const MOST: u32 = 10_000;
+const MAX_ENTRIES: u32 = 10_000;
 
-/// Which entries: so many, older than one, newer than one, with a text in them.
+/// Filter: number, older than an entry, newer than an entry, containing a text.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Asked {
@@ -40,7 +40,7 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>, Query(asked): Query<As
         before: asked.before,
         after: asked.after.unwrap_or(0),
         text: asked.text.unwrap_or_default(),
-        most: asked.most.unwrap_or(SENT).min(MOST),
+        most: asked.most.unwrap_or(SENT).min(MAX_ENTRIES),
     };
     reads(&panel, move |data| Ok(data.library().audit_page(&query)?.into_iter().map(row).collect())).await
 }

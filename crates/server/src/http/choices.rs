@@ -1,4 +1,4 @@
-//! What a job can name: machines and procedures.
+//! Machines and procedures that a job can name.
 
 use super::answer::Answer;
 use super::jobs::{Kind, head, kind, own, title};
@@ -22,7 +22,7 @@ pub(super) async fn choices(State(panel): State<Arc<Panel>>) -> Answer<ChoicesVi
             PROCEDURES.iter().map(|p| procedure(shipped(p.name, p.text), false, p.text.to_owned())).collect();
         for name in own(&asked)? {
             let path = asked.jobs().join(&name);
-            // What cannot be read is told where the jobs are listed.
+            // Unreadable files are reported in the list of jobs.
             let Ok(head) = head(&path) else { continue };
             let named = (name, title(&head));
             match kind(&head) {

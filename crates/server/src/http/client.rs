@@ -1,4 +1,4 @@
-//! What a page says over its socket, held against what it may.
+//! Messages of a page over its socket, checked against its permissions.
 
 use super::panel::Panel;
 use crate::cell::{Refusal, ToDesk, WHY, happening};
@@ -9,29 +9,29 @@ use seamwright_machine::Joints;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Messages a second from a panel, and how many may come at once.
+/// Maximum messages per second of a page, and maximum burst.
 const RATE: f64 = 100.0;
 const BURST: f64 = 200.0;
 
-/// A cycle that was heard of in this time takes a stop.
+/// Maximum age of the last status for which the cycle counts as alive.
 const FRESH: Duration = Duration::from_millis(500);
 
-/// A connection's side of what it is allowed to say.
+/// State and permissions of a connected page.
 pub(super) struct Client {
     pub(super) panel: Arc<Panel>,
     session: Session,
     pub(super) station: u32,
     commands: u32,
     pub(super) jogs: u32,
-    /// When a stop of this page was audited last.
+    /// Time of the last audited stop of this page.
     stopped: Option<Instant>,
-    /// Where a key that is held since leads to, mm or rad.
+    /// Target of steps while a key is held, mm or rad.
     pub(super) held: Option<Joints>,
     allowance: f64,
     spoke: Instant,
 }
 
-/// Number of a message that is not understood, if it is one that is answered.
+/// Returns the number of an invalid message, if it is of a kind that is answered.
 fn number(text: &str) -> u32 {
     let message = serde_json::from_str::<serde_json::Value>(text).unwrap_or_default();
     let answered = matches!(message["kind"].as_str(), Some("command" | "teach"));
@@ -53,7 +53,7 @@ impl Client {
         }
     }
 
-    /// False once it says too much.
+    /// Returns false if the page exceeds its message rate.
     pub(super) fn may_speak(&mut self) -> bool {
         let since = self.spoke.elapsed().as_secs_f64();
         self.spoke = Instant::now();
@@ -68,14 +68,14 @@ impl Client {
                 return self.answer(number(text), Err(lack("value", format!("the message is not understood: {e}"))));
             }
         };
-        // Whoever was logged out or lost his role a moment ago commands nothing any more, but still stops.
+        // A user who was logged out or whose role changed can no longer command, but can still stop.
         let stops = matches!(message, ToCell::Command { ask: AskView::Stop {}, .. });
         if !stops && !self.panel.stands(&self.session, !matches!(message, ToCell::Beat {})) {
             let seq = if let ToCell::Command { seq, .. } = message { seq } else { 0 };
             return self.answer(seq, Err(lack("login", "the session is over: log in")));
         }
         match message {
-            // Not answered either.
+            // Like a jog, not answered.
             ToCell::Step { seq, of, index, by } => drop(self.step(seq, of, index, by)),
             ToCell::Go { seq, axes } => drop(self.go(seq, &axes)),
             ToCell::Teach { seq, order } => {
@@ -89,7 +89,7 @@ impl Client {
                 }
             }
             ToCell::Jog { seq, of, speeds } => {
-                // Not answered: what is refused does not move.
+                // Not answered: a refused jog does not move.
                 drop(self.jog(seq, of, &speeds));
             }
             ToCell::TakeControl { over } => self.take_control(over),
@@ -125,15 +125,15 @@ impl Client {
     fn command(&mut self, seq: u32, ask: &AskView) -> Result<(), LackView> {
         let again = matches!(ask, AskView::StartWeld { reweld: true });
         let (name, ask) = executive(ask)?;
-        // Who stops is always heard: without role, token or number.
+        // A stop needs neither role, token nor number.
         if ask == Ask::Stop {
             self.panel.cell.urgent.ask(&ask);
-            // Once a second: who leans on the key does not fill the disk.
+            // Audited at most once a second: a held key does not fill the disk.
             if self.stopped.is_none_or(|at| at.elapsed() > Duration::from_secs(1)) {
                 self.stopped = Some(Instant::now());
                 self.audit(name, "taken");
             }
-            // It was passed on in any case; a cycle that hangs or has ended does not take it.
+            // The stop was passed on in any case; a hanging or ended cycle does not take it.
             let heard = self.panel.cell.hub.age().is_some_and(|age| age < FRESH);
             let why = || lack("silent_cycle", "the cell does not answer: try again");
             self.answer(seq, heard.then_some(()).ok_or_else(why));
@@ -165,7 +165,7 @@ impl Client {
     fn teach(&mut self, seq: u32, order: &TeachOrder) -> Result<(), LackView> {
         self.allowed("teach")?;
         self.counts(seq)?;
-        // Who stands still needs no control.
+        // Pausing and stopping need no control token.
         let stops = matches!(order, TeachOrder::Pause {} | TeachOrder::Stop {});
         if !stops && !self.panel.cell.hub.controls(self.station, false) {
             return Err(lack("control", "this page does not have control: take it first"));
@@ -177,7 +177,7 @@ impl Client {
         result
     }
 
-    /// Refuses commands that came before.
+    /// Refuses a command whose number is not greater than the last.
     fn counts(&mut self, seq: u32) -> Result<(), LackView> {
         if seq <= self.commands {
             let text = format!("command {seq} came before; allowed: greater than {}", self.commands);
@@ -213,7 +213,7 @@ impl Client {
     }
 
     pub(super) fn send(&self, number: u32, ask: Ask) {
-        // A cell that has ended closes all connections.
+        // Sending fails only if the cell has ended, which closes all connections.
         drop(self.panel.cell.desk.send(ToDesk::Command(self.of_page(number, ask))));
     }
 
@@ -227,7 +227,7 @@ impl Client {
     }
 }
 
-/// True if the machine moves by this command.
+/// Returns true if the command starts motion.
 fn leaves_rest(ask: &Ask) -> bool {
     matches!(ask, Ask::Home | Ask::HomeAxis(_) | Ask::StartJog | Ask::StartTeach | Ask::StartDryRun | Ask::StartWeld)
 }
@@ -236,7 +236,7 @@ pub(super) fn lack(key: &str, text: impl Into<String>) -> LackView {
     LackView { key: key.to_owned(), of: Vec::new(), text: text.into() }
 }
 
-/// A command as the executive takes it, with its name in the table of permissions.
+/// Converts a command for the executive; returns it with its name in the table of permissions.
 fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
     Ok(match ask {
         AskView::SwitchOn {} => ("switch_on", Ask::SwitchOn),
@@ -266,7 +266,7 @@ fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
     })
 }
 
-/// What a page says, one message after the other, and what it is told.
+/// Handles messages of a page in order; returns the messages it receives.
 #[cfg(test)]
 pub(crate) fn hears(panel: &Arc<Panel>, session: &Session, texts: &[String]) -> Vec<String> {
     let (station, mut told, _status) = panel.cell.hub.connect(&session.user, session.role).unwrap();

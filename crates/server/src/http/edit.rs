@@ -8,10 +8,10 @@ use seamwright_program::edit::{Editor, Operation};
 use serde::Deserialize;
 use std::sync::Arc;
 
-/// Most operations at once.
-const MOST: usize = 1000;
+/// Maximum number of operations in a request.
+const MAX_OPERATIONS: usize = 1000;
 
-/// A text and what is to be done to it, as `seamwright edit --script` takes it.
+/// A text and operations on it, in the format of `seamwright edit --script`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Edit {
@@ -24,10 +24,10 @@ pub(super) async fn edit(State(panel): State<Arc<Panel>>, Json(edit): Json<Edit>
     edited.await.map(Json)
 }
 
-/// The text after all operations, or why one of them cannot be done.
+/// Returns the text after all operations, or the reason why one of them fails.
 fn edited(edit: &Edit) -> Result<EditAnswer, String> {
-    if edit.operations.len() > MOST {
-        return Err(format!("too many operations; allowed: up to {MOST} at once"));
+    if edit.operations.len() > MAX_OPERATIONS {
+        return Err(format!("too many operations; allowed: up to {MAX_OPERATIONS} at once"));
     }
     let mut editor = Editor::new("job.toml", &edit.text).map_err(|e| told(&e))?;
     let several = edit.operations.len() > 1;
@@ -39,7 +39,7 @@ fn edited(edit: &Edit) -> Result<EditAnswer, String> {
     Ok(EditAnswer { text: editor.text().to_owned(), words })
 }
 
-/// What is wrong, without the line: it is of the operations' text or of what they would have made, which nobody sees.
+/// Formats an error without its line: the line belongs to a text that the user does not see.
 fn told(e: &DocumentError) -> String {
     let of = match (e.key.as_str(), e.value.as_str()) {
         ("", _) => String::new(),
@@ -55,7 +55,7 @@ fn told(e: &DocumentError) -> String {
 mod tests {
     use super::*;
 
-    /// Key, value and what is allowed are told, without the line, and of several operations which it is.
+    /// Errors name key, value and allowed values without the line; with several operations also the operation's number.
     #[test]
     fn what_is_wrong_is_told_by_its_key() {
         let points = include_str!("../../../../examples/points.toml");

@@ -8,34 +8,34 @@ use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use std::sync::Arc;
 
-/// The header that what changes something must carry.
+/// Header that requests with changes must carry.
 pub(super) const TOKEN: &str = "x-seamwright";
-/// The cookie of a session.
+/// Cookie of a session.
 pub(super) const COOKIE: &str = "seamwright";
-/// The same where it is encrypted: browsers take such a name only from the very host, and encrypted.
+/// The same for encrypted connections: browsers accept such a name only from this host and encrypted.
 const COOKIE_TLS: &str = "__Host-seamwright";
 
-/// Name of the cookie of a session.
+/// Returns the name of the session cookie.
 pub(super) fn cookie_name(tls: bool) -> &'static str {
     if tls { COOKIE_TLS } else { COOKIE }
 }
 
-/// Name of the cookie of a browser in which somebody has logged in.
+/// Returns the name of the cookie of a known browser.
 pub(super) fn device_name(tls: bool) -> &'static str {
     if tls { "__Host-seamwright-device" } else { "seamwright-device" }
 }
 
-/// What a route needs.
+/// Requirements of a route.
 #[derive(Clone)]
 pub(super) struct Need {
     pub(super) panel: Arc<Panel>,
-    /// In the table of permissions; none: nobody needs to be logged in.
+    /// Action in the table of permissions; `None`: no login needed.
     pub(super) action: Option<&'static str>,
-    /// Content type of what changes something: none that a foreign page's form could send.
+    /// Content type of requests with changes: one that a form of a foreign page cannot send.
     pub(super) takes: &'static str,
 }
 
-/// Asks under a name that is not ours are refused before anything else (DNS rebinding), also those from foreign pages.
+/// Refuses requests with an unknown host name before anything else (DNS rebinding), and requests from foreign pages.
 pub(super) async fn host(State(panel): State<Arc<Panel>>, request: Request, next: Next) -> Response {
     let headers = request.headers();
     let host = text(headers, header::HOST.as_str()).unwrap_or_default();
@@ -49,7 +49,7 @@ pub(super) async fn host(State(panel): State<Arc<Panel>>, request: Request, next
     {
         return secured(foreign());
     }
-    // Browsers say so also where they send no origin; a link to the panel itself may stand anywhere.
+    // Browsers send this header even without an origin. A link to the panel itself may come from any page.
     let site = text(headers, "sec-fetch-site").unwrap_or("none");
     if request.uri().path().starts_with("/api/") && !matches!(site, "same-origin" | "none") {
         return secured(foreign());
@@ -62,7 +62,7 @@ fn foreign() -> Response {
     Refused::new(StatusCode::FORBIDDEN, "origin", text).into_response()
 }
 
-/// Headers of every answer.
+/// Adds the headers of every answer.
 fn secured(mut response: Response) -> Response {
     let csp = "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
     let headers = response.headers_mut();
@@ -80,7 +80,7 @@ fn secured(mut response: Response) -> Response {
     response
 }
 
-/// Lets through who may do what the route does; the handler finds the [`Session`] in the extensions.
+/// Passes a request on if its user may do the action; the handler finds the [`Session`] in the extensions.
 pub(super) async fn need(State(need): State<Need>, mut request: Request, next: Next) -> Response {
     let Some(action) = need.action else {
         return match is_of(need.takes, request.headers()) {
@@ -139,12 +139,12 @@ fn text<'a>(headers: &'a HeaderMap, name: &str) -> Option<&'a str> {
     headers.get(name).and_then(|value| value.to_str().ok())
 }
 
-/// What the session's cookie holds.
+/// Returns the value of the session cookie.
 pub(crate) fn cookie(headers: &HeaderMap, tls: bool) -> Option<&str> {
     named_cookie(headers, cookie_name(tls))
 }
 
-/// What the cookie of this name holds.
+/// Returns the value of the cookie of this name.
 pub(super) fn named_cookie<'a>(headers: &'a HeaderMap, wanted: &str) -> Option<&'a str> {
     let all = headers.get_all(header::COOKIE).into_iter().filter_map(|v| v.to_str().ok());
     let pairs = all.flat_map(|v| v.split(';')).filter_map(|pair| pair.trim().split_once('='));

@@ -1,4 +1,4 @@
-//! Axes moved by hand from a page.
+//! Jogging of axes from a page.
 
 use super::client::{Client, lack};
 use crate::wire::{JogOf, LackView};
@@ -7,16 +7,15 @@ use seamwright_cell::executive::{Ask, REDUCED_MM_S};
 use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_motion::jog::{self, TipFrame};
 
-/// Longest step of a key, mm or degrees.
-const MOST_STEP: f64 = 10.0;
-/// Shortest step that is one, mm or degrees.
-const LEAST_STEP: f64 = 1e-4;
-/// A speed of the hand below this part of the highest is none: it would move nothing that anybody sees, and keep others from taking
-/// control for ever.
+/// Maximum step of a key, mm or degrees.
+const MAX_STEP: f64 = 10.0;
+/// Minimum step that counts as motion, mm or degrees.
+const MIN_STEP: f64 = 1e-4;
+/// Speeds below this part of the maximum count as zero: they would be invisible, yet hold the control token forever.
 const DEAD_BAND: f64 = 1e-3;
 
 impl Client {
-    /// True: the hand may move axes, and teaching by eye stands still for it.
+    /// Checks that the page may jog, and pauses teaching by camera.
     fn may_jog(&mut self, seq: u32, moves: bool) -> Result<(), LackView> {
         self.allowed("jog")?;
         if seq <= self.jogs {
@@ -54,10 +53,10 @@ impl Client {
         Ok(())
     }
 
-    /// On to where the first step since the hand let go leads.
+    /// Moves to the target of the first step since the key was released.
     pub(super) fn step(&mut self, seq: u32, of: JogOf, index: u32, by: f64) -> Result<(), LackView> {
-        // A step that is none holds nothing.
-        self.may_jog(seq, by.abs() >= LEAST_STEP)?;
+        // A zero step does not hold the control token.
+        self.may_jog(seq, by.abs() >= MIN_STEP)?;
         let target = match self.held {
             Some(target) => target,
             None => self.stepped(of, index as usize, by)?,
@@ -67,10 +66,10 @@ impl Client {
         Ok(())
     }
 
-    /// Where a step leads from where the axes shall be.
+    /// Returns the target of a step from the set-points.
     fn stepped(&self, of: JogOf, index: usize, by: f64) -> Result<Joints, LackView> {
-        if !(-MOST_STEP..=MOST_STEP).contains(&by) {
-            return Err(lack("value", format!("a step of {by}; allowed: {MOST_STEP} of either sign")));
+        if !(-MAX_STEP..=MAX_STEP).contains(&by) {
+            return Err(lack("value", format!("a step of {by}; allowed: {MAX_STEP} of either sign")));
         }
         let hub = &self.panel.cell.hub;
         let known = hub.machine().zip(hub.set_points());

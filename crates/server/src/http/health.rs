@@ -6,10 +6,10 @@ use serde_json::{Value, json};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// The cycle is taken for dead if it has not been heard of for this long.
+/// Maximum age of the last status; beyond it the cycle counts as dead.
 const SILENT: Duration = Duration::from_secs(2);
 
-/// Answers whether the cycle runs, for whoever watches the program: nothing that only users may know.
+/// Reports whether the cycle runs, for monitoring tools: no data that needs a login.
 pub(super) async fn health(State(panel): State<Arc<Panel>>) -> (StatusCode, Json<Value>) {
     let age = panel.cell.hub.age();
     let is_well = age.is_some_and(|age| age < SILENT);

@@ -12,10 +12,10 @@ use seamwright_project::files;
 use std::io::Read as _;
 use std::sync::Arc;
 
-/// Most jobs of our own.
-const MOST: usize = 2000;
+/// Maximum number of own jobs.
+const MAX_JOBS: usize = 2000;
 
-/// A name of a job as a file: no folders, no hidden files.
+/// Checks the file name of a job: no folders, no hidden files.
 pub(super) fn checked(name: &str) -> Result<&str, Refused> {
     let good = |c: char| c.is_alphanumeric() || "-_. ()+".contains(c);
     let is_toml = name.strip_suffix(".toml").is_some_and(|stem| !stem.is_empty());
@@ -36,7 +36,7 @@ pub(super) fn title(text: &str) -> String {
     quoted.unwrap_or_default().to_owned()
 }
 
-/// The text of a job: one of ours, or an example.
+/// Returns the text of a job: an own one or an example.
 pub(crate) fn text(panel: &Panel, name: &str) -> Result<String, Refused> {
     let name = checked(name)?;
     let path = panel.jobs().join(name);
@@ -46,7 +46,7 @@ pub(crate) fn text(panel: &Panel, name: &str) -> Result<String, Refused> {
     example(name).map(str::to_owned).ok_or_else(|| Refused::not_found(format!("there is no job `{name}`")))
 }
 
-/// Our own jobs: names, in their order.
+/// Returns the sorted names of own jobs.
 pub(super) fn own(panel: &Panel) -> Result<Vec<String>, Refused> {
     let entries = std::fs::read_dir(panel.jobs())
         .map_err(|e| Refused::server(format!("the folder of jobs cannot be read: {e}")))?;
@@ -57,17 +57,17 @@ pub(super) fn own(panel: &Panel) -> Result<Vec<String>, Refused> {
     Ok(names)
 }
 
-/// Bytes of a job in which its title is looked for.
+/// Size of the start of a file in which its title is searched, bytes.
 const HEAD: u64 = 16 << 10;
 
-/// The begin of a file.
+/// Reads the start of a file.
 pub(super) fn head(path: &std::path::Path) -> std::io::Result<String> {
     let mut head = Vec::new();
     std::fs::File::open(path)?.take(HEAD).read_to_end(&mut head)?;
     Ok(String::from_utf8_lossy(&head).into_owned())
 }
 
-/// What a file among the jobs is.
+/// Kind of a file among the jobs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Job,
@@ -77,7 +77,7 @@ pub(super) enum Kind {
     Procedure,
 }
 
-/// By the tables that only such a file has; whoever reads it for its purpose judges it.
+/// Returns the kind by tables that only such a file contains; its reader validates it.
 pub(super) fn kind(head: &str) -> Kind {
     let has = |table: &str| head.lines().any(|line| line.trim() == table);
     match (has("[[runs]]"), has("[[tool]]") || has("[[work]]")) {
@@ -94,7 +94,7 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>>
             Ok(head) => (kind(&head) == Kind::Job).then(|| JobRow { name, title: title(&head), example: false }),
             Err(e) => Some(JobRow { name, title: e.to_string(), example: false }),
         };
-        let mut rows: Vec<JobRow> = own(&asked)?.into_iter().take(MOST).filter_map(row).collect();
+        let mut rows: Vec<JobRow> = own(&asked)?.into_iter().take(MAX_JOBS).filter_map(row).collect();
         for example in EXAMPLES {
             let name = format!("{}.toml", example.name);
             if rows.iter().all(|row| row.name != name) {
@@ -131,7 +131,7 @@ fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<J
     if example(name).is_some() {
         return Err(Refused::input(format!("`{name}` is the name of an example: save it under another name")));
     }
-    // A job may be half done; a procedure that cannot be read would make every job that names it none.
+    // A job may be incomplete; an invalid procedure would invalidate every job that names it.
     if kind(&job.text) == Kind::Procedure {
         Procedure::read(name, &job.text).map_err(Failure::from)?;
     }
@@ -141,8 +141,8 @@ fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<J
         let text = format!("another text is kept as `{name}`");
         return Err(Refused::new(StatusCode::CONFLICT, "other", text));
     }
-    if !path.is_file() && own(panel)?.len() >= MOST {
-        return Err(Refused::input(format!("there are too many jobs; allowed: {MOST}")));
+    if !path.is_file() && own(panel)?.len() >= MAX_JOBS {
+        return Err(Refused::input(format!("there are too many jobs; allowed: {MAX_JOBS}")));
     }
     files::write(&path, &job.text)?;
     let hash = |text: &str| seamwright_record::sha256(text.as_bytes());

@@ -12,8 +12,8 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Most bytes of a name and of a password that are looked at.
-const MOST: usize = 512;
+/// Maximum length of a name or password, bytes.
+const MAX_LOGIN_BYTES: usize = 512;
 
 pub(super) fn session_view(panel: &Panel, session: &Session) -> SessionView {
     SessionView {
@@ -25,23 +25,24 @@ pub(super) fn session_view(panel: &Panel, session: &Session) -> SessionView {
     }
 }
 
-/// Where a request comes from; without a connection, as in tests, from here.
+/// Address of a request; without a connection, as in tests, this computer.
 pub(super) type From = Option<Extension<ConnectInfo<SocketAddr>>>;
 
 pub(super) fn address(from: &From) -> IpAddr {
     from.as_ref().map_or(IpAddr::V4(Ipv4Addr::LOCALHOST), |from| from.0.0.ip())
 }
 
-/// A wrong password is answered after this time, whoever is asked about: nobody sees from it who there is.
+/// Minimum time of the answer to a wrong password: it does not reveal which users exist.
 const ANSWER: Duration = Duration::from_millis(300);
 
-/// Returns how long somebody has to wait after wrong passwords, as a refusal.
+/// Returns the wait after wrong passwords as a refusal.
 fn slowed(wait: Duration) -> Refused {
     let text = format!("too many wrong passwords: wait {:.0} s", wait.as_secs_f64().ceil());
     Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", text)
 }
 
-/// Checks the password of `user`: one at a time, and slower with every wrong one. What was checked, if it was right.
+/// Checks the password of `user`: one at a time, and slower after each wrong one. Returns the checked role and hash if
+/// it was right.
 pub(super) async fn checked(
     panel: &Arc<Panel>,
     (from, headers): (&From, &HeaderMap),
@@ -55,7 +56,7 @@ pub(super) async fn checked(
         return Err(slowed(wait));
     }
     let right = if user == OWNER || panel.accounts.role(user).is_some() {
-        // Others of this name wait already: as if they had been wrong.
+        // Too many checks of this name are waiting: refused as after wrong passwords.
         let check = panel.checks.begin(user).ok_or_else(|| slowed(Duration::from_secs(2)))?;
         let (asked, user) = (Arc::clone(panel), user.to_owned());
         let work = move || {
@@ -64,7 +65,7 @@ pub(super) async fn checked(
         };
         panel.checking.run(work).await?
     } else {
-        // Made-up names take neither time nor places of others.
+        // Invented names take neither time nor checks from others.
         panel.tries.tried(&origin, user, false);
         None
     };
@@ -75,7 +76,7 @@ pub(super) async fn checked(
 }
 
 fn fits(panel: &Panel, origin: &Origin, user: &str, password: &str) -> Result<Option<(Role, String)>, Refused> {
-    // Others may have guessed while this one waited for its turn.
+    // Others may have guessed while this check waited.
     if let Some(wait) = panel.tries.waits(origin, user) {
         return Err(slowed(wait));
     }
@@ -100,8 +101,8 @@ pub(super) async fn login(
         let text = format!("the header `{TOKEN}` must say `login`");
         return Err(Refused::new(StatusCode::FORBIDDEN, "token", text));
     }
-    if login.user.len() > MOST || login.password.len() > MOST {
-        return Err(Refused::input(format!("name or password is too long; allowed: up to {MOST} bytes")));
+    if login.user.len() > MAX_LOGIN_BYTES || login.password.len() > MAX_LOGIN_BYTES {
+        return Err(Refused::input(format!("name or password is too long; allowed: up to {MAX_LOGIN_BYTES} bytes")));
     }
     let name = if login.user.is_empty() { OWNER.to_owned() } else { login.user };
     let right = checked(&panel, (&from, &headers), &name, login.password).await?;
@@ -120,7 +121,7 @@ pub(super) async fn login(
         panel.sessions.end(before);
     }
     let (cookie, session) = panel.sessions.begin(&name, right.0).map_err(Refused::server)?;
-    // A password that was changed while it was checked opens nothing.
+    // A password that was changed during the check does not open a session.
     let still = if name == OWNER { !panel.accounts.has_admin() } else { panel.accounts.is_still(&name, &right) };
     if !still {
         panel.sessions.end(&cookie);
@@ -142,7 +143,7 @@ pub(super) async fn login(
     Ok(response)
 }
 
-/// How long a browser keeps the cookie by which it is known as one of a user's, s: half a year.
+/// Lifetime of the cookie of a known browser, s: half a year.
 const DEVICE_AGE: &str = "; Max-Age=15552000";
 
 fn set_cookie(panel: &Panel, name: &str, value: &str, more: &str) -> String {
@@ -150,13 +151,13 @@ fn set_cookie(panel: &Panel, name: &str, value: &str, more: &str) -> String {
     format!("{name}={value}; Path=/; HttpOnly; SameSite=Strict{secure}{more}")
 }
 
-/// Writes known browsers, in a thread that may wait for the disk.
+/// Writes known browsers in a thread that may wait for the disk.
 pub(super) fn keep_devices(panel: &Arc<Panel>) {
     let panel = Arc::clone(panel);
     drop(tokio::task::spawn_blocking(move || panel.devices.save()));
 }
 
-/// Compares without telling by its time how much was right.
+/// Compares in constant time, so that the duration does not reveal matching bytes.
 pub(super) fn same(a: &[u8], b: &[u8]) -> bool {
     a.len() == b.len() && a.iter().zip(b).fold(0, |differ, (a, b)| differ | (a ^ b)) == 0
 }

@@ -14,14 +14,14 @@ pub(super) async fn machine(State(panel): State<Arc<Panel>>) -> Answer<MachineVi
     Ok(Json(machine_view(&machine)))
 }
 
-/// `?name=NAME`, as a job names its machine.
+/// `?name=NAME`, in the form in which a job names its machine.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct OfMachine {
     name: String,
 }
 
-/// The machine that a job names, which need not be the cell's: so that its plan can be looked at.
+/// Returns the machine that a job names, to show its plan. It may differ from the cell's.
 pub(super) async fn machine_of_job(
     State(panel): State<Arc<Panel>>,
     Query(of): Query<OfMachine>,

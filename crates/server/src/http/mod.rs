@@ -1,4 +1,4 @@
-//! HTTP: who may ask for what, and what it answers.
+//! HTTP: permissions of requests, and their answers.
 
 mod answer;
 mod assets;

@@ -7,7 +7,7 @@ pub(super) async fn document() -> Json<Value> {
     Json(openapi())
 }
 
-/// The interface as OpenAPI 3.1, from the routes themselves.
+/// Describes the interface as OpenAPI 3.1, generated from the routes.
 pub(crate) fn openapi() -> Value {
     let settings = SchemaSettings::draft2020_12().with(|s| s.definitions_path = "/components/schemas".into());
     let mut generator = settings.into_generator();

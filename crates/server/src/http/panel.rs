@@ -10,17 +10,18 @@ use std::sync::{Arc, Mutex};
 use std::time::Instant;
 use tokio::sync::watch;
 
-/// Most bytes of an archive that is restored from a page.
-const MOST_ARCHIVE: u64 = 16 << 30;
+/// Maximum size of an archive that is restored from a page, bytes.
+const MAX_ARCHIVE_BYTES: u64 = 16 << 30;
 
-/// Who restores all data, and the turn that keeps others from it.
+/// The user who restores all data, and the turn that excludes others.
 pub(crate) type Restores = Option<Arc<(String, Turn)>>;
 
-/// Jobs that are being planned in this process to be loaded. That may take as much memory as the system has: no machine may move then.
+/// Jobs being planned in this process to be loaded. They may use all memory of the system: no machine may move
+/// meanwhile.
 #[derive(Default)]
 pub(crate) struct Loads(Arc<()>);
 
-/// A load that is announced, until it is dropped.
+/// An announced load, until dropped.
 pub(crate) struct Announced(#[allow(dead_code, reason = "held")] Arc<()>);
 
 impl Loads {
@@ -28,13 +29,13 @@ impl Loads {
         Announced(Arc::clone(&self.0))
     }
 
-    /// True while at least one is announced.
+    /// Returns true while at least one load is announced.
     pub(crate) fn any(&self) -> bool {
         Arc::strong_count(&self.0) > 1
     }
 }
 
-/// Everything that handlers share.
+/// State shared by all handlers.
 pub(crate) struct Panel {
     pub(crate) cell: Cell,
     pub(crate) accounts: Accounts,
@@ -43,37 +44,37 @@ pub(crate) struct Panel {
     pub(crate) devices: Devices,
     /// Passwords that are being checked, by name.
     pub(crate) checks: Checks,
-    /// Opens the panel while there is no administrator.
+    /// Key that opens the panel while there is no administrator.
     pub(crate) key: String,
     pub(crate) data: PathBuf,
-    /// Names under which the panel may be asked for, with ports where they are not the usual one.
+    /// Valid values of header `host`; a default port may be missing.
     pub(crate) hosts: Vec<String>,
     /// The connection is encrypted.
     pub(crate) tls: bool,
     pub(crate) planning: Turns,
     pub(crate) loads: Loads,
-    /// Answers what is asked about texts, beside the cell.
+    /// Answers questions about texts, beside the cell.
     pub(crate) planner: Planner,
-    /// What is read without being planned does not wait for a plan.
+    /// Turns for views that need no plan: they do not wait for plans.
     pub(crate) drawing: Turns,
-    /// Of records, jobs and texts.
+    /// Turns for reading records, jobs and texts.
     pub(crate) reading: Turns,
-    /// Of passwords of users that there are: one at a time, so that guesses at once do not count as one. Names share the places evenly:
-    /// see [`Checks`].
+    /// Turns for checking passwords of existing users: one at a time, so that simultaneous guesses are all counted.
+    /// Names share the turns evenly: see [`Checks`].
     pub(crate) checking: Turns,
     pub(crate) backing_up: Turns,
-    /// When somebody who is not logged in stopped last.
+    /// Time of the last stop without a session.
     pub(crate) stopped: Mutex<Option<Instant>>,
-    /// Of what is kept in files: one at a time, since what is there is looked at before. A disk that hangs holds up nothing else.
+    /// Turns for writing files: one at a time, since existing files are read first. A hanging disk blocks nothing else.
     pub(crate) saving: Turns,
-    /// Says that the cell is to begin anew with restored data.
+    /// Announces that the cell restarts with restored data.
     pub(crate) restores: watch::Sender<Restores>,
-    /// Most bytes of an archive that is restored.
+    /// Maximum size of an archive that is restored, bytes.
     pub(crate) most_archive: u64,
-    /// Files of the panel as they are sent.
+    /// Files of the panel, compressed for sending.
     pub(crate) compressed: Compressed,
     pub(crate) teaching: Teaching,
-    /// Where frames may come from.
+    /// Addresses allowed as source of camera frames.
     pub(crate) cameras: Cameras,
     plans: AtomicU64,
 }
@@ -101,7 +102,7 @@ impl Panel {
             stopped: Mutex::new(None),
             saving: Turns::new(1, 16),
             restores: watch::Sender::new(None),
-            most_archive: MOST_ARCHIVE,
+            most_archive: MAX_ARCHIVE_BYTES,
             compressed: Compressed::default(),
             teaching: Teaching::default(),
             cameras: Cameras::default(),
@@ -109,7 +110,7 @@ impl Panel {
         }
     }
 
-    /// True if the session is there still, and its user may log in and has the role that he had; `used`: it counts as used.
+    /// Returns true if the session exists and its user is enabled with an unchanged role; `used` counts it as used.
     pub(crate) fn stands(&self, session: &Session, used: bool) -> bool {
         let known = match session.user.as_str() {
             OWNER => !self.accounts.has_admin(),
@@ -118,12 +119,12 @@ impl Panel {
         known && self.sessions.lives(session, used)
     }
 
-    /// Where jobs are kept.
+    /// Folder of the jobs.
     pub(crate) fn jobs(&self) -> PathBuf {
         self.data.join("jobs")
     }
 
-    /// A number for a new plan.
+    /// Returns a number for a new plan.
     pub(crate) fn plan_number(&self) -> u64 {
         self.plans.fetch_add(1, Ordering::Relaxed) + 1
     }

@@ -10,13 +10,13 @@ use std::path::Path;
 
 /// Name of the offset.
 const NAME: &str = "touched";
-/// Most points: nobody touches more by hand.
-const MOST: usize = 1000;
-/// Largest ball, mm, and farthest point.
+/// Maximum number of points: touching by hand needs fewer.
+const MAX_POINTS: usize = 1000;
+/// Maximum ball radius, mm, and maximum coordinate of a point.
 const LARGEST_MM: f64 = 1000.0;
 const FARTHEST_MM: f64 = 1e7;
 
-/// Where the part stands.
+/// Pose of the part, from touched points.
 struct Found {
     /// The part's frame in the work frame.
     offset: DAffine3,
@@ -24,10 +24,10 @@ struct Found {
     notes: Vec<String>,
 }
 
-/// Finds where the part of a job stands; files that it names are among `jobs`.
+/// Finds the pose of a job's part; files that it names are in `jobs`.
 ///
 /// # Errors
-/// A job that cannot be read, points that tell nothing.
+/// An invalid job, or points that do not determine a pose.
 pub(crate) fn found_place(asked: &PlaceText, jobs: &Path) -> Result<PlaceAnswer, Refused> {
     check(asked)?;
     let loaded = load_foreign("job.toml", &asked.text, jobs)?;
@@ -40,7 +40,7 @@ pub(crate) fn found_place(asked: &PlaceText, jobs: &Path) -> Result<PlaceAnswer,
         PlaceMethod::Chuck => round(program, points, radius)?,
     };
     let answer = answer(&asked.text, found)?;
-    // What is given back can be read.
+    // Verifies that the changed text is a valid job.
     load_foreign("job.toml", &answer.text, jobs)?;
     Ok(answer)
 }
@@ -55,8 +55,8 @@ fn check(asked: &PlaceText) -> Result<(), Refused> {
     if !(0.0..=LARGEST_MM).contains(&asked.probe_radius_mm) {
         return Err(Refused::input(format!("probe_radius_mm {}: allowed: 0 to {LARGEST_MM}", asked.probe_radius_mm)));
     }
-    if asked.points.len() > MOST {
-        return Err(Refused::input(format!("{} points; allowed: up to {MOST}", asked.points.len())));
+    if asked.points.len() > MAX_POINTS {
+        return Err(Refused::input(format!("{} points; allowed: up to {MAX_POINTS}", asked.points.len())));
     }
     for (i, point) in asked.points.iter().enumerate() {
         let number = i + 1;
@@ -71,12 +71,12 @@ fn check(asked: &PlaceText) -> Result<(), Refused> {
     Ok(())
 }
 
-/// Why points tell nothing.
+/// Converts the reason for which points do not determine a pose.
 fn refused(e: &seamwright_geometry::Error) -> Refused {
     Refused::input(format!("{e}; allowed: more points, spread over what they should tell, or another method"))
 }
 
-/// Surfaces at the points, in the sense of least squares.
+/// Fits the surfaces to the points by least squares.
 fn fitted(loaded: &Loaded, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let program = &loaded.welding.program;
     let Some(seam) = &program.value.seam else {
@@ -97,19 +97,19 @@ fn fitted(loaded: &Loaded, points: &[TouchedPoint], radius: f64) -> Result<Found
     Ok(Found { offset: fit.transform * placed.inverse(), residuals: fit.residuals, notes })
 }
 
-/// The points of a feature.
+/// Returns the points of a feature.
 fn of(points: &[TouchedPoint], feature: &str) -> Vec<DVec3> {
     points.iter().filter(|p| p.feature == feature).map(|p| DVec3::from_array(p.tip)).collect()
 }
 
-/// Residuals by feature, back in the order of the points.
+/// Merges residuals by feature into the order of the points.
 fn in_order<const N: usize>(points: &[TouchedPoint], lists: [(&str, &[f64]); N]) -> Vec<f64> {
     let mut lists = lists.map(|(feature, residuals)| (feature, residuals.iter()));
     let next = |p: &TouchedPoint| lists.iter_mut().find(|l| l.0 == p.feature).and_then(|l| l.1.next().copied());
     points.iter().filter_map(next).collect()
 }
 
-/// Three faces of the part.
+/// Aligns three faces of the part.
 fn faces(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [plane, line, point] = ["plane", "line", "point"].map(|feature| of(points, feature));
     let fit = plane_line_point((&plane, &line, &point), radius, &program.work_offset()).map_err(|e| refused(&e))?;
@@ -117,7 +117,7 @@ fn faces(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
     Ok(Found { offset: fit.transform, residuals, notes: Vec::new() })
 }
 
-/// A plane of the part and two marks on it.
+/// Aligns a plane of the part and two marks on it.
 fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [plane, origin, direction] = ["plane", "origin", "direction"].map(|feature| of(points, feature));
     let found = three_points([&plane, &origin, &direction], radius, &program.work_offset());
@@ -128,7 +128,7 @@ fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
     Ok(Found { offset: found.transform, residuals, notes })
 }
 
-/// A round part in a chuck.
+/// Aligns a round part in a chuck.
 fn round(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [face, round] = ["face", "round"].map(|feature| of(points, feature));
     let found = chuck(&face, &round, radius, &program.work_offset())
@@ -142,7 +142,7 @@ fn round(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
     Ok(Found { offset: found.transform, residuals, notes })
 }
 
-/// Said where three points fix what three points fix.
+/// Returns a note if three points determine a feature without redundancy.
 fn three_alone(points: usize, of: &str) -> Option<String> {
     (points == 3).then(|| format!("{of}: three points only, nothing would show a bad one"))
 }

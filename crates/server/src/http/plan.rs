@@ -26,7 +26,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 
-/// Runs work that takes a while in a thread of its own, one at a time.
+/// Runs long work in its own thread, one at a time.
 pub(super) async fn alone<T: Send + 'static>(
     panel: &Arc<Panel>,
     work: impl FnOnce(&Panel) -> Result<T, Refused> + Send + 'static,
@@ -35,19 +35,19 @@ pub(super) async fn alone<T: Send + 'static>(
     panel.planning.run(move || work(&with)).await
 }
 
-/// The header by which a page tells which one of its session it is.
+/// Header with the identifier of a page within its session.
 const PAGE: &str = "x-seamwright-page";
-/// Maximum number of characters of it.
+/// Maximum length of the identifier, characters.
 const MAX_PAGE: usize = 64;
 
-/// Of which session, and which of its pages.
+/// Returns user, session and page of a request.
 fn page_asking(session: &Session, headers: &HeaderMap) -> Page {
     let page = headers.get(PAGE).and_then(|value| value.to_str().ok()).unwrap_or_default();
     let page = page.chars().take(MAX_PAGE).collect();
     Page { user: session.user.clone(), session: session.id.clone(), page }
 }
 
-/// Puts a question to the planner.
+/// Asks the planner a question.
 async fn answered(panel: &Panel, page: Page, question: Question) -> Result<Response, Refused> {
     let json = panel.planner.ask(page, question, panel.jobs()).await?;
     Ok(([(header::CONTENT_TYPE, JSON)], json).into_response())
@@ -63,7 +63,7 @@ pub(super) async fn plan(
     answered(&panel, page_asking(&session, &headers), question).await
 }
 
-/// What a text describes, at once: nothing is planned.
+/// Describes a text at once, without a plan.
 pub(super) async fn draft(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
@@ -82,7 +82,7 @@ pub(super) async fn place(
     answered(&panel, page_asking(&session, &headers), Question::Place { asked }).await
 }
 
-/// What is being planned for a page.
+/// Lists questions of a page that are being answered.
 pub(super) async fn planning(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
@@ -94,7 +94,7 @@ pub(super) async fn planning(
     Json(asked.into_iter().map(view).collect())
 }
 
-/// Cancels what is being planned for a page.
+/// Cancels all questions of a page.
 pub(super) async fn cancel(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
@@ -104,16 +104,16 @@ pub(super) async fn cancel(
     StatusCode::NO_CONTENT
 }
 
-/// Most characters of a part's number.
-const MOST_PART: usize = 120;
+/// Maximum length of a part number, characters.
+const MAX_PART_CHARS: usize = 120;
 
-/// A part's number as it may stand in records.
+/// Checks a part number for records.
 fn part(number: &str) -> Result<(), Refused> {
-    if number.chars().count() <= MOST_PART && !number.chars().any(crate::cell::hides) {
+    if number.chars().count() <= MAX_PART_CHARS && !number.chars().any(crate::cell::hides) {
         return Ok(());
     }
     Err(Refused::input(format!(
-        "the number of the part cannot be that; allowed: up to {MOST_PART} characters that are seen"
+        "the number of the part cannot be that; allowed: up to {MAX_PART_CHARS} characters that are seen"
     )))
 }
 
@@ -132,10 +132,10 @@ pub(super) async fn load(
     result.map(|view| Json((*view).clone()))
 }
 
-/// Modes in which a job is taken: in all others the machine moves, welds or is held.
+/// Modes in which a job can be loaded: in all others the machine moves, welds or is held.
 const AT_REST: [&str; 4] = ["off", "idle", "ready", "fault"];
 
-/// Starts that were taken just before loads are announced are seen in the cell's status after this time.
+/// Time until the cell's status shows starts that were accepted just before a load was announced.
 const ANNOUNCED: Duration = Duration::from_millis(100);
 
 /// Refuses while the machine moves, welds or is held.
@@ -147,8 +147,8 @@ fn at_rest(panel: &Panel) -> Result<(), Refused> {
     Ok(())
 }
 
-/// Plans a job and puts it into the cell. First it is planned beside the cell, with bounds of memory and time; what passes is planned
-/// once more in this process, since the cycle runs it, and then nothing may be started.
+/// Plans a job and loads it into the cell. The job is first planned beside the cell, with limits of memory and time. A
+/// valid one is planned again in this process for the cycle; starts are refused meanwhile.
 async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkView>, Refused> {
     at_rest(panel)?;
     let (asked, job, user) = (Arc::clone(panel), load.job.clone(), page.user.clone());
@@ -170,7 +170,7 @@ async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkVi
     Ok(view)
 }
 
-/// To the desk, and its answer.
+/// Sends a program to the desk and waits for its answer.
 async fn give(panel: &Panel, loading: Loading) -> Result<(), Refused> {
     let gone = || Refused::server("the cell has ended");
     let (answer, answered) = oneshot::channel();
@@ -179,10 +179,10 @@ async fn give(panel: &Panel, loading: Loading) -> Result<(), Refused> {
     taken.map_err(|lack| Refused::new(StatusCode::CONFLICT, "busy", lack.text))
 }
 
-/// With the devices that it needs, if the cell's are not connected for it: real ones are let go first, by a machine without a
-/// program. A job may not lead to other devices than whoever started the panel has chosen.
+/// Adds the required devices if those of the cell serve another program. Real devices are released first, by loading a
+/// machine without a program. A job may use only the devices chosen at the start of the panel.
 async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, Refused> {
-    /// Until devices are gone, s.
+    /// Maximum time for releasing devices, s.
     const GO_S: u64 = 20;
     let now = panel.cell.hub.connection();
     if now.as_ref().is_some_and(|to| to.serves_it(&loading.prepared)) {
@@ -217,13 +217,13 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
     .await
 }
 
-/// Begins with a job in the cell.
+/// Loads a job at the start of the panel.
 pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), String> {
     let load = Load { job: job.to_owned(), from: None, overlap_mm: None, part: None, distortion: None };
     put_in(panel, load, Page::default()).await.map(drop).map_err(|refused| refused.text)
 }
 
-/// A job on its way into the cell, planned.
+/// A planned job to be loaded.
 struct Ready {
     loaded: Loaded,
     motion: WeldMotion,
@@ -234,7 +234,7 @@ struct Ready {
     passes: usize,
 }
 
-/// Plans a job that is to be loaded, from its text and the folder of jobs alone; `number` is that of its view.
+/// Plans a job to be loaded, only from its text and the folder of jobs; `number` is the number of its view.
 fn ready(load: &Load, text: &str, jobs: &FilePath, number: u64) -> Result<Ready, Refused> {
     let loaded = load_foreign(checked(&load.job)?, text, jobs)?;
     let part = simulated_part(load.distortion.as_deref())?;
@@ -256,16 +256,16 @@ fn ready(load: &Load, text: &str, jobs: &FilePath, number: u64) -> Result<Ready,
     Ok(Ready { loaded, motion, part, from, view, record, passes })
 }
 
-/// Does everything that loading a job takes memory and time for, and throws it away.
+/// Performs all steps of loading that take memory and time, and discards the result.
 ///
 /// # Errors
-/// What is wrong with the job. Whether it can begin from where the axes are is not looked at.
+/// If the job is invalid. The approach from the current axis positions is not checked.
 pub(crate) fn try_load(load: &Load, text: &str, jobs: &FilePath) -> Result<(), Refused> {
     let Ready { loaded, motion, part, from, view, .. } = ready(load, text, jobs, 0)?;
     let home = loaded.machine.home();
     let around = Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?;
     let prepared = Prepared::new(Task::Job(Box::new(Planned { loaded, motion, part })), &home, from);
-    // Together, as the cell has them.
+    // Dropped together: the cell also needs all of them at once.
     drop((view, around, prepared));
     Ok(())
 }
@@ -275,7 +275,7 @@ fn loading(panel: &Panel, load: Load, text: &str, user: String) -> Result<Loadin
     let ready = ready(&load, text, &panel.jobs(), panel.plan_number())?;
     let Ready { loaded, motion, part, from, view, record, passes } = ready;
     let view = Arc::new(view);
-    // On the devices of the cell from where the axes are, on others from home.
+    // From the current axis positions on the cell's devices, from home on others.
     let fingerprint = fingerprint(&loaded.machine);
     let same = panel.cell.hub.connection().is_some_and(|to| to.serves(&fingerprint, &view.values));
     let at = panel.cell.hub.set_points().filter(|_| same).unwrap_or(loaded.machine.home());
@@ -285,7 +285,7 @@ fn loading(panel: &Panel, load: Load, text: &str, user: String) -> Result<Loadin
     Ok(Loading { prepared, view: Some(view), around, plan: Some(record), passes, overlap_mm, user })
 }
 
-/// Maximum overlap over what is welded that no start asks about, mm.
+/// Maximum overlap over finished weld that needs no confirmation at a start, mm.
 const MAX_OVERLAP_MM: f64 = 100.0;
 
 fn overlap(load: &Load) -> Result<f64, Refused> {
@@ -296,14 +296,14 @@ fn overlap(load: &Load) -> Result<f64, Refused> {
     Err(Refused::input(format!("an overlap of {overlap_mm} mm is not possible; allowed: up to {MAX_OVERLAP_MM} mm")))
 }
 
-/// The part that is welded, where devices are simulated.
+/// Returns the part to be welded, for simulated devices.
 fn simulated_part(distortion: Option<&str>) -> Result<Part, Refused> {
     let distortion = distortion.map(|text| Distortion::read("distortion", text)).transpose();
     let distortion = distortion.map_err(|e| Refused::input(e.to_string()))?;
     Ok(Part { tracking: distortion.is_some(), distortion, replay: None })
 }
 
-/// What was welded, planned once more: where a record's torch was.
+/// Plans a recorded weld again, to show the torch of its record.
 pub(super) async fn recorded(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
@@ -333,7 +333,7 @@ pub(super) async fn tuning(State(panel): State<Arc<Panel>>, Query(of): Query<OfA
     answer.await.map(Json)
 }
 
-/// `?job=NAME`, and in which language; English if it is not said.
+/// `?job=NAME`, with an optional language; default English.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Named {

@@ -19,14 +19,14 @@ use std::time::Duration;
 use tokio::runtime::Handle;
 use tokio::sync::mpsc::Sender;
 
-/// Rows of a trace that are sent at most, and columns, and values of both.
-const MOST: usize = 20_000;
-const MOST_COLUMNS: usize = 64;
-const MOST_VALUES: usize = 400_000;
-/// Welds that are listed at most, the newest.
-const MOST_WELDS: usize = 5000;
+/// Maximum number of trace rows sent, of columns, and of values in all.
+const MAX_ROWS: usize = 20_000;
+const MAX_COLUMNS: usize = 64;
+const MAX_VALUES: usize = 400_000;
+/// Maximum number of welds listed, the newest.
+const MAX_WELDS: usize = 5000;
 
-/// What welds are looked for.
+/// Filter of welds.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Asked {
@@ -78,7 +78,7 @@ fn row(weld: &WeldRecord) -> RecordRow {
     }
 }
 
-/// Reads the library in a thread of its own.
+/// Reads the library in its own thread.
 pub(super) async fn reads<T: Send + 'static>(
     panel: &Arc<Panel>,
     read: impl FnOnce(&DataFolder) -> Result<T, Refused> + Send + 'static,
@@ -89,7 +89,7 @@ pub(super) async fn reads<T: Send + 'static>(
 
 pub(super) async fn list(State(panel): State<Arc<Panel>>, Query(asked): Query<Asked>) -> Answer<Vec<RecordRow>> {
     let query = asked.query()?;
-    reads(&panel, move |data| Ok(data.library().find(&query)?.iter().take(MOST_WELDS).map(row).collect())).await
+    reads(&panel, move |data| Ok(data.library().find(&query)?.iter().take(MAX_WELDS).map(row).collect())).await
 }
 
 fn traces(data: &DataFolder, weld: i64) -> Result<Vec<Trace>, Refused> {
@@ -148,7 +148,7 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
     .await
 }
 
-/// Columns, and how many rows of them.
+/// Columns, and maximum number of rows.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Wanted {
@@ -163,16 +163,16 @@ pub(super) async fn trace(
 ) -> Answer<TraceView> {
     let most = wanted.most.unwrap_or(2000);
     let columns: Vec<String> = wanted.columns.split(',').map(|c| c.trim().to_owned()).collect();
-    if columns.len() > MOST_COLUMNS || columns.len() * most > MOST_VALUES {
+    if columns.len() > MAX_COLUMNS || columns.len() * most > MAX_VALUES {
         let text = format!(
-            "{} columns of {most} rows are too much; allowed: up to {MOST_COLUMNS} columns, {MOST_VALUES} values",
+            "{} columns of {most} rows are too much; allowed: up to {MAX_COLUMNS} columns, {MAX_VALUES} values",
             columns.len()
         );
         return Err(Refused::input(text));
     }
     let least = Outline::least(columns.len());
-    if !(least..=MOST).contains(&most) {
-        return Err(Refused::input(format!("most={most}; allowed: {least} to {MOST}")));
+    if !(least..=MAX_ROWS).contains(&most) {
+        return Err(Refused::input(format!("most={most}; allowed: {least} to {MAX_ROWS}")));
     }
     reads(&panel, move |data| {
         let traces = traces(data, id)?;
@@ -194,14 +194,14 @@ pub(super) async fn trace(
     .await
 }
 
-/// In which language; English if it is not said.
+/// Optional language; default English.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Spoken {
     language: Option<String>,
 }
 
-/// The language of this code; English without one.
+/// Returns the language of this code; English without a code.
 pub(super) fn spoken(code: Option<String>) -> Result<Language, Refused> {
     let known = |code: String| {
         code.parse::<Language>().map_err(|e| Refused::input(format!("there is no language `{code}`; {e}")))
@@ -225,13 +225,13 @@ pub(super) async fn report(
     page.await.map(|Json(html)| page_of(html))
 }
 
-/// Pieces of an archive on their way to a client, of this size and so many at once.
+/// Size of a piece of an archive sent to a client, bytes, and maximum number of queued pieces.
 const PIECE: usize = 64 << 10;
 const PIECES: usize = 8;
-/// A client that takes nothing for this long has gone.
+/// Maximum time that a client may take for a piece.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// What is written goes to the client, as fast as he takes it.
+/// Writer to the client, limited by the client's speed.
 struct ToClient {
     to: Sender<std::io::Result<Vec<u8>>>,
     runtime: Handle,
@@ -254,11 +254,11 @@ pub(super) async fn backup(
     Extension(session): Extension<Session>,
 ) -> Result<Response, Refused> {
     panel.cell.archive.audit(&session.user, "panel", "backup", ("", ""), "begun");
-    // Hashes of passwords are for those who may change them anyhow.
+    // Password hashes are only for users who may change passwords.
     let with_users = may(session.role, "users.write");
     let (to, mut from) = tokio::sync::mpsc::channel(PIECES);
     let (asked, runtime) = (Arc::clone(&panel), Handle::current());
-    // It goes on while the answer is read.
+    // Continues while the answer is read.
     tokio::spawn(async move {
         let failed = to.clone();
         let written = asked.backing_up.run({
@@ -275,11 +275,11 @@ pub(super) async fn backup(
             }
         });
         if let Err(e) = written.await {
-            // The client sees that it breaks off.
+            // The client receives a truncated archive.
             drop(failed.send_timeout(Err(std::io::Error::other(e.text)), PATIENCE).await);
         }
     });
-    // What cannot even begin is said as it is.
+    // A failure before the first piece becomes a normal refusal.
     let first = match from.recv().await {
         Some(Ok(first)) => first,
         Some(Err(e)) => return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "busy", e.to_string())),
@@ -290,7 +290,7 @@ pub(super) async fn backup(
         Some(piece) => Poll::Ready(Some(Ok(piece))),
         None => from.poll_recv(context),
     }));
-    // Its day and minute in the name: backups lie beside one another and are told apart.
+    // Day and minute in the name distinguish backups in one folder.
     let at: String = Moment::now().to_string().chars().filter(char::is_ascii_digit).take(12).collect();
     let name = format!("attachment; filename=\"seamwright-backup-{at}.tar\"");
     Ok(([(header::CONTENT_TYPE, "application/x-tar".to_owned()), (header::CONTENT_DISPOSITION, name)], body)

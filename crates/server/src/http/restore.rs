@@ -19,17 +19,17 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::mpsc::{Receiver, Sender, channel};
 
-/// Pieces of an archive that wait for the disk.
+/// Maximum number of queued pieces of an archive.
 const PIECES: usize = 8;
-/// Who sends nothing for this long has gone.
+/// Maximum time that a client may take to send a piece.
 const PATIENCE: Duration = Duration::from_secs(30);
-/// Where an archive is put while it comes, in the data folder.
+/// File name of an archive while it is received, in the data folder.
 const UPLOAD: &str = "restore-upload.tar";
 
-/// A piece of an archive; none: that was all of it.
+/// A piece of an archive; `None` marks its end.
 type Piece = Option<Bytes>;
 
-/// Data are replaced under a machine that is off, and under no other.
+/// Refuses unless the machine is off: data are replaced only then.
 fn off(panel: &Panel) -> Result<(), Refused> {
     let mode = panel.cell.hub.latest().map_or_else(|| "off".to_owned(), |status| status.mode.clone());
     if mode == "off" {
@@ -44,7 +44,7 @@ fn too_large(most: u64) -> Refused {
     Refused::new(StatusCode::PAYLOAD_TOO_LARGE, "size", text)
 }
 
-/// What is wrong with an archive, by a key that the panel has words for.
+/// Converts the error of an archive; the panel has words for its key.
 fn unfit(e: &Error) -> Refused {
     let (status, key) = match e {
         Error::Newer { .. } => (StatusCode::UNPROCESSABLE_ENTITY, "archive_newer"),
@@ -55,7 +55,7 @@ fn unfit(e: &Error) -> Refused {
     Refused::new(status, key, e.to_string())
 }
 
-/// Takes an archive and checks all of it; nothing is replaced.
+/// Receives an archive and checks it completely; replaces nothing.
 pub(super) async fn take(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
@@ -73,7 +73,7 @@ pub(super) async fn take(
     let checked = panel.backing_up.run(move || {
         let upload = asked.data.join(UPLOAD);
         let checked = keep(&upload, from, most).and_then(|()| checked(&asked, &upload));
-        // It was unpacked, or is of no use.
+        // The upload is unpacked, or invalid.
         drop(std::fs::remove_file(&upload));
         checked
     });
@@ -83,14 +83,14 @@ pub(super) async fn take(
     checked.map(Json)
 }
 
-/// Passes on what comes, and at its end that it was all.
+/// Forwards received pieces, then the end.
 async fn feed(body: Body, to: Sender<Piece>) {
     let mut pieces = body.into_data_stream();
     loop {
         let piece = match tokio::time::timeout(PATIENCE, pieces.next()).await {
             Ok(Some(Ok(piece))) => Some(piece),
             Ok(None) => None,
-            // Broken off: the reader sees no end.
+            // Aborted: the reader sees no end.
             Ok(Some(Err(_))) | Err(_) => return,
         };
         let all = piece.is_none();
@@ -126,7 +126,7 @@ fn keep(upload: &Path, mut from: Receiver<Piece>, most: u64) -> Result<(), Refus
 
 fn checked(panel: &Panel, upload: &Path) -> Result<ArchiveView, Refused> {
     let (contents, folder) = check_archive(upload, &panel.data).map_err(|e| unfit(&e))?;
-    // An archive without users leaves those of the cell.
+    // An archive without users keeps those of the cell.
     let with_users = folder.join("users.json").is_file();
     let users = Accounts::open(if with_users { &folder } else { &panel.data });
     let fits = match &users {
@@ -147,7 +147,7 @@ fn checked(panel: &Panel, upload: &Path) -> Result<ArchiveView, Refused> {
     })
 }
 
-/// Puts the archive that was checked last in place of all data: the cell ends, and begins anew with them.
+/// Replaces all data by the last checked archive: the cell ends and restarts with it.
 pub(super) async fn begin(
     State(panel): State<Arc<Panel>>,
     from: From,
@@ -169,7 +169,7 @@ pub(super) async fn begin(
         let text = "the record of a weld is still being written: wait until it is there";
         return Err(Refused::new(StatusCode::CONFLICT, "busy", text));
     }
-    // Nobody reads or sends an archive meanwhile; and only one is restored.
+    // Excludes other backups and archives meanwhile; only one archive is restored.
     let Some(turn) = panel.backing_up.now() else {
         let text = "a backup is being made or checked: wait until it has ended";
         return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "busy", text));
@@ -183,7 +183,7 @@ pub(super) async fn begin(
 mod tests {
     use super::*;
 
-    /// What comes without saying how much it is stops at the bound; what breaks off is no archive.
+    /// A body without a known length stops at the limit; an aborted one is not accepted.
     #[test]
     fn no_more_is_kept_than_allowed_and_nothing_that_broke_off() {
         let folder = tempfile::tempdir().unwrap();

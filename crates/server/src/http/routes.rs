@@ -17,10 +17,10 @@ use axum::{Router, middleware};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use std::sync::Arc;
 
-/// Maximum number of bytes of a request.
+/// Maximum size of a request, bytes.
 pub(crate) const MAX_BYTES: usize = 4 << 20;
 
-/// Maximum number of bytes of a request of somebody who is not logged in.
+/// Maximum size of a request without a session, bytes.
 pub(crate) const MAX_UNKNOWN: usize = 8 << 10;
 
 /// Content types of bodies.
@@ -28,11 +28,11 @@ pub(super) const JSON: &str = "application/json";
 const TAR: &str = "application/x-tar";
 const PNG: &str = "image/png";
 
-/// A route: the one place that says what it needs and what crosses it.
+/// A route: the single definition of its permission and of its data.
 pub(super) struct Route {
     pub(super) method: &'static str,
     pub(super) path: &'static str,
-    /// In the table of permissions; none: nobody needs to be logged in.
+    /// Action in the table of permissions; `None`: no login needed.
     pub(super) action: Option<&'static str>,
     pub(super) about: &'static str,
     pub(super) body: Option<Shape>,
@@ -71,7 +71,7 @@ impl Route {
     }
 }
 
-/// All routes of the interface.
+/// Returns all routes of the interface.
 pub(super) fn routes() -> Vec<Route> {
     let login_body = (shape::<Login>(), shape::<SessionView>());
     let login = post(login::login).layer(DefaultBodyLimit::max(MAX_UNKNOWN));
@@ -325,15 +325,15 @@ pub(super) fn routes() -> Vec<Route> {
     ]
 }
 
-/// Paths of routes that neither wait nor block: the front answers them on threads of its own.
+/// Paths of routes that neither wait nor block: the front end answers them on its own threads.
 pub(crate) const URGENT: [&str; 3] = ["/api/stop", "/api/live", "/healthz"];
 
-/// The whole application.
+/// Returns the complete application.
 pub(crate) fn app(panel: &Arc<Panel>) -> Router {
     router(panel, routes())
 }
 
-/// The routes of [`URGENT`] alone.
+/// Returns only the routes of [`URGENT`].
 pub(crate) fn urgent_app(panel: &Arc<Panel>) -> Router {
     router(panel, routes().into_iter().filter(|route| URGENT.contains(&route.path)).collect())
 }
@@ -348,12 +348,12 @@ fn router(panel: &Arc<Panel>, routes: Vec<Route>) -> Router {
         .fallback(assets::serve)
         .layer(DefaultBodyLimit::max(MAX_BYTES))
         .layer(middleware::from_fn_with_state(Arc::clone(panel), host))
-        // No route of a machine's health names a page: whoever watches it need not know under which name.
+        // Added after the host check: monitoring tools need not know the panel's name.
         .route("/healthz", get(health::health))
         .with_state(Arc::clone(panel))
 }
 
-/// Method, path and permission of every route.
+/// Returns method, path and permission of every route.
 #[cfg(test)]
 pub(crate) fn all_routes() -> Vec<(&'static str, &'static str, Option<&'static str>)> {
     routes().into_iter().map(|route| (route.method, route.path, route.action)).collect()

@@ -1,4 +1,4 @@
-//! Sensors set up: how a camera's pixels become mm, from a picture of a grid; the numbers of the machine file.
+//! Setup of sensors: the map from a camera's pixels to mm, from a picture of a grid, and numbers of the machine file.
 
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
@@ -22,31 +22,31 @@ use seamwright_vision::camera::{Dot, Grid, GridError, identify};
 use serde::Deserialize;
 use std::sync::Arc;
 
-/// Dots that are farther from any map than this (RMS) are not those of the grid, or not sharp, pixels.
+/// Maximum RMS deviation of dots from the fitted map, pixels. Beyond it they are not those of the grid, or not sharp.
 const LIMIT_PX: f64 = 0.3;
-/// A scale that differs by a greater part was not a lens that moved: the pitch, the height or the sensor is another one.
+/// Maximum relative change of the scale. Beyond it pitch, height or sensor is a different one.
 const FAR: f64 = 0.1;
-/// Most planes of a camera.
-const MOST_HEIGHTS: usize = 100;
-/// Most pixels of a simulated picture.
-const MOST_PX: usize = 1 << 23;
+/// Maximum number of planes of a camera.
+const MAX_HEIGHTS: usize = 100;
+/// Maximum number of pixels of a simulated picture.
+const MAX_PX: usize = 1 << 23;
 
-/// What is known of a picture of a grid.
+/// Parameters of a picture of a grid.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Plate {
     /// The sensor.
     name: String,
-    /// From dot to dot, mm.
+    /// Pitch of the dots, mm.
     pitch_mm: f64,
     /// The plate's z in the sensor's frame, mm.
     z_mm: f64,
-    /// Of a simulated picture.
+    /// Seed of a simulated picture.
     #[serde(default)]
     seed: u64,
 }
 
-/// A camera of the machine, and what it is believed to be at the plate's height.
+/// Returns a camera of the machine, and its current map at the plate's height.
 fn camera<'a>(machine: &'a Machine, of: &Plate) -> Result<(&'a Sensor, MapParameters), Refused> {
     let sensor = sensor(machine, &of.name)?;
     let Sight::Camera(camera) = &sensor.sight else {
@@ -89,9 +89,9 @@ pub(super) async fn picture(State(panel): State<Arc<Panel>>, Query(asked): Query
         let machine = of_cell(&on)?.machine;
         let (sensor, believed) = camera(&machine, &asked)?;
         let count: usize = sensor.size_px.iter().product();
-        if !machine.devices.is_empty() || count > MOST_PX {
+        if !machine.devices.is_empty() || count > MAX_PX {
             return Err(Refused::input(format!(
-                "it is not simulated; allowed: simulated devices, up to {MOST_PX} pixels"
+                "it is not simulated; allowed: simulated devices, up to {MAX_PX} pixels"
             )));
         }
         let (image, _) = plate(&believed, asked.pitch_mm, asked.seed).map_err(|e| Refused::input(e.to_string()))?;
@@ -119,7 +119,7 @@ pub(super) async fn find(
     panel.drawing.run(found).await.map(Json)
 }
 
-/// No map, and why.
+/// Returns an answer without a map, with the reason.
 fn none(verdict: &str, of: Vec<String>, text: String) -> SensorAnswer {
     let (was, found, dots) = (None, None, Vec::new());
     SensorAnswer { verdict: verdict.to_owned(), of, text, was, found, dots, rms_px: 0.0, max_px: 0.0 }
@@ -142,7 +142,7 @@ fn seen(image: &Image, sensor: &Sensor, believed: &MapParameters, plate: &Plate)
         Err(e) => return refused(&e),
     };
     let mut is = *found.map.parameters();
-    // A grid does not tell quarter turns: the one nearest to what is believed.
+    // A grid is ambiguous by quarter turns: the one nearest to the current map is chosen.
     let quarter = std::f64::consts::FRAC_PI_2;
     is.rotation += quarter * ((believed.rotation - is.rotation) / quarter).round();
     let change = ((is.mm_per_px - believed.mm_per_px) / believed.mm_per_px).abs().max_element();
@@ -216,7 +216,7 @@ pub(super) async fn keep(
     panel.planning.run(kept).await.map(Json)
 }
 
-/// The tables and the key of a sensor's number, if it has one of that name and length.
+/// Returns the tables and the key of a sensor's number, if one with this name and length exists.
 fn known(key: &str, numbers: &[f64]) -> Result<(&'static [&'static str], &'static str), Refused> {
     let path = |(tables, key, ..): &(&[&str], &str, &str, u32)| [tables, &[*key][..]].concat().join(".");
     let Some(row) = SENSOR_KEYS.iter().find(|row| path(row) == key) else {
@@ -229,10 +229,11 @@ fn known(key: &str, numbers: &[f64]) -> Result<(&'static [&'static str], &'stati
     Ok((row.0, row.1))
 }
 
-/// The text with these planes. As many as before are changed one by one, so that comments between them stay.
+/// Returns the text with these planes. If their number is unchanged they are changed individually, which keeps comments
+/// between them.
 fn with_heights(own: &OwnMachine, name: &str, had: usize, heights: &[HeightView]) -> Result<String, Refused> {
-    if heights.len() > MOST_HEIGHTS {
-        return Err(Refused::input(format!("{} planes; allowed: up to {MOST_HEIGHTS}", heights.len())));
+    if heights.len() > MAX_HEIGHTS {
+        return Err(Refused::input(format!("{} planes; allowed: up to {MAX_HEIGHTS}", heights.len())));
     }
     let rows: Vec<Vec<(&str, Setting)>> = heights.iter().map(row).collect();
     let map = steps(name, &["map"]);
@@ -246,7 +247,7 @@ fn with_heights(own: &OwnMachine, name: &str, had: usize, heights: &[HeightView]
     Ok(own.text)
 }
 
-/// A plane as it stands in the file: what is nothing is left out.
+/// Returns a plane as entries of the file: zeros are left out.
 fn row(of: &HeightView) -> Vec<(&'static str, Setting)> {
     let number = |v: f64| Setting::Number((v != 0.0).then_some(v));
     vec![

@@ -1,4 +1,4 @@
-//! What is set up at the machine: its axes, drives and tools, kept in its file; alarms put aside.
+//! Setup of the machine: axes, drives and tools in its file; shelving of alarms.
 
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
@@ -17,16 +17,16 @@ use seamwright_project::own_machine::{OwnMachine, Setting, Step};
 use std::sync::Arc;
 use tokio::sync::oneshot;
 
-/// Most touches: nobody makes more by hand.
-const MOST: usize = 1000;
-/// Touches that agree do so within this, mm, and tell the tip within half of it.
+/// Maximum number of touches: touching by hand needs fewer.
+const MAX_TOUCHES: usize = 1000;
+/// Maximum residual of consistent touches, mm; they determine the tip within half of it.
 const AGREE_MM: f64 = 0.5;
-/// A tool that is farther off than this was not bent: it is another one, or the touches were of several points, mm.
+/// Maximum tip displacement, mm. Beyond it the tool is a different one, or the touches were of several points.
 const FAR_MM: f64 = 20.0;
-/// Farthest tip, mm.
+/// Maximum tip coordinate, mm.
 const FARTHEST_MM: f64 = 1e4;
 
-/// The machine file of the job in the cell, and the machine that it makes.
+/// Machine file of the loaded job, and its machine.
 pub(super) struct OfCell {
     pub(super) own: OwnMachine,
     pub(super) machine: Machine,
@@ -48,23 +48,23 @@ impl OfCell {
         Ok(view)
     }
 
-    /// The cell still has the machine as it was.
+    /// Returns true while the cell still has the machine before the change.
     pub(super) fn pending(&self, panel: &Panel) -> bool {
         panel.cell.hub.machine().is_some_and(|machine| fingerprint(&machine) != fingerprint(&self.machine))
     }
 
-    /// The file as it is called among the jobs.
+    /// Returns the file's name relative to the folder of jobs.
     pub(super) fn file(&self, panel: &Panel) -> String {
         let path = &self.own.path;
         let jobs = panel.jobs();
         let inside = path.strip_prefix(&jobs).ok().map(std::path::Path::to_owned);
-        // A file that is there already comes with its true name.
+        // An existing file has its canonical path.
         let inside =
             inside.or_else(|| path.strip_prefix(jobs.canonicalize().ok()?).ok().map(std::path::Path::to_owned));
         inside.unwrap_or_else(|| path.clone()).display().to_string()
     }
 
-    /// Keeps `text`, and the machine that it makes.
+    /// Writes `text` to the file; returns the file with its machine.
     pub(super) fn keep(self, text: String) -> Result<Self, Refused> {
         let machine = self.own.keep(&text)?;
         Ok(Self { own: OwnMachine { path: self.own.path, text }, machine })
@@ -76,7 +76,7 @@ pub(super) async fn parameters(State(panel): State<Arc<Panel>>) -> Answer<Parame
     panel.drawing.run(move || of_cell(&asked)?.view(&asked)).await.map(Json)
 }
 
-/// A key with its value, as it stands in the audit log.
+/// Formats keys with their values for the audit log.
 fn said<'a>(values: impl Iterator<Item = (&'a str, Option<f64>)>) -> String {
     let one = |(key, value): (&str, Option<f64>)| value.map_or_else(|| format!("{key} -"), |v| format!("{key} {v}"));
     values.map(one).collect::<Vec<_>>().join(", ")
@@ -138,7 +138,7 @@ pub(super) async fn change(
     panel.planning.run(changed).await.map(Json)
 }
 
-/// Tells everybody and the audit log.
+/// Reports a change to all pages and the audit log.
 pub(super) fn tell(panel: &Panel, user: &str, (key, name, file): (&'static str, &str, &str), change: (&str, &str)) {
     let what = match key {
         "tool_changed" => "tool",
@@ -161,8 +161,8 @@ pub(super) async fn find_tool(State(panel): State<Arc<Panel>>, Json(asked): Json
     let found = move || {
         let machine = of_cell(&on)?.machine;
         let head = head(&machine, asked.head)?;
-        if asked.touches.len() > MOST {
-            return Err(Refused::input(format!("{} touches; allowed: up to {MOST}", asked.touches.len())));
+        if asked.touches.len() > MAX_TOUCHES {
+            return Err(Refused::input(format!("{} touches; allowed: up to {MAX_TOUCHES}", asked.touches.len())));
         }
         let frames: Result<Vec<DAffine3>, Refused> = asked.touches.iter().map(|t| frame(&machine, head, t)).collect();
         tool(&machine, head, &frames?)
@@ -170,7 +170,7 @@ pub(super) async fn find_tool(State(panel): State<Arc<Panel>>, Json(asked): Json
     panel.drawing.run(found).await.map(Json)
 }
 
-/// The frame of the tool at a touch: its origin is where the tip is thought to be.
+/// Returns the tool's frame at a touch; its origin is the assumed tip.
 fn frame(machine: &Machine, head: usize, touch: &[f64]) -> Result<DAffine3, Refused> {
     let axes = &machine.axes;
     if touch.len() != axes.len() || touch.iter().any(|v| !v.is_finite() || v.abs() > 1e6) {
@@ -198,7 +198,7 @@ fn tool(machine: &Machine, head: usize, frames: &[DAffine3]) -> Result<ToolAnswe
     } else {
         "unseen"
     };
-    // A thousandth of a mm is beyond any hand.
+    // Rounded to 0.0001 mm, beyond manual accuracy.
     let tip = ((was + fit.tip) * 1e4).round() / 1e4;
     Ok(ToolAnswer {
         was_mm: was.to_array(),
@@ -229,7 +229,7 @@ pub(super) async fn keep_tool(
         }
         let name = of.machine.heads[head].name.clone();
         let was = of.machine.heads[head].tip;
-        // One head without a name of its own, or several with theirs.
+        // One head without a name, or several with names.
         let table = if of.own.has("torch") { Step::Table("torch") } else { Step::Nth("heads", head) };
         let text = of.own.with(&[table], &[("tip_mm", Setting::Row(asked.tip_mm.to_vec()))])?;
         let kept = of.keep(text)?;

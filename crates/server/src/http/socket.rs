@@ -16,11 +16,11 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 
-/// Most bytes of a message from a panel.
-const MOST_BYTES: usize = 16 << 10;
-/// A page that has not taken a message after this long has gone.
+/// Maximum size of a message from a page, bytes.
+const MAX_MESSAGE_BYTES: usize = 16 << 10;
+/// Maximum time that a page may take for a message.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// How often a session is looked at again.
+/// Period of checking the session.
 const CHECK: Duration = Duration::from_secs(2);
 
 pub(super) async fn live(
@@ -28,19 +28,19 @@ pub(super) async fn live(
     Extension(session): Extension<Session>,
     upgrade: WebSocketUpgrade,
 ) -> Response {
-    // A cookie is sent with foreign pages' sockets too: the guard has held their origin against the host.
+    // Browsers send cookies with sockets of foreign pages too: the guard has compared their origin with the host.
     let Some(connected) = panel.cell.hub.connect(&session.user, session.role) else {
         let text = "too many pages are open: close one";
         return Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", text).into_response();
     };
     let leaves = Leaves { panel: Arc::clone(&panel), station: connected.0 };
-    upgrade.max_message_size(MOST_BYTES).max_frame_size(MOST_BYTES).on_upgrade(move |socket| async move {
+    upgrade.max_message_size(MAX_MESSAGE_BYTES).max_frame_size(MAX_MESSAGE_BYTES).on_upgrade(move |socket| async move {
         talk(&panel, &session, connected, socket).await;
         drop(leaves);
     })
 }
 
-/// Says that a connection has gone, however it went: also one that never came to be.
+/// Disconnects a station when dropped, even if its socket was never opened.
 struct Leaves {
     panel: Arc<Panel>,
     station: u32,
@@ -49,7 +49,7 @@ struct Leaves {
 impl Drop for Leaves {
     fn drop(&mut self) {
         let cell = &self.panel.cell;
-        // A hand on its keys goes with it, at once.
+        // Ends its jog motion at once.
         if cell.hub.controls(self.station, false) {
             let origin = Origin { user: 0, station: self.station };
             drop(cell.desk.send(ToDesk::Command(Command { origin, number: 0, ask: Ask::Jog(jog::Command::Rest) })));
@@ -61,7 +61,7 @@ impl Drop for Leaves {
 async fn talk(panel: &Arc<Panel>, session: &Session, (station, told, status): Connected, socket: WebSocket) {
     let client = Client::new(Arc::clone(panel), session.clone(), station);
     let (to, from) = socket.split();
-    // Apart: who hears nothing because his network is slow is heard all the same when he stops.
+    // Sending and receiving are independent: a stop is handled even if the page receives slowly.
     tokio::select! {
         () = listen(from, client) => {}
         () = tell(to, told, status) => {}
@@ -69,7 +69,7 @@ async fn talk(panel: &Arc<Panel>, session: &Session, (station, told, status): Co
     }
 }
 
-/// Hears a page until it says too much, something else than text, or goes.
+/// Handles messages of a page until it exceeds its rate, sends something other than text, or goes.
 async fn listen(mut from: SplitStream<WebSocket>, mut client: Client) {
     while let Some(Ok(message)) = from.next().await {
         match message {
@@ -81,7 +81,7 @@ async fn listen(mut from: SplitStream<WebSocket>, mut client: Client) {
     }
 }
 
-/// Tells a page what it must not miss, and the newest status, until it does not listen any more.
+/// Sends a page its queued messages and the newest status, until it stops receiving.
 async fn tell(
     mut to: SplitSink<WebSocket, Message>,
     mut told: mpsc::Receiver<Text>,
@@ -97,7 +97,7 @@ async fn tell(
                 Some(newest)
             }
         };
-        // None: it was too slow for the others.
+        // `None`: the page was too slow for its queue.
         let Some(text) = text else { break };
         let sent = tokio::time::timeout(PATIENCE, to.send(Message::Text((*text).into()))).await;
         if !matches!(sent, Ok(Ok(()))) {
@@ -106,7 +106,7 @@ async fn tell(
     }
 }
 
-/// Until the session is over.
+/// Waits until the session is over.
 async fn over(panel: &Panel, session: &Session) {
     let mut check = tokio::time::interval(CHECK);
     while panel.stands(session, false) {

@@ -7,11 +7,11 @@ use seamwright_cell::executive::Ask;
 use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant};
 
-/// A stop that repeats is written once in this time.
+/// Repeated stops are audited once in this time.
 const ONCE: Duration = Duration::from_secs(1);
 
-/// STOP of a page where nobody is logged in, or not any more: it needs no session, as it needs no role and no token elsewhere. Pages of
-/// other origins are kept out before.
+/// Handles STOP from a page without a session. Like any stop, it needs neither role nor token. Pages of other origins
+/// are refused earlier.
 pub(super) async fn stop(State(panel): State<Arc<Panel>>, from: From) -> Json<Stopped> {
     panel.cell.urgent.ask(&Ask::Stop);
     let mut stopped = panel.stopped.lock().unwrap_or_else(PoisonError::into_inner);

@@ -9,8 +9,8 @@ use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
 use std::sync::Arc;
 
-/// Where the machine stands, for who records a place. Only what stands is there: a place that is passed is somewhere else by the
-/// time it is kept.
+/// Returns the standing position of the machine, for recording a point. Refused during motion: a passed position would
+/// be outdated when recorded.
 pub(super) async fn position(State(panel): State<Arc<Panel>>) -> Answer<StandingView> {
     let refused = |text: String| Refused::new(StatusCode::CONFLICT, "busy", text);
     let hub = &panel.cell.hub;
@@ -25,18 +25,18 @@ pub(super) async fn position(State(panel): State<Arc<Panel>>) -> Answer<Standing
     Ok(Json(StandingView { axes: status.axes.iter().map(|axis| axis.position).collect(), tip: status.tip }))
 }
 
-/// What was taught so far.
+/// Returns the points taught so far.
 pub(super) async fn taught(State(panel): State<Arc<Panel>>) -> Answer<TaughtView> {
     Ok(Json(panel.teaching.taught()))
 }
 
-/// The newest picture of the eye.
+/// Returns the newest picture of the camera.
 pub(super) async fn picture(State(panel): State<Arc<Panel>>) -> Result<Response, Refused> {
     let png = panel.teaching.picture().ok_or_else(|| Refused::not_found("there is no picture yet"))?;
     Ok(([(header::CONTENT_TYPE, "image/png")], png.to_vec()).into_response())
 }
 
-/// What was taught as a program; nothing is kept.
+/// Returns a program of the taught points; stores nothing.
 pub(super) async fn made(State(panel): State<Arc<Panel>>, Json(asked): Json<TeachProgram>) -> Answer<TaughtProgram> {
     alone(&panel, move |panel| Ok(program(&panel.teaching, &asked)?)).await.map(Json)
 }

@@ -4,14 +4,14 @@ use seamwright_cell::realtime::contained;
 use std::sync::Arc;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot};
 
-/// Work that takes a while, in threads of its own: so many at once, so many more waiting; who comes then is refused. The cycle has
-/// to have its share of the machine.
+/// Limits long work in separate threads: a number running, a number waiting; further work is refused. The cycle needs
+/// its share of the processor.
 pub(crate) struct Turns {
     places: Arc<Semaphore>,
     running: Arc<Semaphore>,
 }
 
-/// A turn; it ends when this is dropped.
+/// A turn, which ends when dropped.
 pub(crate) struct Turn(#[allow(dead_code, reason = "held")] [OwnedSemaphorePermit; 2]);
 
 impl Turns {
@@ -19,7 +19,7 @@ impl Turns {
         Self { places: Arc::new(Semaphore::new(at_once + waiting)), running: Arc::new(Semaphore::new(at_once)) }
     }
 
-    /// A turn, if nobody else has it.
+    /// Takes a turn if one is free.
     pub(crate) fn now(&self) -> Option<Turn> {
         let place = Arc::clone(&self.places).try_acquire_owned().ok()?;
         Some(Turn([place, Arc::clone(&self.running).try_acquire_owned().ok()?]))
@@ -35,8 +35,8 @@ impl Turns {
         Ok(Turn([place, turn.map_err(|_| Refused::server("the panel is ending"))?]))
     }
 
-    /// Runs `work` when it is its turn, in a thread of its own with lower priority than the cycle's. The turn lasts until the work is
-    /// done, also where nobody waits for it any more.
+    /// Runs `work` in its turn, in a separate thread with lower priority than the cycle's. The turn lasts until the
+    /// work is done, even if its caller has gone.
     ///
     /// # Errors
     /// If too many wait, or the work fails.
@@ -48,12 +48,12 @@ impl Turns {
         let (answer, answered) = oneshot::channel();
         let run = move || {
             lower_priority();
-            // A fault in a plan costs its answer, not the cell.
+            // A panic in a plan costs its answer, not the cell.
             let fault = |_| Err(Refused::server("it failed by a fault of the program: please report it"));
             let result = contained(work).unwrap_or_else(fault);
-            // Whoever hears the answer may take the next turn.
+            // Freed first: the receiver of the answer may take the next turn.
             drop(turn);
-            // Whoever asked may have gone.
+            // The caller may have gone.
             drop(answer.send(result));
         };
         let spawned = std::thread::Builder::new().name("panel-work".to_owned()).spawn(run);
@@ -62,13 +62,13 @@ impl Turns {
     }
 }
 
-/// How much lower the priority of such threads is (`nice`).
+/// Priority reduction of these threads (`nice`).
 #[cfg(target_os = "linux")]
 const NICE: i32 = 10;
 
-/// Lowers the priority of the calling thread, where priorities are of threads.
+/// Lowers the priority of the calling thread, on systems with thread priorities.
 fn lower_priority() {
-    // What the system does not grant changes no result.
+    // A refused priority does not change results.
     #[cfg(target_os = "linux")]
     let _ = rustix::process::setpriority_process(None, NICE);
 }
@@ -79,7 +79,7 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
     use std::time::Duration;
 
-    /// Whoever asks and goes away does not make room for more at once: the work is still done.
+    /// Cancelled requests do not free their turn early: the work still completes.
     #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
     async fn work_that_nobody_waits_for_still_has_its_turn() {
         let turns = Arc::new(Turns::new(2, 3));
@@ -93,7 +93,7 @@ mod tests {
                 now.fetch_sub(1, Ordering::SeqCst);
                 Ok(())
             });
-            // Gone after a moment.
+            // Cancelled after a moment.
             drop(tokio::time::timeout(Duration::from_millis(1), work).await);
         }
         let all: Vec<_> = (0..12).map(|_| Arc::clone(&turns)).collect();

@@ -12,7 +12,7 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<UserRow>
     Ok(Json(panel.accounts.list()))
 }
 
-/// Whoever changes users, or all data with them, says his own password once more; on the first run there is none.
+/// Checks the user's own password again before users or all data are changed; without an administrator none is needed.
 pub(super) async fn again(
     panel: &Arc<Panel>,
     from: (&From, &HeaderMap),
@@ -45,7 +45,7 @@ pub(super) async fn put(
     let (changed, user) = (Arc::clone(&panel), name.clone());
     let put = move || Ok(changed.accounts.put(&user, change.role, change.enabled, change.password.as_deref())?);
     let row = panel.saving.run(put).await?;
-    // What they were allowed before, they are not any more.
+    // Ends sessions with the former permissions.
     panel.sessions.end_all_of(&name);
     panel.devices.forget(&name);
     super::login::keep_devices(&panel);

@@ -1,4 +1,4 @@
-//! A question put to a process of its own.
+//! A question answered by a separate process.
 
 use super::question::Question;
 use super::{Header, MAX_ANSWER, MEMORY_BYTES, Token};
@@ -9,26 +9,26 @@ use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
-/// How often is looked whether the answer is still wanted.
+/// Polling period for a cancellation.
 const LOOK: Duration = Duration::from_millis(20);
-/// Bytes of what the process says of its failure that are looked at.
+/// Maximum size of the error output that is read, bytes.
 const MAX_SAID: u64 = 4 << 10;
 
-/// A process, ended with this value.
+/// A child process, killed when dropped.
 struct Ended(Child);
 
 impl Drop for Ended {
     fn drop(&mut self) {
-        // One that has ended by itself is only waited for.
+        // Has no effect on a process that has already ended.
         drop(self.0.kill());
         drop(self.0.wait());
     }
 }
 
-/// What a process said: its answer, or why it has none.
+/// Result of a process: its answer, or the reason for its failure.
 type Said = Result<Vec<u8>, Refused>;
 
-/// Starts `program` to answer, and waits until it has, `patience` is over, or the answer is not wanted any more.
+/// Starts `program` to answer. Waits for the answer, `patience` or a cancellation.
 pub(super) fn ask(
     program: &Path,
     question: &Question,
@@ -60,9 +60,9 @@ pub(super) fn ask(
     }
 }
 
-/// Asks, and hears the answer to its end.
+/// Sends the question and reads the complete answer.
 fn talk(mut to: ChildStdin, text: &[u8], out: ChildStdout, err: ChildStderr) -> Said {
-    // A process that has ended by then says why.
+    // A process that has already ended reports the reason itself.
     drop(to.write_all(text));
     drop(to);
     match heard(out) {
@@ -89,7 +89,7 @@ fn heard(out: ChildStdout) -> Option<Said> {
     }
 }
 
-/// What its last words say.
+/// Converts the last error output of a process.
 fn why(err: ChildStderr) -> Refused {
     let mut said = Vec::new();
     drop(err.take(MAX_SAID).read_to_end(&mut said));

@@ -1,8 +1,9 @@
-//! Plans and drafts, answered beside the cell.
+//! Plans and drafts, computed beside the cell.
 //!
-//! Texts that somebody is still typing may ask for any amount of memory and time. So they are answered by a process of their own with
-//! bounds of both, one at a time for plans, one for drafts and one for jobs that are to be loaded; a newer draft of a page ends the older
-//! one, and so does a page that goes. A user has one question of each of these sorts answered, and one more waiting.
+//! Unfinished texts may need any amount of memory and time. Separate processes with limits of both answer them: one at
+//! a time for plans, one for drafts, one for jobs to be loaded.
+//! A newer draft of a page ends the older one, and so does a page that closes. A user has one question of each sort
+//! answered and one more waiting.
 
 mod child;
 mod question;
@@ -21,22 +22,22 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 
-/// Memory and processor time of a process that answers.
+/// Maximum memory and processor time of a process that answers.
 const MEMORY_BYTES: u64 = 2 << 30;
 const TIME: Duration = Duration::from_secs(600);
-/// Time for a draft, which somebody waits for while typing, and for anything else.
+/// Maximum time for a draft, which the user waits for while typing, and for all other questions.
 const DRAFT_TIME: Duration = Duration::from_secs(20);
 const PLAN_TIME: Duration = Duration::from_secs(300);
-/// Maximum number of bytes of an answer.
+/// Maximum size of an answer, bytes.
 const MAX_ANSWER: usize = 128 << 20;
 
-/// How an answer begins: a line of JSON.
+/// First line of an answer, as JSON.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum Header {
-    /// So many bytes follow.
+    /// This number of bytes follows.
     Answer { bytes: usize },
-    /// Nothing follows.
+    /// No bytes follow.
     Refused { status: u16, key: String, text: String },
 }
 
@@ -47,7 +48,7 @@ impl Header {
     }
 }
 
-/// Says that an answer is not wanted any more.
+/// Cancellation of a question.
 #[derive(Debug, Default)]
 struct Token {
     is_cancelled: AtomicBool,
@@ -81,10 +82,10 @@ fn too_long(patience: Duration) -> Refused {
     Refused::input(text)
 }
 
-/// Maximum number of questions of one user and one sort at a time: whatever his pages call themselves.
+/// Maximum number of questions of one user and sort at a time, over all its pages.
 const MAX_OF_USER: usize = 2;
 
-/// Whose question it is: of which user and session, of which of its pages.
+/// Origin of a question: user, session and page.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Hash)]
 pub(crate) struct Page {
     pub(crate) user: String,
@@ -120,7 +121,7 @@ struct Running {
     token: Arc<Token>,
 }
 
-/// A question that is being answered, as its page is told.
+/// View for its page of a question that is being answered.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Asked {
     pub(crate) name: &'static str,
@@ -129,12 +130,12 @@ pub(crate) struct Asked {
 
 /// Answers questions.
 pub(crate) struct Planner {
-    /// The program that answers; none: a thread of this one does, without bounds of memory.
+    /// The program that answers; `None`: a thread of this process, without a memory limit.
     program: Option<PathBuf>,
     plans: Turns,
-    /// What is not planned does not wait for a plan.
+    /// Drafts do not wait for plans.
     drafts: Turns,
-    /// Nor does who loads for those who look.
+    /// Loading does not wait for plans that are only viewed.
     loads: Turns,
     running: Arc<Mutex<Table>>,
 }
@@ -145,7 +146,7 @@ struct Table {
     next: u64,
 }
 
-/// A question's place in the table; dropped, its answer is not wanted any more.
+/// Entry of a question in the table; dropping it cancels the question.
 struct Ticket {
     table: Arc<Mutex<Table>>,
     number: u64,
@@ -174,10 +175,10 @@ impl Planner {
         }
     }
 
-    /// Answers with JSON or a page. A question of the same kind that the page asked before is answered no more.
+    /// Answers with JSON or an HTML page. Cancels an earlier question of the same kind from this page.
     ///
     /// # Errors
-    /// What is wrong with the text; that it takes too much memory or time, or was superseded; that too many ask.
+    /// If the text is invalid, needs too much memory or time, or was superseded, or if there are too many questions.
     pub(crate) async fn ask(&self, page: Page, question: Question, jobs: PathBuf) -> Result<Vec<u8>, Refused> {
         let sort = Sort::of(&question);
         let (turns, patience) = match sort {
@@ -199,7 +200,7 @@ impl Planner {
         }
     }
 
-    /// True if questions are answered with bounds of memory and time.
+    /// Returns true if questions are answered with limits of memory and time.
     pub(crate) fn is_bounded(&self) -> bool {
         self.program.is_some()
     }
@@ -220,14 +221,14 @@ impl Planner {
         Ok(Ticket { table: Arc::clone(&self.running), number, token })
     }
 
-    /// What is being answered to a page.
+    /// Returns the questions of a page that are being answered.
     pub(crate) fn asked(&self, page: &Page) -> Vec<Asked> {
         let table = lock(&self.running);
         let own = table.running.values().filter(|running| running.page == *page);
         own.map(|running| Asked { name: running.name, since: running.since }).collect()
     }
 
-    /// Cancels everything that a page has asked; how much that was.
+    /// Cancels all questions of a page. Returns their number.
     pub(crate) fn cancel(&self, page: &Page) -> usize {
         let table = lock(&self.running);
         let own = table.running.values().filter(|running| running.page == *page);

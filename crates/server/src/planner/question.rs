@@ -1,4 +1,4 @@
-//! What is asked of a planner, and how it is answered: from a text and the folder of jobs alone.
+//! Questions to a planner, answered only from a text and the folder of jobs.
 
 use crate::http::{Refused, found_place, try_load};
 use crate::view::{clamped_views, sections, work_view};
@@ -12,31 +12,31 @@ use seamwright_report::{Language, WeldReport};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// Name of a text that is asked about.
+/// File name of the text in question.
 const JOB: &str = "job.toml";
 
 /// A question about a text.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub(crate) enum Question {
-    /// What it describes, before anything is planned: a [`DraftAnswer`].
+    /// Contents of the text without a plan: a [`DraftAnswer`].
     Draft { text: String },
     /// Its plan: a [`PlanAnswer`] with this number.
     Plan { text: String, number: u64 },
-    /// The plan of what was recorded: a [`crate::wire::WorkView`].
+    /// Plan of a recorded weld: a [`crate::wire::WorkView`].
     Recorded { name: String, text: String, number: u64 },
-    /// Its plan's report: an HTML page.
+    /// Report of its plan: an HTML page.
     Report { name: String, text: String, language: String },
-    /// A part program of it: a [`PostAnswer`].
+    /// Part program for it: a [`PostAnswer`].
     Post { text: String, dialect: String },
-    /// Whether it can be planned to be loaded: nothing.
+    /// Check that it can be planned and loaded: an empty answer.
     Load { load: Load, text: String },
-    /// Where its part stands: a [`crate::wire::PlaceAnswer`].
+    /// Pose of its part: a [`crate::wire::PlaceAnswer`].
     Place { asked: PlaceText },
 }
 
 impl Question {
-    /// A word for what is being done.
+    /// Name of the kind of question.
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Draft { .. } => "draft",
@@ -49,10 +49,10 @@ impl Question {
         }
     }
 
-    /// Answers with the bytes of JSON or of a page.
+    /// Answers with the bytes of JSON or of an HTML page.
     ///
     /// # Errors
-    /// What is wrong with the text, unless the answer says so itself.
+    /// If the text is invalid, unless the answer contains the reason.
     pub(super) fn answer(&self, jobs: &Path) -> Result<Vec<u8>, Refused> {
         match self {
             Self::Draft { text } => json(&draft(text, jobs)),

@@ -3,8 +3,8 @@ use std::path::Path;
 use std::sync::OnceLock;
 use std::time::Duration;
 
-/// A program that does in place of answering what the text of its question says. It is written once, before any process begins: one that
-/// is being written cannot be run.
+/// A program that acts according to the text of its question instead of answering it. It is written once, before any
+/// process starts: a file being written cannot be executed.
 pub(crate) fn program() -> PathBuf {
     static PROGRAM: OnceLock<(tempfile::TempDir, PathBuf)> = OnceLock::new();
     let (_, path) = PROGRAM.get_or_init(|| {
@@ -41,7 +41,7 @@ fn alive(folder: &Path) -> bool {
     Path::new("/proc").join(pid.trim()).exists()
 }
 
-/// A newer draft of a page, and a page that goes, end the process of the older one.
+/// A newer draft of a page ends the process of the older one, and so does a page that closes.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_newer_draft_ends_the_older_one() {
     let folder = tempfile::tempdir().unwrap();
@@ -74,7 +74,7 @@ async fn a_newer_draft_ends_the_older_one() {
     }
 }
 
-/// However many pages and sessions one user names, others have their turn.
+/// A user with many pages and sessions does not block others.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn one_user_does_not_take_all_places() {
     let folder = tempfile::tempdir().unwrap();
@@ -101,7 +101,7 @@ async fn one_user_does_not_take_all_places() {
     assert_eq!(other.await.unwrap().unwrap(), b"{}");
 }
 
-/// What a process says of its end is what is answered; its end is nobody else's.
+/// A process's error output becomes the answer; its failure affects no other.
 #[test]
 fn failures_of_the_process_are_answers() {
     let folder = tempfile::tempdir().unwrap();
@@ -117,11 +117,11 @@ fn failures_of_the_process_are_answers() {
     assert!(late.text.contains("longer than"), "{}", late.text);
     let refused = ask("refused", long).unwrap_err();
     assert_eq!((refused.status.as_u16(), refused.key, refused.text.as_str()), (422, "input", "no"));
-    // Cut off, it is no answer.
+    // A truncated answer is an error.
     assert!(ask("cut", long).is_err());
 }
 
-/// The same answer comes from a thread, where no program is given.
+/// Without a program, a thread gives the same answer.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn without_a_program_a_thread_answers() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! The process that answers one question and ends: with little memory, time and priority, so nothing that it is asked can hurt the cell.
+//! The process that answers one question and ends. Limits of memory, time and priority protect the cell.
 
 use super::question::Question;
 use super::{Header, MEMORY_BYTES, TIME};
@@ -6,10 +6,10 @@ use crate::http::Refused;
 use std::io::{self, BufWriter, Read as _, Write};
 use std::path::Path;
 
-/// Answers the question on standard input, about texts that name files in `jobs`, on standard output.
+/// Answers the question on standard input on standard output. Texts may name files in `jobs`.
 ///
 /// # Errors
-/// If the system does not let it be limited, or whoever asked has gone.
+/// If the limits cannot be set, or the parent process has gone.
 pub fn answer_one_question(jobs: &Path) -> io::Result<()> {
     limit()?;
     let mut question = Vec::new();
@@ -32,7 +32,7 @@ pub fn answer_one_question(jobs: &Path) -> io::Result<()> {
 #[cfg(target_os = "linux")]
 fn limit() -> io::Result<()> {
     use rustix::process::{Resource, Rlimit, Signal, set_parent_process_death_signal, setpriority_process, setrlimit};
-    /// How much lower its priority is (`nice`): below that of the panel's own work.
+    /// Priority reduction (`nice`): below the panel's own work.
     const NICE: i32 = 15;
     let most = |value: u64| Rlimit { current: Some(value), maximum: Some(value) };
     setrlimit(Resource::As, most(MEMORY_BYTES))?;
@@ -40,7 +40,7 @@ fn limit() -> io::Result<()> {
     setrlimit(Resource::Core, most(0))?;
     setpriority_process(None, NICE)?;
     set_parent_process_death_signal(Some(Signal::KILL))?;
-    // Where memory runs short in spite of that, this is the process to end; some systems have no such file.
+    // If memory still runs short, the kernel ends this process first. Some systems lack this file.
     let _ = std::fs::write("/proc/self/oom_score_adj", "1000");
     Ok(())
 }

@@ -1,9 +1,9 @@
-//! Which addresses the cell connects to for a camera's frames.
+//! Addresses to which the cell connects for camera frames.
 
 use std::net::IpAddr;
 
-/// Addresses that whoever started the panel has allowed: `HOST` with any port, or `HOST:PORT`. A machine file says where its camera's
-/// frames come from, but files among the jobs are written by others: they decide over no connection of the cell.
+/// Allowed addresses, chosen at the start of the panel: `HOST` with any port, or `HOST:PORT`. A machine file names the
+/// address of its camera, but job files come from others: they must not open connections of the cell.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cameras(Vec<String>);
 
@@ -12,10 +12,10 @@ impl Cameras {
         Self(allowed)
     }
 
-    /// Checks that frames may come from `address` (`HOST:PORT`). From this computer they always may.
+    /// Checks that frames may come from `address` (`HOST:PORT`). This computer is always allowed.
     ///
     /// # Errors
-    /// In words: an address that is not on the list.
+    /// In words, if the address is not on the list.
     pub(crate) fn check(&self, address: &str) -> Result<(), String> {
         let host = address.rsplit_once(':').map_or(address, |(host, _)| host);
         let is = |known: &String| known.eq_ignore_ascii_case(address) || known.eq_ignore_ascii_case(host);

@@ -1,4 +1,4 @@
-//! A session: the thread that crawls.
+//! Thread of a teaching session.
 
 use super::hand::Hand;
 use super::rig::{Asked, CellRig, Sees, Station};
@@ -20,15 +20,15 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How far a simulated part is shifted (mm), turned (rad) and bent (mm), as in `seamwright teach`.
+/// Distortion of a simulated part: shift (mm), turn (rad) and bend (mm), as in `seamwright teach`.
 pub(crate) const DISTORTION: Distortion =
     Distortion { shift_mm: 1.0, turn: 0.3 * std::f64::consts::PI / 180.0, bend_mm: 1.0 };
-/// How long a frame of the machine's camera is waited for.
+/// Maximum wait for a frame of the machine's camera.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// Points are told so far apart, mm.
+/// Spacing of points sent to pages, mm.
 const TOLD_MM: f64 = 1.0;
 
-/// Runs a session to its end, whatever that is.
+/// Runs a session to its end, regular or not.
 pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
     let hub = &panel.cell.hub;
     let result = session(panel, open);
@@ -48,7 +48,7 @@ pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
     });
 }
 
-/// None: it was stopped before anything was looked for.
+/// Runs a session. `None`: it was stopped before the search began.
 fn session(panel: &Arc<Panel>, open: &Open) -> Result<Option<Found>, Failure> {
     let hub = &panel.cell.hub;
     let text = job_text(panel, &open.job).map_err(|refused| Failure::Input(refused.text))?;
@@ -91,20 +91,20 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
     Ok(Some(outcome))
 }
 
-/// The cell's camera; in a simulated cell without one that sends frames the simulated eye, and the seam that it sees.
+/// Returns the cell's camera. A simulated cell without live frames gets the camera simulator and the seam that it sees.
 fn eye<'a>(
     panel: &Panel,
     (machine, sensor): (&'a Machine, &'a Sensor),
     open: &Open,
     nominal: &SeamLine,
 ) -> Result<(Sees<'a>, Option<SeamLine>), Failure> {
-    // The job's file may be an older one than the cell's.
+    // The job's machine file may be older than the cell's.
     let Some(cell) = panel.cell.hub.machine() else { return Err(Failure::Input("there is no machine".to_owned())) };
     let own = cell.sensors.iter().find(|s| s.name == sensor.name);
     if let Some((own, address)) = own.and_then(|own| Some((own, own.frames.as_ref()?))) {
         panel.cameras.check(address).map_err(Failure::Input)?;
         let mut camera = LiveFrames::connect(address, sensor.size_px, PATIENCE)?;
-        // A camera that sends none is told before anything moves.
+        // A camera without frames is reported before any motion.
         camera.next(Duration::ZERO)?;
         return Ok((Sees::Camera(camera, Duration::from_secs_f64(own.latency_s)), None));
     }
@@ -119,7 +119,7 @@ fn eye<'a>(
     Ok((Sees::Simulated(Box::new(eye)), Some(actual)))
 }
 
-/// One plan at a time; none once the session is stopped.
+/// Waits for a turn to plan; `None` once the session is stopped.
 fn turn(panel: &Panel) -> Option<Turn> {
     while panel.teaching.state().wish != Wish::Stop {
         if let Some(turn) = panel.planning.now() {
@@ -130,7 +130,7 @@ fn turn(panel: &Panel) -> Option<Turn> {
     None
 }
 
-/// The first camera of a machine, with its map.
+/// Returns the first camera of a machine, with its map.
 fn camera(machine: &Machine) -> Result<(&Sensor, &HeightTable), Failure> {
     let table = |sensor: &'_ Sensor| matches!(sensor.sight, Sight::Camera(_));
     let sensor = machine.sensors.iter().find(|sensor| table(sensor));
@@ -173,7 +173,7 @@ fn crawl(
     Ok(Outcome::of(&crawl, &run, asked.ended))
 }
 
-/// What pages are told of a frame.
+/// Updates the pages' view from a frame.
 fn told(state: &mut State, look: &Look, axes: &[Vec<f64>], nominal: &SeamLine) {
     let (line, notes) = (look.crawl.line(), look.crawl.notes());
     let view = &mut state.view;

@@ -1,4 +1,4 @@
-//! The session's hand on the keys.
+//! Axis motion of a teaching session, by jog commands.
 
 use super::Teaching;
 use super::state::Wish;
@@ -10,25 +10,25 @@ use seamwright_machine::{Joints, Machine};
 use seamwright_motion::jog;
 use std::time::Duration;
 
-/// A sign of life so often; the axes stop after 200 ms without.
+/// Period of jog commands; the axes stop after 200 ms without one.
 const SIGN: Duration = Duration::from_millis(50);
-/// Set-points this near to where they were sent are there, mm or rad.
+/// Tolerance for reaching a set-point, mm or rad.
 const THERE: f64 = 1e-5;
-/// After the last set-point the drives come to rest, s.
+/// Settling time of the drives after the last set-point, s.
 const SETTLE_S: f64 = 0.15;
-/// Axes that stand for so long on their way have been stopped, s.
+/// Axes without motion for this time before the target have been stopped, s.
 const STALLED_S: f64 = 0.4;
-/// Tries to go on from a place where the cell has stopped them: a busy computer's sign of life may be late.
+/// Maximum attempts to continue after the cell stopped the axes: jog commands of a busy computer may be late.
 const TRIES: u32 = 4;
 
-/// How a move ended.
+/// Result of a move.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Came {
-    /// There, at rest.
+    /// At the target, at rest.
     There,
-    /// It was paused or stopped, or may not move any more.
+    /// Paused, stopped, or no longer permitted to move.
     Interrupted,
-    /// The cell has stopped it.
+    /// Stopped by the cell.
     Blocked,
 }
 
@@ -47,7 +47,7 @@ impl Hand<'_> {
         &self.panel.teaching
     }
 
-    /// Where the axes shall be and are, mm or rad, and the newest status.
+    /// Returns set-points and measured positions of the axes, mm or rad, and the newest status.
     pub(super) fn axes(&self) -> Option<(Joints, Joints, Status)> {
         let (status, set) = self.hub().standing()?;
         let mut measured = Joints::default();
@@ -59,11 +59,11 @@ impl Hand<'_> {
 
     fn jog(&self, station: u32, command: jog::Command) {
         let command = Command { origin: Origin { user: 0, station }, number: 0, ask: Ask::Jog(command) };
-        // A cell that has ended moves nothing.
+        // Sending fails only if the cell has ended.
         drop(self.panel.cell.desk.send(ToDesk::Command(command)));
     }
 
-    /// Why the axes may not move; none: they may.
+    /// Returns the reason for which the axes may not move; `None`: they may.
     fn hindrance(&self, station: u32, mode: &str) -> Option<&'static str> {
         if !self.hub().controls(station, true) {
             return Some("control");
@@ -71,9 +71,9 @@ impl Hand<'_> {
         (!matches!(mode, "jog" | "teach")).then_some("mode")
     }
 
-    /// Sends the axes to `target` and waits until they rest there.
+    /// Moves the axes to `target` and waits until they are at rest there.
     pub(super) fn go(&self, target: &Joints) -> Came {
-        // Whatever stopped the axes before is known.
+        // Acknowledges an earlier halt of the jog.
         self.jog(self.teaching().state().station, jog::Command::Rest);
         std::thread::sleep(SIGN);
         let (mut there, mut moved, mut tries) = (None, (f64::NAN, Joints::default()), 0);
@@ -89,7 +89,7 @@ impl Hand<'_> {
             }
             if let Some(why) = self.hindrance(station, &status.mode) {
                 self.jog(station, jog::Command::Rest);
-                // Only a page says that it is in its right place to go on.
+                // The session stays paused until a page resumes it.
                 drop(self.teaching().pause(why));
                 return Came::Interrupted;
             }
@@ -98,7 +98,7 @@ impl Hand<'_> {
             if far <= THERE {
                 let since = *there.get_or_insert(status.t);
                 if status.t - since >= SETTLE_S {
-                    // Nobody holds a key while the eye looks.
+                    // Ends the jog command while the camera looks.
                     self.jog(station, jog::Command::Rest);
                     return Came::There;
                 }

@@ -1,9 +1,9 @@
-//! Teaching by eye on the cell's machine: a crawl in a thread of its own, which moves the axes as a hand would.
+//! Teaching by camera on the cell's machine: a separate thread follows the joint and moves the axes by jog commands.
 //!
-//! The eye is the machine's camera, whose file says where its frames come from; or, in a simulated cell without one, simulated: it sees
-//! the seam where a seed has put it, from where the axes truly are.
-//! The machine moves only while the page that opened the session has control and shows signs of life; a hand on its jog keys
-//! pauses the crawl.
+//! Frames come from the machine's camera, at the address in its file. A simulated cell without live frames uses the
+//! camera simulator: it shows the seam, distorted by a seed, from the true axis positions.
+//! The machine moves only while the page that opened the session has control and sends heartbeats. Jogging by hand
+//! pauses the session.
 
 mod cameras;
 mod crawl;
@@ -25,19 +25,19 @@ use seamwright_machine::Machine;
 use state::Wish;
 use std::sync::Arc;
 
-/// Shortest and longest step from frame to frame, mm.
+/// Minimum and maximum step between frames, mm.
 const STEPS_MM: (f64, f64) = (1.0, 100.0);
-/// Longest tack that may be passed without asking, mm.
-const MOST_TACK_MM: f64 = 100.0;
+/// Maximum length of a tack that may be passed without asking, mm.
+const MAX_TACK_MM: f64 = 100.0;
 
 fn lack(key: &str, text: impl Into<String>) -> LackView {
     LackView { key: key.to_owned(), of: Vec::new(), text: text.into() }
 }
 
-/// Takes an order from the page `station`, which has control.
+/// Handles an order of the page `station`, which has control.
 ///
 /// # Errors
-/// An order that has no meaning now, or numbers that are not allowed.
+/// If the order is invalid in this phase, or its numbers are not allowed.
 pub(crate) fn order(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), LackView> {
     let teaching = &panel.teaching;
     match order {
@@ -64,7 +64,7 @@ fn open(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), Lack
         return Err(lack("value", "no order to open the eye"));
     };
     for (what, value, (least, most)) in
-        [("step_mm", step_mm, STEPS_MM), ("longest_tack_mm", longest_tack_mm, (f64::MIN_POSITIVE, MOST_TACK_MM))]
+        [("step_mm", step_mm, STEPS_MM), ("longest_tack_mm", longest_tack_mm, (f64::MIN_POSITIVE, MAX_TACK_MM))]
     {
         if !(least..=most).contains(&value) {
             return Err(lack("value", format!("{what} {value}; allowed: {least:.0} to {most}")));

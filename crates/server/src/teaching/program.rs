@@ -8,10 +8,10 @@ use seamwright_project::teaching::{self, Figures, bridged};
 use seamwright_tracking::teach::Kind;
 use std::sync::Arc;
 
-/// What was taught as a program.
+/// Converts the taught points to a program.
 ///
 /// # Errors
-/// Nothing that was taught; numbers that are not allowed.
+/// If no points were taught, or numbers are not allowed.
 pub(crate) fn program(teaching: &Teaching, asked: &TeachProgram) -> Result<TaughtProgram, Failure> {
     let wrong =
         |what: &str, value: f64, most: f64| Failure::Input(format!("{what} {value}; allowed: above 0, up to {most}"));

@@ -1,4 +1,4 @@
-//! The eye on the cell's machine, carried by its axes; and the operator at the panel.
+//! The camera on the cell's machine, moved by its axes; and the operator at the panel.
 
 use super::Teaching;
 use super::hand::{Came, Hand};
@@ -18,29 +18,29 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Pictures come this often at most.
+/// Minimum interval between pictures.
 const PICTURES: Duration = Duration::from_millis(100);
-/// While the eye waits it takes one so often.
+/// Interval between pictures while the camera waits.
 const WAITING: Duration = Duration::from_millis(300);
-/// Axes that moved by less show a simulated eye nothing new, mm or rad.
+/// Minimum axis displacement for a new picture of the camera simulator, mm or rad.
 const MOVED: f64 = 5e-3;
 
-/// What sees.
+/// Source of frames.
 pub(super) enum Sees<'a> {
-    /// The simulated eye, from where the axes truly are.
+    /// The camera simulator, from the true axis positions.
     Simulated(Box<Eye<'a>>),
-    /// The machine's camera, and the time from an exposure until its frame comes.
+    /// The machine's camera, and the time from an exposure to the arrival of its frame.
     Camera(LiveFrames, Duration),
 }
 
-/// The eye and the machine, for the crawl and for the operator alike.
+/// Camera and machine, shared by the following thread and the operator.
 pub(super) struct Station<'a> {
     pub(super) hand: Hand<'a>,
     pub(super) sensor: &'a Sensor,
     pub(super) table: &'a HeightTable,
     pub(super) around: &'a Surroundings<'a>,
     pub(super) eye: RefCell<Sees<'a>>,
-    /// When the last picture was drawn.
+    /// Time of the last picture.
     pub(super) drawn: RefCell<Option<Instant>>,
 }
 
@@ -53,7 +53,7 @@ impl Station<'_> {
         &self.hand.panel.cell.hub
     }
 
-    /// A frame from where the axes are; none before the cell has said where.
+    /// Takes a frame from the current axis positions; `None` before the cell has reported them.
     fn expose(&self) -> Result<Option<(TimedFrame, Joints)>, FrameError> {
         let Some((_, axes, status)) = self.hand.axes() else { return Ok(None) };
         let frame = match &mut *self.eye.borrow_mut() {
@@ -70,7 +70,7 @@ impl Station<'_> {
         Ok(frame.map(|frame| (frame, axes)))
     }
 
-    /// Keeps a picture for the pages, and where it was taken from; not more often than they need.
+    /// Stores a picture for the pages with its camera pose, limited in rate.
     pub(super) fn show(&self, axes: &Joints, height: Option<f64>, picture: impl FnOnce() -> Picture) {
         if self.drawn.borrow().is_some_and(|drawn| drawn.elapsed() < PICTURES) {
             return;
@@ -85,7 +85,8 @@ impl Station<'_> {
         });
     }
 
-    /// Shows what the eye sees until `done` has an answer, or the session is stopped. The axes may be jogged meanwhile.
+    /// Shows camera pictures until `done` returns an answer, or the session is stopped. The axes may be jogged
+    /// meanwhile.
     fn watch<T>(&self, done: impl Fn(&Teaching) -> Option<T>) -> Option<T> {
         let mut shown: Option<(Instant, Joints)> = None;
         loop {
@@ -106,7 +107,7 @@ impl Station<'_> {
                     self.show(&axes, height, || Picture::plain(frame.image, self.table, height.unwrap_or(0.0)));
                 }
                 Ok(None) => {}
-                // He would go on looking at an old picture.
+                // The operator would otherwise keep looking at an old picture.
                 Err(error) => {
                     shown = Some((Instant::now(), now));
                     self.teaching().change(self.hub(), |state| state.view.why = Some(error.to_string()));
@@ -116,7 +117,7 @@ impl Station<'_> {
         }
     }
 
-    /// Where the operator says that the joint begins; none if the session is stopped before.
+    /// Returns the start of the joint, marked by the operator; `None` if the session is stopped before.
     pub(super) fn place(&self) -> Option<DVec3> {
         self.teaching().change(self.hub(), |state| state.view.phase = TeachPhase::Places);
         let said = self.watch(|teaching| match teaching.said() {
@@ -133,7 +134,7 @@ impl Station<'_> {
         });
     }
 
-    /// Waits while it is paused; false once it is stopped.
+    /// Waits during a pause. Returns false once the session is stopped.
     fn may_run(&self) -> bool {
         if self.teaching().state().wish == Wish::Pause {
             self.teaching().change(self.hub(), |state| state.view.phase = TeachPhase::Paused);
@@ -146,14 +147,14 @@ impl Station<'_> {
     }
 }
 
-/// The cell's machine as what carries the eye.
+/// The cell's machine as carrier of the camera.
 pub(super) struct CellRig<'s, 'a> {
     pub(super) station: &'s Station<'a>,
     pub(super) carrier: Carrier<'s>,
 }
 
 impl CellRig<'_, '_> {
-    /// One try to get there: the way around whatever stands between.
+    /// Tries once to reach a camera pose, by a path around obstacles.
     fn once(&mut self, eye: &EyePose) -> Result<Came, String> {
         let hand = &self.station.hand;
         let Some((set, ..)) = hand.axes() else { return Ok(Came::Interrupted) };
@@ -179,7 +180,7 @@ impl Rig for CellRig<'_, '_> {
                 Came::Blocked => return Err("the cell has stopped the axes on the way: see its alarms".to_owned()),
             }
         }
-        // Stopped: there will be no frame either.
+        // The session is stopped: no frame follows either.
         Ok(())
     }
 
@@ -194,14 +195,14 @@ impl Rig for CellRig<'_, '_> {
 /// The operator at the panel.
 pub(super) struct Asked<'s, 'a> {
     pub(super) station: &'s Station<'a>,
-    /// He has said that the joint ends where it was lost.
+    /// The operator has confirmed that the joint ends where it was lost.
     pub(super) ended: bool,
 }
 
 impl Operator for Asked<'_, '_> {
     fn answer(&mut self, why: &str, _crawl: &Crawl) -> Answer {
         let (teaching, hub) = (self.station.teaching(), self.station.hub());
-        // The picture in which it was lost stays for a moment, with what was found in it.
+        // The picture in which the joint was lost stays for a moment, with its detection.
         teaching.change(hub, |state| {
             (state.view.phase, state.view.why) = (TeachPhase::Asks, Some(why.to_owned()));
         });

@@ -10,7 +10,7 @@ use seamwright_tracking::teach::Answer;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// With what a session begins.
+/// Settings of a session.
 #[derive(Debug, Clone)]
 pub(crate) struct Open {
     pub(super) job: String,
@@ -20,7 +20,7 @@ pub(crate) struct Open {
     pub(super) tack_mm: Option<(f64, f64)>,
 }
 
-/// What the operator wants of a session.
+/// The operator's request to a session.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) enum Wish {
     #[default]
@@ -29,14 +29,14 @@ pub(super) enum Wish {
     Stop,
 }
 
-/// What a session knows of the work: for places that the operator points at.
+/// Nominal seam and camera map of a session, for positions that the operator points at.
 #[derive(Clone)]
 pub(super) struct Field {
     pub(super) nominal: SeamLine,
     pub(super) table: HeightTable,
 }
 
-/// What was found, to make a program of.
+/// Result of a session, to make a program from.
 pub(super) struct Found {
     pub(super) loaded: Loaded,
     pub(super) nominal: SeamLine,
@@ -45,25 +45,25 @@ pub(super) struct Found {
 
 #[derive(Default)]
 pub(super) struct State {
-    /// The session's thread lives.
+    /// The session's thread is running.
     lives: bool,
     /// The page that commands it.
     pub(super) station: u32,
     pub(super) wish: Wish,
     /// Name of the machine on which it is taught.
     machine: String,
-    /// Where the joint is, as the operator says.
+    /// Position of the joint, as the operator answered.
     said: Option<Answer>,
     pub(super) view: TeachView,
     pub(super) taught: TaughtView,
     pub(super) picture: Option<Arc<Vec<u8>>>,
     pub(super) field: Option<Field>,
-    /// From where the newest picture was taken, and the height of the work then, mm in the camera's frame.
+    /// Camera pose of the newest picture, and height of the work at that time, mm in the camera's frame.
     pub(super) sight: Option<(DAffine3, f64)>,
     pub(super) found: Option<Arc<Found>>,
 }
 
-/// The teaching by eye of a panel: at most one session.
+/// Teaching by camera of a panel: at most one session.
 #[derive(Default)]
 pub(crate) struct Teaching {
     state: Mutex<State>,
@@ -75,7 +75,7 @@ impl Teaching {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Changes the state and tells all pages what they see of it.
+    /// Changes the state and sends its view to all pages.
     pub(super) fn change(&self, hub: &Hub, change: impl FnOnce(&mut State)) {
         let mut state = self.state();
         change(&mut state);
@@ -85,18 +85,18 @@ impl Teaching {
         self.turned.notify_all();
     }
 
-    /// Waits until something is wished, or for `most`.
+    /// Waits for a change of the state, at most `most`.
     pub(super) fn wait(&self, most: Duration) {
         drop(self.turned.wait_timeout(self.state(), most));
     }
 
-    /// A new session, of the page `station`, along the seam of a job on its machine.
+    /// Opens a session of the page `station`, along the seam of a job on its machine.
     pub(super) fn open(&self, hub: &Hub, station: u32, (job, machine): (&str, &str)) -> Result<(), LackView> {
         let mut state = self.state();
         if state.lives {
             return Err(lack("busy", "a session is open: stop it first"));
         }
-        // Pictures count on: nobody must take an old one for a new one.
+        // Picture numbers continue, so that an old picture is never taken for a new one.
         let picture = state.view.picture;
         *state = State { lives: true, station, machine: machine.to_owned(), ..State::default() };
         state.view = TeachView { phase: TeachPhase::Plans, job: job.to_owned(), picture, ..TeachView::default() };
@@ -106,10 +106,9 @@ impl Teaching {
         Ok(())
     }
 
-    /// Forgets what was taught along another seam or on another machine: `job` is in the cell now. A session that still lives ends by
-    /// itself.
+    /// Forgets the result of another seam or machine: `job` is now loaded. A running session ends by itself.
     pub(crate) fn leave(&self, hub: &Hub, (job, machine): (&str, &str)) {
-        // Decided and done under one lock: a session that begins meanwhile is not forgotten.
+        // Checked and changed under one lock: a session that starts meanwhile is not forgotten.
         self.change(hub, |state| {
             let view = &state.view;
             if state.lives || view.job.is_empty() || (view.job == job && state.machine == machine) {
@@ -120,7 +119,7 @@ impl Teaching {
         });
     }
 
-    /// The session has ended.
+    /// Marks the session as ended.
     pub(super) fn ended(&self, hub: &Hub, change: impl FnOnce(&mut State)) {
         self.change(hub, |state| {
             state.lives = false;
@@ -129,7 +128,7 @@ impl Teaching {
         });
     }
 
-    /// The joint is at `point`, says the operator on page `station`.
+    /// Sets the joint position `point`, given by the operator on page `station`.
     pub(super) fn here(&self, station: u32, point: DVec3) -> Result<(), LackView> {
         let mut state = self.state();
         if !matches!(state.view.phase, TeachPhase::Places | TeachPhase::Asks) {
@@ -146,7 +145,7 @@ impl Teaching {
         Ok(())
     }
 
-    /// The joint ends where it was lost.
+    /// Ends the joint where it was lost.
     pub(super) fn end_here(&self) -> Result<(), LackView> {
         let mut state = self.state();
         if state.view.phase != TeachPhase::Asks {
@@ -158,7 +157,7 @@ impl Teaching {
         Ok(())
     }
 
-    /// Stands still, and why: what stands in [`TeachView::key`]; nothing if no session crawls.
+    /// Pauses with a reason for [`TeachView::key`]; no effect if no session is following.
     pub(crate) fn pause(&self, why: &str) -> Result<(), LackView> {
         let mut state = self.state();
         if state.lives && state.wish == Wish::Run && state.view.phase == TeachPhase::Runs {
@@ -169,7 +168,7 @@ impl Teaching {
         Ok(())
     }
 
-    /// Goes on for page `station`.
+    /// Resumes for page `station`.
     pub(super) fn resume(&self, station: u32) -> Result<(), LackView> {
         let mut state = self.state();
         if !state.lives || state.wish != Wish::Pause {
@@ -192,12 +191,12 @@ impl Teaching {
         Ok(())
     }
 
-    /// What the operator has said, once.
+    /// Takes the operator's answer.
     pub(super) fn said(&self) -> Option<Answer> {
         self.state().said.take()
     }
 
-    /// The place of the work that a pixel of the newest picture shows.
+    /// Returns the position on the work that a pixel of the newest picture shows.
     pub(super) fn seen_at(&self, px: DVec2) -> Option<DVec3> {
         let state = self.state();
         let ((camera, height), field) = state.sight.zip(state.field.as_ref())?;
@@ -205,17 +204,17 @@ impl Teaching {
         Some(camera.transform_point3(point)).filter(|p| p.is_finite())
     }
 
-    /// The place of the work that the eye looks at.
+    /// Returns the position on the work at the centre of the camera's view.
     pub(super) fn middle(&self) -> Option<DVec3> {
         self.state().sight.map(|(camera, height)| camera.transform_point3(DVec3::Z * height))
     }
 
-    /// The newest picture, as PNG.
+    /// Returns the newest picture, as PNG.
     pub(crate) fn picture(&self) -> Option<Arc<Vec<u8>>> {
         self.state().picture.clone()
     }
 
-    /// What was taught so far.
+    /// Returns the points taught so far.
     pub(crate) fn taught(&self) -> TaughtView {
         self.state().taught.clone()
     }

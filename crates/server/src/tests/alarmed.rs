@@ -1,11 +1,11 @@
-//! Alarms that stay until somebody knows of them, and those that go.
+//! Alarms that stay until acknowledged, and alarms that clear by themselves.
 
 use super::lived::{Page, Served};
 use axum::http::StatusCode;
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// State of the alarm of this name in a list of alarms.
+/// Returns the state of the alarm of this name in a list of alarms.
 fn state<'a>(list: &'a Value, name: &str) -> Option<&'a str> {
     list["list"].as_array()?.iter().find(|alarm| alarm["name"] == name)?["state"].as_str()
 }
@@ -14,7 +14,7 @@ async fn until(page: &mut Page, name: &str, wanted: Option<&str>) {
     page.until(name, |v| v["kind"] == "alarms" && state(v, name) == wanted).await;
 }
 
-/// What nobody has acknowledged is on the list again after a restart, until somebody does.
+/// An unacknowledged alarm is listed again after a restart, until acknowledged.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_nobody_acknowledged_is_there_after_a_restart() {
     let served = Served::new().await;
@@ -24,13 +24,13 @@ async fn what_nobody_acknowledged_is_there_after_a_restart() {
     page.order("start_jog").await;
     page.mode("jog").await;
     page.jog([0.1, 0.0]).await;
-    // Nothing more: the hand has gone.
+    // The page goes silent while jogging.
     page.until("the alarm", |v| v["kind"] == "alarms" && state(v, "panel silent").is_some()).await;
     drop(page);
     let served = Served::on(served.bench.end()).await;
     let mut page = served.page(&served.bench.owner().await).await;
     until(&mut page, "panel silent", Some("returned")).await;
-    // Also not by another program's being loaded, but by somebody who says so.
+    // Loading another program does not clear it; acknowledging does.
     let load = json!({ "job": "ellipse.toml", "from": null, "part": null });
     let owner = served.bench.owner().await;
     assert!(served.bench.ask(owner.request("POST", "/api/load", Some(&load))).await.0.is_success());
@@ -48,7 +48,7 @@ async fn what_nobody_acknowledged_is_there_after_a_restart() {
     until(&mut page, "panel silent", None).await;
 }
 
-/// A record that cannot be written is an alarm until the next one can.
+/// An unwritable record raises an alarm, which clears with the next record.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn the_next_record_ends_the_alarm_of_the_last() {
     let served = Served::new().await;

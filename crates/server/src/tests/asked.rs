@@ -25,7 +25,7 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     assert_eq!((status, &answer["kind"], &answer["work"]["good"]), (StatusCode::OK, &json!("planned"), &json!(true)));
     let path = answer["work"]["passes"][0]["path"].as_array().unwrap();
     assert!(path.len() > 100 && path[10]["torch"].as_array().unwrap().len() == 3);
-    // What is wrong has a line and a key.
+    // Errors have a line and a key.
     let wrong = text.replace("title", "tilte");
     let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": wrong })))).await;
     assert_eq!(answer["kind"], "wrong", "{answer}");
@@ -33,7 +33,7 @@ async fn jobs_are_kept_planned_posted_and_edited() {
         answer["at"]["line"].as_u64().is_some() && answer["message"].as_str().unwrap().contains("tilte"),
         "{answer}"
     );
-    // Another text is not replaced without a word: that of another job, or what somebody else has made of this one.
+    // A different text is not replaced silently: neither another job nor changes that others made to this one.
     let keep = async |over: serde_json::Value, text: &str| {
         let body = match over {
             serde_json::Value::Null => json!({ "text": text }),
@@ -51,7 +51,7 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     }
     let (_, kept) = bench.ask(owner.request("GET", "/api/jobs/mine.toml", None)).await;
     assert_eq!(kept["text"], text);
-    // A procedure that could not be read is not kept, so that jobs that name it stay jobs.
+    // An invalid procedure is refused, so that jobs that name it stay valid.
     let good = seamwright_program::PROCEDURES[0].text;
     let kept = async |text: &str| {
         bench.ask(owner.request("PUT", "/api/jobs/wps.toml", Some(&json!({ "text": text, "over": "" })))).await
@@ -62,7 +62,7 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     assert!(refused["text"].as_str().unwrap().contains("process"), "{refused}");
     assert_eq!(kept(good).await.0, StatusCode::OK);
     assert_eq!(bench.ask(owner.request("DELETE", "/api/jobs/wps.toml", None)).await.0, StatusCode::NO_CONTENT);
-    // As a program, it can be edited; as either, posted.
+    // A job can be posted.
     let post = json!({ "text": text, "dialect": "linuxcnc" });
     let (status, answer) = bench.ask(owner.request("POST", "/api/post", Some(&post))).await;
     assert_eq!(status, StatusCode::OK, "{answer}");
@@ -99,7 +99,7 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     );
 }
 
-/// A job that takes more memory than a plan may have is never planned in the cell's process.
+/// A job that exceeds the memory limit of a plan is never planned in the cell's process.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_job_is_planned_beside_the_cell_before_it_is_loaded() {
     let folder = tempfile::tempdir().unwrap();
@@ -112,7 +112,7 @@ async fn a_job_is_planned_beside_the_cell_before_it_is_loaded() {
     assert!(bench.panel.cell.hub.work().is_none() && !bench.panel.loads.any());
 }
 
-/// While a job is planned in the cell's process nothing starts to move.
+/// Starts are refused while a job is planned in the cell's process.
 #[tokio::test(flavor = "multi_thread")]
 async fn nothing_starts_while_a_job_is_planned_to_be_loaded() {
     let bench = Bench::new(&[HOST]).await;

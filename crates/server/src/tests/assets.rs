@@ -1,4 +1,4 @@
-//! The panel's files as they are sent.
+//! Delivery of the panel's files.
 
 use super::{Bench, HOST};
 use axum::body::Body;
@@ -17,7 +17,7 @@ async fn bytes(response: Response<Body>) -> Vec<u8> {
     response.into_body().collect().await.unwrap().to_bytes().to_vec()
 }
 
-/// Pages that open at once, just after a start and while sensors are being drawn, all get their script.
+/// Pages that open at once, just after a start and while sensors are drawn, all get their script.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn pages_that_open_at_once_get_their_files() {
     let bench = Bench::bare(tempfile::tempdir().unwrap(), &[HOST], shipped("ellipse-xy").unwrap().text);
@@ -31,7 +31,8 @@ async fn pages_that_open_at_once_get_their_files() {
     drop(drawing);
 }
 
-/// Text goes out compressed to whoever takes it so, is the same text then, and is not sent again to whoever has it.
+/// Text is compressed for clients that accept it, decompresses to the same text, and is not sent again to clients that
+/// have it.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn text_is_compressed_and_not_sent_twice() {
     let bench = Bench::bare(tempfile::tempdir().unwrap(), &[HOST], shipped("ellipse-xy").unwrap().text);

@@ -1,4 +1,4 @@
-//! Thousands of malformed requests and messages, names that lead elsewhere, sessions that are over, guesses.
+//! Thousands of malformed requests and messages, path traversal, expired sessions, guessed passwords.
 
 use super::lived::Served;
 use super::{Bench, HOST, KEY, Visitor};
@@ -36,7 +36,7 @@ impl Random {
         (0..self.below(most + 1)).map(|_| self.next() as u8).collect()
     }
 
-    /// Something that is nearly right: bytes changed, cut, doubled.
+    /// Returns nearly valid bytes: some changed, cut or doubled.
     fn mutated(&mut self, text: &str) -> Vec<u8> {
         let mut bytes = text.as_bytes().to_vec();
         for _ in 0..=self.below(4) {
@@ -52,7 +52,7 @@ impl Random {
     }
 }
 
-/// Bodies that one route or another takes.
+/// Bodies that one route or another accepts.
 const BODIES: [&str; 8] = [
     r#"{"text":"title = \"x\"\nmachine = \"saddle-4axis\"\n"}"#,
     r#"{"text":"schema = 1","dialect":"pmac"}"#,
@@ -64,10 +64,10 @@ const BODIES: [&str; 8] = [
     "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[",
 ];
 
-/// What a picture of a grid comes with.
+/// Query of a picture of a grid.
 const PLATE: &str = "?name=camera&pitch_mm=3&z_mm=0";
 
-/// Content type of a route's body.
+/// Returns the content type of a route's body.
 fn takes(method: &str, route: &str) -> &'static str {
     match (method, route) {
         ("put", "/api/restore") => "application/x-tar",
@@ -76,7 +76,7 @@ fn takes(method: &str, route: &str) -> &'static str {
     }
 }
 
-/// Whatever comes is answered, and nothing of it is the server's fault; nothing has changed after it.
+/// Every request is answered without a server error, and nothing has changed afterwards.
 #[tokio::test(flavor = "multi_thread")]
 async fn thousands_of_malformed_requests_are_refused() {
     let bench = Bench::new(&[HOST]).await;
@@ -110,7 +110,7 @@ async fn thousands_of_malformed_requests_are_refused() {
             assert!(!status.is_server_error(), "{method} {path} {text}: {status} {answer}");
             asked += 1;
         }
-        // An archive is much more, and has its own bound.
+        // An archive is much larger and has its own limit.
         if method != "get" && (method, route) != ("put", "/api/restore") {
             let most = if route == "/api/login" { 9 << 10 } else { 5 << 20 };
             let large = json!({ "text": "x".repeat(most), "user": "", "password": "" });
@@ -121,7 +121,7 @@ async fn thousands_of_malformed_requests_are_refused() {
                 request.headers_mut().insert("x-seamwright", "login".parse().unwrap());
             }
             let status = bench.ask(request).await.0;
-            // What reads no body does not mind.
+            // Routes that read no body ignore its size.
             let unread =
                 (method == "delete" && route == "/api/jobs/{name}") || ["/api/stop", "/api/planning"].contains(&route);
             assert!(status == StatusCode::PAYLOAD_TOO_LARGE || unread, "{method} {route}: {status}");
@@ -136,12 +136,12 @@ async fn thousands_of_malformed_requests_are_refused() {
         tokio::time::sleep(Duration::from_millis(20)).await;
     }
     assert!(data.library().verify_audit().unwrap().broken.is_none());
-    // Entries are lines, whoever wrote into them.
+    // Audit entries are single lines, whatever their source.
     let entries = data.library().audit_entries(10_000).unwrap();
     assert!(entries.iter().all(|e| ![&e.user, &e.command, &e.result].iter().any(|f| f.contains(char::is_control))));
 }
 
-/// All commands, as the interface describes them.
+/// All commands, from the schema of the interface.
 fn commands() -> Vec<Value> {
     let schema = schemars::schema_for!(AskView).to_value();
     let kinds = schema["oneOf"].as_array().unwrap();
@@ -159,7 +159,7 @@ fn commands() -> Vec<Value> {
     all
 }
 
-/// Every command by every role: refused for the role, or because the page has no control; and again with the same number.
+/// Every command by every role is refused for the role or for missing control; a repeated number is refused too.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn every_command_wants_a_role_control_and_a_new_number() {
     let served = Served::new().await;
@@ -192,7 +192,7 @@ async fn every_command_wants_a_role_control_and_a_new_number() {
     }
 }
 
-/// Nobody gets a socket without a session, nor from a foreign page, nor under a foreign name.
+/// A socket needs a session, and a page and host name of the panel.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn sockets_want_a_session_and_a_page_of_ours() {
     let served = Served::new().await;
@@ -217,7 +217,7 @@ async fn sockets_want_a_session_and_a_page_of_ours() {
         let refused = open(name, value.to_owned()).await.unwrap_err();
         assert!(refused.contains("401") || refused.contains("403"), "{name} {value}: {refused}");
     }
-    // Too long, or not text: the end.
+    // Too long or not text: the connection is closed.
     for message in [
         tokio_tungstenite::tungstenite::Message::text("x".repeat(17 << 10)),
         tokio_tungstenite::tungstenite::Message::binary(vec![0u8; 16]),
@@ -227,7 +227,7 @@ async fn sockets_want_a_session_and_a_page_of_ours() {
         let ended = async { while let Some(Ok(_)) = socket.next().await {} };
         tokio::time::timeout(Duration::from_secs(10), ended).await.unwrap();
     }
-    // A house has only so many.
+    // The number of sockets of a user is limited.
     let mut open_ones = Vec::new();
     let refused = loop {
         match open("accept", "*/*".to_owned()).await {
@@ -245,7 +245,7 @@ async fn sockets_want_a_session_and_a_page_of_ours() {
     }
 }
 
-/// Messages of all kinds, changed at random, from somebody who may only look: nothing moves, nobody has control.
+/// Random mutations of all messages, from a viewer: no motion, no control.
 #[tokio::test(flavor = "multi_thread")]
 async fn thousands_of_malformed_messages_move_nothing() {
     let bench = Bench::new(&[HOST]).await;
@@ -274,14 +274,14 @@ async fn thousands_of_malformed_messages_move_nothing() {
     let status = bench.panel.cell.hub.latest().unwrap();
     assert!(status.mode == "off" && !status.powered && !status.armed, "{status:?}");
     assert!(bench.panel.cell.hub.holder().is_none());
-    // The same from an operator, then with numbers: what is no number of ours is none.
+    // Invalid command numbers are refused.
     for bad in ["1e999", "-1", "1.5", "4294967296", "null", "\"1\""] {
         let text = format!(r#"{{"kind":"command","seq":{bad},"ask":{{"do":"arm"}}}}"#);
         assert!(serde_json::from_str::<crate::wire::ToCell>(&text).is_err(), "{bad}");
     }
 }
 
-/// Texts from the panel look at no files but those among the jobs, and tell nothing of others.
+/// Texts from the panel read only files in the folder of jobs, and reveal nothing of others.
 #[tokio::test(flavor = "multi_thread")]
 async fn jobs_lead_to_no_other_files() {
     let bench = Bench::new(&[HOST]).await;
@@ -314,7 +314,7 @@ async fn jobs_lead_to_no_other_files() {
     }
 }
 
-/// Who may not any more, may not at once: over HTTP and over a socket that is open.
+/// Permissions that are withdrawn end at once, over HTTP and over an open socket.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_session_ends_with_what_it_was_given_for() {
     let served = Served::new().await;
@@ -333,17 +333,17 @@ async fn a_session_ends_with_what_it_was_given_for() {
     let change = json!({ "role": "operator", "enabled": false, "password": null, "own_password": "password of Admin" });
     let (status, _) = bench.ask(admin.request("PUT", "/api/users/Operator", Some(&change))).await;
     assert_eq!(status, StatusCode::OK);
-    // He is not heard any more, but for a stop; and his page is closed.
+    // The user's commands are refused except for a stop, and the page is closed.
     let told = hears(&bench.panel, &before, &says);
     assert!(told.iter().any(|t| t.contains("\"login\"")) && !told.iter().any(|t| t.contains("\"mine\":true")));
     assert!(told.iter().any(|t| t.contains("\"seq\":1,\"ok\":true")), "{told:?}");
     page.closed().await;
     assert_eq!(bench.ask(operator.request("GET", "/api/session", None)).await.0, StatusCode::UNAUTHORIZED);
-    // Nor does a session that began while it changed.
+    // A session that started during the change ends too.
     let (cookie, session) = bench.panel.sessions.begin("Operator", Role::Operator).unwrap();
     let late = Visitor { cookie: format!("seamwright={cookie}"), token: session.token };
     assert_eq!(bench.ask(late.request("GET", "/api/session", None)).await.0, StatusCode::UNAUTHORIZED);
-    // Logging in once more ends the session before, and a cookie given beforehand is not taken over.
+    // Another login ends the previous session, and a cookie set beforehand is not accepted.
     let login = |cookie: &str| {
         let body = json!({ "user": "Viewer", "password": "password of Viewer" }).to_string();
         let request = Request::post("/api/login").header("host", HOST).header("x-seamwright", "login");
@@ -359,7 +359,7 @@ async fn a_session_ends_with_what_it_was_given_for() {
     assert!(!answer.headers()["set-cookie"].to_str().unwrap().contains(&fixed));
 }
 
-/// Guesses at once count one by one; names of any length cost no room; what is logged is a line.
+/// Simultaneous guesses are counted individually; long names take no room; log entries are single lines.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn guesses_at_once_count_one_by_one() {
     let bench = Bench::new(&[HOST]).await;
@@ -373,17 +373,17 @@ async fn guesses_at_once_count_one_by_one() {
     let checked = all.iter().filter(|(status, _)| *status == StatusCode::UNAUTHORIZED).count();
     assert_eq!(checked, 5);
     assert!(all.iter().all(|(status, _)| *status != StatusCode::OK));
-    // The right one has to wait too, and says nothing by that.
+    // The right password must wait too, and reveals nothing by that.
     assert_eq!(guess("Admin", "password of Admin").await.0, StatusCode::TOO_MANY_REQUESTS);
     assert!(guess(&"n".repeat(600), "x").await.0.is_client_error());
     assert_eq!(guess("eve\nAdmin  log in  logged in", "x").await.0, StatusCode::UNAUTHORIZED);
     assert!(guess("", KEY).await.0.is_client_error());
-    // Who there is and who is not is told alike.
+    // Existing and unknown users get the same answer.
     let (known, unknown) = (guess("Viewer", "wrong").await, guess("nobody", "wrong").await);
     assert_eq!(known, unknown);
 }
 
-/// Small requests do not ask for large answers.
+/// Small requests cannot ask for large answers.
 #[tokio::test(flavor = "multi_thread")]
 async fn what_is_asked_for_is_bounded() {
     let bench = Bench::new(&[HOST]).await;

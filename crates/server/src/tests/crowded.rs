@@ -1,4 +1,4 @@
-//! Many who watch, and one who never reads: what it costs the cycle, and the others.
+//! Load of many watching pages, and of one that never reads, on the cycle and on other pages.
 
 use super::Visitor;
 use super::lived::Served;
@@ -13,7 +13,7 @@ use tokio::net::{TcpSocket, TcpStream};
 
 const WATCHERS: usize = 20;
 
-/// Lateness of a thread beside the cycle, with its period and priority, until it is told to end.
+/// Measures the lateness of a thread beside the cycle, with its period and priority, until ended.
 struct Probe {
     ends: Arc<AtomicBool>,
     thread: std::thread::JoinHandle<Latency>,
@@ -50,14 +50,14 @@ fn told(what: &str, latency: &Latency) {
     );
 }
 
-/// Memory of this program that is in use, MB: the cell, its panel and the clients.
+/// Resident memory of this program, MB: the cell, its panel and the clients.
 fn memory_mb() -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).unwrap_or_default();
     line.trim().trim_end_matches(" kB").trim().parse::<f64>().unwrap_or(0.0) / 1024.0
 }
 
-/// Somebody who watches: pauses between statuses, and events without a gap.
+/// Watches as a page: measures pauses between statuses, and checks that no event is missing.
 async fn watch(address: String, visitor: Visitor, ends: Arc<AtomicBool>) -> (Latency, u64) {
     use tokio_tungstenite::tungstenite::client::IntoClientRequest as _;
     let mut request = format!("ws://{address}/api/live").into_client_request().unwrap();
@@ -83,7 +83,7 @@ async fn watch(address: String, visitor: Visitor, ends: Arc<AtomicBool>) -> (Lat
     (pauses.clone(), pauses.count())
 }
 
-/// Somebody who opens the socket and never reads from it.
+/// Opens the socket and never reads from it.
 async fn sleeps(address: &str, visitor: &Visitor) -> TcpStream {
     let socket = TcpSocket::new_v4().unwrap();
     socket.set_recv_buffer_size(4096).unwrap();
@@ -97,7 +97,7 @@ async fn sleeps(address: &str, visitor: &Visitor) -> TcpStream {
     stream
 }
 
-/// Seconds of the load; `make soak` gives it ten minutes.
+/// Duration of the load, s; `make soak` uses ten minutes.
 fn seconds() -> u64 {
     let given = std::env::var("SEAMWRIGHT_LOAD_S").ok().and_then(|s| s.parse().ok());
     given.unwrap_or(if std::env::var_os("SEAMWRIGHT_SOAK").is_some() { 600 } else { 30 })

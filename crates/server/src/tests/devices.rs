@@ -25,7 +25,8 @@ fn machine(address: &str) -> String {
     format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 1\n{MAP}")
 }
 
-/// Jobs on the devices of the cell: the second without a voltage, and one whose machine file leads to others.
+/// Creates jobs on the devices of the cell: one complete, one without a voltage, one whose machine file names other
+/// devices.
 async fn jobs(bench: &Bench, owner: &Visitor, machine: &str) {
     std::fs::write(bench.path().join("jobs/cell.toml"), machine).unwrap();
     let other = machine.replace("coil = 1 }", "coil = 9 }");
@@ -54,7 +55,7 @@ async fn simulated(bench: &Bench, owner: &Visitor) -> bool {
     machine["simulated"].as_bool().unwrap()
 }
 
-/// Welds until the source has what is asked for, then stops and takes the power away.
+/// Welds until the source has the requested values, then stops and switches the power off.
 async fn weld(page: &mut Page, server: &TestServer, holding: [u16; 2]) {
     page.up().await;
     page.order("arm").await;
@@ -80,28 +81,28 @@ async fn programs_find_the_devices_they_need() {
     let bench = &served.bench;
     let owner = bench.owner().await;
     jobs(bench, &owner, &machine).await;
-    // Those of the start, until a program needs none.
+    // The cell has the devices of the start until a program needs none.
     assert!(!simulated(bench, &owner).await);
     assert!(load(bench, &owner, "ellipse.toml").await.0.is_success() && simulated(bench, &owner).await);
-    // Where devices are is not for jobs to say.
+    // A job must not choose other devices.
     let (status, refused) = load(bench, &owner, "foreign.toml").await;
     assert!(status.is_client_error() && refused["text"].as_str().unwrap().contains("started with"), "{refused}");
     let (status, work) = load(bench, &owner, "real.toml").await;
     assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
     let mut page = served.page(&owner).await;
     weld(&mut page, &server, [900, 1200]).await;
-    // Another set of values: connected anew, and places are not mistaken for others.
+    // Another set of values: the devices are reconnected, and values are not mixed up.
     let (status, work) = load(bench, &owner, "plain.toml").await;
     assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
     weld(&mut page, &server, [900, 0]).await;
-    // With power, devices are not changed.
+    // Devices are not changed while powered.
     page.order("switch_on").await;
     page.until("power", |v| v["kind"] == "status" && v["powered"] == true).await;
     let (status, refused) = load(bench, &owner, "real.toml").await;
     assert_eq!((status, &refused["key"]), (StatusCode::CONFLICT, &json!("busy")), "{refused}");
     page.order("switch_off").await;
     page.mode("off").await;
-    // Where they do not answer nothing real is left, and the next that do are taken.
+    // If they do not answer, no real device is left; the next ones that answer are connected.
     server.stop();
     let (status, refused) = load(bench, &owner, "real.toml").await;
     assert!(status.is_client_error() && refused["text"].as_str().unwrap().contains("`welder`"), "{refused}");
@@ -109,7 +110,7 @@ async fn programs_find_the_devices_they_need() {
     server.start();
     let (status, work) = load(bench, &owner, "real.toml").await;
     assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
-    // A machine without devices lets them go: the watchdog stands still.
+    // A machine without devices releases them: the watchdog is no longer updated.
     let (status, work) = load(bench, &owner, "ellipse.toml").await;
     assert!(status.is_success() && simulated(bench, &owner).await, "{work}");
     let reads = server.bank().reads;
@@ -117,8 +118,8 @@ async fn programs_find_the_devices_they_need() {
     assert_eq!(server.bank().reads, reads);
 }
 
-/// A signal, or a fault anywhere in the program, while the arc burns on a real device: the device is safe and the record closed
-/// when the cell has ended, without an order from the desk.
+/// A signal or a panic anywhere in the program while the arc burns on a real device. The device is safe and the record
+/// closed at the end of the cell, without an order from the desk.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_shutdown_in_a_weld_leaves_the_device_safe_and_the_record_closed() {
     for cause in [ShutdownCause::Signal(1), ShutdownCause::Panic] {
@@ -150,8 +151,8 @@ async fn a_shutdown_in_a_weld_leaves_the_device_safe_and_the_record_closed() {
     }
 }
 
-/// A device that is let go for another machine's program and does not answer: the desk goes on meanwhile, everybody is told, and the
-/// end of the cell reports it.
+/// A device is released for another machine's program and does not answer. The desk continues meanwhile, all pages get
+/// a report, and so does the caller of the end.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_device_let_go_without_an_answer_is_reported_and_holds_nobody_up() {
     let server = TestServer::new(welder);
@@ -186,7 +187,7 @@ async fn a_device_let_go_without_an_answer_is_reported_and_holds_nobody_up() {
     assert!(unconfirmed.len() == 1 && unconfirmed[0].contains("`welder`"), "{unconfirmed:?}");
 }
 
-/// A device that does not confirm its safe outputs at the end: the panel does not end as if all were well.
+/// If a device does not confirm its safe outputs at the end, the panel ends with an error.
 #[test]
 fn the_panel_ends_with_an_error_if_a_device_does_not_confirm_its_safe_outputs() {
     for silent in [false, true] {

@@ -1,4 +1,4 @@
-//! What is drawn beside the plan: sections, bodies, clearance, devices, where a part stands.
+//! Drawings beside the plan: sections, bodies, clearance, devices, pose of the part.
 
 use super::{Bench, HOST};
 use axum::http::StatusCode;
@@ -23,7 +23,7 @@ fn area(outline: &Value) -> f64 {
     (0..points.len()).map(cross).sum::<f64>().abs() / 2.0
 }
 
-/// Sections of two joints: beads fill the groove, outlines have the areas that are told, and a number that changes is seen.
+/// Sections of two joints: beads fill the groove, and outlines have the reported areas.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_draft_has_the_joint_as_it_is_written() {
     let bench = Bench::new(&[HOST]).await;
@@ -50,7 +50,7 @@ async fn a_draft_has_the_joint_as_it_is_written() {
     assert_eq!((status, &draft["kind"]), (StatusCode::OK, &json!("wrong")));
 }
 
-/// A body put in the torch's way is in the draft at once, and in the plan its pass is nearer to it than without.
+/// A body added to the job is in the draft at once; a plan reports the minimum distance along its passes.
 #[tokio::test(flavor = "multi_thread")]
 async fn clearance_is_told_along_the_passes() {
     let bench = Bench::new(&[HOST]).await;
@@ -74,7 +74,7 @@ async fn clearance_is_told_along_the_passes() {
     assert_eq!(draft["fixtures"][0]["frame"][11], 5000.0);
 }
 
-/// A collision of a job for another machine than the cell's: the machine is there to be drawn, its axes and the pair that is too near.
+/// A collision of a job for another machine than the cell's: the answer contains machine, axes and the colliding pair.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_collision_of_a_job_for_another_machine_can_be_seen() {
     let bench = Bench::new(&[HOST]).await;
@@ -86,7 +86,7 @@ async fn a_collision_of_a_job_for_another_machine_can_be_seen() {
     };
     let place = plan(&text).await["passes"][0]["path"][200].clone();
     let (tip, torch) = (numbers(&place["tip"]), numbers(&place["torch"]));
-    // In the torch, 60 mm over its tip.
+    // Inside the torch, 60 mm above its tip.
     let at: Vec<f64> = tip.iter().zip(&torch).map(|(tip, out)| tip + 60.0 * out).collect();
     let ball = format!(
         "{text}\n[[fixtures]]\nname = \"ball\"\nshape.sphere = {{ radius_mm = 12 }}\nat = {{ move_mm = {at:?} }}\n"
@@ -111,7 +111,7 @@ async fn a_collision_of_a_job_for_another_machine_can_be_seen() {
     assert_ne!(bench.ask(machine("../../secret.toml")).await.0, StatusCode::OK);
 }
 
-/// A plan has the axes of its own machine, a number of each sample for each: the cell has another machine.
+/// A plan has the axes of its own machine, and a value for each in every sample: the cell has another machine.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_plan_names_the_axes_of_its_machine() {
     let bench = Bench::new(&[HOST]).await;
@@ -127,8 +127,8 @@ async fn a_plan_names_the_axes_of_its_machine() {
     }
 }
 
-/// A plan's certificate: stretches without a gap, limits that bind are used up there, and what the samples use stays below what
-/// the certificate says, which they come near.
+/// A plan's certificate: intervals without gaps. Utilisation in the samples stays below the certificate's maximum and
+/// comes close to it.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_plan_says_what_bounds_it() {
     let bench = Bench::new(&[HOST]).await;
@@ -151,13 +151,13 @@ async fn a_plan_says_what_bounds_it() {
         assert_eq!(told["axis"], axis);
         for (k, told) in numbers(&told["percent"]).into_iter().enumerate() {
             let most = path.iter().map(|p| p["used"][i][k].as_f64().unwrap()).fold(0.0, f64::max);
-            // They are whole per cent, and not at the very places.
+            // Values are whole per cent, and samples do not hit the exact maxima.
             assert!(most <= told + 0.5 && most > 0.6 * told - 1.0, "{axis} {k}: {most} of {told}");
         }
     }
 }
 
-/// Where there is no motion the passes are there as the job asks for them, at the places where a motion has them.
+/// Without a motion, passes are drawn as the job requests them, at the same positions as with a motion.
 #[tokio::test(flavor = "multi_thread")]
 async fn what_cannot_be_welded_is_drawn() {
     let bench = Bench::new(&[HOST]).await;
@@ -165,7 +165,7 @@ async fn what_cannot_be_welded_is_drawn() {
     for name in ["first-weld.toml", "points.toml", "radiator.toml", "spline.toml"] {
         let text = example(&bench, &owner, name).await;
         let speed = text.lines().find(|line| line.starts_with("speed_mm_s = "));
-        // In points it is the last of their numbers.
+        // In a table of points the speed is the last number.
         let fast =
             speed.map_or_else(|| text.replace(", 8]", ", 4000]"), |line| text.replace(line, "speed_mm_s = 4000"));
         let mut works = Vec::new();
@@ -207,7 +207,7 @@ async fn what_cannot_be_welded_is_drawn() {
     }
 }
 
-/// What a job can name: what ships, and files of one's own, which are no jobs then.
+/// A job can name shipped machines and procedures, and own files, which are then not listed as jobs.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_job_can_name_what_ships_and_what_is_kept() {
     let bench = Bench::new(&[HOST]).await;
@@ -225,13 +225,13 @@ async fn a_job_can_name_what_ships_and_what_is_kept() {
     assert!(own["title"].as_str().unwrap().starts_with("My "));
     let (_, jobs) = bench.ask(owner.request("GET", "/api/jobs", None)).await;
     assert!(jobs.as_array().unwrap().iter().all(|job| job["name"] != "wps.toml"));
-    // And a job that names it is planned under it.
+    // A job that names it is planned with it.
     let job = example(&bench, &owner, "first-weld.toml").await.replace("\"135-saddle\"", "\"wps.toml\"");
     let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": job })))).await;
     assert_eq!(answer["work"]["good"], true, "{answer}");
 }
 
-/// Spans are those of the file: one along a seam, one for each run of points, end to end.
+/// Spans match the file: one along a seam, one for each run of points, without gaps.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_plan_has_its_spans() {
     let bench = Bench::new(&[HOST]).await;
@@ -248,7 +248,7 @@ async fn a_plan_has_its_spans() {
             let points = numbers(&pass["points_mm"]);
             assert_eq!(points.len(), 8);
             assert!(points.windows(2).all(|pair| pair[0] < pair[1]) && (points[1] - 40.0).abs() < 0.1, "{points:?}");
-            // Two lines of 40 mm (the corners' blends take little), a quarter of a circle of 30 mm.
+            // Two lines of 40 mm (corner blends shorten them slightly), a quarter of a circle of 30 mm radius.
             assert!((spans[0][1] - 80.0).abs() < 0.1, "{spans:?}");
             assert!((spans[1][1] - spans[0][1] - 15.0 * std::f64::consts::PI).abs() < 0.1, "{spans:?}");
         }
@@ -273,7 +273,7 @@ async fn simulated_inputs_and_outputs_have_names_and_values() {
     }
 }
 
-/// The points of the example that were touched on a part moved by a known offset.
+/// Points of the example, touched on a part moved by a known offset.
 #[tokio::test(flavor = "multi_thread")]
 async fn touched_points_tell_where_the_part_stands() {
     let bench = Bench::new(&[HOST]).await;
@@ -295,7 +295,7 @@ async fn touched_points_tell_where_the_part_stands() {
     };
     let (status, answer) = bench.ask(ask(&points)).await;
     assert_eq!(status, StatusCode::OK, "{answer}");
-    // As docs/job.md says of these points.
+    // Values from docs/job.md for these points.
     for (found, moved) in numbers(&answer["move_mm"]).iter().zip([1.5, -0.8, 0.6]) {
         assert!((found - moved).abs() < 0.2, "{answer}");
     }
@@ -311,7 +311,7 @@ async fn touched_points_tell_where_the_part_stands() {
     }
 }
 
-/// Marks on a plane, and a round in a chuck: where they say that the part stands, its offset is.
+/// The offset follows from marks on a plane, or from a round in a chuck.
 #[tokio::test(flavor = "multi_thread")]
 async fn marks_and_a_chuck_tell_where_the_part_stands() {
     let bench = Bench::new(&[HOST]).await;
@@ -333,7 +333,7 @@ async fn marks_and_a_chuck_tell_where_the_part_stands() {
         assert!((found - moved).abs() < 1e-6, "{answer}");
     }
     assert!((answer["angle_deg"].as_f64().unwrap().abs() - 90.0).abs() < 1e-6, "{answer}");
-    // The mark that was touched too high shows it.
+    // The residual reveals the mark that was touched too high.
     assert!((numbers(&answer["residuals_mm"])[3] - 0.5).abs() < 1e-9, "{answer}");
     let round = [("round", [57.0, -3.0, 4.0]), ("round", [6.0, 48.0, 5.0]), ("round", [-45.0, -3.0, 6.0])];
     let face = plane.map(|(_, tip)| ("face", tip));

@@ -7,7 +7,7 @@ use axum::body::Body;
 use axum::http::{Request, StatusCode};
 use serde_json::json;
 
-/// Names that only look like ours, and pages of others.
+/// Host names similar to the panel's, and foreign origins.
 const FOREIGN: [(&str, &str); 14] = [
     ("host", "evil.example"),
     ("host", ""),
@@ -81,7 +81,7 @@ async fn foreign_hosts_and_origins_are_refused_everywhere() {
         if route == "/api/logout" {
             owner = bench.owner().await;
         }
-        // Browsers say where a request comes from also where they send no origin.
+        // Browsers send this header even without an origin.
         for (site, foreign) in [("cross-site", true), ("same-site", true), ("same-origin", false), ("none", false)] {
             let mut request = owner.request(&method, &path(route), None);
             request.headers_mut().insert("sec-fetch-site", site.parse().unwrap());
@@ -134,7 +134,7 @@ async fn wrong_bodies_are_told_and_passwords_slowed() {
     assert_eq!(slowed, 3);
 }
 
-/// Who makes a new user changes nobody who is there.
+/// Creating a new user never changes an existing one.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_new_user_takes_nobodys_place() {
     let bench = Bench::new(&[HOST]).await;

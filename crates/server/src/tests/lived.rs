@@ -1,4 +1,4 @@
-//! The socket: who may command, what is heard, what a hand on the keys does.
+//! The socket: permission to command, handling of messages, jogging.
 
 use super::{Bench, Visitor};
 use futures_util::{SinkExt as _, StreamExt as _};
@@ -13,14 +13,14 @@ use tokio_tungstenite::tungstenite::client::IntoClientRequest as _;
 
 type Socket = tokio_tungstenite::WebSocketStream<tokio_tungstenite::MaybeTlsStream<tokio::net::TcpStream>>;
 
-/// A panel that listens.
+/// A listening panel.
 pub(super) struct Served {
     pub(super) bench: Bench,
     pub(super) address: String,
     _front: Threads,
 }
 
-/// The threads of the front.
+/// The threads of the front end.
 struct Threads(Option<Runtime>);
 
 impl Drop for Threads {
@@ -36,19 +36,19 @@ impl Served {
         Self::on(tempfile::tempdir().unwrap()).await
     }
 
-    /// With the data that are there.
+    /// Starts on existing data.
     pub(super) async fn on(folder: TempDir) -> Self {
         let served = Self::bare(folder, super::shipped("ellipse-xy").unwrap().text).await;
         crate::http::begin_with(&served.bench.panel, "ellipse.toml").await.unwrap();
         served
     }
 
-    /// A panel of a cell with this machine, without a program.
+    /// Starts a panel of a cell with this machine, without a program.
     pub(super) async fn without_program(machine: &str) -> Self {
         Self::bare(tempfile::tempdir().unwrap(), super::shipped(machine).unwrap().text).await
     }
 
-    /// The same with a machine file of its own.
+    /// The same with the text of a machine file.
     pub(super) async fn bare(folder: TempDir, machine: &str) -> Self {
         let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
         listener.set_nonblocking(true).unwrap();
@@ -67,7 +67,7 @@ impl Served {
     }
 }
 
-/// A page at this address.
+/// Opens a page at this address.
 pub(crate) async fn page(address: &str, visitor: &Visitor) -> Page {
     let mut request = format!("ws://{address}/api/live").into_client_request().unwrap();
     request.headers_mut().insert("cookie", visitor.cookie.parse().unwrap());
@@ -84,15 +84,15 @@ pub(crate) async fn page(address: &str, visitor: &Visitor) -> Page {
     }
 }
 
-/// A page in somebody's browser.
+/// A page in a user's browser.
 pub(crate) struct Page {
     socket: Socket,
     seq: u32,
     jogs: u32,
     pub(super) status: Value,
-    /// What has happened, in words.
+    /// Received events, in words.
     pub(super) events: Vec<String>,
-    /// What teaching by eye is doing.
+    /// State of teaching by camera.
     pub(super) taught: Value,
     pub(super) alarms: Value,
     beat: Instant,
@@ -129,7 +129,7 @@ impl Page {
         }
     }
 
-    /// Listens until something fits.
+    /// Receives messages until one matches.
     pub(super) async fn until(&mut self, what: &str, fits: impl Fn(&Value) -> bool) -> Value {
         let begin = Instant::now();
         loop {
@@ -146,12 +146,12 @@ impl Page {
         self.until(mode, |v| v["kind"] == "status" && v["mode"] == mode).await;
     }
 
-    /// A command and what is answered.
+    /// Sends a command; returns the answer.
     pub(super) async fn ask(&mut self, what: Value) -> Value {
         self.command("command", "ask", what).await
     }
 
-    /// An order to the teaching by eye and what is answered.
+    /// Sends an order to teaching by camera; returns the answer.
     pub(super) async fn teach(&mut self, order: Value) -> Value {
         self.command("teach", "order", order).await
     }
@@ -168,13 +168,13 @@ impl Page {
         assert_eq!(answer["ok"], true, "{what}: {answer}");
     }
 
-    /// The same command with the same number.
+    /// Repeats the command with the same number.
     pub(super) async fn again(&mut self, what: Value) -> Value {
         self.seq -= 1;
         self.ask(what).await
     }
 
-    /// Until the other side closes.
+    /// Waits until the other side closes.
     pub(super) async fn closed(&mut self) {
         let ended = async { while let Some(Ok(_)) = self.socket.next().await {} };
         tokio::time::timeout(Duration::from_secs(20), ended).await.expect("it stays open");
@@ -184,20 +184,20 @@ impl Page {
         self.hand(json!({ "kind": "jog", "of": "joints", "speeds": speeds })).await;
     }
 
-    /// A sign of life of a hand.
+    /// Sends a jog message.
     pub(super) async fn hand(&mut self, mut what: Value) {
         self.jogs += 1;
         what["seq"] = json!(self.jogs);
         self.say(&what).await;
     }
 
-    /// Takes control, also where it was lost while the test did something else.
+    /// Takes control, also if it was lost while the test was busy.
     pub(super) async fn control(&mut self) {
         self.say(&json!({ "kind": "take_control", "over": false })).await;
         self.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
     }
 
-    /// From off to ready, with control.
+    /// Brings the machine from off to ready, with control.
     pub(super) async fn up(&mut self) {
         self.control().await;
         self.order("switch_on").await;
@@ -220,11 +220,11 @@ async fn one_page_commands_and_the_others_watch() {
     let hello = first.until("hello", |v| v["kind"] == "hello").await;
     assert!(hello["station"].as_u64().unwrap() > 0);
     first.until("the work", |v| v["kind"] == "work" && v["work"]["job"] == "ellipse.toml").await;
-    // Without control nothing but a stop or a hold.
+    // Without control only stop and hold are allowed.
     assert_eq!(first.ask(json!({ "do": "switch_on" })).await["why"]["key"], "control");
     first.order("stop").await;
     first.up().await;
-    // What stands against a weld.
+    // Missing conditions of a weld.
     first.say(&json!({ "kind": "why", "ask": "start_weld" })).await;
     let why = first.until("why", |v| v["kind"] == "why").await;
     assert_eq!(why["lacks"].as_array().unwrap().len(), 1, "{why}");
@@ -234,7 +234,7 @@ async fn one_page_commands_and_the_others_watch() {
     first.say(&json!({ "kind": "command", "seq": seq, "ask": { "do": "home" } })).await;
     let again = first.until("a refusal", |v| v["kind"] == "answer" && v["ok"] == false).await;
     assert_eq!(again["why"]["key"], "replayed");
-    // Another page may not, but sees who may, and takes it over.
+    // Another page may not command, but sees the holder and takes control over.
     let mut second = served.page(&of("Service")).await;
     let control = second.until("control", |v| v["kind"] == "control").await;
     assert_eq!((&control["mine"], &control["user"]), (&json!(false), &json!("Operator")));
@@ -245,13 +245,13 @@ async fn one_page_commands_and_the_others_watch() {
     second.say(&json!({ "kind": "take_control", "over": true })).await;
     first.until("the loss", |v| v["kind"] == "control" && v["mine"] == false).await;
     assert_eq!(first.ask(json!({ "do": "home" })).await["why"]["key"], "control");
-    // A viewer may do nothing but stop.
+    // A viewer may only stop.
     let mut viewer = served.page(&of("Viewer")).await;
     for what in ["switch_on", "hold", "arm", "start_weld", "reset", "acknowledge"] {
         assert_eq!(viewer.ask(json!({ "do": what })).await["why"]["key"], "role", "{what}");
     }
     viewer.order("stop").await;
-    // What is no message is told; whoever shouts is cut off.
+    // Invalid messages are answered; a page with too many messages is disconnected.
     for bad in ["", "{", "{\"kind\":\"command\"}", "{\"kind\":\"beat\",\"more\":1}", "[1]"] {
         viewer.socket.send(Message::text(bad)).await.unwrap();
         let answer = viewer.until("a refusal", |v| v["kind"] == "answer").await;
@@ -270,7 +270,7 @@ async fn one_page_commands_and_the_others_watch() {
     assert_eq!(served.bench.panel.cell.hub.holder(), None);
 }
 
-/// The axis stops within 250 ms of the last message, whichever way the hand goes; and a lost connection resumes nothing.
+/// The axis stops within 250 ms of the last message, however the jog ends. A lost connection resumes nothing.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_hand_that_goes_stops_the_axes() {
     let served = Served::new().await;
@@ -307,7 +307,7 @@ async fn a_hand_that_goes_stops_the_axes() {
             }
             place = watcher.position();
         }
-        // 200 ms until it is silent, then the stop; and a busy machine.
+        // Silence is detected after 200 ms, then the axis decelerates; the computer may be busy.
         assert!(moving < Duration::from_millis(850), "{way}: {moving:?}");
         assert!((place - before).abs() > 0.5, "{way}: {before} {place}");
         watcher.say(&json!({ "kind": "take_control", "over": true })).await;
@@ -321,7 +321,7 @@ async fn a_hand_that_goes_stops_the_axes() {
     }
 }
 
-/// Keys that jog and numbers that are read must have the names of the machine that moves.
+/// Jog keys and displayed values need the axis names of the moving machine.
 #[tokio::test]
 async fn another_machine_is_told_to_every_page() {
     let served = Served::new().await;
@@ -335,14 +335,14 @@ async fn another_machine_is_told_to_every_page() {
     assert!(status.is_success(), "{told}");
     for page in &mut pages {
         page.until("another machine", |v| v["kind"] == "machine").await;
-        // Whoever asks then gets the new one.
+        // Requests after this message get the new machine.
         let (_, machine) = served.bench.ask(owner.request("GET", "/api/machine", None)).await;
         assert_eq!((machine["name"].as_str(), machine["beam"].as_bool()), (Some("ebw-7axis"), Some(true)));
         page.until("its axes", |v| v["kind"] == "status" && v["axes"].as_array().is_some_and(|a| a.len() == 7)).await;
     }
 }
 
-/// A hand that asks for next to no speed moves nothing, and keeps nobody from taking control.
+/// A jog with negligible speed moves nothing, and does not hold the control token.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_jog_that_moves_nothing_does_not_hold_control() {
     let served = Served::new().await;
@@ -353,7 +353,7 @@ async fn a_jog_that_moves_nothing_does_not_hold_control() {
     for speeds in [[1e-12, 0.0], [0.0, -1e-300], [5e-4, f64::MIN_POSITIVE]] {
         first.jog(speeds).await;
     }
-    // Heard, as what comes after it is.
+    // The jog was handled, since the next command is.
     let answer = first.ask(json!({ "do": "override", "part": 1.0 })).await;
     assert_eq!(answer["ok"], true, "{answer}");
     second.say(&json!({ "kind": "take_control", "over": true })).await;

@@ -1,4 +1,4 @@
-//! The panel asked from outside: over HTTP and over the socket.
+//! Tests of the panel from outside: over HTTP and over the socket.
 
 mod alarmed;
 mod asked;
@@ -39,7 +39,7 @@ use tower::ServiceExt as _;
 pub(crate) const HOST: &str = "127.0.0.1:8080";
 pub(crate) const KEY: &str = "0123456789abcdef0123456789abcdef";
 
-/// A panel with a cell of its own.
+/// A panel with its own cell.
 pub(crate) struct Bench {
     pub(crate) panel: Arc<Panel>,
     app: Router,
@@ -47,7 +47,7 @@ pub(crate) struct Bench {
     shutdown: Shutdown,
 }
 
-/// Somebody who is logged in.
+/// A user who is logged in.
 #[derive(Clone)]
 pub(crate) struct Visitor {
     pub(crate) cookie: String,
@@ -62,7 +62,7 @@ impl Bench {
         bench
     }
 
-    /// With the data that are there, and a machine file of its own; without a program.
+    /// Starts on existing data with the text of a machine file, without a program.
     pub(crate) fn bare(folder: TempDir, hosts: &[&str], machine: &str) -> Self {
         Self::planned_by(folder, hosts, machine, Planner::new(None))
     }
@@ -84,7 +84,7 @@ impl Bench {
         self.folder.as_ref().unwrap().path()
     }
 
-    /// The end of the program; its data stay.
+    /// Ends the cell; its data stay.
     fn end(mut self) -> TempDir {
         self.panel.cell.end();
         self.folder.take().unwrap()
@@ -121,7 +121,7 @@ impl Bench {
         self.log_in("", KEY).await.unwrap()
     }
 
-    /// Users of all roles, each with its name as password; the last is the administrator.
+    /// Creates users of all roles, each with a password derived from its name; the first is the administrator.
     pub(crate) async fn everybody(&self) -> Vec<(Role, Visitor)> {
         let roles = [Role::Admin, Role::Viewer, Role::Operator, Role::Programmer, Role::Service];
         let mut all = Vec::new();
@@ -167,7 +167,7 @@ async fn the_first_key_opens_until_there_is_an_administrator() {
         serde_json::json!({ "role": "admin", "password": "correct horse", "enabled": true, "own_password": null });
     assert_eq!(bench.ask(owner.request("PUT", "/api/users/ada", Some(&ada))).await.0, StatusCode::OK);
     assert!(bench.log_in("", KEY).await.is_none());
-    // The key's session is over with it.
+    // The session of the first key ends with it.
     assert_eq!(bench.ask(owner.request("GET", "/api/session", None)).await.0, StatusCode::UNAUTHORIZED);
     let ada = bench.log_in("ada", "correct horse").await.unwrap();
     let (_, view) = bench.ask(ada.request("GET", "/api/session", None)).await;

@@ -1,4 +1,4 @@
-//! What is read of records that are there.
+//! Reading of existing records.
 
 use super::{Bench, HOST};
 use seamwright_record::figures::Basis;
@@ -10,7 +10,7 @@ use serde_json::Value;
 const ROWS: u32 = 60_000;
 const COLUMNS: [&str; 6] = ["t_s", "pass", "s_mm", "arc", "current_a", "path_error_mm"];
 
-/// Records a weld of a minute in two parts, with one row in which each of the last columns is far off.
+/// Records a weld of one minute in two parts, with one outlier in each of the last two columns.
 fn record(bench: &Bench, at: u32) -> i64 {
     let mut data = DataFolder::open(bench.path()).unwrap();
     let text = |name: &str| (name.to_owned(), "schema = 1".to_owned());
@@ -63,12 +63,12 @@ async fn a_peak_of_one_row_is_sent_of_every_column() {
             assert!((s[place] - 5e-3 * f64::from(row)).abs() < 1e-9);
         }
     }
-    // Fewer rows than its columns' peaks need are refused.
+    // Fewer rows than the columns' peaks need are refused.
     let (status, refused) = bench.ask(owner.request("GET", "/api/records/1/trace?columns=s_mm,arc&most=5", None)).await;
     assert_eq!((status.as_u16(), &refused["text"]), (422, &Value::from("most=5; allowed: 6 to 20000")));
 }
 
-/// The newest first, then what is older, each once; a text is looked for in all.
+/// Pages from newest to oldest contain each entry once; a search covers all entries.
 #[tokio::test(flavor = "multi_thread")]
 async fn the_audit_log_is_read_page_by_page_and_searched_whole() {
     let bench = Bench::new(&[HOST]).await;
@@ -82,7 +82,7 @@ async fn the_audit_log_is_read_page_by_page_and_searched_whole() {
         new: String::new(),
         result: "taken".to_owned(),
     };
-    // What was audited before is there before the rest.
+    // Entries of the login are written before the following ones.
     bench.panel.cell.archive.flush();
     let mut data = DataFolder::open(bench.path()).unwrap();
     (0..450).for_each(|n| drop(data.library_mut().audit(&entry(n)).unwrap()));
@@ -101,9 +101,9 @@ async fn the_audit_log_is_read_page_by_page_and_searched_whole() {
     }
     assert!(all.len() >= 450 && all.windows(2).all(|two| two[0] == two[1] + 1), "{all:?}");
     assert!(page("before=1").await.is_empty());
-    // What is new is all that came after what is known.
+    // `after` returns all entries newer than a known one.
     assert_eq!(page(&format!("after={}", all[3])).await, all[..3]);
-    // An old one, found by its text, which is no pattern; whatever the case.
+    // A search finds old entries, treats wildcards literally, and ignores case.
     let found = page("text=OVERRIDE%20100%25_").await;
     assert_eq!(found.len(), 1, "{found:?}");
     assert_eq!(page("text=welder&most=1000").await.len(), 450);

@@ -1,4 +1,4 @@
-//! All data replaced from a page.
+//! Replacement of all data from a page.
 
 use super::{Bench, HOST, Visitor};
 use crate::serve::{Settings, until};
@@ -28,12 +28,12 @@ async fn backup(bench: &Bench, of: &Visitor) -> Vec<u8> {
     answer.into_body().collect().await.unwrap().to_bytes().to_vec()
 }
 
-/// What can be found out before anything is replaced: who asks, how much comes, and whether it is whole.
+/// Checks before anything is replaced: permission, size and completeness.
 #[tokio::test(flavor = "multi_thread")]
 async fn archives_are_checked_whole_and_by_the_administrator_only() {
     let bench = Bench::new(&[HOST]).await;
     let owner = bench.owner().await;
-    // Without users in it, those of the cell stay.
+    // An archive without users keeps those of the cell.
     let without = backup(&bench, &owner).await;
     assert_eq!(bench.ask(archive(&owner, without.clone())).await.0, StatusCode::OK);
     let everybody = bench.everybody().await;
@@ -51,7 +51,7 @@ async fn archives_are_checked_whole_and_by_the_administrator_only() {
     assert!(waits());
     let (status, view) = bench.ask(archive(admin, without)).await;
     assert_eq!((status, &view["users"]), (StatusCode::OK, &json!(5)), "{view}");
-    // Whoever may make backups, but not change users, gets none of their hashes.
+    // A user who may make backups but not change users gets no password hashes.
     let service = everybody.iter().find(|(role, _)| *role == Role::Service).unwrap();
     let hashes = |archive: &[u8]| String::from_utf8_lossy(archive).contains("argon2");
     assert!(hashes(&whole) && !hashes(&backup(&bench, &service.1).await));
@@ -66,21 +66,21 @@ async fn archives_are_checked_whole_and_by_the_administrator_only() {
         assert_eq!((status, &answer["key"]), (StatusCode::UNPROCESSABLE_ENTITY, &json!(key)), "{answer}");
         assert!(!waits() && !bench.path().join("restore-upload.tar").exists());
     }
-    // What says that it is too much is not even begun with.
+    // A declared size above the limit is refused at once.
     let mut large = archive(admin, vec![0; 512]);
     large.headers_mut().insert("content-length", "99999999999999".parse().unwrap());
     assert_eq!(bench.ask(large).await.0, StatusCode::PAYLOAD_TOO_LARGE);
-    // A form of a foreign page cannot say that it is an archive.
+    // A form of a foreign page cannot send the content type of an archive.
     let mut form = archive(admin, whole.clone());
     form.headers_mut().insert("content-type", "text/plain".parse().unwrap());
     assert_eq!(bench.ask(form).await.0, StatusCode::UNSUPPORTED_MEDIA_TYPE);
-    // Nothing to restore.
+    // No archive is left to restore.
     let own = json!({ "own_password": "password of Admin" });
     assert_eq!(bench.ask(admin.request("POST", "/api/restore", Some(&own))).await.0, StatusCode::NOT_FOUND);
     assert!(bench.panel.restores.borrow().is_none());
 }
 
-/// With power on the drives nothing is replaced, nor checked.
+/// With powered drives nothing is replaced or checked.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_machine_that_is_on_keeps_its_data() {
     let served = super::lived::Served::new().await;
@@ -98,7 +98,7 @@ async fn a_machine_that_is_on_keeps_its_data() {
     assert!(bench.panel.restores.borrow().is_none());
 }
 
-/// A request of its own connection: its status and its answer.
+/// Sends a request on its own connection; returns status and answer.
 async fn says(address: &str, head: &str, body: &[u8]) -> Option<(u16, String)> {
     let mut stream = TcpStream::connect(address).await.ok()?;
     let host = format!("host: {address}\r\nconnection: close\r\ncontent-length: {}\r\n\r\n", body.len());
@@ -126,10 +126,11 @@ pub(super) fn settings(data: &Path) -> Settings {
     }
 }
 
-/// The whole of it: the cell ends, its data are replaced, it begins anew with them at the same address, and all have to log in.
+/// Full sequence: the cell ends, its data are replaced, it restarts at the same address, and all users must log in
+/// again.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn the_cell_begins_anew_with_restored_data() {
-    // Data of yesterday, with Ada and a job.
+    // Data of yesterday, with user Ada and a job.
     let bench = Bench::new(&[HOST]).await;
     let owner = bench.owner().await;
     let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
@@ -138,7 +139,7 @@ async fn the_cell_begins_anew_with_restored_data() {
     bench.panel.accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
     let ada = bench.log_in("ada", "correct horse").await.unwrap();
     let whole = backup(&bench, &ada).await;
-    // A cell of today, without anybody, with another job.
+    // A cell of today without users, with another job.
     let folder = tempfile::tempdir().unwrap();
     std::fs::create_dir(folder.path().join("jobs")).unwrap();
     std::fs::write(folder.path().join("jobs/mine.toml"), example["text"].as_str().unwrap()).unwrap();
@@ -164,7 +165,7 @@ async fn the_cell_begins_anew_with_restored_data() {
     let post = format!("POST /api/restore HTTP/1.1\r\ncontent-type: application/json\r\n{session}");
     let (status, said) = says(host, &post, b"{\"own_password\":null}").await.unwrap();
     assert_eq!(status, 202, "{said}");
-    // Who comes meanwhile waits; the old session is none, nor is the key.
+    // New connections wait meanwhile; the old session and the key are invalid afterwards.
     let ask = async |session: &str, path: &str| says(host, &format!("GET {path} HTTP/1.1\r\n{session}"), b"").await;
     let mut tries = 0;
     while !matches!(ask(&session, "/api/session").await, Some((401, _))) {

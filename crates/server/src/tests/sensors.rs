@@ -1,4 +1,5 @@
-//! Sensors set up: a camera's map found from a picture of a grid, looked at, kept; numbers changed as the loader allows.
+//! Setup of sensors: a camera's map found from a picture of a grid, reviewed, kept; numbers changed within the loader's
+//! checks.
 
 use super::{Bench, HOST, Visitor};
 use axum::body::Body;
@@ -9,14 +10,14 @@ use seamwright_vision::Image;
 use serde_json::{Value, json};
 
 impl Bench {
-    /// The simulated picture of a plate.
+    /// Returns the simulated picture of a plate.
     async fn plate(&self, who: &Visitor, of: &str) -> Vec<u8> {
         let response = self.raw(who.request("GET", &format!("/api/sensor/picture?{of}"), None)).await;
         assert!(response.status().is_success(), "{of}: {}", response.status());
         response.into_body().collect().await.unwrap().to_bytes().to_vec()
     }
 
-    /// What a picture says.
+    /// Returns the evaluation of a picture.
     async fn seen(&self, who: &Visitor, of: &str, picture: &[u8]) -> Value {
         let mut request = who.request("POST", &format!("/api/sensor?{of}"), None);
         request.headers_mut().insert("content-type", "image/png".parse().unwrap());
@@ -60,7 +61,7 @@ async fn a_camera_is_found_from_a_grid_and_kept() {
     let dots = found["dots"].as_array().unwrap();
     let greatest = dots.iter().map(|d| number(&d[2]).hypot(number(&d[3]))).fold(0.0, f64::max);
     assert!(dots.len() > 100 && (greatest - number(&found["max_px"])).abs() < 1e-9, "{}", dots.len());
-    // Kept in place of the plane at that height: the comment beside it stays; in force with the next loading.
+    // Replaces the plane at that height and keeps the comment beside it; takes effect with the next load.
     let view = bench.did(&owner, "GET", "/api/sensors", Value::Null).await;
     let camera = view["sensors"].as_array().unwrap().iter().find(|s| s["name"] == "camera").unwrap();
     let mut rows = camera["heights"].as_array().unwrap().clone();
@@ -78,7 +79,7 @@ async fn a_camera_is_found_from_a_grid_and_kept() {
     let now = heights(&machine(&bench));
     assert_eq!((now[0].1, now[1].1), (0.11, number(&is["mm_per_px"][0])));
     assert!((now[1].2 - number(&is["rotation_deg"])).abs() < 1e-9);
-    // Another plane between them, and one at a height that there is already.
+    // Adds a plane between them, then one at an existing height.
     rows.insert(1, json!({ "z_mm": 0.0, "mm_per_px": [0.1, 0.1], "centre_px": [320.0, 240.0], "rotation_deg": 0.0, "shear": 0.0, "barrel": 0.0 }));
     let change = json!({ "name": "camera", "values": [], "heights": rows });
     bench.did(&owner, "PUT", "/api/sensor", change).await;
@@ -118,7 +119,7 @@ async fn what_is_no_picture_of_the_grid_is_refused_with_its_reason() {
         if x % 30 < 10 && y % 30 < 10 { 40 } else { 200 }
     };
     assert_eq!(verdict(of, &png(640, 480, bent)).await, "residual");
-    // The same plate with a pitch that is not its own.
+    // The same plate with a wrong pitch.
     let picture = bench.plate(&owner, of).await;
     assert_eq!(verdict("name=camera&pitch_mm=4&z_mm=20", &picture).await, "far");
     for (of, said) in [
@@ -145,7 +146,7 @@ async fn a_stripe_sensors_numbers_are_changed_as_the_loader_allows() {
     let value = |key: &str| stripe["values"].as_array().unwrap().iter().find(|v| v["key"] == key).cloned();
     assert_eq!(value("at.move_mm").unwrap()["numbers"], json!([0.0, 27.5, 0.0]));
     assert_eq!(value("map.camera.focal_px").unwrap()["numbers"], json!([3600.0]));
-    // Its map is a camera's, so the other kinds are not offered.
+    // Its map is a camera's, so keys of the other kinds are not offered.
     assert!(value("map.homography").is_none() && value("map.camera.centre_px").is_some(), "{stripe}");
     let kept = std::fs::read_to_string(bench.path().join("jobs/machines/saddle-4axis.toml")).unwrap();
     for (values, said) in [

@@ -1,4 +1,4 @@
-//! Tools, axes and drives set up in the machine file; alarms acknowledged one by one, and put aside.
+//! Setup of tools, axes and drives in the machine file; alarms acknowledged individually, and shelved.
 
 use super::lived::Served;
 use super::{Bench, HOST, Visitor};
@@ -6,7 +6,7 @@ use axum::http::StatusCode;
 use glam::DVec3;
 use serde_json::{Value, json};
 
-/// A job on the machine of the saddle that is planned at once.
+/// A job on the saddle machine that is planned quickly.
 const JOB: &str = r#"
 schema = 1
 title = "Short"
@@ -37,7 +37,7 @@ impl Bench {
         answer["text"].as_str().unwrap().to_owned()
     }
 
-    /// With the short job in the cell.
+    /// Loads the short job into the cell.
     pub(super) async fn short(&self, who: &Visitor) {
         self.did(who, "PUT", "/api/jobs/short.toml", json!({ "text": JOB })).await;
         self.did(who, "POST", "/api/load", json!({ "job": "short.toml", "from": null, "part": null })).await;
@@ -49,7 +49,7 @@ fn value(view: &Value, axis: usize, key: &str) -> Value {
     list.iter().find(|v| v["key"] == key).unwrap()["value"].clone()
 }
 
-/// The torch only swung: the point that stays is the swing's axis, 100 mm above the tip, and nothing is told along it.
+/// The torch only swings about one axis, 100 mm above the tip: the found point is on this axis, undetermined along it.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_tool_is_found_reviewed_and_kept() {
     let bench = Bench::new(&[HOST]).await;
@@ -62,7 +62,7 @@ async fn a_tool_is_found_reviewed_and_kept() {
     assert!(tip[0].abs() < 1e-3 && tip[1].abs() < 1e-3 && (tip[2] - 100.0).abs() < 1e-3, "{found}");
     assert_eq!((&found["verdict"], found["unseen"].as_array().unwrap().len()), (&json!("far"), 1), "{found}");
     assert!(found["unseen"][0][1].as_f64().unwrap().abs() > 0.999 && found["rms_mm"].as_f64().unwrap() < 1e-6);
-    // Alike, too few, of another machine, of another head.
+    // Identical touches, too few, of another machine, of another head.
     let alike = json!({ "head": 0, "touches": vec![[0.0, 0.0, 120.0, 1.0]; 5] });
     assert!(bench.refused(&owner, "POST", "/api/tool", alike).await.contains("20 degrees"));
     let few = json!({ "head": 0, "touches": vec![[0.0, 0.0, 120.0, 1.0]; 2] });
@@ -71,7 +71,7 @@ async fn a_tool_is_found_reviewed_and_kept() {
     assert!(bench.refused(&owner, "POST", "/api/tool", foreign).await.contains("4 positions"));
     let other = json!({ "head": 1, "touches": touches });
     assert!(bench.refused(&owner, "POST", "/api/tool", other).await.contains("no head 1"));
-    // Kept, but in force with the next loading only.
+    // Kept in the file, but effective only with the next load.
     let path = bench.path().join("jobs/machines/saddle-4axis.toml");
     assert!(!path.exists());
     let bent = json!({ "head": 0, "tip_mm": [0.5, 0.0, -1.0] });
@@ -84,7 +84,7 @@ async fn a_tool_is_found_reviewed_and_kept() {
     assert_eq!(tip(&bench), DVec3::new(0.5, 0.0, -1.0));
     let view = bench.did(&owner, "GET", "/api/parameters", Value::Null).await;
     assert_eq!((&view["pending"], &view["heads"][0]["tip_mm"]), (&json!(false), &json!([0.5, 0.0, -1.0])));
-    // Who did it, with the old value.
+    // The audit log contains the user and the old value.
     bench.panel.cell.archive.flush();
     let rows = bench.did(&owner, "GET", "/api/audit?most=20", Value::Null).await;
     let row = rows.as_array().unwrap().iter().find(|row| row["command"].as_str().unwrap().starts_with("set tool"));
@@ -103,7 +103,7 @@ async fn drives_are_set_as_the_loader_allows() {
     let view = bench.did(&owner, "PUT", "/api/parameters", asked).await;
     assert_eq!((value(&view, 1, "kp_per_s"), value(&view, 1, "max_speed_mm_s")), (json!(25.0), json!(40.0)));
     assert_eq!((&view["axes"][1]["notches"], &view["pending"]), (&json!([[80.0, 0.1, 30.0]]), &json!(true)));
-    // Taken away; the rest stays.
+    // One value removed; the others stay.
     let view = bench.did(&owner, "PUT", "/api/parameters", change(json!([["kvff", null]]), Value::Null)).await;
     assert_eq!((value(&view, 1, "kvff"), value(&view, 1, "kp_per_s")), (Value::Null, json!(25.0)));
     let kept = std::fs::read_to_string(bench.path().join("jobs/machines/saddle-4axis.toml")).unwrap();
@@ -126,7 +126,7 @@ async fn drives_are_set_as_the_loader_allows() {
     assert_eq!(machine.axes[1].drive.as_ref().unwrap().notches.len(), 1);
 }
 
-/// Two alarms: one is acknowledged by itself, and who did it is told; one that tells is put aside.
+/// An alarm is shelved, unshelved, and acknowledged individually.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn alarms_are_acknowledged_one_by_one_and_put_aside() {
     let served = Served::new().await;

@@ -1,4 +1,4 @@
-//! Steps of a hand, and teaching by eye on the simulated beam machine.
+//! Jog steps, and teaching by camera on the simulated beam machine.
 
 use super::lived::{Page, Served};
 use crate::http::Panel;
@@ -13,7 +13,7 @@ use seamwright_project::teaching::nominal;
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 
-/// A hand that says something every 50 ms for a while.
+/// Sends a message every 50 ms, as a held key does.
 async fn hold(page: &mut Page, what: &Value, times: u32) {
     for _ in 0..times {
         page.say(&json!({ "kind": "beat" })).await;
@@ -22,7 +22,7 @@ async fn hold(page: &mut Page, what: &Value, times: u32) {
     }
 }
 
-/// What the axes come to, once they rest. A page that did not listen for a while hears old news first.
+/// Returns the set-points once the axes are at rest. Skips old messages that the page has not read yet.
 async fn rest(served: &Served, page: &mut Page) -> Vec<f64> {
     let mut before = Vec::new();
     loop {
@@ -37,7 +37,7 @@ async fn rest(served: &Served, page: &mut Page) -> Vec<f64> {
     }
 }
 
-/// A place that is recorded by hand is one where the machine stands.
+/// A position can be recorded only at rest.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn no_place_is_recorded_while_something_moves() {
     let served = Served::new().await;
@@ -86,7 +86,7 @@ async fn a_step_goes_so_far_and_no_farther() {
         let off = now.iter().zip(&there).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(off < 1e-5, "{of} {index} {by}: {now:?} {there:?} {}", page.alarms);
     }
-    // Let go before its end, it stops on the way; what is no step does nothing.
+    // A key released early stops the step on its way; invalid steps do nothing.
     assert_eq!(page.ask(json!({ "do": "override", "part": 0.02 })).await["ok"], true);
     hold(&mut page, &step("joints", 0, 10.0), 3).await;
     hold(&mut page, &let_go, 1).await;
@@ -97,7 +97,7 @@ async fn a_step_goes_so_far_and_no_farther() {
     }
     hold(&mut page, &json!({ "kind": "go", "axes": [0.0] }), 4).await;
     assert_eq!(rest(&served, &mut page).await, now);
-    // All axes to a place.
+    // Moves all axes to a position.
     assert_eq!(page.ask(json!({ "do": "override", "part": 1.0 })).await["ok"], true);
     hold(&mut page, &json!({ "kind": "go", "axes": begun }), 60).await;
     let back = rest(&served, &mut page).await;
@@ -123,7 +123,7 @@ impl Page {
     }
 }
 
-/// 80 mm of the half ring, and no cosmetic pass.
+/// Loads 80 mm of the half ring, without its cosmetic pass.
 async fn short_ring(served: &Served, owner: &super::Visitor, machine: &str) {
     let (_, example) = served.bench.ask(owner.request("GET", "/api/jobs/half-ring.toml", None)).await;
     let text = example["text"].as_str().unwrap().replace("end_phi_deg = 210", "end_phi_deg = 60");
@@ -144,7 +144,7 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     page.up().await;
     assert_eq!(page.refused(open.clone()).await, "work");
     short_ring(&served, &owner, "ebw-7axis").await;
-    // Loading takes longer than the page may be silent where the computer is busy.
+    // On a busy computer loading takes longer than the heartbeat allows.
     page.control().await;
     let (_, work) = bench.ask(owner.request("GET", "/api/work", None)).await;
     let path = work["passes"][0]["path"].as_array().unwrap().clone();
@@ -170,13 +170,13 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     page.taken(json!({ "do": "here", "px": null, "at": tip(0) })).await;
     page.until("frames", |v| v["kind"] == "teach" && v["frames"].as_u64().unwrap() >= 2).await;
     assert!(page.taught["confidence"].as_f64().unwrap() > 0.5, "{}", page.taught);
-    // Paused it stands.
+    // Paused, the axes are at rest.
     page.taken(json!({ "do": "pause" })).await;
     page.phase("paused").await;
     assert_eq!(page.taught["key"], "operator");
     let stood = rest(&served, &mut page).await;
     assert_eq!(rest(&served, &mut page).await, stood);
-    // It goes on until a hand takes over; jogged away, it finds its way back.
+    // It continues until jogging pauses it; jogged away, it returns by itself.
     page.taken(json!({ "do": "resume" })).await;
     page.phase("runs").await;
     let up = json!({ "kind": "jog", "of": "joints", "speeds": [0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0] });
@@ -192,9 +192,9 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     assert_eq!(picture.headers()["content-type"], "image/png");
     let bytes = picture.into_body().collect().await.unwrap().to_bytes();
     assert!(bytes.starts_with(b"\x89PNG"));
-    // Where the program has it the joint is not: it is in the picture.
+    // The joint is not at its nominal position, but visible in the picture.
     let beyond = path.iter().position(|p| p["s_mm"].as_f64().unwrap() > 50.0).unwrap();
-    // Nor is it within 18 pixels of a place 5 mm beside.
+    // A point 5 mm off is too far: the joint must be within 18 pixels.
     let mut beside: [f64; 3] = serde_json::from_value(tip(beyond)).unwrap();
     beside[2] += 5.0;
     page.taken(json!({ "do": "here", "px": null, "at": beside })).await;
@@ -208,7 +208,7 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     page.phase("ended").await;
     assert_eq!(page.taught["key"], "joint-end", "{}", page.taught);
     kept(&served, &owner).await;
-    // Loaded once more it is kept; another job's seam is not where it was taught.
+    // Loading the same job keeps the result; another job's seam discards it.
     page.order("hold").await;
     page.mode("ready").await;
     let points = async || {
@@ -220,15 +220,15 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     crate::http::begin_with(&bench.panel, "oblique-girth.toml").await.unwrap();
     assert_eq!(points().await, 0);
     page.phase("closed").await;
-    // Somebody without control, or without the role, orders nothing.
+    // Orders need the role and control.
     let everybody = bench.everybody().await;
     let operator = &everybody.iter().find(|(r, _)| format!("{r:?}") == "Operator").unwrap().1;
     let mut other = served.page(operator).await;
     assert_eq!(other.refused(json!({ "do": "stop" })).await, "role");
 }
 
-/// A camera that sends by itself what the simulated eye sees from where the cell's axes are, until nobody listens or so many
-/// frames are sent.
+/// Runs a camera that sends frames of the camera simulator at the cell's axis positions, until its receiver closes or
+/// all frames are sent.
 fn camera(served: &Served, listener: std::net::TcpListener, frames: u32) {
     let panel = std::sync::Arc::clone(&served.bench.panel);
     std::thread::spawn(move || {
@@ -242,11 +242,11 @@ fn camera(served: &Served, listener: std::net::TcpListener, frames: u32) {
             let axes: Vec<f64> = status.axes.iter().map(|axis| axis.position).collect();
             eye.expose(0.05 * f64::from(k), &joints(&loaded.machine, &axes));
             let frame = eye.next().unwrap().unwrap();
-            // Painting is slow on a busy computer: what is later than the machine file says is left out.
+            // Rendering is slow on a busy computer: frames later than the latency in the machine file are skipped.
             if exposed.elapsed() > Duration::from_millis(1400) {
                 continue;
             }
-            // Where its axes are it does not know, as a camera does not.
+            // A camera does not know the axis positions.
             if write_frame(&TimedFrame { axes: None, ..frame }, &mut stream).is_err() {
                 return;
             }
@@ -255,7 +255,7 @@ fn camera(served: &Served, listener: std::net::TcpListener, frames: u32) {
     });
 }
 
-/// A machine file among the jobs may name any address: the cell connects to none that it was not told of.
+/// A machine file among the jobs may name any address: the cell connects only to allowed ones.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_machine_file_connects_the_cell_to_no_camera_of_its_choice() {
     let text = super::shipped("ebw-7axis").unwrap().text;
@@ -276,7 +276,7 @@ async fn a_machine_file_connects_the_cell_to_no_camera_of_its_choice() {
     assert!(why.contains("192.0.2.1:7000") && why.contains("does not connect"), "{why}");
 }
 
-/// The machine's own camera is what the panel teaches by, if its file says where the frames come from.
+/// The panel teaches by the machine's own camera if its file contains the address of the frames.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_seam_is_taught_by_the_machines_own_camera() {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
@@ -303,7 +303,7 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
     page.phase("ended").await;
     assert_eq!(page.taught["key"], "joint-end", "{}", page.taught);
     assert!(page.taught["frames"].as_u64().unwrap() >= 6, "{}", page.taught);
-    // What was taught lies on the joint; how far, only a simulated one could tell the panel.
+    // The taught points lie on the joint; the panel knows the deviation only with the camera simulator.
     let actual = actual(&served.bench.panel).0;
     let (_, taught) = served.bench.ask(owner.request("GET", "/api/teach", None)).await;
     let off = |point: &Value| {
@@ -316,8 +316,8 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
     let how = json!({ "tolerance_mm": 0.1, "attitude_deg": 0.5, "method": "spline" });
     let (status, made) = served.bench.ask(owner.request("POST", "/api/teach/program", Some(&how))).await;
     assert_eq!((status, made["truth_mm"].is_null()), (StatusCode::OK, true), "{made}");
-    // A camera that dies while the operator is asked for a place: that is told to him, and he is still asked.
-    // The first one goes when nobody listens to it any more.
+    // A camera that fails while the operator is asked for a position is reported, and the question stays.
+    // The first camera ends when its receiver closes.
     let listener = loop {
         match std::net::TcpListener::bind(address) {
             Ok(listener) => break listener,
@@ -333,7 +333,7 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
     assert_eq!(page.taught["phase"], "places", "{}", page.taught);
     page.taken(json!({ "do": "stop" })).await;
     page.phase("ended").await;
-    // Nobody sends any more: that is told, and nothing moves.
+    // Without a camera the failure is reported, and nothing moves.
     let open = json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null });
     page.taken(open).await;
     page.phase("ended").await;
@@ -341,14 +341,14 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
     assert!(page.taught["why"].as_str().unwrap().contains("127.0.0.1"), "{}", page.taught);
 }
 
-/// Where the simulated eye has the joint of the loaded job, and that job.
+/// Returns the true joint of the loaded job in the camera simulator, and that job.
 fn actual(panel: &Panel) -> (SeamLine, Loaded) {
     let text = std::fs::read_to_string(panel.jobs().join("ring.toml")).unwrap();
     let loaded = load_text("ring.toml", &text, &panel.jobs()).unwrap();
     (crate::teaching::DISTORTION.of(&nominal(&loaded).unwrap(), 7), loaded)
 }
 
-/// The pixel at which the eye sees the true joint at 50 mm of the nominal one.
+/// Returns the pixel of the true joint at 50 mm of the nominal one.
 fn joint_in_picture(served: &Served, page: &Page) -> [f64; 2] {
     let (actual, loaded) = actual(&served.bench.panel);
     let position = |axis: &Value| axis["position"].as_f64().unwrap();
@@ -359,7 +359,7 @@ fn joint_in_picture(served: &Served, page: &Page) -> [f64; 2] {
     sight.table.to_px(camera.inverse().transform_point3(actual.at(50.0).0.point)).unwrap().to_array()
 }
 
-/// What was taught is told, becomes a program, is kept, and can be planned.
+/// Checks that taught points are reported, become a program, are kept, and can be planned.
 async fn kept(served: &Served, owner: &super::Visitor) {
     let bench = &served.bench;
     let (_, taught) = bench.ask(owner.request("GET", "/api/teach", None)).await;
@@ -374,7 +374,7 @@ async fn kept(served: &Served, owner: &super::Visitor) {
         assert_eq!(status, StatusCode::OK, "{made}");
         let truth = made["truth_mm"][0].as_f64().unwrap();
         assert!(made["error_mm"].as_f64().unwrap() <= 0.1 && truth < 0.2, "{}", made["truth_mm"]);
-        // The part lies up to some millimetres beside where the program has it.
+        // The part is some millimetres off its nominal position.
         let off = made["from_nominal_mm"][0].as_f64().unwrap();
         assert!(off > 0.05 && off < 5.0, "{off}");
         let put = owner.request("PUT", "/api/jobs/taught.toml", Some(&json!({ "text": made["text"] })));
@@ -385,7 +385,7 @@ async fn kept(served: &Served, owner: &super::Visitor) {
     }
 }
 
-/// The page that commands goes: the axes stop, and nothing goes on by itself.
+/// If the commanding page goes, the axes stop and nothing continues by itself.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn without_its_page_teaching_stands() {
     let served = Served::without_program("ebw-7axis").await;
@@ -410,7 +410,7 @@ async fn without_its_page_teaching_stands() {
     let stood = rest(&served, &mut other).await;
     tokio::time::sleep(Duration::from_millis(500)).await;
     assert_eq!(rest(&served, &mut other).await, stood);
-    // Who takes control can go on.
+    // The next holder of the control token can resume.
     other.say(&json!({ "kind": "take_control", "over": true })).await;
     other.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
     other.taken(json!({ "do": "resume" })).await;

@@ -1,9 +1,9 @@
-//! A weld of a simulated part that lies elsewhere.
+//! Weld of a displaced simulated part.
 
 use super::lived::Served;
 use serde_json::{Value, json};
 
-/// 0.6 mm to the side.
+/// Lateral displacement of 0.6 mm.
 const SHIFT: &str = "schema = 1\n[[displacement]]\nshift = { lateral_mm = 0.6 }\n";
 const SHORT: &str = "end_phi_deg = 30";
 
@@ -23,7 +23,7 @@ async fn a_part_that_lies_elsewhere_is_tracked_and_its_corrections_recorded() {
     let text = example["text"].as_str().unwrap().replace("overlap_mm = 20", SHORT);
     assert!(text.contains(SHORT));
     bench.ask(owner.request("PUT", "/api/jobs/short.toml", Some(&json!({ "text": text })))).await;
-    // What cannot be read, or tracked on this machine, is refused before anything changes.
+    // A distortion that is invalid or unsuitable for tracking on this machine is refused before anything changes.
     let load = |job: &str, text: &str| json!({ "job": job, "from": null, "part": "T-1", "distortion": text });
     let (status, refused) =
         bench.ask(owner.request("POST", "/api/load", Some(&load("short.toml", "schema = 2")))).await;
@@ -47,11 +47,11 @@ async fn a_part_that_lies_elsewhere_is_tracked_and_its_corrections_recorded() {
     };
     let mut corrections = welded(&columns[1]);
     assert!(corrections.len() > 100, "{}", corrections.len());
-    // Encoders and sensor agree on where the joint lies.
+    // Encoders and sensor agree on the position of the joint.
     corrections.sort_by(f64::total_cmp);
     let (least, most) = (corrections[0], corrections[corrections.len() - 1]);
     assert!((0.5..=0.7).contains(&least) && (0.5..=0.7).contains(&most), "{least} .. {most}");
-    // The next program is welded as planned: nothing is left of the guide.
+    // The next program is welded as planned, without the guide.
     let load = json!({ "job": "short.toml", "from": null, "part": "T-2" });
     let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
     assert!(status.is_success() && work["tracked"] == 0, "{work}");

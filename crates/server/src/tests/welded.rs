@@ -1,4 +1,4 @@
-//! A weld from switching on to its record; a stop and going on.
+//! A weld from power-on to its record; a stop and a continuation.
 
 use super::lived::{Page, Served};
 use super::{Bench, Visitor};
@@ -29,7 +29,7 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     page.order("arm").await;
     page.order("start_weld").await;
     page.until("the arc", |v| v["kind"] == "status" && v["process"]["burning"] == true).await;
-    // While it runs nothing is loaded.
+    // Loading is refused during a weld.
     let (status, refused) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
     assert_eq!((status.as_u16(), &refused["key"]), (409, &json!("busy")));
     page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 3.0).await;
@@ -49,7 +49,8 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     );
     assert!(left["left"]["record"].as_i64().is_some() && left["left"]["title"].as_str().is_some(), "{left}");
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
-    // Another part of the same program, and another program, do not go on there; the same does, its part named or not.
+    // Another part of the same program, and another program, do not continue there. The same program does, with or
+    // without the part number.
     for (job, part, here) in [
         ("short.toml", json!("N-18"), false),
         ("ellipse.toml", json!("N-17"), false),
@@ -63,14 +64,14 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
             page.until("the part", |v| v["kind"] == "status" && v["part"] == of && v["left"]["here"] == here).await;
         assert_eq!(now["left"]["s_mm"].as_f64().unwrap().to_bits(), mm.to_bits(), "{now}");
     }
-    // On from there, to the end.
+    // Continues from there to the end.
     let load = json!({ "job": "short.toml", "from": [pass, mm], "part": "N-17" });
     let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
     assert!(status.is_success(), "{work}");
     page.order("arm").await;
     page.order("start_weld").await;
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
-    // It is whole: what is welded next is another part.
+    // The part is complete: the next weld is another part.
     page.until("no part", |v| v["kind"] == "status" && v["part"] == "" && v["left"].is_null()).await;
     let (_, records) = bench.ask(owner.request("GET", "/api/records?part=N-17", None)).await;
     let results: Vec<&str> = records.as_array().unwrap().iter().map(|r| r["result"].as_str().unwrap()).collect();
@@ -79,7 +80,7 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     let id = records[0]["id"].as_i64().unwrap();
     let (_, record) = bench.ask(owner.request("GET", &format!("/api/records/{id}"), None)).await;
     assert!(record["rows"].as_u64().unwrap() > 1000 && record["columns"].as_array().unwrap().len() > 15);
-    // What was welded, as measured: the speed of 5 mm/s, process values, the deviation of a simulated machine.
+    // Measured values: the speed of 5 mm/s, process values, the deviation of a simulated machine.
     let value = |name: &str| {
         let of = |v: &&serde_json::Value| v["name"] == name;
         record["values"].as_array().unwrap().iter().find(of).unwrap_or_else(|| panic!("{name}: {}", record["values"]))
@@ -92,13 +93,13 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     let trace = format!("/api/records/{id}/trace?columns=t_s,s_mm,arc&most=500");
     let (_, trace) = bench.ask(owner.request("GET", &trace, None)).await;
     let rows = trace["values"][0].as_array().unwrap().len();
-    // Half of them evenly taken, and peaks of each stretch.
+    // Half of the rows are spaced evenly, the others are peaks.
     assert!((250..=500).contains(&rows), "{rows}");
     let (status, work) = bench.ask(owner.request("GET", &format!("/api/records/{id}/work"), None)).await;
     assert!(status.is_success() && !work["passes"].as_array().unwrap().is_empty());
     let page = bench.raw(owner.request("GET", &format!("/api/records/{id}/report"), None)).await;
     assert!(page.status().is_success());
-    // What happened in the weld that was held and stopped stands in its report.
+    // The report contains the events of the weld that was held and stopped.
     let stopped = records[1]["id"].as_i64().unwrap();
     let page = bench.raw(owner.request("GET", &format!("/api/records/{stopped}/report"), None)).await;
     let report = page.into_body().collect().await.unwrap().to_bytes();
@@ -106,7 +107,7 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     for event in ["hold", "resume", "stop", "pass 1 was left"] {
         assert!(report.contains(event), "{event}");
     }
-    // In another language what happened is told in it; one that is not there is refused, with those that are.
+    // Reports in other languages translate the events; an unknown language is refused with a list of the known ones.
     let in_language =
         |code: &str| owner.request("GET", &format!("/api/records/{stopped}/report?language={code}"), None);
     let german = bench.raw(in_language("de")).await.into_body().collect().await.unwrap().to_bytes();
@@ -118,14 +119,14 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
         let said = format!("there is no language `{wrong}`; allowed: en, uk, zh, de, ru");
         assert_eq!(refused["text"], said);
     }
-    // The audit log names who did what.
+    // The audit log contains user and command.
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit?most=100", None)).await;
     let has = |what: &str| audit.as_array().unwrap().iter().any(|e| e["command"] == what && e["user"] == "owner");
     assert!(has("start weld") && has("arm") && has("stop") && has("load short.toml"), "{audit}");
     tokio::time::sleep(Duration::from_millis(10)).await;
 }
 
-/// Welds the part until `mm` and stops; where it was left.
+/// Welds the part beyond `mm` and stops; returns the position where it was left.
 async fn weld_to(page: &mut Page, part: &str, mm: f64) -> f64 {
     page.order("arm").await;
     page.order("start_weld").await;
@@ -138,7 +139,7 @@ async fn weld_to(page: &mut Page, part: &str, mm: f64) -> f64 {
     left["left"]["s_mm"].as_f64().unwrap()
 }
 
-/// Loads the short job for a part, and waits until the cell has it; what is left of that part.
+/// Loads the short job for a part and waits until the cell has it; returns the view of the weld that was left.
 async fn load_part(bench: &Bench, owner: &Visitor, page: &mut Page, part: &str, from: &Value) -> Value {
     let load = json!({ "job": "short.toml", "from": from, "part": part });
     let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
@@ -151,8 +152,8 @@ async fn load_part(bench: &Bench, owner: &Visitor, page: &mut Page, part: &str, 
     page.until("the part", there).await["left"].clone()
 }
 
-/// Parts are gone on with where each was left last, whatever was welded in between and over restarts; what is finished is welded
-/// again only after a question.
+/// Each part continues where it was left last, despite other welds and restarts. A finished weld is welded again only
+/// after confirmation.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     let served = Served::new().await;
@@ -170,7 +171,7 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     let other = load_part(&served.bench, &owner, &mut page, "B", &none).await;
     assert!(other["here"] == false && other["part"] == "A", "{other}");
     let at_b = weld_to(&mut page, "B", 3.0).await;
-    // The first part, after the second: where it was left, not where the second was.
+    // The first part continues at its own position, not at that of the second.
     let left = load_part(&served.bench, &owner, &mut page, "A", &none).await;
     assert_eq!((&left["here"], left["s_mm"].as_f64()), (&json!(true), Some(at_a)), "{left}");
     assert_eq!((&left["finished"], &left["pass"]), (&json!(0), &json!(1)), "{left}");
@@ -178,7 +179,7 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     let refused = page.ask(json!({ "do": "start_weld" })).await;
     assert_eq!(refused["why"]["key"], "finished_pass", "{refused}");
     assert_eq!(refused["why"]["of"], json!(["A", "1", format!("{at_a:.2}")]));
-    // Tomorrow the same.
+    // The same after a restart.
     page.order("switch_off").await;
     page.mode("off").await;
     let served = Served::on(served.bench.end()).await;
@@ -189,7 +190,7 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     assert!((left["s_mm"].as_f64().unwrap() - at_b).abs() < 0.01 && left["here"] == true, "{left}");
     let left = load_part(&served.bench, &owner, &mut page, "A", &none).await;
     assert!((left["s_mm"].as_f64().unwrap() - at_a).abs() < 0.01 && left["here"] == true, "{left}");
-    // Gone on with from there it is left farther on; that is what is offered then, and never the old place.
+    // Continued from there it is left further on: only the new position is offered.
     load_part(&served.bench, &owner, &mut page, "A", &json!([1, left["s_mm"]])).await;
     let farther = weld_to(&mut page, "A", at_a + 3.0).await;
     assert!(farther > at_a + 2.0, "{farther} {at_a}");
@@ -197,7 +198,7 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     assert_eq!(left["s_mm"].as_f64(), Some(farther), "{left}");
     page.order("arm").await;
     assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "finished_pass");
-    // An overlap that was asked for is no question.
+    // A requested overlap needs no confirmation.
     let overlapping =
         |mm: f64| json!({ "job": "short.toml", "from": [1, farther - 5.0], "overlap_mm": mm, "part": "A" });
     for (mm, status) in [(-1.0, 422), (101.0, 422), (5.0, 200)] {
@@ -209,15 +210,14 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     load_part(&served.bench, &owner, &mut page, "A", &json!([1, at_a])).await;
     page.order("arm").await;
     assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "finished_pass");
-    // Asked, and confirmed.
+    // Confirmed.
     let again = page.ask(json!({ "do": "start_weld", "reweld": true })).await;
     assert_eq!(again["ok"], true, "{again}");
     page.order("stop").await;
     page.mode("ready").await;
 }
 
-/// A weld whose record cannot be written goes on to its end all the same: its part is finished, and no start at the old place welds
-/// it again unasked.
+/// A weld without a record still runs to its end: its part is finished. A start at the old position needs confirmation.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_part_that_was_welded_without_a_record_is_finished() {
     let served = Served::new().await;
@@ -254,7 +254,7 @@ async fn a_part_that_was_welded_without_a_record_is_finished() {
     assert_eq!(refused["why"]["key"], "finished_part", "{refused}");
 }
 
-/// What was stopped today is gone on with tomorrow: of the same program, whose number of the part comes with it.
+/// A stopped weld continues after a restart, with the same program and the recorded part number.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_was_stopped_is_known_after_a_restart() {
     let served = Served::new().await;
@@ -277,7 +277,7 @@ async fn what_was_stopped_is_known_after_a_restart() {
     assert_eq!((&after["left"]["part"], &after["part"]), (&json!("N-3"), &json!("")));
 }
 
-/// Whose session has ended while he welds stops all the same.
+/// A client without a session can stop.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn whoever_is_not_logged_in_stops() {
     let served = Served::new().await;

@@ -4,16 +4,16 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Least characters of a password.
-const LEAST: usize = 10;
-/// Most characters of a name or password.
-const MOST: usize = 128;
-/// Whoever has the printed address while there is no administrator; no user has this name.
+/// Minimum number of characters of a password.
+const MIN_PASSWORD_CHARS: usize = 10;
+/// Maximum number of characters of a name or password.
+const MAX_CHARS: usize = 128;
+/// Name of the client that has the printed address while there is no administrator; reserved.
 pub(crate) const OWNER: &str = "owner";
 /// Maximum number of users.
 pub(crate) const MAX_USERS: usize = 200;
 
-/// What is wrong with a user or password, in words with what is allowed.
+/// Error of a user or password, in words with the allowed values.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub(crate) struct Trouble(pub(crate) String);
@@ -25,9 +25,9 @@ fn trouble<T>(text: impl Into<String>) -> Result<T, Trouble> {
 /// The users of a data folder, in `users.json`.
 pub(crate) struct Accounts {
     path: PathBuf,
-    /// Held for a moment only: every request looks at it.
+    /// Locked only briefly: every request reads it.
     users: Mutex<Vec<User>>,
-    /// Held while users are changed and written, however long the disk takes.
+    /// Locked while users are changed and written, however long the disk takes.
     changes: Mutex<()>,
     passwords: Passwords,
 }
@@ -50,7 +50,7 @@ impl User {
 
 impl Accounts {
     /// # Errors
-    /// A file that cannot be read or understood: nobody is let in by mistake.
+    /// If the file cannot be read or parsed: access is denied rather than granted by mistake.
     pub(crate) fn open(folder: &Path) -> Result<Self, Trouble> {
         let path = folder.join("users.json");
         let users = match std::fs::read_to_string(&path) {
@@ -65,12 +65,12 @@ impl Accounts {
         self.users.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Keeps other changes out, until it is dropped.
+    /// Locks out other changes until dropped.
     fn alone(&self) -> MutexGuard<'_, ()> {
         self.changes.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// True once an administrator can log in.
+    /// Returns true if an enabled administrator exists.
     pub(crate) fn has_admin(&self) -> bool {
         self.users().iter().any(|u| u.enabled && u.role == Role::Admin)
     }
@@ -83,28 +83,28 @@ impl Accounts {
         self.users().iter().any(|u| u.name == name)
     }
 
-    /// The role of an enabled user.
+    /// Returns the role of an enabled user.
     pub(crate) fn role(&self, name: &str) -> Option<Role> {
         self.users().iter().find(|u| u.name == name && u.enabled).map(|u| u.role)
     }
 
-    /// The role of whoever has this name and password, with the hash that it was checked against. Takes a while by design; not where
-    /// there is no such user: who answers hides that.
+    /// Checks name and password. Returns the role and the hash that was checked. Slow by design if the user exists; the
+    /// caller hides the difference if not.
     pub(crate) fn check(&self, name: &str, password: &str) -> Option<(Role, String)> {
         let user = self.users().iter().find(|u| u.name == name && u.enabled).cloned()?;
-        let fits = password.len() <= 4 * MOST && self.passwords.fits(password, &user.hash);
+        let fits = password.len() <= 4 * MAX_CHARS && self.passwords.fits(password, &user.hash);
         fits.then_some((user.role, user.hash))
     }
 
-    /// True as long as a user's password and role are those that were checked.
+    /// Returns true if the user's password and role are still those that were checked.
     pub(crate) fn is_still(&self, name: &str, (role, hash): &(Role, String)) -> bool {
         self.users().iter().any(|u| u.name == name && u.enabled && u.role == *role && u.hash == *hash)
     }
 
-    /// Makes or changes a user; a new one needs a password.
+    /// Creates or changes a user; a new user needs a password.
     ///
     /// # Errors
-    /// A bad name or password, the last administrator, a file that cannot be written.
+    /// An invalid name or password, no administrator left, or an unwritable file.
     pub(crate) fn put(
         &self,
         name: &str,
@@ -113,16 +113,16 @@ impl Accounts {
         password: Option<&str>,
     ) -> Result<UserRow, Trouble> {
         let good = |c: char| c.is_alphanumeric() || "-_. ".contains(c);
-        if name.trim() != name || name.is_empty() || name.chars().count() > MOST || !name.chars().all(good) {
+        if name.trim() != name || name.is_empty() || name.chars().count() > MAX_CHARS || !name.chars().all(good) {
             return trouble("the name is not allowed: letters, digits, - _ . and spaces between them, up to 128");
         }
         if name.eq_ignore_ascii_case(OWNER) {
             return trouble(format!("`{name}` is whoever has the printed address: take another name"));
         }
         let hash = match password {
-            Some(p) if !(LEAST..=MOST).contains(&p.chars().count()) => {
+            Some(p) if !(MIN_PASSWORD_CHARS..=MAX_CHARS).contains(&p.chars().count()) => {
                 return trouble(format!(
-                    "the password is too short or too long; allowed: {LEAST} to {MOST} characters"
+                    "the password is too short or too long; allowed: {MIN_PASSWORD_CHARS} to {MAX_CHARS} characters"
                 ));
             }
             Some(p) => Some(self.passwords.hash(p)?),
@@ -146,10 +146,10 @@ impl Accounts {
         Ok(UserRow { name: name.to_owned(), role, enabled })
     }
 
-    /// Removes a user; false if there was none.
+    /// Removes a user. Returns false if the user did not exist.
     ///
     /// # Errors
-    /// The last administrator, a file that cannot be written.
+    /// No administrator left, or an unwritable file.
     pub(crate) fn remove(&self, name: &str) -> Result<bool, Trouble> {
         let _alone = self.alone();
         let before = self.users().clone();
@@ -159,7 +159,7 @@ impl Accounts {
         Ok(was)
     }
 
-    /// Writes the users and takes them over; the caller is [`Self::alone`].
+    /// Writes the users, then applies them. The caller holds [`Self::alone`].
     fn keep(&self, changed: Vec<User>) -> Result<(), Trouble> {
         let admin = |users: &[User]| users.iter().any(|u| u.enabled && u.role == Role::Admin);
         if !changed.is_empty() && !admin(&changed) {
@@ -179,7 +179,7 @@ impl Accounts {
 mod tests {
     use super::*;
 
-    /// While a change of users waits for the disk, every request still finds out who may do what.
+    /// Requests look up roles while a change of users waits for the disk.
     #[test]
     fn users_are_looked_up_while_a_change_waits_for_the_disk() {
         let folder = tempfile::tempdir().unwrap();
@@ -187,7 +187,7 @@ mod tests {
         accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
         let (changed, waits) = std::sync::mpsc::channel();
         std::thread::scope(|scope| {
-            // As a write that hangs.
+            // Simulates a write that hangs.
             let disk = accounts.alone();
             scope.spawn(|| changed.send(accounts.put("olga", Role::Operator, true, Some("long enough 1"))).unwrap());
             for _ in 0..20 {
@@ -205,7 +205,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let accounts = Accounts::open(folder.path()).unwrap();
         assert!(!accounts.has_admin());
-        // The first must be able to administer.
+        // The first user must be an administrator.
         assert!(accounts.put("olga", Role::Operator, true, Some("long enough 1")).is_err());
         accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
         accounts.put("olga", Role::Operator, true, Some("long enough 1")).unwrap();
@@ -224,17 +224,17 @@ mod tests {
             assert!(accounts.put(name, Role::Viewer, true, Some(password)).is_err(), "{name} {password}");
         }
         assert!(accounts.put("new", Role::Viewer, true, None).is_err());
-        // Neither removed, nor disabled, nor made less.
+        // The last administrator is neither removed, disabled nor given a lower role.
         assert!(accounts.remove("ada").is_err());
         assert!(accounts.put("ada", Role::Admin, false, None).is_err());
         assert!(accounts.put("ada", Role::Viewer, true, None).is_err());
         accounts.put("olga", Role::Operator, false, None).unwrap();
         assert_eq!(accounts.check("olga", "long enough 1"), None);
-        // A password that was checked before it changed is not one any more.
+        // A changed password invalidates an earlier check.
         accounts.put("ada", Role::Admin, true, Some("correct horse 2")).unwrap();
         assert!(!accounts.is_still("ada", &right));
         accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
-        // It is all in the file, and nobody else reads it.
+        // The file contains everything, and only its owner can read it.
         let again = Accounts::open(folder.path()).unwrap();
         assert_eq!(again.check("ada", "correct horse").unwrap().0, Role::Admin);
         assert_eq!(again.list().len(), 2);

@@ -1,4 +1,4 @@
-//! Browsers in which somebody has logged in before: guesses from elsewhere at a name do not lock them out.
+//! Browsers in which a user has logged in before. Wrong passwords from elsewhere do not lock them out.
 
 use super::secret;
 use crate::log;
@@ -10,37 +10,37 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Maximum number of browsers that are remembered, and of one user: the one that was not used for longest is forgotten.
+/// Maximum number of remembered browsers, in total and per user. The least recently used one is forgotten.
 const MAX_DEVICES: usize = 1000;
 const MAX_OF_USER: usize = 20;
-/// Where they are, in the data folder.
+/// File name in the data folder.
 const FILE: &str = "devices.json";
-/// Maximum size of the file, bytes: more than all of them take.
+/// Maximum size of the file, bytes; larger than [`MAX_DEVICES`] entries.
 const MAX_FILE: u64 = 1 << 20;
 
 /// A browser of a user.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Device {
-    /// Hash of what is in its cookie.
+    /// SHA-256 of its cookie.
     id: String,
     user: String,
-    /// When it was used last, ms since 1970 UTC.
+    /// Time of last use, ms since 1970 UTC.
     used: i64,
 }
 
-/// All of them, also those from before the program began.
+/// All remembered browsers, including those of earlier runs.
 pub(crate) struct Devices {
     file: PathBuf,
-    /// By the hash of what is in their cookies.
+    /// Devices by SHA-256 of their cookie.
     known: Mutex<HashMap<String, Device>>,
-    /// One writes at a time, and at most one waits to.
+    /// One thread writes at a time, and at most one waits.
     writing: Mutex<()>,
     is_due: AtomicBool,
 }
 
 impl Devices {
-    /// Reads those of a data folder. A file that cannot be read is as if there were none: logging in makes it anew.
+    /// Reads the devices of a data folder. An unreadable file counts as empty; the next login writes a new one.
     pub(crate) fn open(folder: &Path) -> Self {
         let file = folder.join(FILE);
         let known = read(&file).unwrap_or_else(|why| {
@@ -55,7 +55,7 @@ impl Devices {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Returns the number of the device whose cookie this is, if `user` has logged in on it.
+    /// Returns the identifier of the device with this cookie, if `user` has logged in on it.
     pub(crate) fn of(&self, cookie: &str, user: &str) -> Option<String> {
         let id = sha256(cookie.as_bytes());
         let mut known = self.known();
@@ -64,7 +64,7 @@ impl Devices {
         Some(id)
     }
 
-    /// Remembers a new device of `user`; what its cookie is to hold. [`Devices::save`] keeps it for the next start.
+    /// Remembers a new device of `user` and returns its cookie. [`Devices::save`] stores it for the next start.
     ///
     /// # Errors
     /// See [`secret`].
@@ -82,14 +82,14 @@ impl Devices {
         Ok(cookie)
     }
 
-    /// Forgets all devices of a user, whose password or role changed.
+    /// Forgets all devices of a user whose password or role changed.
     pub(crate) fn forget(&self, user: &str) {
         self.known().retain(|_, device| device.user != user);
     }
 
-    /// Writes all of them. Where the disk cannot be written they are known until the end of the program.
+    /// Writes all devices. If the disk fails, they stay known until the program ends.
     pub(crate) fn save(&self) {
-        // Whoever waits to write already, writes this too.
+        // A thread that already waits to write includes this change.
         if self.is_due.swap(true, Ordering::SeqCst) {
             return;
         }
@@ -133,7 +133,7 @@ mod tests {
         assert!(devices.of(&ada, "ada").is_none());
     }
 
-    /// A restart costs nobody the browsers in which he is known; the file says no cookie, and is its owner's alone.
+    /// Devices survive a restart. The file contains no cookie, and only its owner can read it.
     #[test]
     fn devices_outlive_the_program() {
         let folder = tempfile::tempdir().unwrap();

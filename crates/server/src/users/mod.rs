@@ -1,4 +1,4 @@
-//! Who may do what: users with roles and passwords, sessions, the one table of permissions.
+//! Users with roles and passwords, sessions, and the table of permissions.
 
 mod accounts;
 mod devices;

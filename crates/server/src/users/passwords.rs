@@ -1,25 +1,25 @@
-//! Hashes of passwords: Argon2id, as PHC strings.
+//! Password hashes: Argon2id, as PHC strings.
 
 use super::Trouble;
 use argon2::password_hash::phc::{Output, ParamsString, PasswordHash, Salt};
 use argon2::{ARGON2ID_IDENT, Algorithm, Argon2, Block, Params, Version};
 use std::sync::{Mutex, PoisonError};
 
-/// Maximum cost of a hash that is checked: users of a restored archive may name any. Memory in KiB, and passes.
+/// Maximum cost of a hash that is checked, memory in KiB and passes: a restored archive may contain any value.
 const MAX_MEMORY_KIB: u32 = 64 << 10;
 const MAX_PASSES: u32 = 16;
 
-/// Hashes one password at a time, all in the same memory: hundreds of logins take no more of it than one.
+/// Hashes one password at a time in shared memory: hundreds of logins need no more than one.
 #[derive(Default)]
 pub(super) struct Passwords {
     memory: Mutex<Vec<Block>>,
 }
 
 impl Passwords {
-    /// Returns a new hash of a password. Takes a while by design.
+    /// Hashes a password. Slow by design.
     ///
     /// # Errors
-    /// If the system has no random numbers, or no memory.
+    /// If the system provides no random numbers or no memory.
     pub(super) fn hash(&self, password: &str) -> Result<String, Trouble> {
         let failed = |e: &dyn std::fmt::Display| Trouble(format!("the password cannot be hashed: {e}"));
         let mut random = [0u8; 16];
@@ -37,7 +37,7 @@ impl Passwords {
         Ok(hash.to_string())
     }
 
-    /// Returns true if `hash` is one of `password`. Takes as long as [`Self::hash`].
+    /// Returns true if `hash` belongs to `password`. Takes as long as [`Self::hash`].
     pub(super) fn fits(&self, password: &str, hash: &str) -> bool {
         self.checked(password, hash).unwrap_or(false)
     }
@@ -53,7 +53,7 @@ impl Passwords {
         let version = hash.version.map(Version::try_from).transpose().ok()?.unwrap_or_default();
         let argon2 = Argon2::new(algorithm, version, params);
         let output = self.output(&argon2, password, &salt, expected.len()).ok()?;
-        // Compared in constant time.
+        // Compares in constant time.
         Some(output == expected)
     }
 
@@ -76,7 +76,7 @@ mod tests {
     use super::*;
     use argon2::PasswordVerifier as _;
 
-    /// Hashes are those of the library that we keep to, whatever was in the memory before.
+    /// Hashes match the library's, whatever the memory contained before.
     #[test]
     fn hashes_are_those_of_the_library() {
         let passwords = Passwords::default();
@@ -86,13 +86,13 @@ mod tests {
             assert!(Argon2::default().verify_password(b"correct horse", &PasswordHash::new(hash).unwrap()).is_ok());
             assert!(passwords.fits("correct horse", hash) && !passwords.fits("correct horsf", hash));
         }
-        // Made by the library before this program hashed by itself.
+        // Made by the library before this program computed hashes itself.
         let older = "$argon2id$v=19$m=65536,t=2,p=1$c29tZXNhbHQ$RdescudvJCsgt3ub+b4dWRWJTmaaJObG";
         let oracle = Argon2::default().verify_password(b"password", &PasswordHash::new(older).unwrap());
         assert_eq!(passwords.fits("password", older), oracle.is_ok());
     }
 
-    /// The memory of the first check is that of all others; a hash that asks for gigabytes is none.
+    /// All checks share the memory of the first. A hash that requires gigabytes is invalid.
     #[test]
     fn hundreds_of_checks_take_the_memory_of_one() {
         let passwords = Passwords::default();

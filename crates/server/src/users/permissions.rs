@@ -1,6 +1,6 @@
 use crate::wire::Role;
 
-/// What each action needs: the one table, checked on the server for everything and shown to the panel. Commands have the names
+/// Minimum role of each action: the single table, checked on the server and shown to the panel. Commands have the names
 /// of [`crate::wire::AskView`].
 pub(crate) const NEEDS: [(&str, Role); 34] = [
     ("stop", Role::Viewer),
@@ -39,12 +39,12 @@ pub(crate) const NEEDS: [(&str, Role); 34] = [
     ("users.write", Role::Admin),
 ];
 
-/// The least role that may do this; what is not in the table, nobody may.
+/// Returns the minimum role of an action; `None`: not in the table, so forbidden.
 pub(crate) fn least(action: &str) -> Option<Role> {
     NEEDS.iter().find(|(name, _)| *name == action).map(|(_, role)| *role)
 }
 
-/// True if `role` may do this.
+/// Returns true if `role` may do this.
 pub(crate) fn may(role: Role, action: &str) -> bool {
     least(action).is_some_and(|needed| role >= needed)
 }

@@ -4,40 +4,40 @@ use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// A session that nobody used for this long is over.
+/// A session ends after this time without use.
 const IDLE: Duration = Duration::from_secs(8 * 3600);
-/// A session is over after this long.
+/// Maximum duration of a session.
 const LONGEST: Duration = Duration::from_secs(24 * 3600);
-/// Maximum number of sessions at once, and of one user. Past that a session of this user, or else of the user with the most of them,
-/// ends: the one that was not seen for longest.
+/// Maximum number of sessions, in total and per user. Beyond it the least recently seen session ends: of this user, or
+/// else of the user with the most sessions.
 const MAX_SESSIONS: usize = 500;
 const MAX_OF_USER: usize = 20;
-/// A random text that cannot be guessed, of 256 bits.
+/// Returns 256 random bits as hexadecimal text.
 ///
 /// # Errors
-/// If the system has no random numbers.
+/// If the system provides no random numbers.
 pub(crate) fn secret() -> Result<String, String> {
     let mut bytes = [0u8; 32];
     getrandom::fill(&mut bytes).map_err(|e| format!("no random numbers: {e}"))?;
     Ok(bytes.iter().map(|b| format!("{b:02x}")).collect())
 }
 
-/// Somebody who is logged in.
+/// Session of a user who is logged in.
 #[derive(Debug, Clone)]
 pub(crate) struct Session {
-    /// Hash of what is in its cookie.
+    /// SHA-256 of its cookie.
     pub(crate) id: String,
     pub(crate) user: String,
     pub(crate) role: Role,
-    /// What changes something must say beside the cookie.
+    /// Token that requests with changes must send beside the cookie.
     pub(crate) token: String,
     made: Instant,
     used: Instant,
-    /// When something came with it last, also what does not count as used: a page that only watches, signs of life.
+    /// Time of its last request, including those that do not count as use: a page that only watches, heartbeats.
     seen: Instant,
 }
 
-/// All sessions, by the hash of what is in their cookies.
+/// All sessions, by SHA-256 of their cookie.
 #[derive(Default)]
 pub(crate) struct Sessions(Mutex<HashMap<String, Session>>);
 
@@ -46,7 +46,7 @@ impl Sessions {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A new session: its cookie, and what it is.
+    /// Starts a session. Returns its cookie and the session.
     ///
     /// # Errors
     /// See [`secret`].
@@ -63,7 +63,7 @@ impl Sessions {
         Ok((cookie, session))
     }
 
-    /// The session of a cookie, which counts as used.
+    /// Returns the session of a cookie and counts it as used.
     pub(crate) fn of(&self, cookie: &str) -> Option<Session> {
         let now = Instant::now();
         let mut table = self.table();
@@ -72,7 +72,7 @@ impl Sessions {
         Some(session.clone())
     }
 
-    /// Returns the session of a cookie, which does not count as used.
+    /// Returns the session of a cookie without counting it as used.
     pub(crate) fn known(&self, cookie: &str) -> Option<Session> {
         let now = Instant::now();
         self.table().get(&sha256(cookie.as_bytes())).filter(|s| s.is_alive(now)).cloned()
@@ -82,12 +82,12 @@ impl Sessions {
         self.table().remove(&sha256(cookie.as_bytes()));
     }
 
-    /// All sessions of a user are over: role or password changed.
+    /// Ends all sessions of a user whose role or password changed.
     pub(crate) fn end_all_of(&self, user: &str) {
         self.table().retain(|_, s| s.user != user);
     }
 
-    /// True if the session is there still; `used`: it counts as used.
+    /// Returns true if the session exists; `used` counts it as used.
     pub(crate) fn lives(&self, session: &Session, used: bool) -> bool {
         let now = Instant::now();
         let mut table = self.table();
@@ -100,7 +100,7 @@ impl Sessions {
     }
 }
 
-/// The session that ends when another one of `user` begins, if one has to.
+/// Returns the session that must end before `user` starts another one, if any.
 fn superfluous(table: &HashMap<String, Session>, user: &str) -> Option<String> {
     let mut counts: HashMap<&str, usize> = HashMap::new();
     table.values().for_each(|session| *counts.entry(&session.user).or_default() += 1);
@@ -136,12 +136,12 @@ mod tests {
         assert!(sessions.of(&cookie).is_none() && !sessions.lives(&session, true) && sessions.of(&other).is_some());
         sessions.end_all_of("ada");
         assert!(sessions.of(&other).is_none());
-        // It never grows without end.
+        // The number of sessions is bounded.
         (0..2000).for_each(|i| drop(sessions.begin(&format!("user {}", i / 10), Role::Viewer).unwrap()));
         assert!(sessions.table().len() <= MAX_SESSIONS);
     }
 
-    /// However often somebody logs in, the sessions of others stay, and of his own the page that watches.
+    /// Repeated logins end neither sessions of other users nor the user's own page that watches.
     #[test]
     fn logins_end_sessions_of_their_own_user_only() {
         let sessions = Sessions::default();
@@ -155,7 +155,7 @@ mod tests {
         assert_eq!(sessions.table().len(), MAX_OF_USER + 1);
     }
 
-    /// What is used lives on, but not for ever.
+    /// A session in use stays alive, up to its maximum duration.
     #[test]
     fn sessions_grow_old() {
         let sessions = Sessions::default();

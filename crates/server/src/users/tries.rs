@@ -3,21 +3,21 @@ use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Wrong passwords for one name from one address before it has to wait.
+/// Wrong passwords allowed for one name from one address before a wait.
 const OF_NAME: u32 = 5;
-/// The same for all names from one address. Not counted on this computer: behind a tunnel everybody is there.
+/// The same for all names from one address. Not counted on this computer: behind a tunnel everybody has its address.
 const OF_ADDRESS: u32 = 20;
-/// How long it waits after that, doubled with every further one up to 2^8 times as long; on this computer up to 2^4: behind a tunnel
-/// everybody is there.
+/// First wait. Each further wrong password doubles it, up to 2^8 times; on this computer up to 2^4, since behind a
+/// tunnel everybody has its address.
 const WAIT: Duration = Duration::from_secs(2);
 const DOUBLINGS: u32 = 8;
 const DOUBLINGS_HERE: u32 = 4;
-/// Without a wrong one for this long all are forgotten.
+/// Wrong passwords are forgotten after this time without another one.
 const FORGET: Duration = Duration::from_secs(3600);
-/// Most names and addresses that are remembered.
-const MOST: usize = 2000;
+/// Maximum number of keys that are remembered.
+const MAX_KEYS: usize = 2000;
 
-/// What wrong passwords are counted by.
+/// Key by which wrong passwords are counted.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 enum Key {
     /// A browser in which this user has logged in before.
@@ -28,7 +28,7 @@ enum Key {
     Address(IpAddr),
 }
 
-/// Where a password is tried.
+/// Origin of a password.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Origin {
     pub(crate) address: IpAddr,
@@ -36,11 +36,11 @@ pub(crate) struct Origin {
     pub(crate) device: Option<String>,
 }
 
-/// Wrong passwords, and how long whoever tries has to wait.
+/// Counts of wrong passwords, and the waits that follow.
 #[derive(Default)]
 pub(crate) struct Tries(Mutex<HashMap<Key, (u32, Instant)>>);
 
-/// An address, or the network of a house: who has one address of IPv6 has 2^64.
+/// Returns an address, or the /64 network of an IPv6 address: one host has 2^64 addresses.
 pub(crate) fn house(address: IpAddr) -> IpAddr {
     match address.to_canonical() {
         IpAddr::V6(v6) if !v6.is_loopback() => IpAddr::V6((u128::from(v6) >> 64 << 64).into()),
@@ -48,7 +48,8 @@ pub(crate) fn house(address: IpAddr) -> IpAddr {
     }
 }
 
-/// What a try counts for, with how many are free and how often the wait doubles. On the user's own devices nobody else's guesses count.
+/// Returns the keys of an attempt, each with its allowed count and doublings. On the user's own device only its own
+/// attempts count.
 fn keys(origin: &Origin, user: &str) -> Vec<(Key, u32, u32)> {
     if let Some(device) = &origin.device {
         return vec![(Key::Device(device.clone()), OF_NAME, DOUBLINGS)];
@@ -62,7 +63,7 @@ fn keys(origin: &Origin, user: &str) -> Vec<(Key, u32, u32)> {
 }
 
 impl Tries {
-    /// How long `user` has to wait there.
+    /// Returns the time for which `user` must wait there.
     pub(crate) fn waits(&self, origin: &Origin, user: &str) -> Option<Duration> {
         let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let now = Instant::now();
@@ -71,7 +72,7 @@ impl Tries {
         left.max().filter(|left| !left.is_zero())
     }
 
-    /// A password was right or wrong. A right one says nothing of the other names that were tried from there.
+    /// Counts a right or wrong password. A right one does not clear the count of the address.
     pub(crate) fn tried(&self, origin: &Origin, user: &str, right: bool) {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let now = Instant::now();
@@ -83,8 +84,8 @@ impl Tries {
         }
         known.retain(|_, (_, until)| *until + FORGET > now);
         for (key, allowed, doublings) in keys(origin, user) {
-            if known.len() >= MOST && !known.contains_key(&key) {
-                // Names made up by the thousand do not push out those that are tried again and again.
+            if known.len() >= MAX_KEYS && !known.contains_key(&key) {
+                // A flood of invented names does not displace names that are tried repeatedly.
                 if let Some(least) = known.iter().min_by_key(|(_, counted)| **counted).map(|(key, _)| key.clone()) {
                     known.remove(&least);
                 }
@@ -98,21 +99,21 @@ impl Tries {
     }
 }
 
-/// Maximum number of passwords of one name that wait for being checked: no name takes the places of another.
+/// Maximum number of passwords of one name that wait for a check: no name blocks another.
 const MAX_OF_NAME: usize = 8;
 
-/// How many passwords of each name are being checked.
+/// Number of passwords of each name that are being checked.
 #[derive(Default, Clone)]
 pub(crate) struct Checks(Arc<Mutex<HashMap<String, usize>>>);
 
-/// A password that is being checked, until this is dropped.
+/// A running password check; ends when dropped.
 pub(crate) struct Check {
     of: Checks,
     user: String,
 }
 
 impl Checks {
-    /// Begins a check; none: there are too many of this name.
+    /// Starts a check. `None`: too many checks of this name.
     pub(crate) fn begin(&self, user: &str) -> Option<Check> {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let own = known.entry(user.to_owned()).or_default();
@@ -150,7 +151,7 @@ mod tests {
         tries.waits(&at(address), user)
     }
 
-    /// Guesses at a name do not lock out its user in a browser that he has used before; guesses in that browser count for themselves.
+    /// Guesses at a name do not lock out its user in a known browser. Guesses in that browser count separately.
     #[test]
     fn own_devices_are_not_locked_out_by_others() {
         let tries = Tries::default();
@@ -181,18 +182,19 @@ mod tests {
         let first = waits(&tries, "10.0.0.1", "ada").unwrap();
         wrong(&tries, "10.0.0.1", "ada", 1);
         assert!(waits(&tries, "10.0.0.1", "ada").unwrap() > first);
-        // Ada herself, elsewhere, is not locked out by it; nor others there.
+        // Ada is not locked out elsewhere, nor are other users at this address.
         assert!(waits(&tries, "10.0.0.2", "ada").is_none() && waits(&tries, "10.0.0.1", "eve").is_none());
         tries.tried(&at("10.0.0.1"), "ada", true);
         assert!(waits(&tries, "10.0.0.1", "ada").is_none());
-        // A new name each time helps nobody, nor an own account in between; on this computer only names count.
+        // Neither a new name each time nor a right password in between resets the count; on this computer only names
+        // count.
         for i in 0..OF_ADDRESS {
             wrong(&tries, "10.0.0.3", &format!("name {i}"), 1);
             tries.tried(&at("10.0.0.3"), "eve", true);
             wrong(&tries, "127.0.0.1", &format!("name {i}"), 1);
         }
         assert!(waits(&tries, "10.0.0.3", "ada").is_some() && waits(&tries, "127.0.0.1", "ada").is_none());
-        // A house's addresses of IPv6 are one, and one of IPv4 is the same written as IPv6.
+        // All IPv6 addresses of a network count as one; an IPv4 address equals its IPv6 form.
         (0..OF_ADDRESS).for_each(|i| wrong(&tries, &format!("2001:db8:0:1::{i:x}"), &format!("name {i}"), 1));
         assert!(waits(&tries, "2001:db8:0:1:ffff::1", "ada").is_some());
         assert!(waits(&tries, "2001:db8:0:2::1", "ada").is_none());
@@ -203,10 +205,10 @@ mod tests {
     fn it_never_grows_without_end_and_forgets_the_least() {
         let tries = Tries::default();
         wrong(&tries, "127.0.0.1", "ada", OF_NAME);
-        for i in 0..3 * MOST {
+        for i in 0..3 * MAX_KEYS {
             wrong(&tries, "127.0.0.1", &format!("name {i}"), 1);
         }
-        assert!(tries.0.lock().unwrap().len() <= MOST);
+        assert!(tries.0.lock().unwrap().len() <= MAX_KEYS);
         assert!(waits(&tries, "127.0.0.1", "ada").is_some());
     }
 }

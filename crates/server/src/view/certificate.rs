@@ -5,7 +5,7 @@ use seamwright_motion::{Binding, PassMotion};
 use seamwright_program::Pass;
 use seamwright_report::CertificateFigures;
 
-/// What a planned pass reaches and what bounds it.
+/// Returns speeds and binding limits of a planned pass.
 pub(super) fn certificate(machine: &Machine, pass: &Pass, planned: &PassMotion) -> CertificateView {
     let figures = CertificateFigures::new(machine, pass, planned);
     let bounds = planned.certificate.intervals.iter().map(|i| {
@@ -42,7 +42,7 @@ pub(super) fn certificate(machine: &Machine, pass: &Pass, planned: &PassMotion) 
     }
 }
 
-/// Speed, acceleration and jerk of each axis where the law is at `law`, in whole per cent of its limits.
+/// Returns speed, acceleration and jerk of each axis at `law`, in whole per cent of its limits.
 pub(super) fn used(machine: &Machine, planned: &PassMotion, law: LawPoint) -> Vec<[u8; 3]> {
     let p = planned.path.point(law.s, false);
     let (v, a) = (law.v, law.a);
@@ -51,7 +51,7 @@ pub(super) fn used(machine: &Machine, planned: &PassMotion, law: LawPoint) -> Ve
         let speed = d1 * v / axis.max_speed;
         let acceleration = (d2 * v * v + d1 * a) / axis.max_acceleration;
         let jerk = (d3 * v * v * v + 3.0 * d2 * v * a + d1 * law.j) / axis.jerk();
-        // Beyond what fits there is nothing in a plan.
+        // A plan contains no values beyond 255 %.
         [speed, acceleration, jerk].map(|part| (100.0 * part.abs()).round().min(255.0) as u8)
     });
     axes.collect()

@@ -3,7 +3,8 @@ use seamwright_cell::devices::modbus::Traffic;
 use seamwright_machine::{Machine, ModbusDevice, Register, Role, Word};
 use seamwright_project::devices::Lines;
 
-/// Devices on a line with what the cell last knew of their values; `values` are the names of the program's process values.
+/// Returns the devices with the last known values of their signals; `values` are the names of the program's process
+/// values.
 pub(crate) fn device_views(
     machine: &Machine,
     lines: &Lines,
@@ -52,7 +53,7 @@ fn device_view(
     }
 }
 
-/// What is simulated: inputs, process source.
+/// Returns the simulated signals: inputs, process source.
 pub(crate) fn simulated_view(machine: &Machine, values: &[String], status: Option<&Status>) -> DeviceView {
     let has = |wanted: fn(&Role) -> bool| {
         machine.devices.modbus.iter().flat_map(|d| &d.registers).any(|register| wanted(&register.role))
@@ -107,7 +108,7 @@ fn kind(role: &Role) -> &'static str {
     }
 }
 
-/// What the cell ordered or was told last.
+/// Returns the last ordered or reported value of a signal.
 fn value(role: &Role, values: &[String], status: &Status) -> Option<f64> {
     let process = &status.process;
     let of = |name: &String, list: &[Option<f64>]| {

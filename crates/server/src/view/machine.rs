@@ -4,7 +4,7 @@ use crate::wire::{AxisView, ConditionView, FrameView, JointView, MachineView, Zo
 use seamwright_cell::executive::REDUCED_MM_S;
 use seamwright_machine::{AxisKind, Machine, ZoneKind};
 
-/// The machine of the cell.
+/// Returns the view of the cell's machine.
 pub(crate) fn machine_view(machine: &Machine) -> MachineView {
     let conditions = machine.interlocks.iter();
     let zones = machine.solids.zones.iter().map(|zone| ZoneView {
@@ -46,7 +46,7 @@ fn joints(machine: &Machine) -> Vec<Option<JointView>> {
     (0..machine.links.count()).map(view).collect()
 }
 
-/// Its axes, as their file says them.
+/// Returns the axes, in the units of their file.
 pub(super) fn axes(machine: &Machine) -> Vec<AxisView> {
     let view = |axis: &seamwright_machine::Axis| AxisView {
         name: axis.name.clone(),
@@ -64,7 +64,7 @@ mod tests {
     use glam::{DAffine3, DQuat, DVec3};
     use seamwright_machine::{AxisKind, Joints, Machine, SHIPPED};
 
-    /// Whoever moves the links as the view says has them where the machine has.
+    /// Joints of the view move the links to the same poses as the machine.
     #[test]
     fn joints_move_the_links_as_the_machine_does() {
         for shipped in SHIPPED {
@@ -96,7 +96,8 @@ mod tests {
         }
     }
 
-    /// The electron-beam machine's picture is 512 pixels of 0.1 mm wide, about the place where the beam meets the work.
+    /// The electron-beam machine's picture has a width of 512 pixels of 0.1 mm, around the point where the beam meets
+    /// the work.
     #[test]
     fn a_camera_sees_a_square_of_the_work() {
         let beam = SHIPPED.iter().find(|s| s.name == "ebw-7axis").unwrap();

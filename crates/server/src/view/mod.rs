@@ -1,4 +1,4 @@
-//! Machines and planned programs as the panel sees them.
+//! Views of machines and planned programs for the panel.
 
 mod certificate;
 mod devices;

@@ -1,6 +1,6 @@
 use seamwright_record::Moment;
 
-/// A moment as RFC 3339 writes it, UTC, to the second.
+/// Formats a time as RFC 3339, UTC, with a resolution of 1 s.
 pub(crate) fn written(moment: Moment) -> String {
     moment.to_string().replacen(' ', "T", 1).replace(" UTC", "Z")
 }

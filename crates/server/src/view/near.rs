@@ -1,7 +1,7 @@
 use crate::wire::NearView;
 use seamwright_machine::{Joints, Surroundings};
 
-/// What is nearest to being too near with the axes at `q` (mm, rad), if it is less than `within` (mm) apart.
+/// Returns the pair with the smallest margin with the axes at `q` (mm, rad), if its distance is below `within` (mm).
 pub(crate) fn near(around: &Surroundings<'_>, q: &Joints, within: f64) -> Option<NearView> {
     let (watch, found) = around.nearest(q, within)?;
     let place = found.place.filter(|_| found.distance < within)?;

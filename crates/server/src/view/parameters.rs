@@ -5,7 +5,7 @@ use seamwright_project::own_machine::{OwnMachine, Step};
 
 use AxisKind::{Linear, Rotary};
 
-/// Numbers of an axis (`axis`) and its drive that are set up: key of the machine file, group, kind of axis that has it.
+/// Numbers of an axis (`axis`) and its drive: key of the machine file, group, kind of axis that has it.
 pub(crate) const PARAMETERS: [(&str, &str, Option<AxisKind>); 37] = [
     ("home_mm", "axis", Some(Linear)),
     ("home_deg", "axis", Some(Rotary)),
@@ -46,10 +46,10 @@ pub(crate) const PARAMETERS: [(&str, &str, Option<AxisKind>); 37] = [
     ("load_ratio", "mechanics", None),
 ];
 
-/// What the machine file holds of axes, drives and tools.
+/// Returns axes, drives and tools of the machine file.
 ///
 /// # Errors
-/// A file that cannot be read.
+/// If the file cannot be read.
 pub(crate) fn parameters_view(own: &OwnMachine, machine: &Machine) -> Result<ParametersView, Failure> {
     let mut axes = Vec::new();
     for axis in &machine.axes {
@@ -78,7 +78,7 @@ pub(crate) fn parameters_view(own: &OwnMachine, machine: &Machine) -> Result<Par
     Ok(ParametersView { machine: machine.title.clone(), file: String::new(), pending: false, axes, heads })
 }
 
-/// What holds where the machine file has no such number, in its units.
+/// Returns the default of a number that is missing in the machine file, in its units.
 fn without(axis: &Axis, key: &str) -> Option<f64> {
     match key {
         "home_mm" | "home_deg" => return Some(0.0),
@@ -89,7 +89,7 @@ fn without(axis: &Axis, key: &str) -> Option<f64> {
     }
     let drive = axis.drive.as_ref()?;
     match key {
-        // Beside others that are given one is 0; where none is, the first that is written takes the place of all.
+        // A missing gain is 0 if another one is given. If all are missing, the first one written replaces all.
         "kp_per_s" | "ki_per_s2" | "kd" | "kvff" | "kaff_s" => drive.gains.map(|_| 0.0),
         "force_limit_n" | "torque_limit_n_m" => Some(drive.load.peak),
         "current_time_constant_ms" => Some(1e3 * Drive::CURRENT_TIME_CONSTANT_S),
@@ -108,7 +108,7 @@ mod tests {
     use seamwright_machine::SHIPPED;
     use seamwright_project::own_machine::Setting;
 
-    /// What an axis does, whatever its file says of it.
+    /// Returns the effective values of an axis, from the file or by default.
     fn acts(axis: &Axis) -> Vec<f64> {
         let mut all = vec![axis.home, axis.jerk()];
         let Some(d) = &axis.drive else { return all };
@@ -120,13 +120,13 @@ mod tests {
         all
     }
 
-    /// Written down, what holds without a number changes nothing.
+    /// Writing a default into the file changes nothing.
     #[test]
     fn what_holds_without_a_number_is_told() {
         let mut told = 0;
         for shipped in SHIPPED {
             let own = |text: String| OwnMachine { path: "machine.toml".into(), text };
-            // Both compensations are on, so that what belongs to them is.
+            // Both compensations are on, so that their defaults apply.
             let mut of = own(shipped.text.to_owned());
             let machine = of.check(&of.text).unwrap();
             for axis in machine.axes.iter().filter(|axis| axis.drive.is_some()) {

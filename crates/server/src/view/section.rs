@@ -3,13 +3,13 @@ use glam::DVec2;
 use seamwright_weld::{BeadAt, Layer, SeamCurve, SeamJoint, Welding};
 use std::f64::consts::FRAC_PI_2;
 
-/// Places along the seam.
+/// Number of positions along the seam.
 const PLACES: u32 = 9;
 
-/// The joint in cross-section: at places along the seam, the first its start; without a joint none.
+/// Returns cross-sections of the joint at positions along the seam, the first at its start; empty without a joint.
 pub(crate) fn sections(welding: &Welding) -> Vec<SectionView> {
     let (Some(seam), Some(joint)) = (&welding.seam, &welding.joint) else { return Vec::new() };
-    // All round, the end is the start.
+    // On a closed seam the end is the start.
     let step =
         if seam.all_round() { seam.length() / f64::from(PLACES) } else { seam.weld_length() / f64::from(PLACES - 1) };
     let at = |i| section(welding, (seam, joint), f64::from(i) * step);
@@ -48,7 +48,7 @@ fn section(welding: &Welding, (seam, joint): (&SeamCurve, &SeamJoint), s: f64) -
     })
 }
 
-/// As its passes are named.
+/// Name of a bead, as that of its pass.
 fn name(layer: &Layer, bead: &BeadAt) -> String {
     match layer.beads {
         1 => format!("{} {}", layer.role.name(), bead.layer + 1),
@@ -56,7 +56,7 @@ fn name(layer: &Layer, bead: &BeadAt) -> String {
     }
 }
 
-/// Finer than this nobody sees it.
+/// Rounds to 0.001 mm, below visible detail.
 fn micrometres(mm: f64) -> f64 {
     (mm * 1e3).round() / 1e3
 }

@@ -2,7 +2,7 @@ use crate::wire::SensorView;
 use glam::{DVec2, DVec3};
 use seamwright_machine::{Sensor, Sight};
 
-/// A sensor with what it sees.
+/// Returns the view of a sensor, with its field of view.
 pub(super) fn sensor(sensor: &Sensor) -> SensorView {
     let kind = match sensor.sight {
         Sight::Stripe(_) => "stripe",
@@ -14,13 +14,13 @@ pub(super) fn sensor(sensor: &Sensor) -> SensorView {
     SensorView { name, kind, link: sensor.link, field: field.collect(), frames }
 }
 
-/// Middles of the picture's corner pixels, around.
+/// Centres of the picture's corner pixels, in order around it.
 fn corners(sensor: &Sensor) -> [DVec2; 4] {
     let [width, height] = sensor.size_px.map(|n| n as f64 - 1.0);
     [DVec2::ZERO, DVec2::new(width, 0.0), DVec2::new(width, height), DVec2::new(0.0, height)]
 }
 
-/// Where a pixel looks, in the sensor's frame, mm; none where its map does not go.
+/// Returns the point that a pixel sees, in the sensor's frame, mm; `None` outside its map.
 fn seen(sensor: &Sensor, px: DVec2) -> Option<DVec3> {
     match &sensor.sight {
         Sight::Stripe(stripe) => stripe.to_mm.map(px).map(|p| DVec3::new(0.0, p.x, p.y)),

@@ -5,8 +5,8 @@ use seamwright_machine::{Machine, Sight};
 use seamwright_project::Failure;
 use seamwright_project::own_machine::{OwnMachine, Step};
 
-/// Numbers of a sensor that are set up: the tables from the sensor's on, key, group, how many numbers it has. Where a map has
-/// several kinds, the first key of a kind is the one that it cannot be without.
+/// Numbers of a sensor: tables below the sensor's, key, group, count of numbers. For maps of several kinds, the first
+/// key of a kind is mandatory.
 pub(crate) const SENSOR_KEYS: [(&[&str], &str, &str, u32); 13] = [
     (&["at"], "move_mm", "pose", 3),
     (&["at"], "turn", "pose", 3),
@@ -23,15 +23,15 @@ pub(crate) const SENSOR_KEYS: [(&[&str], &str, &str, u32); 13] = [
     (&[], "noise_mm", "timing", 1),
 ];
 
-/// The way to a table of a sensor.
+/// Returns the path to a table of a sensor.
 pub(crate) fn steps<'a>(name: &'a str, tables: &[&'a str]) -> Vec<Step<'a>> {
     [&["sensors", name], tables].concat().into_iter().map(Step::Table).collect()
 }
 
-/// What the machine file holds of its sensors.
+/// Returns the sensors of the machine file.
 ///
 /// # Errors
-/// A file that cannot be read.
+/// If the file cannot be read.
 pub(crate) fn sensors_view(own: &OwnMachine, machine: &Machine) -> Result<Vec<SensorSetUp>, Failure> {
     machine
         .sensors
@@ -43,7 +43,7 @@ pub(crate) fn sensors_view(own: &OwnMachine, machine: &Machine) -> Result<Vec<Se
                 let path = [tables, &[key]].concat().join(".");
                 values.push(SensorValue { key: path, group: group.to_owned(), count, numbers });
             }
-            // A map is of one kind; what belongs to the others cannot stand there.
+            // A map is of one kind: keys of the other kinds are not allowed.
             let kinds =
                 |key: &str| ["map.camera.", "map.homography", "map.scale."].into_iter().find(|k| key.starts_with(k));
             let there: Vec<&str> =
@@ -67,7 +67,7 @@ pub(crate) fn sensors_view(own: &OwnMachine, machine: &Machine) -> Result<Vec<Se
         .collect()
 }
 
-/// A plane of a camera, with as many digits as can be measured.
+/// Returns a plane of a camera, rounded to measurable digits.
 pub(crate) fn height_view(z_mm: f64, of: &MapParameters) -> HeightView {
     let rounded = |v: f64, digits: i32| (v * 10f64.powi(digits)).round() / 10f64.powi(digits) + 0.0;
     let middle = 0.5 * DVec2::new(of.size_px.0 as f64 - 1.0, of.size_px.1 as f64 - 1.0);

@@ -2,7 +2,7 @@ use crate::wire::{ShapeView, SolidView};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 
-/// A frame row by row, 3 x 4.
+/// Returns a frame row by row, 3 x 4.
 pub(crate) fn rows(frame: &DAffine3) -> [f64; 12] {
     let m = frame.matrix3;
     let t = frame.translation;
@@ -12,7 +12,7 @@ pub(crate) fn rows(frame: &DAffine3) -> [f64; 12] {
     ]
 }
 
-/// A solid that moves with `link`.
+/// Returns the view of a solid that moves with `link`.
 pub(super) fn solid(solid: &Solid, link: usize) -> SolidView {
     SolidView { name: solid.name().to_owned(), shape: shape(solid.shape()), frame: rows(solid.pose()), link }
 }

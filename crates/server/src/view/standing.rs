@@ -1,4 +1,4 @@
-//! How the machine stands where something is wrong, also in a weld that could not be planned: so that a collision can be seen.
+//! Axis positions at findings, also of a weld that could not be planned: the panel can then show a collision.
 
 use super::near::near;
 use crate::wire::NearView;
@@ -7,14 +7,14 @@ use seamwright_motion::WeldMotion;
 use seamwright_program::{Finding, TorchPath};
 use seamwright_project::load::Loaded;
 
-/// Maximum number of findings that are looked at on the machine: without a motion each costs some inverses.
+/// Maximum number of findings evaluated on the machine: without a motion each needs some inverse solutions.
 const MAX_PLACES: usize = 12;
-/// Steps from the start of a pass to a place on it, so that the axes stay on one branch.
+/// Number of steps from the start of a pass to a position on it, so that the axes stay on one branch.
 const STEPS: u32 = 12;
-/// Pairs farther apart are not near, mm.
+/// Maximum distance of pairs that are reported, mm.
 const NEAR_MM: f64 = 60.0;
 
-/// Finds how the machine stands at findings.
+/// Finds the axis positions at findings.
 pub(super) struct Standing<'a> {
     loaded: &'a Loaded,
     motion: Option<&'a WeldMotion>,
@@ -31,9 +31,10 @@ impl<'a> Standing<'a> {
         Self { loaded, motion, around, looked: 0 }
     }
 
-    /// Positions of the axes at a finding (in the machine file's units; empty if they are not known), and the nearest pair there.
+    /// Returns the axis positions at a finding (in the machine file's units; empty if unknown), and the nearest pair
+    /// there.
     pub(super) fn at(&mut self, finding: &Finding) -> (Vec<f64>, Option<NearView>) {
-        // Air moves are beside their passes.
+        // Transfer moves are beside their passes.
         if finding.kind == "air" || self.looked >= MAX_PLACES {
             return (Vec::new(), None);
         }
@@ -72,7 +73,7 @@ impl<'a> Standing<'a> {
         colliding.or_else(|| self.machine().inverse_near(target(s), &near_q).ok().map(|found| found.joints))
     }
 
-    /// True if the finding is about the pair that is nearest at `q`: then the planner stood on this branch.
+    /// Returns true if the finding names the nearest pair at `q`: then the planner used this branch.
     fn collides(&self, q: &Joints, message: &str) -> bool {
         let pair = self.around.and_then(|around| near(around, q, NEAR_MM));
         pair.is_some_and(|pair| pair.between.iter().all(|name| message.contains(name.as_str())))

@@ -2,7 +2,7 @@ use crate::wire::TrackingStatus;
 use seamwright_cell::executive::Tracked;
 use seamwright_tracking::lead::Sight;
 
-/// What tracking knows and does, of each head that is tracked.
+/// Returns the state of tracking for each tracked head.
 pub(crate) fn tracking(heads: &[Option<Tracked>; 2]) -> Vec<TrackingStatus> {
     let known = heads.iter().zip(1..).filter_map(|(head, number)| head.map(|of| (number, of)));
     known

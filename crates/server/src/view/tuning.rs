@@ -3,7 +3,7 @@ use seamwright_cell::{Error, tune_axis};
 use seamwright_machine::{Axis, AxisKind};
 use seamwright_servo::{Tuned, decibels, unwrapped};
 
-/// An axis tuned in simulation, as `machine tune` does it.
+/// Returns an axis tuned in simulation, as `machine tune` does it.
 pub(crate) fn tuning_view(axis: &Axis, period_s: f64) -> TuningView {
     let tuned = tune_axis(axis, period_s);
     let refused = match &tuned {
@@ -34,7 +34,7 @@ fn response(tuned: &Tuned) -> Vec<[f64; 3]> {
     lines.map(|(line, phase)| [line.frequency_hz, decibels(line.ratio.norm()), phase.to_degrees()]).collect()
 }
 
-/// To a millionth: what is beyond that is not measured, as `machine tune` writes them.
+/// Rounds to 1e-6, below measurement accuracy, as `machine tune` writes values.
 fn short(value: f64) -> f64 {
     (value * 1e6).round() / 1e6
 }
@@ -43,7 +43,7 @@ fn notches(t: &Tuned) -> Vec<[f64; 3]> {
     t.notches.iter().map(|n| [short(n.frequency_hz), n.depth, short(n.width_hz)]).collect()
 }
 
-/// What the machine file takes over: the keys that `machine tune` writes.
+/// Returns the settings for the machine file: the keys that `machine tune` writes.
 fn settings(axis: &Axis, t: &Tuned) -> Vec<(String, f64)> {
     let unit = axis.unit();
     let force = if axis.kind == AxisKind::Linear { "n" } else { "n_m" };

@@ -11,13 +11,13 @@ use seamwright_motion::{PassClearance, PassMotion, WeldMotion};
 use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_project::load::Loaded;
 
-/// Samples of a pass, and of an air move.
+/// Number of samples of a pass, and of a transfer move.
 const SAMPLES: usize = 400;
 const AIR_SAMPLES: usize = 40;
 /// Distance from the start within which the end of a pass closes it, mm.
 const CLOSED_MM: f64 = 1e-3;
 
-/// A planned job; if it cannot be welded as asked, findings and the passes as the job asks for them.
+/// Returns a planned job. If it cannot be planned, returns findings and the passes as the job requests them.
 pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&WeldMotion, &[Finding]>) -> WorkView {
     let program = &loaded.welding.program.value;
     let machine = &loaded.machine;
@@ -25,7 +25,7 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
     let motion = planned.ok();
     let findings = planned.map_or_else(|findings| findings, |m| &m.findings);
     let (part, fixtures) = clamped_views(loaded);
-    // It could be planned with them, so they are there.
+    // The plan needed them, so they exist.
     let around = loaded.surroundings().ok();
     let mut standing = Standing::new(loaded, motion, around.as_ref());
     WorkView {
@@ -64,14 +64,14 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
     }
 }
 
-/// Part and fixtures, on the link of the work.
+/// Returns part and fixtures, on the work's link.
 pub(crate) fn clamped_views(loaded: &Loaded) -> (Vec<SolidView>, Vec<SolidView>) {
     let link = loaded.machine.links.frame("work").map_or(0, |f| f.link);
     let views = |solids: &[seamwright_clearance::Solid]| solids.iter().map(|s| solid(s, link)).collect();
     (views(&loaded.clamped.part), views(&loaded.clamped.fixtures))
 }
 
-/// The least distance at path length `s`, mm, linear between the places looked at; none beyond the cut-off.
+/// Minimum distance at path length `s`, mm, interpolated linearly between samples; `None` beyond the cut-off.
 fn clearance_at(clearance: &PassClearance, s: f64) -> Option<f64> {
     let found = &clearance.found;
     let after = found.partition_point(|at| at.0 < s).min(found.len().checked_sub(1)?);
@@ -80,19 +80,19 @@ fn clearance_at(clearance: &PassClearance, s: f64) -> Option<f64> {
     Some(a.1 + part * (b.1 - a.1)).filter(|mm| *mm < clearance.cutoff_mm)
 }
 
-/// Where what is watched comes nearest on a pass, and the pair.
+/// Returns the position of the minimum distance on a pass, and the pair.
 fn nearest(around: &Surroundings<'_>, clearance: &PassClearance, planned: &PassMotion) -> Option<(f64, NearView)> {
     let (s, _) = clearance.found.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some((*s, near(around, &planned.path.at(*s), clearance.cutoff_mm)?))
 }
 
-/// Where a pass of this length reaches its points, mm.
+/// Returns the path lengths at which a pass of this length reaches its points, mm.
 fn points(pass: &Pass, path: &dyn TorchPath, length: f64) -> Vec<f64> {
     let Some(points) = &pass.points else { return Vec::new() };
     (0..=points.count()).map(|i| path.reached(i).unwrap_or(length)).collect()
 }
 
-/// Where the spans of a pass of this length, which reaches its points there, begin and end, mm.
+/// Returns start and end of the spans of a pass of this length with its points at `points_mm`, mm.
 fn spans(pass: &Pass, points_mm: &[f64], length: f64) -> Vec<[f64; 2]> {
     let Some(points) = &pass.points else {
         return pass.spans.iter().map(|span| [span.from_mm.get(), span.to_mm.get().min(length)]).collect();
@@ -141,7 +141,7 @@ fn pass_view(
     }
 }
 
-/// A pass as the job asks for it, without a motion.
+/// Returns a pass as the job requests it, without a motion.
 fn asked_view(pass: &Pass, path: &dyn TorchPath, values: &[String]) -> PassView {
     let sample = |i| {
         let s = path.length() * i as f64 / SAMPLES as f64;
@@ -160,7 +160,7 @@ fn asked_view(pass: &Pass, path: &dyn TorchPath, values: &[String]) -> PassView 
     named_view(pass, (0..=SAMPLES).map(sample).collect())
 }
 
-/// What a pass is and where it goes.
+/// Returns the view of a pass with its path.
 fn named_view(pass: &Pass, path: Vec<PathPoint>) -> PassView {
     let ends = path.first().zip(path.last()).map(|(a, b)| [a.tip, b.tip].map(glam::DVec3::from_array));
     PassView {
@@ -180,7 +180,7 @@ fn named_view(pass: &Pass, path: Vec<PathPoint>) -> PassView {
     }
 }
 
-/// What the process is asked for at path length `s`.
+/// Returns the requested process values at path length `s`.
 fn process(pass: &Pass, values: &[String], s: f64) -> Vec<Option<f64>> {
     let asked = values.iter().map(|name| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)));
     asked.map(|v| v.filter(|v| v.is_finite())).collect()

@@ -1,6 +1,6 @@
-//! What crosses the wire, in both directions: JSON, and the panel's types made from these (`web/src/wire.ts`).
+//! Messages in both directions: JSON, and the panel's types generated from them (`web/src/wire.ts`).
 //!
-//! Lengths in mm, angles of axes in degrees, times in s, as in files. Every message over the socket has a `kind`.
+//! Lengths in mm, axis angles in degrees, times in s, as in files. Every socket message has a `kind`.
 
 mod cell;
 mod certificate;

@@ -6,7 +6,7 @@ fn decl<T: TS>(config: &Config) -> String {
     format!("{docs}export {}\n", T::decl(config))
 }
 
-/// Everything that crosses the wire, as the panel's types.
+/// Returns the panel's declarations of all types that cross the wire.
 pub fn typescript() -> String {
     let config = Config::default();
     let declarations = [
@@ -113,7 +113,7 @@ pub fn typescript() -> String {
 
 #[cfg(test)]
 mod tests {
-    /// `SEAMWRIGHT_BLESS=1` writes the file anew.
+    /// `SEAMWRIGHT_BLESS=1` rewrites the file.
     #[test]
     fn the_panels_types_are_those_of_the_wire() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/src/wire.ts");

@@ -14,7 +14,7 @@ fn wound(m: &Mechanism) -> f64 {
     m.motor().position - m.load().position
 }
 
-/// The mechanism let go with motor and load 0.01 u apart, the centre of mass at 0.
+/// The mechanism released with motor and load 0.01 u apart, the centre of mass at 0.
 fn let_go(t: Transmission) -> Mechanism {
     let mut m = Mechanism::new(FREE, Some(t));
     let far = m.far.as_mut().unwrap();
@@ -49,7 +49,7 @@ fn free_swing_has_the_analytic_frequency_and_decay() {
                 let exact = 0.01 * decay * ((swing * time).cos() + sine);
                 assert!((wound(&m) - exact).abs() < 1e-7, "{load_ratio} {damping} {time}: {} {exact}", wound(&m));
             }
-            // Nothing pushes from outside: the centre of mass stays.
+            // Without an outside force the centre of mass stays.
             let far = m.far.unwrap();
             let centre = far.motor_part * m.motor.position + far.load_part * far.load.position;
             assert!(centre.abs() < 1e-12);
@@ -60,7 +60,7 @@ fn free_swing_has_the_analytic_frequency_and_decay() {
 #[test]
 fn with_the_motor_held_the_load_swings_at_the_antiresonance() {
     let t = Transmission { load_ratio: 4.0, damping: 0.0, ..STIFF };
-    // All friction at the motor, more than the spring can pull.
+    // All friction at the motor, above the maximum force of the spring.
     let mut m =
         Mechanism::new(Friction { coulomb: 1e6, viscous: 0.0 }, Some(Transmission { motor_friction: 1.0, ..t }));
     m.far.as_mut().unwrap().load.position = 0.01;
@@ -88,7 +88,7 @@ fn halving_the_step_quarters_the_error() {
         let ratio = error(steps) / error(2 * steps);
         assert!((3.6..4.4).contains(&ratio), "{steps}: {ratio}");
     }
-    // And the exact one is that of the rigid body plus the swing: the centre of mass falls under 400 u/s^2.
+    // The reference is also that of the rigid body plus the oscillation: the centre of mass falls under 400 u/s^2.
     let centre = 0.25 * exact[0] + 0.75 * exact[1];
     assert!((centre - 0.5 * 400.0 * 0.05 * 0.05).abs() < 1e-9);
 }
@@ -99,7 +99,7 @@ fn energy_neither_grows_nor_is_lost_without_damping() {
         let t = Transmission { damping: 0.0, backlash, ..STIFF };
         let mut m = let_go(t);
         let begin = energy(&m);
-        // The longest step that a drive takes.
+        // The longest step of a drive.
         let h = 0.1 / (TAU * t.resonance_hz);
         let (mut low, mut high) = (f64::MAX, 0.0_f64);
         for k in 0..400_000 {
@@ -121,7 +121,7 @@ fn energy_neither_grows_nor_is_lost_without_damping() {
 #[test]
 fn the_gap_is_as_wide_as_asked_and_carries_no_force() {
     let t = Transmission { backlash: 0.02, damping: 0.1, ..STIFF };
-    // Friction on the load only: pushed slowly either way, the motor goes ahead by half the gap and the wind-up.
+    // Friction on the load only: pushed slowly either way, the motor leads by half the gap and the wind-up.
     let friction = Friction { coulomb: 200.0, viscous: 50.0 };
     let mut m = Mechanism::new(friction, Some(t));
     let mut ends = [0.0; 2];
@@ -129,7 +129,7 @@ fn the_gap_is_as_wide_as_asked_and_carries_no_force() {
         for _ in 0..200_000 {
             m.advance(push, 0.0, 1e-5);
         }
-        // Both at the steady speed (260 - 200) / 50: the load takes all of the push as friction.
+        // Both at the steady speed (260 - 200) / 50: friction of the load balances the whole push.
         assert!((m.load().velocity - push.signum() * 1.2).abs() < 1e-9);
         *end = wound(&m);
     }
@@ -180,6 +180,6 @@ fn a_stiff_transmission_moves_as_one_mass() {
         two.advance(400.0, -100.0, 2e-6);
     }
     let (position, velocity) = (two.load().position / one.load().position, two.load().velocity / one.load().velocity);
-    // At 40 ms, 80 swings: what is left is the wind-up, and the time that the load took to break away.
+    // At 40 ms, 80 oscillations: the remaining difference is the wind-up and the time until the load broke away.
     assert!((position - 1.0).abs() < 1e-3 && (velocity - 1.0).abs() < 1e-3, "{position} {velocity}");
 }

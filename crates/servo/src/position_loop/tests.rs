@@ -19,7 +19,7 @@ fn each_term_by_itself() {
     assert!((alone(Gains { ki: 400.0, ..zero }) - 0.2).abs() < 1e-12);
     assert!((alone(Gains { kvff: 0.9, ..zero }) - 27.0).abs() < 1e-12);
     assert!((alone(Gains { kaff: 0.01, ..zero }) - 4.0).abs() < 1e-12);
-    // No rate is known at the first update.
+    // The rate is unknown at the first update.
     assert!(alone(Gains { kd: 1.0, ..zero }).abs() < 1e-12);
 }
 
@@ -58,10 +58,10 @@ fn no_wind_up_while_the_command_is_limited() {
         assert!((looped.update(at(500.0), 0.0) - 100.0).abs() < 1e-12);
         assert!(looped.limited());
     }
-    // What the sum holds is what it held before the limit: nothing.
+    // The sum still has its value from before the limit: zero.
     assert!(looped.update(at(0.0), 0.0).abs() < 1e-12);
     assert!(!looped.limited());
-    // From inside, it fills up to the limit at most, and leaves it at once when the error turns.
+    // Inside the limit the sum grows up to it, and shrinks as soon as the error changes its sign.
     for _ in 0..10_000 {
         looped.update(at(1.0), 0.0);
     }

@@ -1,4 +1,4 @@
-//! The whole axis: how well it follows, and that it comes to rest.
+//! Tests of the whole axis: following error and coming to rest.
 
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]
@@ -43,7 +43,7 @@ fn ramp_up(t: f64, speed: f64, ramp: f64) -> SetPoint {
     }
 }
 
-/// The run of a motion: every state.
+/// Runs a motion and returns every state.
 fn run(mut axis: ServoAxis, periods: u32, set: impl Fn(f64) -> SetPoint) -> Vec<AxisState> {
     (0..periods).map(|k| axis.step(set(f64::from(k) * PERIOD), 0.0)).collect()
 }
@@ -87,7 +87,7 @@ fn acceleration_feed_forward_is_worth_a_factor_of_ten() {
 
 #[test]
 fn the_integral_removes_a_constant_speed_error() {
-    // 3 % of the speed not fed forward: v * 0.03 / kp is left, unless ki is there.
+    // With 3 % of the speed not fed forward, the error is v * 0.03 / kp; ki removes it.
     let gains = Gains { kvff: 0.97, ..suggested() };
     let left = run(axis(gains, REAL, 1e-7), 4000, |t| ramp_up(t, 80.0, 0.2)).last().unwrap().following_error;
     assert!((left - 0.03 * 80.0 / gains.kp).abs() < 1e-6);
@@ -98,7 +98,7 @@ fn the_integral_removes_a_constant_speed_error() {
 
 #[test]
 fn friction_at_the_turn_is_worked_off() {
-    // Reversal at constant speed either way: the error jumps at the turn, then goes.
+    // A sine motion: the error jumps at the reversal, then decays.
     let turn = |t: f64| {
         let w = TAU * 0.5;
         SetPoint {
@@ -115,7 +115,7 @@ fn friction_at_the_turn_is_worked_off() {
     }
 }
 
-/// Peak-to-peak swing and worst error, in counts, over the last 4 of 8 seconds after a step.
+/// Peak-to-peak oscillation and maximum error, in counts, over the last 4 of 8 seconds after a step.
 fn rest_after_step(gains: Gains, load: LinearLoad, target: f64) -> (f64, f64) {
     let states = run(axis(gains, load, COUNT), 8000, |_| at(target));
     let tail = &states[4000..];
@@ -139,7 +139,7 @@ fn a_step_settles_without_hunting() {
 
 #[test]
 fn integral_action_hunts_by_less_than_two_counts_where_friction_is_moderate() {
-    // With stiction at a third of the peak force it is some 6 counts: why the suggested ki is zero.
+    // With stiction at a third of the peak force it is about 6 counts; therefore the suggested ki is zero.
     let kp = suggested().kp;
     let pi = Gains { ki: 0.25 * kp * kp, ..suggested() };
     let pid = Gains { ki: 0.1 * kp * kp, kd: 0.2, ..suggested() };

@@ -1,4 +1,4 @@
-//! The simulated drive against closed forms and against itself at other sub-steps.
+//! Tests of the simulated drive against closed forms and against other sub-steps.
 
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]
@@ -42,7 +42,7 @@ fn the_speed_follows_a_small_step_as_a_first_order_lag() {
         let ratio = error(sub_steps) / error(2 * sub_steps);
         assert!((1.9..2.1).contains(&ratio), "{ratio}");
     }
-    // The number that Drive::new takes.
+    // The number of sub-steps chosen by Drive::new.
     assert!(error(13) < 0.02);
 }
 
@@ -63,7 +63,7 @@ fn halving_the_sub_step_halves_the_change_with_a_current_lag_and_friction() {
 
 #[test]
 fn saturated_start_follows_the_lagged_peak_exactly() {
-    // With the demand at the peak all the way, v = a (t - tau (1 - exp(-t / tau))), whatever the sub-step.
+    // With the demand at the peak all the way, v = a (t - tau (1 - exp(-t / tau))) for any sub-step.
     let (tau, peak) = (3e-4_f64, 10_000.0);
     for sub_steps in [1, 3, 20] {
         let mut drive = Drive::with_sub_steps(linear(FREE, tau), PERIOD, sub_steps).unwrap();
@@ -139,7 +139,7 @@ fn held_by_friction_it_does_not_move_at_all() {
         drive.step(0.0, 0.0, 5.0 * f64::from(k).sin());
         assert!(drive.position().to_bits() == 0.7_f64.to_bits() && drive.velocity() == 0.0);
     }
-    // Just above, with no current to hold it: it goes.
+    // A force just above friction moves it, as no current holds it.
     drive.step(0.0, 0.0, 5.01);
     assert!(drive.position() > 0.7);
 }

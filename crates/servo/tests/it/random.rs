@@ -1,4 +1,4 @@
-//! Random axes under random motions, seeded: bounded, finite, within their limits.
+//! Seeded random axes under random motions: states are finite and within their limits.
 
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]
@@ -73,7 +73,7 @@ proptest! {
     fn suggested_gains_come_to_rest_on_the_target(drive in drives(), period in 1e-4..4e-3, part in 0.01..0.3) {
         let hz = drive.velocity_bandwidth_hz();
         let gains = Gains::suggested(hz, period);
-        // A step that asks for this part of the peak at first: off the limits, but friction takes its share.
+        // The step initially demands this part of the peak: within the limits, and less with friction.
         let target = part * drive.peak_acceleration() / (TAU * hz * gains.kp);
         let mut axis = ServoAxis::new(gains, 1e4, drive, period).unwrap();
         let set = SetPoint { position: target, ..SetPoint::default() };
@@ -87,8 +87,8 @@ proptest! {
             }
         }
         let count = drive.encoder().count();
-        // Held by friction F short of the target, the drive's integrator has to grow by up to 2 F, and does
-        // so at w^2 kp e: after a time t of that, e is at most 2 F / (w^2 kp t).
+        // If friction F holds the axis short of the target, the drive's integrator must grow by up to 2 F. It grows at
+        // w^2 kp e, so after a time t e is at most 2 F / (w^2 kp t).
         let growth = (TAU * hz).powi(2) * gains.kp * 0.5 * f64::from(periods) * period;
         let held = 2.0 * drive.coulomb_deceleration() / growth;
         prop_assert!(end < count + held + 1e-6 * target, "error {end}, count {count}, held {held}");
@@ -108,7 +108,7 @@ proptest! {
             let command = looped.update(SetPoint { position, velocity, acceleration }, measured);
             prop_assert!(command.abs() <= 50.0);
         }
-        // And it still works afterwards.
+        // It still works after a reset.
         looped.reset();
         prop_assert!(looped.update(SetPoint::default(), 0.0).abs() < 1e-12);
     }

@@ -1,4 +1,4 @@
-//! Measured responses against analytic ones: a linear case, where the measurement has to be right.
+//! Measured responses compared with analytic ones, in linear cases.
 
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]
@@ -38,7 +38,7 @@ fn drive(s: Complex64, hz: f64, (lag, delay, step): (f64, f64, f64), t: Option<T
             let wr = TAU * t.resonance_hz;
             let spring = wr * wr * m * l + 2.0 * t.damping * wr * m * l * s;
             let both = m * l * s * s + spring;
-            // Motor: (l s^2 + c s + k) / (s^2 (m l s^2 + c s + k)), and the load what the spring passes on.
+            // Motor: (l s^2 + c s + k) / (s^2 (m l s^2 + c s + k)), and the load follows through the spring.
             let motor = (l * s * s + spring) / (s * both);
             let load = spring / (s * s * both);
             (motor, if t.encoder_on == EncoderSide::Load { load } else { motor / s })
@@ -46,7 +46,7 @@ fn drive(s: Complex64, hz: f64, (lag, delay, step): (f64, f64, f64), t: Option<T
     };
     // PI with a set-point weight of one half: Kv (r/2 - v) + Kv w/2 (r - v) / s.
     let kv = 2.0 * w;
-    // The command changes at the beginning of a step, so for it the hold costs nothing.
+    // The command changes at the start of a step, so the hold does not delay it.
     let forward = kv * (0.5 + 0.5 * w / s * half) * current;
     let back = kv * (1.0 / half + 0.5 * w / s) * current;
     forward * load / (1.0 + back * motor)
@@ -70,7 +70,7 @@ fn axis(parameters: DriveParameters, notch: Option<Notch>) -> ServoAxis {
     ServoAxis::with_loop(position_loop, parameters).unwrap()
 }
 
-/// Greatest distance of measured from analytic response (dB, degrees) below `top_hz`, where it is above -40 dB.
+/// Maximum difference of the measured from the analytic response (dB, degrees) below `top_hz`, above -40 dB.
 fn distance(axis: &ServoAxis, top_hz: f64, analytic: impl Fn(f64) -> Complex64) -> (f64, f64) {
     let lines = loop_response(axis, 20.0).unwrap();
     let seen: Vec<_> = lines.iter().filter(|l| l.frequency_hz < top_hz && l.ratio.norm() > 0.01).collect();
@@ -83,7 +83,7 @@ fn distance(axis: &ServoAxis, top_hz: f64, analytic: impl Fn(f64) -> Complex64) 
 
 #[test]
 fn a_rigid_axis_is_measured_as_its_transfer_function() {
-    // Sub-steps as Drive::new takes them: 0.1 over twice the bandwidth, eight a period at least.
+    // Sub-steps as in Drive::new: 0.1 over twice the bandwidth, at least eight per period.
     for (hz, lag, delay) in [(60.0, 2e-4, 0.0), (60.0, 3e-4, 2.5e-4), (25.0, 1e-3, 4e-4)] {
         let step = PERIOD / (PERIOD * 2.0 * TAU * hz / 0.1).ceil().max(8.0);
         let parameters = DriveParameters::linear(FREE, tuning(hz, lag, delay)).unwrap();
@@ -122,8 +122,7 @@ fn an_elastic_axis_with_a_notch_is_measured_as_its_transfer_function() {
 
 #[test]
 fn the_measured_gain_margin_is_where_the_loop_becomes_unstable() {
-    // Independent of any response: raise kp by the margin less and more 5 %, kick the axis, and look whether it calms
-    // down.
+    // Independent check: kp is raised by the margin, 5 % less and 5 % more; the axis is excited and must settle or not.
     let parameters = DriveParameters::linear(FREE, tuning(40.0, 3e-4, 2e-4)).unwrap();
     let gains = |kp: f64| Gains { kp, kvff: 1.0, ..Gains::default() };
     let base = ServoAxis::new(gains(KP), 300.0, parameters, PERIOD).unwrap();

@@ -1,4 +1,4 @@
-//! Tuning on thousands of drives: margins hold, or the reason is said.
+//! Tuning of thousands of random drives: the margins hold, or the error gives the reason.
 
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]
@@ -72,7 +72,7 @@ fn random_drives_have_their_margins_or_say_why_not() {
                 assert!(tuned.margins.reach(REQUIRED.0, REQUIRED.1), "{case} {text}: {:?}", tuned.margins);
                 assert!(tuned.following_counts <= 1.0, "{case} {text}: {}", tuned.following_counts);
                 assert!(tuned.velocity_bandwidth_hz <= drive.velocity_bandwidth_hz() && tuned.notches.len() <= 2);
-                // Of its own accord it comes to rest: half a count, a count of backlash seen by the loop, and stiction.
+                // It comes to rest within half a count, a count of backlash in the loop, and stiction.
                 comes_to_rest(&tuned, &drive, &format!("{case} {text}"));
             }
             Err(error) => {
@@ -81,7 +81,7 @@ fn random_drives_have_their_margins_or_say_why_not() {
                     !matches!(error, Error::OutOfRange { .. } | Error::TooManyNotches { .. }),
                     "{case} {error}: {text}"
                 );
-                // One mass can always be tuned.
+                // A rigid axis can always be tuned.
                 assert!(drive.transmission().is_some(), "{case} {error}: {text}");
                 refused += 1;
             }
@@ -91,7 +91,7 @@ fn random_drives_have_their_margins_or_say_why_not() {
     assert!(refused <= 1 + cases() / 50);
 }
 
-/// A step of a few counts does not end in a growing swing.
+/// A step of a few counts does not end in a growing oscillation.
 fn comes_to_rest(tuned: &Tuned, drive: &DriveParameters, text: &str) {
     let drive = drive.with_velocity_bandwidth(tuned.velocity_bandwidth_hz).unwrap();
     let mut axis = ServoAxis::with_loop(tuned.position_loop(PERIOD, MAX_SPEED).unwrap(), drive).unwrap();
@@ -102,7 +102,7 @@ fn comes_to_rest(tuned: &Tuned, drive: &DriveParameters, text: &str) {
         axis.step(set, 0.0);
         let error = axis.position_loop().error().abs();
         assert!(error <= 2.0 * target, "{text}: {error}");
-        // Friction holds until the drive's integrator has walked; a gap lets the load rattle within it.
+        // Friction holds the axis until the drive's integrator has grown; the load may rattle within the gap.
         let gap = drive.transmission().map_or(0.0, |t| t.backlash);
         assert!(k < 11_000 || error <= 0.25 * target + 2.0 * count + gap, "{text}: {error} of {target}");
     }
@@ -137,14 +137,14 @@ fn what_it_measures_is_what_is_there() {
     let rigid = tune(&drive, PERIOD, MAX_SPEED).unwrap();
     assert!(rigid.resonance_hz.is_none() && rigid.backlash.is_none() && rigid.notches.is_empty(), "{rigid:?}");
     assert!((rigid.friction.unwrap().force - 30.0).abs() < 0.1);
-    // The lag: velocity loop, half a period of hold.
+    // Lag of the velocity loop, and half a period of hold.
     let lag = 1.0 / (TAU * 50.0) + 0.5 * PERIOD;
     assert!((rigid.gains.kaff / lag - 1.0).abs() < 0.05, "{} {lag}", rigid.gains.kaff);
 
     let elastic = tune(&drive.with_transmission(ELASTIC).unwrap(), PERIOD, MAX_SPEED).unwrap();
     assert!((elastic.resonance_hz.unwrap() / 60.0 - 1.0).abs() < 0.03, "{:?}", elastic.resonance_hz);
-    // Gap, and the wind-up under the load's half of the friction, once either way; 50 N s/m at the creeping 1 mm/s is
-    // nothing.
+    // The gap, and the wind-up under the load's half of the friction, once either way. Viscous friction (50 N s/m at
+    // the creeping 1 mm/s) is negligible.
     let w = TAU * 60.0;
     let stiffness_n_per_mm = 40.0 * w * w * 2.0 / 9.0 / 1000.0;
     let lost = 0.01 + 2.0 * 15.0 / stiffness_n_per_mm;
@@ -183,7 +183,7 @@ fn what_cannot_be_tuned_is_refused_with_its_reason() {
     for (period, speed) in [(0.0, 50.0), (f64::NAN, 50.0), (PERIOD, 0.0), (PERIOD, f64::NAN), (PERIOD, -3.0)] {
         assert!(matches!(tune(&drive, period, speed), Err(Error::OutOfRange { .. })));
     }
-    // A velocity loop with next to no force beyond friction never gets along without its limit.
+    // A velocity loop with almost no force beyond friction always meets its limit.
     let weak = LinearLoad { peak_force_n: 30.5, ..LOAD };
     let error = tune(&DriveParameters::linear(weak, TUNING).unwrap(), PERIOD, 5000.0).unwrap_err();
     println!("{error}");

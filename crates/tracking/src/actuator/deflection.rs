@@ -1,18 +1,18 @@
 use crate::lead::Error;
 use glam::DVec2;
 
-/// What a beam's deflection can do, the same in both directions.
+/// Limits of the beam deflection, the same in both directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DeflectionLimits {
-    /// Greatest deflection on the work, mm: a circle about the beam's middle.
+    /// Maximum deflection on the work, mm: a circle about the undeflected beam.
     pub range_mm: f64,
-    /// mm/s on the work.
+    /// Maximum slew rate on the work, mm/s.
     pub slew: f64,
-    /// From the order to the work, s: at most a cycle counts as none.
+    /// Latency from the command to the work, s; up to one cycle is negligible.
     pub latency_s: f64,
 }
 
-/// A beam that is deflected: no mass, but range and slew.
+/// Beam deflection: without inertia, limited in range and slew rate.
 #[derive(Debug, Clone)]
 pub struct Deflection {
     limits: DeflectionLimits,
@@ -21,10 +21,10 @@ pub struct Deflection {
 }
 
 impl Deflection {
-    /// In its middle.
+    /// Creates an undeflected beam.
     ///
     /// # Errors
-    /// [`Error::Value`] for limits that cannot be.
+    /// [`Error::Value`] for invalid limits.
     pub fn new(limits: DeflectionLimits, cycle_s: f64) -> Result<Self, Error> {
         for (key, value) in [("range_mm", limits.range_mm), ("slew", limits.slew), ("cycle_s", cycle_s)] {
             if !(value > 0.0 && value.is_finite()) {
@@ -37,13 +37,13 @@ impl Deflection {
         Ok(Self { limits, cycle_s, at: DVec2::ZERO })
     }
 
-    /// By how much earlier than it acts a target is to be given, s.
+    /// Returns the time from a command to its effect, s.
     #[must_use]
     pub fn lag_s(&self) -> f64 {
         self.limits.latency_s
     }
 
-    /// The deflection ordered in the next cycle on the way to `target`, mm.
+    /// Returns the deflection commanded in the next cycle towards `target`, mm.
     pub fn step(&mut self, target: DVec2) -> DVec2 {
         if target.is_finite() {
             let within = target.clamp_length_max(self.limits.range_mm);

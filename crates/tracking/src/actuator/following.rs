@@ -1,9 +1,9 @@
-/// An axis that is farther than this from where it was ordered, mm, for so long, s, is stuck. Twice what slides are off while
-/// they go through a jump with all their acceleration.
+/// Following error (mm) and its duration (s) from which an axis is stuck. The error is twice that of slides at full
+/// acceleration through a jump.
 const STUCK_MM: f64 = 0.1;
 const STUCK_S: f64 = 0.02;
 
-/// Watches whether axes go where they are ordered.
+/// Monitors the following error of axes.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Following {
     off_since: Option<f64>,
@@ -11,7 +11,7 @@ pub(crate) struct Following {
 }
 
 impl Following {
-    /// With the axes `off_mm` from where they were ordered; true once they are stuck, and from then on.
+    /// Updates with following error `off_mm`; returns true once the axes are stuck, and from then on.
     pub(crate) fn is_stuck(&mut self, t_s: f64, off_mm: f64) -> bool {
         if off_mm <= STUCK_MM {
             self.off_since = None;

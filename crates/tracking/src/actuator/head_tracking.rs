@@ -3,54 +3,53 @@ use super::{Following, Slide, SlideLimits};
 use crate::lead::{Error, Estimate, Measurement, Moment, OwnCurve, Refusal, Settings, Sight, Tracker, Verdict};
 use glam::DVec2;
 
-/// Part of a slide's speed and stroke that may be used before the torch is slowed and a warning given.
+/// Fraction of a slide's speed and stroke that is used before the torch slows down with a warning.
 const RESERVE: f64 = 0.8;
-/// As many periods without a measurement of use are worth a warning, if the torch goes on for longer than tacks
-/// explain.
+/// Number of periods without a usable measurement before a warning, if the torch travels farther than tacks explain.
 const BLIND_PERIODS: f64 = 10.0;
-/// Slowest that the torch goes while a correction fades out or comes to its end, as a part of its speed.
+/// Minimum feed override while a correction fades out or nears the end of its stroke, as a fraction.
 const FADING_SPEED: f64 = 0.25;
 
-/// What is wrong; from [`Alarm::Blind`] on each is worse than the one before.
+/// Tracking alarm; from [`Alarm::Blind`] on each is more severe than the previous one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Alarm {
-    /// The seam, here or ahead, needs more than 80 % of a slide's stroke, or of what the axes may carry the gun.
+    /// The seam, here or ahead, needs more than 80 % of the stroke of a slide or of the axes that carry the gun.
     NearStroke,
-    /// The seam is beyond the reach of the beam's deflection: the axes that carry the gun do the rest.
+    /// The seam is beyond the beam's deflection range: the axes that carry the gun correct the rest.
     AxesCarry,
-    /// The seam ahead leaves the taught path faster than a slide can go: slowed down.
+    /// The seam ahead leaves the taught path faster than a slide can follow: the torch slows down.
     Slowed,
-    /// Nothing of use has come from the sensor for some periods. The weld still lies on what was seen.
+    /// No usable measurement for several periods. The weld still follows earlier measurements.
     Blind,
-    /// The torch is beyond what was seen: the last slope is followed.
+    /// The torch is beyond the last measurement and follows the last slope.
     Coasting,
-    /// The torch has gone back farther than is remembered: the slide stays where it is.
+    /// The torch has reversed beyond the stored range: the slide stays in place.
     Unknown,
     /// The correction fades out to the taught path.
     FadingOut,
-    /// A slide is at its end: the weld misses the joint.
+    /// A slide is at the end of its stroke: the weld misses the joint.
     StrokeEnd,
     /// The correction has faded out: stop.
     Lost,
-    /// A slide does not go where it is ordered: stop.
+    /// A slide does not follow its set-point: stop.
     SlideStuck,
-    /// What is stored does not fit the part any more: stop.
+    /// The stored deviation no longer fits the part: stop.
     Misfit,
 }
 
-/// Why nothing of use comes from a sensor.
+/// Cause of a lack of usable measurements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cause {
-    /// Nothing comes at all.
+    /// The sensor is silent.
     Silent,
-    /// What comes does not agree with itself.
+    /// The measurements contradict each other.
     Wild,
-    /// What comes is refused.
+    /// The measurements are rejected.
     Refused(Refusal),
 }
 
 impl Cause {
-    /// In words.
+    /// Returns a description.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -67,7 +66,7 @@ impl Cause {
 }
 
 impl Alarm {
-    /// All of them.
+    /// All alarms.
     pub const ALL: [Self; 11] = [
         Self::NearStroke,
         Self::AxesCarry,
@@ -82,7 +81,7 @@ impl Alarm {
         Self::Misfit,
     ];
 
-    /// In words.
+    /// Returns a description.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -101,20 +100,20 @@ impl Alarm {
     }
 }
 
-/// What is to be done in the next cycle.
+/// Commands for the next cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orders {
     /// Set-points of the slide, lateral and height, mm.
     pub slide: DVec2,
-    /// Greatest part of its speed that the torch may have; 0: stop.
+    /// Maximum feed override as a fraction; 0: stop.
     pub pace: f64,
-    /// The worst that is wrong.
+    /// Most severe alarm.
     pub alarm: Option<Alarm>,
-    /// The same of what has nothing to do with sight.
+    /// Alarm that is independent of the sensor: [`Alarm::Slowed`] or [`Alarm::NearStroke`].
     pub carried: Option<Alarm>,
-    /// What is wrong with the sensor, as soon as nothing of use has come from it for some periods.
+    /// Cause of a lack of usable measurements, after several periods without one.
     pub cause: Option<Cause>,
-    /// What is known of the seam at the torch.
+    /// Estimate of the seam at the torch.
     pub estimate: Estimate,
 }
 
@@ -125,20 +124,20 @@ pub struct HeadTracking {
     slides: [Slide; 2],
     ordered: DVec2,
     target: DVec2,
-    /// When and where anything of use came last.
+    /// Time (s) and torch position (mm) of the last usable measurement.
     taken: Option<(f64, f64)>,
-    /// When and where on the seam the torch was first.
+    /// Time (s) and position (mm) at which the torch entered the seam.
     begun: Option<(f64, f64)>,
-    /// Where the torch is, mm.
+    /// Torch position, mm.
     here_mm: f64,
-    /// The last measurement that was of no use since, and when it came.
+    /// Arrival time (s) and verdict of the last unusable measurement since.
     unused: Option<(f64, Verdict)>,
     following: Following,
     stuck: bool,
 }
 
 impl HeadTracking {
-    /// A head on the seam that `own` is of, its cross slide in the middle.
+    /// Creates the tracking of a head on the seam described by `own`, its cross slide centred.
     ///
     /// # Errors
     /// Those of [`Settings::check`] and [`SlideLimits::check`]; a notice shorter than the slides' lag.
@@ -165,19 +164,19 @@ impl HeadTracking {
         })
     }
 
-    /// How its sensor is followed.
+    /// Returns the settings of the sensor.
     #[must_use]
     pub fn settings(&self) -> &Settings {
         self.tracker.settings()
     }
 
-    /// What its corrections may do, lateral and height.
+    /// Returns the limits of corrections, lateral and height.
     #[must_use]
     pub fn limits(&self) -> [SlideLimits; 2] {
         [*self.slides[0].limits(), *self.slides[1].limits()]
     }
 
-    /// A measurement has arrived at time `now_s`.
+    /// Processes a measurement that arrived at time `now_s`.
     pub fn take(&mut self, measured: &Measurement, now_s: f64) -> Verdict {
         let verdict = self.tracker.take(measured, now_s);
         match verdict {
@@ -187,12 +186,12 @@ impl HeadTracking {
         verdict
     }
 
-    /// A cycle: where the torch and the slide truly are, and how fast the torch goes along the seam, mm/s.
+    /// Runs one cycle with the actual positions of torch and slide, and the torch's speed along the seam, mm/s.
     pub fn cycle(&mut self, now: Moment, speed: f64) -> Orders {
         self.cycle_woven(now, speed, DVec2::ZERO)
     }
 
-    /// The same of a torch that weaves: of where the slide truly is `swing` (lateral and height, mm) is the weave's.
+    /// Runs one cycle of a weaving torch; `swing` (lateral and height, mm) is the weave's part of the slide position.
     pub fn cycle_woven(&mut self, now: Moment, speed: f64, swing: DVec2) -> Orders {
         let settings = *self.tracker.settings();
         let way = speed.abs() * settings.notice_s;
@@ -213,12 +212,12 @@ impl HeadTracking {
         Orders { slide: self.ordered, pace, alarm, carried, cause: self.cause(&now), estimate }
     }
 
-    /// Why nothing of use has come for some periods, and for longer than tacks explain; none if something has.
+    /// Returns the cause after several periods without a usable measurement, over more distance than tacks explain.
     fn cause(&self, now: &Moment) -> Option<Cause> {
         let settings = self.tracker.settings();
         let long_ago = |since: f64| now.t_s - since > BLIND_PERIODS * settings.period_s;
         let blind = |(t, s): (f64, f64)| long_ago(t) && (now.s_mm - s).abs() > settings.coast_mm();
-        // Nothing yet counts from where the seam begins.
+        // Before the first measurement both count from the start of the seam.
         if !self.taken.or(self.begun).is_some_and(blind) {
             return None;
         }
@@ -229,13 +228,13 @@ impl HeadTracking {
         })
     }
 
-    /// Where the slides are sent: what they will have reached when the torch is there.
+    /// Sets the slides' target: the deviation that the torch meets after the slides' lag.
     fn aim(&mut self, now: &Moment, speed: f64, settings: &Settings) {
         let [x, y] = &self.slides;
-        // Both have lags of their own, but nearly the same.
+        // The lags of both slides are nearly equal.
         let lag = x.lag_s().max(y.lag_s());
         let there = now.s_mm + speed * (lag + settings.cycle_s);
-        // Where nothing is known, as after going back far, the slide stays.
+        // At an unknown seam, as after a long reverse, the slide stays.
         if self.tracker.at(there).sight != Sight::Unseen {
             let limit = |f: fn(&Slide) -> f64| DVec2::new(f(x), f(y));
             self.target = softened(
@@ -247,7 +246,7 @@ impl HeadTracking {
         }
     }
 
-    /// Pace, the worst that is wrong, and of what has nothing to do with sight.
+    /// Returns the feed override, the most severe alarm, and the one independent of the sensor.
     fn judge(&self, now: &Moment, speed: f64, here: &Estimate) -> (f64, Option<Alarm>, Option<Alarm>) {
         let settings = self.tracker.settings();
         if self.stuck {
@@ -276,7 +275,7 @@ impl HeadTracking {
                 None => return (pace, None, None),
             },
         };
-        // The nearer to its end, the slower: time for the operator.
+        // Slows down towards the end of the stroke, to give the operator time.
         pace = pace.min(1.0 - (1.0 - FADING_SPEED) * ((reach - RESERVE) / (1.0 - RESERVE)).clamp(0.0, 1.0));
         match alarm {
             Alarm::Lost | Alarm::StrokeEnd => pace = 0.0,

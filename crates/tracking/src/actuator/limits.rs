@@ -3,17 +3,19 @@ use crate::lead::Error;
 /// Limits of one axis of a cross slide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlideLimits {
-    /// To each side of its middle, mm.
+    /// Stroke to each side of the middle, mm.
     pub stroke_mm: f64,
-    /// mm/s.
+    /// Maximum speed, mm/s.
     pub speed: f64,
-    /// mm/s^2.
+    /// Maximum acceleration, mm/s^2.
     pub acceleration: f64,
-    /// mm/s^3.
+    /// Maximum jerk, mm/s^3.
     pub jerk: f64,
 }
 
 impl SlideLimits {
+    /// Checks all limits.
+    ///
     /// # Errors
     /// [`Error::Value`] for one that is not positive and finite.
     pub fn check(&self) -> Result<(), Error> {

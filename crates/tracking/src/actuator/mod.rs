@@ -1,9 +1,9 @@
-//! What brings the torch over the seam: cross slides and beam deflection, each within its limits.
+//! Actuators that bring the torch over the seam: cross slides and beam deflection, each within its limits.
 //!
-//! [`Slide`] is one axis of a cross slide; [`Deflection`] bends a beam; [`OverAxes`] shifts the torch with the machine's own axes;
-//! [`SlideAuthority`] splits corrections between slides and the axes that carry them. [`HeadTracking`] has a tracker and a cross
-//! slide of one head and gives orders every cycle: where the slide is to be, how fast the torch may go, and what is
-//! wrong.
+//! [`Slide`] is one axis of a cross slide; [`Deflection`] bends a beam; [`OverAxes`] shifts the torch with the
+//! machine's own axes. [`SlideAuthority`] splits corrections between slides and the axes that carry them.
+//! [`HeadTracking`] combines the tracker and the cross slide of one head. Every cycle it returns the slide's
+//! set-points, the torch's feed override and alarms.
 
 mod deflection;
 mod following;

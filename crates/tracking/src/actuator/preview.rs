@@ -1,18 +1,17 @@
 use glam::DVec2;
 
-/// Places looked at to each side.
+/// Number of samples to each side.
 const PLACES: i32 = 10;
 
-/// What goes through a jump is late by its acceleration: steeper curves than it can follow, begun later, end earlier.
-/// Measured: with 1 twice the error, with 0.7 three times.
+/// Slope factor: acceleration delays a slide through a jump, so a steeper curve that starts later ends earlier.
+/// Measured: factor 1 gives twice the error, 0.7 three times.
 const STEEP: f64 = 1.5;
 
-/// Where a slide that cannot jump should be now, if it is to be nowhere farther from `target` (by time from now, s)
-/// than it must be: it begins early. Of all curves no steeper than a limit this one's greatest error within `horizon_s`
-/// to both sides is the least; it is the mean of the highest and the lowest (McShane's extensions). The limit is
-/// `speed`, and no more than
-/// [`STEEP`] times what `acceleration` reaches over the range of the target there: so what can be followed is left as
-/// it is.
+/// Returns the present target of a slide that cannot jump; it starts before a jump of `target` (by time from now, s).
+/// Of all curves within a slope limit, this one has the smallest maximum error within `horizon_s` to both sides. It is
+/// the mean of the highest and the lowest such curve (McShane's extensions). The limit is `speed`, but at most
+/// [`STEEP`] times the speed that `acceleration` reaches over the target's range there. A target that the slide can
+/// follow stays unchanged.
 pub(super) fn softened(target: impl Fn(f64) -> DVec2, horizon_s: f64, speed: DVec2, acceleration: DVec2) -> DVec2 {
     let times: [f64; 2 * PLACES as usize + 1] =
         std::array::from_fn(|i| horizon_s * f64::from(i as i32 - PLACES) / f64::from(PLACES));
@@ -42,7 +41,7 @@ mod tests {
         for i in 0..2000 {
             let p = f64::from(i);
             let (w, size) = (2.0 + 10.0 * (0.37 * p).sin().abs(), 1.0 + (1.3 * p).sin());
-            // No more acceleration than there is.
+            // Keeps the target within the acceleration limit.
             let size = size.min(400.0 / (w * w));
             let target = |t: f64| DVec2::new(size * (w * t + p).sin(), 0.3 * size * (w * t - p).cos() + 2.0);
             let found = softened(target, 0.05, SPEED, ACCELERATION);

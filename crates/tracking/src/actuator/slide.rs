@@ -1,28 +1,28 @@
 use super::SlideLimits;
 use crate::lead::Error;
 
-/// Longest mean that set-points go through, s: half of it is the lag that previews make up for.
+/// Maximum averaging window of set-points, s; half of it is the lag that previews compensate.
 const LONGEST_MEAN_S: f64 = 0.04;
-/// Cycles of the longest mean that there is room for.
+/// Maximum number of cycles in the averaging window.
 const ROOM: usize = 160;
-/// How fast small errors are made good, 1/s.
+/// Gain with which small errors are corrected, 1/s.
 const GAIN: f64 = 100.0;
-/// Part of the acceleration that making errors good is planned with: the rest is the target's.
+/// Fraction of the acceleration planned for correcting errors; the rest follows the target.
 const CATCH_UP: f64 = 0.9;
-/// Speed that set-points keep from their limit, as a part of it: rounding.
+/// Fraction of a limit that set-points use, to absorb rounding.
 const ROUNDING: f64 = 1.0 - 1e-9;
 
 /// One axis of a cross slide: set-points that follow a target within the limits of stroke, speed, acceleration and
 /// jerk.
 ///
-/// A target within them is followed exactly, [`Self::lag_s`] late. One that is not is caught up with as fast as the
-/// limits allow. The point that follows keeps speed and acceleration; a mean of its last places has no more of either,
-/// and its jerk is at most twice that acceleration by the length of the mean.
+/// A target within the limits is followed exactly, [`Self::lag_s`] late; any other is caught up with as fast as they
+/// allow. The follower keeps speed and acceleration. The mean of its last positions exceeds neither, and its jerk is at
+/// most twice that acceleration divided by the window.
 #[derive(Debug, Clone)]
 pub struct Slide {
     limits: SlideLimits,
     cycle_s: f64,
-    /// What is left of the acceleration so that the mean keeps the jerk.
+    /// Acceleration reduced so that the mean keeps the jerk limit, mm/s^2.
     acceleration: f64,
     target: f64,
     position: f64,
@@ -33,10 +33,10 @@ pub struct Slide {
 }
 
 impl Slide {
-    /// At rest in its middle.
+    /// Creates a slide at rest in its middle.
     ///
     /// # Errors
-    /// [`Error::Value`] for limits that cannot be, and for a cycle that is no time or shorter than 0.25 ms.
+    /// [`Error::Value`] for invalid limits, and for a cycle outside 0.25 to 40 ms.
     pub fn new(limits: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
         limits.check()?;
         if !(LONGEST_MEAN_S / ROOM as f64..=LONGEST_MEAN_S).contains(&cycle_s) {
@@ -44,7 +44,7 @@ impl Slide {
         }
         let mean_s = (2.0 * limits.acceleration / limits.jerk).min(LONGEST_MEAN_S);
         let cycles = ((mean_s / cycle_s).floor() as usize).clamp(1, ROOM);
-        // A mean over n cycles has of the acceleration's change 1/n a cycle.
+        // A mean over n cycles changes per cycle by 1/n of the change in acceleration.
         let kept = 0.5 * limits.jerk * cycles as f64 * cycle_s;
         let acceleration = limits.acceleration.min(kept) * ROUNDING;
         let rest = (0.0, 0.0, 0.0);
@@ -52,25 +52,25 @@ impl Slide {
         Ok(Self { limits, cycle_s, acceleration, target, position, velocity, last: [0.0; ROOM], cycles, next: 0 })
     }
 
-    /// Its limits.
+    /// Returns the limits.
     #[must_use]
     pub fn limits(&self) -> &SlideLimits {
         &self.limits
     }
 
-    /// The acceleration it uses, mm/s^2: less than its limit where the jerk would not be kept.
+    /// Returns the acceleration in use, mm/s^2; below its limit where the jerk limit requires it.
     #[must_use]
     pub fn acceleration(&self) -> f64 {
         self.acceleration
     }
 
-    /// By how much set-points are behind targets, s.
+    /// Returns the lag of set-points behind targets, s.
     #[must_use]
     pub fn lag_s(&self) -> f64 {
         0.5 * (self.cycles - 1) as f64 * self.cycle_s
     }
 
-    /// The set-point of the next cycle on the way to `target`, mm.
+    /// Returns the set-point of the next cycle towards `target`, mm.
     pub fn step(&mut self, target: f64) -> f64 {
         let (dt, limits) = (self.cycle_s, self.limits);
         let stroke = limits.stroke_mm * ROUNDING;
@@ -79,7 +79,7 @@ impl Slide {
         let wanted = rate + self.catch_up(self.target - self.position);
         self.target = target;
         let change = self.acceleration * dt;
-        // No faster than it can come to rest before the end of the stroke, a cycle early.
+        // Keeps the speed low enough to stop before the end of the stroke, a cycle early.
         let room = |to_end: f64| self.fastest_to_rest(to_end);
         let speed = limits.speed * ROUNDING;
         let low = -room(self.position + stroke).min(speed);
@@ -90,7 +90,7 @@ impl Slide {
         self.mean()
     }
 
-    /// The set-point of the next cycle on the way to rest, as soon as the acceleration lets it; what is at rest stays there.
+    /// Returns the set-point of the next cycle, mm, braking at full acceleration; at rest it is constant.
     pub fn brake(&mut self) -> f64 {
         let change = self.acceleration * self.cycle_s;
         self.velocity -= self.velocity.clamp(-change, change);
@@ -105,7 +105,7 @@ impl Slide {
         self.last[..self.cycles].iter().sum::<f64>() / self.cycles as f64
     }
 
-    /// Speed at which an error is made good: straight in it where it is small, then as steep as can be braked.
+    /// Returns the speed that corrects an error: proportional while small, then limited by braking.
     fn catch_up(&self, error: f64) -> f64 {
         let a = CATCH_UP * self.acceleration;
         let small = a / (GAIN * GAIN);
@@ -114,7 +114,7 @@ impl Slide {
         speed.copysign(error)
     }
 
-    /// The greatest speed in the next cycle that leaves room to brake in steps: v dt (1 + 2 + ... ) <= room.
+    /// Returns the maximum speed in the next cycle that leaves room to brake in steps: v dt (1 + 2 + ... ) <= room.
     fn fastest_to_rest(&self, room: f64) -> f64 {
         let step = self.acceleration * self.cycle_s;
         // v dt + v^2 / 2a + v dt / 2 <= room, solved for v.
@@ -140,7 +140,7 @@ mod tests {
         SlideLimits { stroke_mm: scale(8.0), speed: scale(40.0), acceleration: scale(800.0), jerk: scale(20_000.0) }
     }
 
-    /// Whatever the target does, no limit is broken, by differences of set-points.
+    /// Differences of set-points keep all limits for any target.
     #[test]
     fn limits_hold() {
         let mut random = Pcg64Mcg::seed_from_u64(1);
@@ -167,7 +167,7 @@ mod tests {
         }
     }
 
-    /// What is braked stands still exactly, after the time that its acceleration and its mean need.
+    /// A braked slide stands exactly still after the time that acceleration and averaging need.
     #[test]
     fn what_is_braked_rests() {
         let limits = SlideLimits { stroke_mm: 50.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
@@ -181,7 +181,7 @@ mod tests {
         assert!(places[needed..].windows(2).all(|p| p[0].to_bits() == p[1].to_bits()), "{:?}", &places[needed..]);
     }
 
-    /// A target within the limits is followed exactly, late by the lag; but for what a mean takes off a curve.
+    /// A target within the limits is followed with the lag, exactly except for the averaging of a curve.
     #[test]
     fn what_can_be_followed_is() {
         let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
@@ -200,7 +200,7 @@ mod tests {
         }
     }
 
-    /// A step is gone through without overshoot worth the name, in little more than the shortest time there is.
+    /// A step response has negligible overshoot and takes little more than the minimum time.
     #[test]
     fn steps_are_fast() {
         let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };

@@ -2,17 +2,17 @@ use super::{Slide, SlideLimits};
 use crate::lead::Error;
 use glam::DVec2;
 
-/// Part of a slide's stroke that it keeps to itself: the axes that carry it take over what is beyond.
+/// Fraction of a slide's stroke that is used before the axes that carry it take over.
 const OWN: f64 = 0.6;
-/// Part of a slide's speed, acceleration and jerk that it keeps for making room for the axes.
+/// Fraction of a slide's speed, acceleration and jerk reserved for compensating the axes.
 const SHARE: f64 = 0.2;
 
-/// Splits corrections between cross slides and the axes that carry them: slides do what is quick, the axes take over
-/// what would bring a slide near its end.
+/// Splits corrections between cross slides and the axes that carry them. Slides make quick corrections; the axes take
+/// over the part that would bring a slide near its end.
 ///
-/// The axes go within their own limits and within a fifth of the slide's, so whatever is asked for within
-/// [`SlideAuthority::limits`] asks of a slide no more than it can. Until a slide has used 60 % of its stroke the axes rest; what then
-/// goes on faster than the axes can follow ends at the slide's end, as [`SlideAuthority::has_room`] tells.
+/// The axes keep their own limits and a fifth of the slide's, so corrections within [`SlideAuthority::limits`] never
+/// exceed a slide's limits. The axes rest until a slide has used 60 % of its stroke. A correction that then outruns the
+/// axes brings the slide to its end, which [`SlideAuthority::has_room`] detects.
 #[derive(Debug, Clone)]
 pub struct SlideAuthority {
     slide: SlideLimits,
@@ -21,10 +21,10 @@ pub struct SlideAuthority {
 }
 
 impl SlideAuthority {
-    /// For slides with the limits `slide` on axes with the limits `axes`, at rest.
+    /// Creates the split between slides with the limits `slide` and axes with the limits `axes`, at rest.
     ///
     /// # Errors
-    /// Limits or a cycle that cannot be.
+    /// Invalid limits or an invalid cycle.
     pub fn new(slide: SlideLimits, axes: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
         slide.check()?;
         let quick = SlideLimits {
@@ -37,7 +37,7 @@ impl SlideAuthority {
         Ok(Self { slide, axes: [one.clone(), one], range_mm: axes.stroke_mm })
     }
 
-    /// What both together may do.
+    /// Returns the combined limits of slides and axes.
     #[must_use]
     pub fn limits(&self) -> SlideLimits {
         let SlideLimits { stroke_mm, speed, acceleration, jerk } = self.slide;
@@ -50,20 +50,20 @@ impl SlideAuthority {
         }
     }
 
-    /// What of `wanted` (mm) a slide would leave to the axes in the long run.
+    /// Returns the part of `wanted` (mm) that a slide leaves to the axes in the long run.
     #[must_use]
     pub fn excess(&self, wanted: DVec2) -> DVec2 {
         let own = DVec2::splat(OWN * self.slide.stroke_mm);
         wanted - wanted.clamp(-own, own)
     }
 
-    /// The next set-points of the axes on the way to `excess`, mm.
+    /// Returns the next set-points of the axes towards `excess`, mm.
     pub fn step(&mut self, excess: DVec2) -> DVec2 {
         let [x, y] = &mut self.axes;
         DVec2::new(x.step(excess.x), y.step(excess.y))
     }
 
-    /// True if a slide can be `left` (mm) off its middle.
+    /// Returns whether a slide can be `left` (mm) off its middle.
     #[must_use]
     pub fn has_room(&self, left: DVec2) -> bool {
         left.abs().max_element() <= self.slide.stroke_mm
@@ -78,8 +78,8 @@ mod tests {
     const SLIDE: SlideLimits = SlideLimits { stroke_mm: 10.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
     const AXES: SlideLimits = SlideLimits { stroke_mm: 30.0, speed: 45.0, acceleration: 150.0, jerk: 1500.0 };
 
-    /// What is asked for within the limits of both keeps those of each, by differences; and where it stays the slide is
-    /// back within its own part.
+    /// Corrections within the combined limits keep those of slide and axes, by differences of set-points, and the
+    /// slide's stroke.
     #[test]
     fn each_keeps_its_limits() {
         for (size, hz) in [(9.0, 0.5), (18.0, 0.08), (30.0, 0.04), (3.0, 1.5)] {

@@ -2,37 +2,37 @@ use crate::actuator::{Deflection, DeflectionLimits, Slide, SlideLimits};
 use crate::lead::Error;
 use glam::DVec2;
 
-/// Part of the deflection's range that is used before the axes carry the gun after it.
+/// Fraction of the deflection's range that is used before the axes carry the gun.
 const RESERVE: f64 = 0.8;
-/// The axes begin so early to carry the gun to where it will be needed, s: the deflection makes up for it meanwhile.
+/// Anticipation of the axes that carry the gun, s; the deflection compensates meanwhile.
 pub(super) const SOON_S: f64 = 0.3;
-/// A correction that misses its place by more than this, mm, for so long, s, is more than both can: axes need some time.
+/// Error (mm) and its duration (s) from which a correction exceeds both actuators: axes need some time.
 const SHORT_MM: f64 = 0.1;
 const SHORT_S: f64 = 0.3;
 
-/// Who corrects what: the beam's deflection as far as it reaches, the axes that carry the gun what exceeds that.
+/// Splits corrections: the beam's deflection within its range, the excess by the axes that carry the gun.
 ///
-/// The axes move only as far as they must, so a seam within the deflection's range leaves them at rest. What they truly do the
-/// deflection makes up for: their following error does not reach the weld.
+/// The axes move only as far as necessary, so a seam within 80 % of the deflection's range leaves them at rest. The
+/// deflection compensates their following error, so it does not reach the weld.
 #[derive(Debug, Clone)]
 pub(super) struct BeamAuthority {
     deflection: Deflection,
     axes: Slide,
     range_mm: f64,
-    /// Where the axes are sent, mm.
+    /// Target of the axes, mm.
     target: f64,
     short_since: Option<f64>,
 }
 
-/// A correction in two parts, mm, lateral.
+/// Lateral correction in two parts, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Shares {
     pub(super) deflection: f64,
-    /// Set-point of what the axes carry.
+    /// Set-point of the axes.
     pub(super) carried: f64,
     /// The axes carry a part.
     pub(super) carries: bool,
-    /// More than 80 % of what the axes can carry.
+    /// The target exceeds 80 % of the axes' stroke.
     pub(super) near_stroke: bool,
     /// Both together do not reach the seam.
     pub(super) short: bool,
@@ -45,13 +45,13 @@ impl BeamAuthority {
         Ok(Self { deflection, axes, range_mm, target: 0.0, short_since: None })
     }
 
-    /// By how much earlier than it acts a correction is to be given, s.
+    /// Returns the time from a command to its effect, s.
     pub(super) fn lag_s(&self) -> f64 {
         self.deflection.lag_s()
     }
 
-    /// The set-points with which the beam comes to `to` while the axes truly carry the gun by `carried`; after [`SOON_S`] it
-    /// will have to come to `soon`. What is no number is not known.
+    /// Returns the set-points that bring the beam to `to` while the axes actually carry the gun by `carried`. After
+    /// [`SOON_S`] the beam has to reach `soon`. A non-finite target is ignored as unknown.
     pub(super) fn step(&mut self, [to, soon]: [f64; 2], carried: f64, t_s: f64) -> Shares {
         let reserve = RESERVE * self.range_mm;
         for wanted in [to, soon].into_iter().filter(|wanted| wanted.is_finite()) {
@@ -81,7 +81,7 @@ mod tests {
     const BEAM: DeflectionLimits = DeflectionLimits { range_mm: 2.0, slew: 2000.0, latency_s: 75e-6 };
     const AXES: SlideLimits = SlideLimits { stroke_mm: 5.0, speed: 20.0, acceleration: 200.0, jerk: 3000.0 };
 
-    /// Axes that follow late and shake: the beam still lies on the seam, and they move only by what the range does not reach.
+    /// With late, shaking axes the beam stays on the seam, and they move only by the excess over the range.
     #[test]
     fn together_they_are_on_the_seam() {
         let mut authority = BeamAuthority::new(BEAM, AXES, 1e-3).unwrap();
@@ -99,7 +99,7 @@ mod tests {
         assert!((most - 3.4).abs() < 0.01, "{most}");
     }
 
-    /// A jump that the range alone does not reach is met at once if it is known before.
+    /// A jump beyond the range is followed at once if it is known in advance.
     #[test]
     fn a_jump_that_is_known() {
         let mut authority = BeamAuthority::new(BEAM, AXES, 1e-3).unwrap();
@@ -114,7 +114,7 @@ mod tests {
         assert!(worst < 1e-9 && (carried - 0.8).abs() < 0.01, "{worst} {carried}");
     }
 
-    /// Beyond both it says so, and what is no number moves nothing.
+    /// A target beyond both ranges is reported as `short`; NaN targets are ignored.
     #[test]
     fn beyond_both() {
         let mut authority = BeamAuthority::new(BEAM, AXES, 1e-3).unwrap();

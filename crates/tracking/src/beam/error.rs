@@ -1,26 +1,26 @@
-/// What cannot work in beam mode.
+/// Invalid settings or records of beam mode.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// A value that cannot be.
+    /// An invalid value.
     #[error(transparent)]
     Value(#[from] crate::lead::Error),
     /// Frames would interrupt the weld too often.
     #[error("period_s = {period_s}: the weld may be interrupted every {every_s} s; allowed is that or more")]
     TooOften {
-        /// From frame to frame, s.
+        /// Frame period, s.
         period_s: f64,
-        /// What the weld allows, s.
+        /// Minimum period that the weld allows, s.
         every_s: f64,
     },
     /// A frame would interrupt the weld for too long.
     #[error("scan_s = {scan_s}: the weld may be interrupted for {longest_s} s; allowed is that or less")]
     TooLong {
-        /// Time that a frame takes, s.
+        /// Duration of a frame, s.
         scan_s: f64,
-        /// What the weld allows, s.
+        /// Maximum interruption that the weld allows, s.
         longest_s: f64,
     },
-    /// What would have to be looked at lies outside of the frame.
+    /// The detection zone lies outside the frame.
     #[error(
         "at {speed_mm_s} mm/s the joint must be seen from {from_mm:.1} to {to_mm:.1} mm ahead, and the frame ends at \
          {reach_mm:.1} mm; {}",
@@ -29,13 +29,13 @@ pub enum Error {
     ZoneOutside {
         /// The speed, mm/s.
         speed_mm_s: f64,
-        /// Where the zone would begin, mm ahead of the beam.
+        /// Start of the zone, mm ahead of the beam.
         from_mm: f64,
-        /// Where it would end.
+        /// End of the zone, mm ahead of the beam.
         to_mm: f64,
-        /// Where the frame ends.
+        /// End of the frame, mm ahead of the beam.
         reach_mm: f64,
-        /// The slowest and the fastest speed whose zone lies inside, mm/s; none if no speed's does.
+        /// Minimum and maximum speed whose zone lies inside the frame, mm/s; `None` without such a speed.
         speeds_that_work: Option<[f64; 2]>,
     },
     /// A stored deviation that does not cover the pass.
@@ -44,13 +44,13 @@ pub enum Error {
          {last_mm} mm"
     )]
     NotCovered {
-        /// Begin of the pass by the stored path length, mm.
+        /// Start of the pass in stored path length, mm.
         from_mm: f64,
-        /// Its end.
+        /// End of the pass in stored path length, mm.
         to_mm: f64,
-        /// What is stored.
+        /// Start of the stored range, mm.
         first_mm: f64,
-        /// To here.
+        /// End of the stored range, mm.
         last_mm: f64,
     },
 }

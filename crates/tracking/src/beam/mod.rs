@@ -1,10 +1,10 @@
-//! Beam mode (EBW-2004): the beam that welds is the eye. It interrupts the weld for a few milliseconds to scan the work ahead
-//! of the pool, and is deflected to where the joint was seen.
+//! Beam mode (EBW-2004): the welding beam is also the camera. It interrupts the weld for a few milliseconds to scan the
+//! work ahead of the pool, and is deflected to the detected joint.
 //!
-//! [`Schedule`] says when the beam scans, [`ZoneNeeds`] where: ahead of pool and heat, within the frame. [`BeamTracking`]
-//! puts the places that a frame shows together by path length and divides corrections between deflection and the axes
-//! that carry the gun. What was found is a [`DeviationRecord`] that is stored with the program; [`BeamReplay`] corrects later
-//! passes by it without a sensor, once a few frames have shown that it still fits.
+//! [`Schedule`] decides when the beam scans, [`ZoneNeeds`] which zone: ahead of pool and heat, within the frame.
+//! [`BeamTracking`] combines the points of all frames by path length and splits corrections between the deflection and
+//! the axes that carry the gun. The result is a [`DeviationRecord`] stored with the program. [`BeamReplay`] corrects
+//! later passes with it without a sensor, once a few frames have confirmed that it still fits.
 
 mod beam_authority;
 mod error;

@@ -2,50 +2,50 @@ use crate::lead::{Moment, SeamFrame};
 use arrayvec::ArrayVec;
 use glam::DVec2;
 
-/// A place of the joint's midline in a frame, mm in the torch's frame: the beam that is not deflected is its origin.
+/// Point of the joint's midline in a frame, mm in the torch frame; the undeflected beam is the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// Ahead along the seam.
+    /// Distance ahead along the seam.
     pub along_mm: f64,
-    /// To the side to which lateral corrections count.
+    /// Lateral position, positive in the direction of lateral corrections.
     pub lateral_mm: f64,
     /// 0 to 1.
     pub confidence: f64,
 }
 
-/// The midline that was found in a frame.
+/// Midline detected in a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Picture<'a> {
-    /// When the frame was taken, on average, s, on the cell's clock.
+    /// Mean exposure time of the frame, s, on the cell's clock.
     pub exposed_s: f64,
-    /// By how much the work lies higher than it was taught, as focus measured it on the beam's axis, mm; 0 if nothing did:
-    /// then a seam whose frame turns is seen beside where it is.
+    /// Height of the work above the taught one, mm, as focus measured it on the beam's axis; 0 without a measurement.
+    /// Then the seam is detected beside its true position if its frame rotates.
     pub height_mm: f64,
-    /// From the nearest to the farthest.
+    /// Points from the nearest to the farthest.
     pub points: &'a [Point],
 }
 
-/// What became of a picture.
+/// Result of processing a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Taken {
-    /// Points that are used.
+    /// Number of points used.
     pub used: u32,
-    /// Points that are not what was expected.
+    /// Number of points rejected as outliers.
     pub gated: u32,
-    /// Points outside of the zone or of too little confidence.
+    /// Number of points outside the zone, of too little confidence, or beyond the maximum number.
     pub left_out: u32,
-    /// Why none is used at all.
+    /// Reason for rejecting the whole picture.
     pub refused: Option<crate::lead::Refusal>,
 }
 
 /// A nominal seam by path length.
 pub(super) type Course<'a> = &'a (dyn Fn(f64) -> SeamFrame + Sync);
 
-/// Steps in which the foot of a point is found: each leaves of the error the part that its distance is of the seam's radius.
+/// Iterations of the foot-point search; each multiplies the error by the point's distance over the seam's radius.
 const STEPS: usize = 6;
 
-/// Path length of the place of the nominal seam that is nearest to a point, and the seam's deviation there. The gun was
-/// carried aside by `then.slide`. A frame is flat: the point is taken to be `height` mm above the nominal seam.
+/// Returns the path length of the nominal seam's station nearest to a point, and the seam's deviation there. The axes
+/// carried the gun aside by `then.slide`. A frame is flat: the point is assumed `height` mm above the nominal seam.
 pub(super) fn located(seam: Course<'_>, then: &Moment, point: &Point, height: f64) -> (f64, DVec2) {
     let here = seam(then.s_mm);
     let at = here.point + point.along_mm * here.along + (point.lateral_mm + then.slide.x) * here.lateral;
@@ -61,17 +61,17 @@ pub(super) fn located(seam: Course<'_>, then: &Moment, point: &Point, height: f6
     (s, DVec2::new(lateral, 0.0))
 }
 
-/// A place that was seen: path length, deviation, confidence.
+/// Detected point: path length, deviation, confidence.
 pub(super) type Place = (f64, DVec2, f64);
-/// Most places of a picture that are used.
+/// Maximum number of points used per picture.
 pub(super) const PLACES: usize = 64;
-/// Steepest seam against the taught one.
+/// Maximum slope of the seam against the taught one.
 const STEEPEST: f64 = 0.3;
-/// What a seam bends within a picture, mm.
+/// Maximum bend of a seam within a picture, mm.
 const BEND_MM: f64 = 0.05;
 
-/// Whether each place lies on the line that most of them lie on: within three standard deviations of `noise_mm`, and the bend
-/// of a seam. None if fewer than half of them lie on one: that is no joint.
+/// Returns for each point whether it lies on the line that most of them share. The limit is three standard deviations
+/// of `noise_mm` plus the bend of a seam. Returns `None` unless more than half, and at least [`FEWEST`], share one.
 pub(super) fn on_one_line(places: &[Place], noise_mm: f64) -> Option<ArrayVec<bool, PLACES>> {
     let off = |a: &Place, slope: f64, p: &Place| (p.1.x - a.1.x - slope * (p.0 - a.0)).abs();
     let is_near = |a: &Place, slope: f64, p: &Place| off(a, slope, p) <= BEND_MM + 3.0 * noise_mm / p.2.max(0.1);
@@ -93,7 +93,7 @@ pub(super) fn on_one_line(places: &[Place], noise_mm: f64) -> Option<ArrayVec<bo
     (2 * count > places.len() && count >= FEWEST).then(|| places.iter().map(|p| is_near(a, slope, p)).collect())
 }
 
-/// Fewest places that make a line.
+/// Minimum number of points of a line.
 const FEWEST: usize = 4;
 
 #[cfg(test)]
@@ -102,7 +102,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
     use rand_pcg::rand_core::{Rng, SeedableRng};
 
-    /// Of a line with outliers these are told, and anything is no line.
+    /// Outliers of a line are identified; random points have no line.
     #[test]
     fn most_lie_on_a_line() {
         let mut random = Pcg64Mcg::seed_from_u64(8);
@@ -113,7 +113,7 @@ mod tests {
             let places: Vec<Place> = (0..16)
                 .map(|k| {
                     let line = a + b * k as f64 + 0.05 * number();
-                    // A third of a millimetre away at least, unless anything goes.
+                    // At least a third of a millimetre off the line, unless all points are random.
                     let far = 5.0 * number();
                     let value = if wild { far } else { line + far + 0.4 * far.signum() };
                     (k as f64, DVec2::new(if out(k) { value } else { line }, 0.0), 1.0)
@@ -129,8 +129,8 @@ mod tests {
     }
     use glam::DVec3;
 
-    /// On a ring that is shifted in its plane, wherever the gun was carried: the deviation is the distance of the point from
-    /// the ring, the place its angle.
+    /// On a ring, for any offset of the gun: the deviation is the point's distance from the ring, the station its
+    /// angle.
     #[test]
     fn beside_a_ring() {
         let radius = 150.0;

@@ -2,62 +2,63 @@ use crate::lead::{Estimate, Sight};
 use glam::DVec2;
 use std::fmt::Write as _;
 
-/// Deviation of a seam at a place.
+/// Deviation of a seam at one station.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
     /// Path length from the start of the weld, mm.
     pub s_mm: f64,
     /// Lateral and height, mm.
     pub deviation: DVec2,
-    /// 0 to 1; 0 where nothing was seen.
+    /// 0 to 1; 0 where the joint was not seen.
     pub confidence: f64,
 }
 
-/// Deviations of a seam by path length, as they are stored with the program: at two places at least, s increasing.
+/// Deviations of a seam by path length, stored with the program: at least two rows, s increasing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DeviationRecord {
     rows: Vec<Row>,
 }
 
-/// Something wrong with a stored deviation, and where.
+/// Invalid stored deviation, with its location.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{file}:{line}: {column} = `{value}` {wrong}\n   allowed: {allowed}")]
 pub struct RecordError {
-    /// As it was named.
+    /// File name as given.
     pub file: String,
-    /// Counted from 1.
+    /// Line number, counted from 1.
     pub line: usize,
-    /// Its name.
+    /// Column name.
     pub column: &'static str,
-    /// What stands there.
+    /// Text of the field.
     pub value: String,
-    /// What is wrong with it.
+    /// Description of the error.
     pub wrong: &'static str,
-    /// What may stand there.
+    /// Description of the allowed values.
     pub allowed: &'static str,
 }
 
 const COLUMNS: [&str; 4] = ["s_mm", "lateral_mm", "height_mm", "confidence"];
 const HEADER: &str = "a header line with s_mm,lateral_mm,height_mm,confidence, then two rows of numbers or more";
-/// No seam is longer, and none lies further aside, mm: what is more is a wrong unit.
+/// Maximum path length and deviation, mm; larger values are in a wrong unit.
 const LONGEST_MM: f64 = 1e6;
 const FARTHEST_MM: f64 = 1e3;
 
 impl DeviationRecord {
-    /// The rows.
+    /// Returns the rows.
     #[must_use]
     pub fn rows(&self) -> &[Row] {
         &self.rows
     }
 
-    /// First and last place, mm.
+    /// Returns the path lengths of the first and last row, mm.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
-        // There are two rows at least.
+        // Cannot fail: a record has at least two rows.
         [self.rows[0].s_mm, self.rows[self.rows.len() - 1].s_mm]
     }
 
-    /// The deviation at `s_mm`, between rows linear; its confidence is the lesser of both. Beyond the ends that of the end.
+    /// Interpolates the deviation linearly at `s_mm`, with the lower confidence of both rows. Beyond the ends it is
+    /// constant.
     #[must_use]
     pub fn at(&self, s_mm: f64) -> Row {
         let after = self.rows.partition_point(|row| row.s_mm <= s_mm).clamp(1, self.rows.len() - 1);
@@ -66,13 +67,13 @@ impl DeviationRecord {
         Row { s_mm, deviation: a.deviation.lerp(b.deviation, part), confidence: a.confidence.min(b.confidence) }
     }
 
-    /// The same with `by_mm` added to path lengths.
+    /// Returns a copy with `by_mm` added to path lengths.
     #[must_use]
     pub fn moved(&self, by_mm: f64) -> Self {
         Self { rows: self.rows.iter().map(|row| Row { s_mm: row.s_mm + by_mm, ..*row }).collect() }
     }
 
-    /// The same seen by who goes the other way and begins at `begin_mm`: what was left is right.
+    /// Returns a copy for the opposite direction of travel from `begin_mm`: path and lateral deviation change sign.
     #[must_use]
     pub fn turned(&self, begin_mm: f64) -> Self {
         let row = |row: &Row| Row {
@@ -83,22 +84,22 @@ impl DeviationRecord {
         Self { rows: self.rows.iter().rev().map(row).collect() }
     }
 
-    /// As CSV: columns `s_mm`, `lateral_mm`, `height_mm`, `confidence`; to 0.1 um.
+    /// Formats the record as CSV with columns `s_mm`, `lateral_mm`, `height_mm`, `confidence`; to 0.1 um.
     #[must_use]
     pub fn to_csv(&self) -> String {
         let mut text = COLUMNS.join(",");
         text.push('\n');
         for Row { s_mm, deviation, confidence } in &self.rows {
-            // A text has room for everything.
+            // Writing to a string cannot fail.
             let _ = writeln!(text, "{s_mm:.4},{:.4},{:.4},{confidence:.3}", deviation.x, deviation.y);
         }
         text
     }
 
-    /// From CSV, called `file` in errors: columns in any order, others are ignored, empty lines too.
+    /// Parses CSV, called `file` in errors. Columns may have any order; other columns and empty lines are ignored.
     ///
     /// # Errors
-    /// A [`RecordError`] at the first thing that is wrong.
+    /// A [`RecordError`] for the first error.
     pub fn from_csv(file: &str, text: &str) -> Result<Self, RecordError> {
         let error = |line: usize, column: &'static str, value: &str, wrong, allowed| {
             let (file, value) = (file.to_owned(), value.chars().take(60).collect());
@@ -143,7 +144,7 @@ impl DeviationRecord {
     }
 }
 
-/// Writes a record as the weld goes on: a row every step of the way, where the torch is for the first time.
+/// Records a weld in progress: one row per step of path length that the torch reaches for the first time.
 #[derive(Debug, Clone)]
 pub struct Recorder {
     rows: Vec<Row>,
@@ -152,15 +153,15 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Of a weld of `length_mm`, a row every `step_mm`; a point of confidence 1 has the standard deviation `noise_mm`. Room
-    /// is made once: rows beyond twice the length are left out.
+    /// Creates a recorder for a weld of `length_mm`, a row every `step_mm`; confidence 1 means standard deviation
+    /// `noise_mm`. Memory is allocated once: rows beyond twice the length are dropped.
     #[must_use]
     pub fn new(length_mm: f64, step_mm: f64, noise_mm: f64) -> Self {
         let room = (2.0 * length_mm / step_mm).ceil().clamp(2.0, 1e7) as usize + 2;
         Self { rows: Vec::with_capacity(room), step_mm, noise_mm }
     }
 
-    /// What is known of the seam with the torch at `s_mm`.
+    /// Adds the estimate with the torch at `s_mm`, if a row is due.
     pub fn add(&mut self, s_mm: f64, estimate: &Estimate) {
         let due = self.rows.last().is_none_or(|last| s_mm >= last.s_mm + self.step_mm);
         if !due || self.rows.len() == self.rows.capacity() || !estimate.value.is_finite() {
@@ -173,7 +174,7 @@ impl Recorder {
         self.rows.push(Row { s_mm, deviation: estimate.value, confidence });
     }
 
-    /// What was recorded; none of less than two rows.
+    /// Returns the record; `None` with fewer than two rows.
     #[must_use]
     pub fn finish(self) -> Option<DeviationRecord> {
         (self.rows.len() >= 2).then_some(DeviationRecord { rows: self.rows })
@@ -189,7 +190,7 @@ mod tests {
     fn recorded() -> DeviationRecord {
         let mut recorder = Recorder::new(100.0, 0.5, 0.03);
         for i in 0..20_000 {
-            // On, back for a while, and on again.
+            // Forward, back for a while, and forward again.
             let t = f64::from(i);
             let s = if i < 8000 {
                 0.005 * t
@@ -269,7 +270,7 @@ mod tests {
         }
     }
 
-    /// Whatever is broken in a file, it is read as numbers in order or refused.
+    /// A corrupted file is either read as ordered numbers or rejected.
     #[test]
     fn broken_files() {
         let whole = recorded().to_csv().into_bytes();

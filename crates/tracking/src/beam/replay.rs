@@ -6,7 +6,7 @@ use crate::actuator::{Alarm, DeflectionLimits, Following, SlideLimits};
 use crate::lead::{Estimate, History, Moment, Sight};
 use arrayvec::ArrayVec;
 
-/// A stored deviation on another pass over the same seam.
+/// Stored deviation applied to another pass over the same seam.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Replay {
     record: DeviationRecord,
@@ -15,15 +15,15 @@ pub struct Replay {
     noise_mm: f64,
 }
 
-/// A pass may go beyond what is stored by so much, mm.
+/// Maximum distance of a pass beyond the stored range, mm.
 const BEYOND_MM: f64 = 2.0;
 
 impl Replay {
-    /// For a pass of `length_mm` that begins at `shift_mm` of the stored path length; a stored confidence of 1 means a
-    /// standard deviation of `noise_mm`.
+    /// Creates a replay for a pass of `length_mm` that starts at `shift_mm` of the stored path length. A stored
+    /// confidence of 1 means standard deviation `noise_mm`.
     ///
     /// # Errors
-    /// [`Error::NotCovered`] if the pass goes beyond what is stored.
+    /// [`Error::NotCovered`] unless [`Self::covers`] is true.
     pub fn new(record: DeviationRecord, shift_mm: f64, length_mm: f64, noise_mm: f64) -> Result<Self, Error> {
         if Self::covers(&record, shift_mm, length_mm) {
             return Ok(Self { record, shift_mm, length_mm, noise_mm });
@@ -32,14 +32,14 @@ impl Replay {
         Err(Error::NotCovered { from_mm, to_mm, first_mm, last_mm })
     }
 
-    /// True if `record` is of all of a pass of `length_mm` that begins at `from_mm` of its path length, but for 2 mm.
+    /// Returns whether `record` covers a pass of `length_mm` that starts at `from_mm` of its path length, within 2 mm.
     #[must_use]
     pub fn covers(record: &DeviationRecord, from_mm: f64, length_mm: f64) -> bool {
         let [first_mm, last_mm] = record.range();
         from_mm >= first_mm - BEYOND_MM && from_mm + length_mm <= last_mm + BEYOND_MM
     }
 
-    /// The deviation with the torch at `s_mm` of the pass.
+    /// Returns the deviation with the torch at `s_mm` of the pass.
     #[must_use]
     pub fn at(&self, s_mm: f64) -> Estimate {
         let Row { deviation, confidence, .. } = self.record.at(s_mm + self.shift_mm);
@@ -48,27 +48,28 @@ impl Replay {
     }
 }
 
-/// How a replay is done.
+/// Settings of a replay.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReplaySettings {
-    /// Interruptions that the weld bears.
+    /// Allowed interruptions of the weld.
     pub allowed: Allowed,
-    /// From frame to frame while it is checked, s.
+    /// Frame period during the check, s.
     pub period_s: f64,
-    /// Time that a frame takes, s.
+    /// Duration of a frame, s.
     pub scan_s: f64,
-    /// Oldest age of a frame when it arrives, s.
+    /// Maximum age of a frame at its arrival, s.
     pub oldest_s: f64,
     /// The cell's cycle, s.
     pub cycle_s: f64,
-    /// Frames at the start of the pass that are compared with what is stored; 0: none, where there is no joint left to see.
+    /// Number of frames at the start of the pass that are compared with the record; 0 if the joint is no longer
+    /// visible.
     pub frames: usize,
-    /// What nine of ten points may lie beside what is stored, mm.
+    /// Maximum distance of nine of ten points from the record, mm.
     pub most_mm: f64,
 }
 
 impl ReplaySettings {
-    /// Three frames, 0.15 mm.
+    /// Usual settings: three frames, 0.15 mm.
     pub const USUAL: Self = Self {
         allowed: Allowed::EBW_2004,
         period_s: 0.3,
@@ -80,53 +81,53 @@ impl ReplaySettings {
     };
 }
 
-/// How what is seen lies beside what is stored.
+/// Difference between the detected joint and the record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fit {
-    /// Points that were compared.
+    /// Number of compared points.
     pub points: usize,
-    /// Half of them lie to either side of this, mm: by so much the part has moved.
+    /// Median difference, mm: the displacement of the part.
     pub median_mm: f64,
-    /// Nine of ten lie within this distance, mm.
+    /// Distance from the record within which nine of ten points lie, mm.
     pub within_mm: f64,
 }
 
-/// Why a replay is refused.
+/// Reason for refusing a replay.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Misfit {
-    /// The joint lies elsewhere.
+    /// The joint has moved.
     #[error(
         "the stored deviation does not fit: {within_mm:.3} mm off in nine of ten of {points} points ({median_mm:+.3} mm in the \
          median), allowed is {most_mm} mm; track this pass instead"
     )]
     Moved {
-        /// Points that were compared.
+        /// Number of compared points.
         points: usize,
-        /// Half of them lie to either side of this, mm.
+        /// Median difference, mm.
         median_mm: f64,
-        /// Nine of ten lie within this, mm.
+        /// Distance from the record within which nine of ten points lie, mm.
         within_mm: f64,
-        /// What is allowed, mm.
+        /// Maximum allowed distance, mm.
         most_mm: f64,
     },
-    /// There was too little to see.
+    /// Too few points were detected.
     #[error(
         "the stored deviation could not be checked: {points} points in {frames} frames, allowed are {FEWEST} or more; check no \
          frames where there is no joint left to see"
     )]
     Unseen {
-        /// Points that were seen.
+        /// Number of detected points.
         points: usize,
-        /// Frames that were taken.
+        /// Number of frames taken.
         frames: usize,
     },
 }
 
-/// Fewest points that a judgement is made from, and most that are kept.
+/// Minimum number of points for a judgement, and maximum number stored.
 const FEWEST: usize = 12;
-const MOST: usize = 512;
+const MAX_POINTS: usize = 512;
 
-/// A pass that is corrected by what an earlier one found, without a sensor but for a check at its start.
+/// Corrects a pass by the record of an earlier one, without a sensor except for a check at its start.
 #[derive(Clone)]
 pub struct BeamReplay<'a> {
     settings: ReplaySettings,
@@ -136,8 +137,8 @@ pub struct BeamReplay<'a> {
     authority: BeamAuthority,
     following: Following,
     history: History,
-    differences: ArrayVec<f64, MOST>,
-    /// When it was begun, s.
+    differences: ArrayVec<f64, MAX_POINTS>,
+    /// Start time, s.
     begun_s: Option<f64>,
     frames: usize,
     judged: Option<Result<Fit, Misfit>>,
@@ -145,10 +146,10 @@ pub struct BeamReplay<'a> {
 }
 
 impl<'a> BeamReplay<'a> {
-    /// Of `replay` on the nominal `seam` of the pass.
+    /// Starts `replay` on the nominal `seam` of the pass.
     ///
     /// # Errors
-    /// Interruptions that are not allowed, values that cannot be.
+    /// Interruptions beyond the allowed ones, or invalid values.
     pub fn new(
         settings: ReplaySettings,
         replay: Replay,
@@ -178,20 +179,20 @@ impl<'a> BeamReplay<'a> {
         })
     }
 
-    /// How it fits, once it is known: what is refused here stops the weld.
+    /// Returns the result of the check, once known; a misfit stops the weld.
     #[must_use]
     pub fn judged(&self) -> Option<Result<Fit, Misfit>> {
         self.judged
     }
 
-    /// How far aside the seam is stored to be at `s_mm` of the pass, mm.
+    /// Returns the stored lateral deviation at `s_mm` of the pass, mm.
     #[must_use]
     pub fn expected(&self, s_mm: f64) -> f64 {
         self.replay.at(s_mm).value.x
     }
 
-    /// What was found in a frame has arrived at time `now_s`; too late or without a time that can be, it counts as one in
-    /// which nothing was seen.
+    /// Processes the midline of a frame that arrived at time `now_s`. A frame that is late or has an invalid time
+    /// counts as empty.
     pub fn take(&mut self, picture: &Picture<'_>, now_s: f64) {
         if self.judged.is_some() {
             return;
@@ -202,7 +203,7 @@ impl<'a> BeamReplay<'a> {
             for point in picture.points.iter().filter(|point| point.confidence > 0.0) {
                 let (s, seen) = located(self.seam, &then, point, picture.height_mm);
                 let difference = seen.x - self.replay.at(s).value.x;
-                // Beyond its ends the pass says nothing of the seam.
+                // Beyond the ends of the pass points are not comparable.
                 let within = (0.0..=self.replay.length_mm).contains(&s);
                 if within && difference.is_finite() && !self.differences.is_full() {
                     self.differences.push(difference);
@@ -230,7 +231,7 @@ impl<'a> BeamReplay<'a> {
         Ok(Fit { points, median_mm, within_mm })
     }
 
-    /// A cycle, as that of [`super::BeamTracking`].
+    /// Runs one cycle, like [`super::BeamTracking::cycle`].
     pub fn cycle(&mut self, now: Moment, speed: f64) -> Orders {
         self.history.push(now);
         let there = now.s_mm + speed * (self.authority.lag_s() + self.settings.cycle_s);
@@ -245,7 +246,7 @@ impl<'a> BeamReplay<'a> {
         };
         let looks = self.judged.is_none() && self.settings.frames > 0;
         let beam = if looks { self.schedule.at(now.t_s, true) } else { Beam::Weld };
-        // A camera that sends nothing shows nothing.
+        // A silent camera counts as one that sees no joint.
         let since = *self.begun_s.get_or_insert(now.t_s);
         let every = (self.settings.frames + 1) as f64 * self.settings.period_s + self.settings.oldest_s;
         if looks && now.t_s - since > every {

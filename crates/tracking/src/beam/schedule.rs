@@ -1,12 +1,12 @@
 use super::Error;
 use crate::lead;
 
-/// Interruptions that a weld bears.
+/// Allowed interruptions of a weld.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Allowed {
-    /// From the begin of one to that of the next at least, s.
+    /// Minimum time between the starts of two interruptions, s.
     pub every_s: f64,
-    /// Longest one, s.
+    /// Maximum duration, s.
     pub longest_s: f64,
 }
 
@@ -15,38 +15,38 @@ impl Allowed {
     pub const EBW_2004: Self = Self { every_s: 0.3, longest_s: 0.005 };
 }
 
-/// What the beam does in a cycle.
+/// Action of the beam in a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Beam {
-    /// It welds.
+    /// Weld.
     Weld,
-    /// Focused and weak it scans the work.
+    /// Scan the work, focused and at low power.
     Scan,
-    /// It welds again: the frame is there, exposed on average at this time, s.
+    /// Weld again; the frame is complete, with this mean exposure time, s.
     Seen(f64),
 }
 
-/// When the beam scans, by time.
+/// Decides by time when the beam scans.
 ///
-/// Cycles that come late make the time between frames longer, never shorter; a clock that goes back puts the next one off by
-/// a whole period.
+/// Late cycles lengthen the time between frames and never shorten it. A clock that goes back delays the next frame by a
+/// whole period.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Schedule {
     period_s: f64,
     scan_s: f64,
-    /// When the last frame was begun, and whether it is being taken.
+    /// Start time of the last frame, s, and whether it is still being taken.
     begun_s: Option<f64>,
     scans: bool,
 }
 
-/// Times of cycles are sums: less than this is rounding, s.
+/// Rounding tolerance of cycle times, which are sums, s.
 const ROUNDING_S: f64 = 1e-9;
 
 impl Schedule {
-    /// A frame of `scan_s` every `period_s`.
+    /// Creates a schedule with a frame of `scan_s` every `period_s`.
     ///
     /// # Errors
-    /// More or longer interruptions than are allowed; times that are none.
+    /// More or longer interruptions than allowed; invalid times.
     pub fn new(allowed: Allowed, period_s: f64, scan_s: f64) -> Result<Self, Error> {
         let Allowed { every_s, longest_s } = allowed;
         for (key, value) in [("every_s", every_s), ("longest_s", longest_s), ("period_s", period_s), ("scan_s", scan_s)]
@@ -68,7 +68,7 @@ impl Schedule {
         Ok(Self { period_s, scan_s, begun_s: None, scans: false })
     }
 
-    /// What the beam does in the cycle that begins at `t_s`; unless frames are `wanted` no new one is begun.
+    /// Returns the beam's action in the cycle that starts at `t_s`; a new frame starts only if frames are `wanted`.
     pub fn at(&mut self, t_s: f64, wanted: bool) -> Beam {
         let since = self.begun_s.map_or(f64::INFINITY, |begun| t_s - begun);
         if since < 0.0 {
@@ -116,8 +116,8 @@ mod tests {
         ));
     }
 
-    /// Whatever the cycles are like, and whenever frames are wanted: begins are a period apart, a scan ends with the first
-    /// cycle after its time, and the time of exposure is its middle.
+    /// Holds for any cycle times and requests for frames. Starts are a period apart, a scan ends with the first cycle
+    /// after its time, and the exposure time is its middle.
     #[test]
     fn never_more_often_nor_longer() {
         let mut random = Pcg64Mcg::seed_from_u64(3);
@@ -145,7 +145,7 @@ mod tests {
                 }
             }
             assert!(begins.windows(2).all(|w| w[1] - w[0] >= 0.3 - 1e-6));
-            // With even cycles not less often either.
+            // With even cycles frames reach the full rate.
             assert!(!even || begins.len() == 17 && frames >= 16, "{} {frames}", begins.len());
         }
     }

@@ -2,42 +2,42 @@ use super::{Allowed, Error, Schedule, Zone, ZoneNeeds};
 use crate::lead;
 use glam::DVec2;
 
-/// How a beam tracks.
+/// Settings of beam tracking.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Interruptions that the weld bears.
+    /// Allowed interruptions of the weld.
     pub allowed: Allowed,
-    /// From frame to frame, s.
+    /// Frame period, s.
     pub period_s: f64,
-    /// Time that a frame takes, s.
+    /// Duration of a frame, s.
     pub scan_s: f64,
-    /// Least and greatest time from an exposure to the arrival of what was found in the frame, s.
+    /// Minimum and maximum age of a frame's midline at its arrival, s.
     pub age_s: [f64; 2],
     /// The cell's cycle, s.
     pub cycle_s: f64,
-    /// Slowest and fastest weld, mm/s.
+    /// Minimum and maximum welding speed, mm/s.
     pub speed_mm_s: [f64; 2],
-    /// From the beam to the front of the molten pool, mm.
+    /// Distance from the beam to the front of the molten pool, mm.
     pub pool_mm: f64,
     /// Thermal diffusivity of the work, mm^2/s.
     pub diffusivity_mm2_s: f64,
-    /// In how many frames each place is to be seen.
+    /// Number of frames in which each station is to be seen.
     pub looks: f64,
-    /// How far the frame reaches from its middle, less its rim, mm: along and across.
+    /// Reach of the frame from its middle, less its margin, mm: along and across.
     pub reach_mm: DVec2,
-    /// Standard deviation of a point of confidence 1, mm; of confidence c it is that by c.
+    /// Standard deviation of a point of confidence 1, mm; divided by c for confidence c.
     pub noise_mm: f64,
-    /// Points of less confidence are not used.
+    /// Minimum confidence of a point.
     pub least_confidence: f64,
-    /// Longest tack on the seam, mm.
+    /// Maximum length of a tack weld on the seam, mm.
     pub tack_mm: f64,
 }
 
-/// From a correction that is known to one that acts, s: three cycles and the deflection.
+/// Time from a known correction to its effect, s: three cycles and the deflection.
 const NOTICE_S: f64 = 0.005;
 
 impl Settings {
-    /// Usual values on steel: frames as often as EBW-2004 allows, found within 60 ms, 512 pixels of 0.1 mm.
+    /// Typical values on steel: frames as often as EBW-2004 allows, detection within 60 ms, 512 pixels of 0.1 mm.
     #[must_use]
     pub fn usual(speed_mm_s: f64) -> Self {
         Self {
@@ -57,10 +57,10 @@ impl Settings {
         }
     }
 
-    /// Where frames are looked at, at this speed (mm/s); outside of the range of speeds as at its end.
+    /// Returns the detection zone at `speed` (mm/s), clamped to the speed range.
     ///
     /// # Errors
-    /// [`Error::ZoneOutside`].
+    /// [`Error::ZoneOutside`] if the zone exceeds the frame.
     pub fn zone(&self, speed: f64) -> Result<Zone, Error> {
         let needs = ZoneNeeds {
             pool_mm: self.pool_mm,
@@ -74,10 +74,11 @@ impl Settings {
         needs.zone(speed.clamp(slow, fast))
     }
 
-    /// Its schedule and how the seam is estimated; the lead is that of the farthest zone.
+    /// Checks the values. Returns the schedule and the tracker's settings, with the look-ahead distance of the farthest
+    /// zone.
     ///
     /// # Errors
-    /// Values that cannot be, interruptions that are not allowed, a zone outside of the frame, a frame that is too late.
+    /// Invalid values, interruptions beyond the allowed ones, a zone outside the frame, a frame that is too late.
     pub fn check(&self) -> Result<(Schedule, lead::Settings), Error> {
         let positive = [
             ("pool_mm", self.pool_mm),
@@ -98,7 +99,7 @@ impl Settings {
             return Err(lead::Error::Value { key: "looks", value: self.looks, allowed: "1 to 100" }.into());
         }
         let schedule = Schedule::new(self.allowed, self.period_s, self.scan_s)?;
-        // The end of the zone is a convex function of speed: the farthest is at one of both ends.
+        // The zone's end is a convex function of speed: its maximum is at one end of the speed range.
         let lead_mm = self.zone(slow)?.to_mm.max(self.zone(fast)?.to_mm);
         let lead = self.lead(lead_mm);
         lead.check()?;

@@ -6,32 +6,32 @@ use crate::lead::{Estimate, Moment, OwnCurve, Refusal, Sight, Tracker};
 use arrayvec::ArrayVec;
 use glam::DVec2;
 
-/// Slowest that the torch goes while a correction fades out, as a part of its speed.
+/// Feed override while a correction fades out, as a fraction.
 const FADING_SPEED: f64 = 0.25;
-/// As many periods without a picture of use are worth a warning.
+/// Number of periods without a usable picture before a warning.
 const BLIND_PERIODS: f64 = 2.5;
 
-/// A seam that is seen so much beside where it is known to be, mm, is another line, or the part has moved.
+/// Distance from the known seam, mm, above which a picture shows another line or a moved part.
 const ELSEWHERE_MM: f64 = 0.3;
 
-/// What is to be done in the next cycle.
+/// Commands for the next cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orders {
-    /// What the beam does.
+    /// Action of the beam.
     pub beam: Beam,
-    /// By how much the beam is deflected sideways while it welds, mm.
+    /// Lateral deflection of the beam while it welds, mm.
     pub deflection_mm: f64,
-    /// By how much the axes carry the gun sideways, mm: a set-point in the torch's frame.
+    /// Lateral set-point of the axes that carry the gun, mm in the torch frame.
     pub carried_mm: f64,
-    /// Greatest part of its speed that the torch may have; 0: stop.
+    /// Maximum feed override as a fraction; 0: stop.
     pub pace: f64,
-    /// The worst that is wrong.
+    /// Most severe alarm.
     pub alarm: Option<Alarm>,
-    /// What is known of the seam at the torch.
+    /// Estimate of the seam at the torch.
     pub estimate: Estimate,
 }
 
-/// Tracking with the beam that welds.
+/// Tracks the seam with the welding beam.
 #[derive(Clone)]
 pub struct BeamTracking<'a> {
     settings: Settings,
@@ -43,17 +43,17 @@ pub struct BeamTracking<'a> {
     zone: Zone,
     carried: f64,
     taken_s: Option<f64>,
-    /// First and last point of the picture before.
+    /// First and last point of the previous picture.
     before: [DVec2; 2],
-    /// By how much the picture before showed the seam elsewhere, mm.
+    /// Offset of the seam in the previous picture if it was elsewhere, mm.
     elsewhere: Option<f64>,
 }
 
 impl<'a> BeamTracking<'a> {
-    /// On the nominal `seam`, corrected by the deflection and by `axes` that carry the gun.
+    /// Creates tracking on the nominal `seam`, corrected by the deflection and by the `axes` that carry the gun.
     ///
     /// # Errors
-    /// Those of [`Settings::check`]; limits that cannot be.
+    /// Those of [`Settings::check`]; invalid limits.
     pub fn new(
         settings: Settings,
         seam: Course<'a>,
@@ -76,26 +76,26 @@ impl<'a> BeamTracking<'a> {
         })
     }
 
-    /// Where frames are looked at now.
+    /// Returns the current detection zone.
     #[must_use]
     pub fn zone(&self) -> Zone {
         self.zone
     }
 
-    /// True once a picture was of use.
+    /// Returns whether any picture has been used.
     #[must_use]
     pub fn has_seen(&self) -> bool {
         self.taken_s.is_some()
     }
 
-    /// How far aside the seam is expected at `s_mm`, mm; none where nothing is known of it.
+    /// Returns the expected lateral deviation at `s_mm`, mm; `None` where the seam is unknown.
     #[must_use]
     pub fn expected(&self, s_mm: f64) -> Option<f64> {
         let known = self.tracker.at(s_mm);
         (known.sight != Sight::Unseen).then_some(known.value.x)
     }
 
-    /// What was found in a frame has arrived at time `now_s`.
+    /// Processes the midline of a frame that arrived at time `now_s`.
     pub fn take(&mut self, picture: &Picture<'_>, now_s: f64) -> Taken {
         let then = match self.moment(picture, now_s) {
             Ok(then) => then,
@@ -133,8 +133,8 @@ impl<'a> BeamTracking<'a> {
         taken
     }
 
-    /// A picture that shows the seam elsewhere than it is known to be is believed if the one before showed it there too: then
-    /// the part has moved, and what was known from there on is forgotten.
+    /// Accepts a picture with the seam elsewhere than known only if the previous one showed it there too. Then the part
+    /// has moved, and the estimate from there on is discarded.
     fn is_believed(&mut self, places: &[Place]) -> bool {
         let off = |(s, deviation, _): &Place| {
             let known = self.tracker.at(*s);
@@ -157,7 +157,7 @@ impl<'a> BeamTracking<'a> {
         again
     }
 
-    /// Where the torch was when a picture was taken, or why the picture is of no use.
+    /// Returns the torch position at a picture's exposure, or the reason for rejecting the picture.
     fn moment(&mut self, picture: &Picture<'_>, now_s: f64) -> Result<Moment, Refusal> {
         let [young, old] = self.settings.age_s;
         let slack = 0.5 * self.settings.cycle_s;
@@ -183,8 +183,8 @@ impl<'a> BeamTracking<'a> {
         self.tracker.moment(picture.exposed_s).ok_or(Refusal::Clock)
     }
 
-    /// A cycle: where the torch is on the nominal seam and how far the axes truly carry the gun aside; how fast the torch
-    /// goes, mm/s, and whether it welds: before, nothing is hot, and the joint is looked at from its start on.
+    /// Runs one cycle with the torch's position on the nominal seam and the actual carry of the gun by the axes.
+    /// `speed` is the torch's, mm/s. Before it `welds` the work is cold, and the joint is detected from its start on.
     pub fn cycle(&mut self, now: Moment, speed: f64, welds: bool) -> Orders {
         let notice = self.authority.lag_s() + self.settings.cycle_s;
         let there = now.s_mm + speed * notice;
@@ -193,7 +193,7 @@ impl<'a> BeamTracking<'a> {
             self.zone = if welds { zone } else { Zone { from_mm: -zone.from_mm, ..zone } };
         }
         let estimate = self.tracker.at(now.s_mm);
-        // Where nothing is known the gun stays.
+        // At an unknown seam the gun stays.
         let to = [there, there + speed * SOON_S].map(|s| self.expected(s).unwrap_or(f64::NAN));
         let stuck = self.following.is_stuck(now.t_s, (now.slide.x - self.carried).abs());
         let shares = self.authority.step(to, now.slide.x, now.t_s);
@@ -212,7 +212,7 @@ impl<'a> BeamTracking<'a> {
     }
 }
 
-/// The worst that is wrong, and the pace that it leaves.
+/// Returns the feed override and the most severe alarm.
 pub(super) fn judge(
     stuck: bool,
     shares: &Shares,

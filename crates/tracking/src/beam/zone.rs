@@ -1,51 +1,51 @@
 use super::Error;
 
-/// Where a frame is looked at, ahead of the beam, mm.
+/// Detection zone of a frame, mm ahead of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zone {
-    /// From here: nearer is the pool, its light and its heat, or it would be known too late.
+    /// Start: beyond the pool with its light and heat, and early enough for the correction.
     pub from_mm: f64,
-    /// To here.
+    /// End.
     pub to_mm: f64,
 }
 
-/// What decides where a detection zone lies.
+/// Requirements of a detection zone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ZoneNeeds {
-    /// From the beam to the front of the molten pool, mm.
+    /// Distance from the beam to the front of the molten pool, mm.
     pub pool_mm: f64,
-    /// Thermal diffusivity of the work, mm^2/s: 4 of stainless steel, 8 to 14 of other steels, 60 and more of aluminium.
+    /// Thermal diffusivity of the work, mm^2/s: stainless steel 4, other steels 8 to 14, aluminium 60 and more.
     pub diffusivity_mm2_s: f64,
-    /// From an exposure to the time at which its correction acts, s.
+    /// Time from an exposure to the effect of its correction, s.
     pub known_s: f64,
-    /// From frame to frame, s.
+    /// Frame period, s.
     pub period_s: f64,
-    /// In how many frames each place is to be seen.
+    /// Number of frames in which each station is to be seen.
     pub looks: f64,
-    /// How far ahead of the beam the frame reaches, less its rim, mm.
+    /// Reach of the frame ahead of the beam, less its margin, mm.
     pub reach_mm: f64,
 }
 
-/// Shortest zone, mm: a direction must be seen in it.
+/// Minimum length of a zone, mm, to detect a direction.
 const SHORTEST_MM: f64 = 5.0;
-/// Ahead of a source that moves at v the temperature falls by e over a/v (Rosenthal): after so many of them it is 5 %.
+/// Decay lengths to the zone: ahead of a source moving at v, temperature falls by e over a/v (Rosenthal), so to 5 %.
 const DECAYS: f64 = 3.0;
-/// Speeds at which zones are looked at for what would work, mm/s: from one to the other in as many steps.
+/// Speed range searched for valid zones, mm/s, and its number of steps.
 const SPEEDS: [f64; 2] = [0.1, 1000.0];
 const STEPS: u32 = 800;
 
 impl ZoneNeeds {
-    /// How far ahead of the beam the work is molten or too hot to be seen, mm: farther the slower the beam goes.
+    /// Returns the distance ahead of the beam in which the work is molten or too hot, mm. It grows as the speed falls.
     #[must_use]
     pub fn heat_mm(&self, speed: f64) -> f64 {
         self.pool_mm + DECAYS * self.diffusivity_mm2_s / speed
     }
 
-    /// The zone at `speed` (mm/s): begun beyond heat and pool and where it is known in time, and so long that each place
-    /// comes into as many frames as are asked for.
+    /// Returns the zone at `speed` (mm/s). It starts beyond pool and heat, early enough for the correction, and is long
+    /// enough for each station to appear in [`Self::looks`] frames.
     ///
     /// # Errors
-    /// [`Error::ZoneOutside`] if it does not lie within the frame, with the speeds at which it does.
+    /// [`Error::ZoneOutside`] if the zone exceeds the frame, with the speeds at which it fits.
     pub fn zone(&self, speed: f64) -> Result<Zone, Error> {
         let zone = self.placed(speed);
         if self.fits(&zone) {
@@ -65,7 +65,8 @@ impl ZoneNeeds {
         zone.to_mm <= self.reach_mm
     }
 
-    /// The end of the zone is a convex function of speed, so what works is one range. Rounded inwards to 0.1 mm/s.
+    /// Returns the valid speeds, rounded inwards to 0.1 mm/s: one range, as the zone's end is a convex function of
+    /// speed.
     fn speeds_that_work(&self) -> Option<[f64; 2]> {
         let [low, high] = SPEEDS;
         let speed = |i: u32| low * (high / low).powf(f64::from(i) / f64::from(STEPS));
@@ -89,17 +90,17 @@ mod tests {
         for i in 0..200 {
             let v = 2.0 * 1.012f64.powi(i);
             let Ok(zone) = STEEL.zone(v) else { continue };
-            // Rosenthal's exponent at the zone's begin, from the pool's front.
+            // Rosenthal's exponent at the zone's start, from the pool's front.
             assert!((-(zone.from_mm - 3.0) * v / 8.0).exp() <= 0.0498);
             assert!(zone.from_mm >= v * 0.06);
-            // A place that comes into the zone stays in it for three frames.
+            // A station that enters the zone stays in it for three frames.
             assert!(((zone.to_mm - zone.from_mm) / (v * 0.3) + 1e-9).floor() >= 3.0 && zone.to_mm <= 25.0);
         }
         let [slow, fast] = [2.0, 20.0].map(|v| STEEL.zone(v).unwrap());
         assert!(slow.from_mm > fast.from_mm && slow.to_mm < fast.to_mm);
     }
 
-    /// What the message says works does, and nothing else.
+    /// The speeds named in the error message work, and no others.
     #[test]
     fn outside_of_the_frame_it_is_refused() {
         for reach_mm in [13.0, 18.0, 25.0] {

@@ -5,31 +5,31 @@ use arrayvec::ArrayVec;
 use glam::DVec2;
 use std::ops::Range;
 
-/// Cells to a lead.
+/// Cells per look-ahead distance.
 pub(super) const CELLS: f64 = 64.0;
-/// Leads that are remembered: one ahead of the torch, the others behind it, to go back over.
+/// Stored span in look-ahead distances: one ahead of the torch, the others behind it for reversing.
 const LEADS: f64 = 4.0;
-/// Cells that there is room for.
+/// Number of cells in the ring.
 const SLOTS: usize = (LEADS * CELLS) as usize;
-/// Jumps of the seam that are remembered.
+/// Number of stored seam jumps.
 const BREAKS: usize = 4;
-/// Measurements to each side that are enough for a place, and fewest without which it is looked for further away.
+/// Sufficient measurements to each side of a position; with fewer than `FEWEST` the search extends beyond the reach.
 const ENOUGH: u32 = 6;
 const FEWEST: u32 = 3;
-/// Second derivative of a seam against the taught path, one standard deviation, 1/mm: where it was seen, over a gap,
-/// and that of a line.
+/// Standard deviation of the seam's second derivative against the taught path, 1/mm: where measured, over a gap, and
+/// for a line.
 pub(super) const BENT: f64 = 0.1;
 const BRIDGED: f64 = 0.005;
 pub(super) const STRAIGHT: f64 = 1e-4;
-/// As many measurements as a cell counts at most: where the torch is held, the latest count.
-const MOST: u32 = 8;
+/// Maximum number of measurements averaged in a cell, so that the latest count while the torch is held.
+const MAX_PER_CELL: u32 = 8;
 
-/// What was seen, by path length: what falls into the same cell is averaged.
+/// Measured deviations by path length; measurements in the same cell are averaged.
 #[derive(Debug, Clone)]
 pub(super) struct Cells {
     ring: Ring<Cell>,
     pub(super) cell_mm: f64,
-    /// Number of the farthest cell with anything in it.
+    /// Index of the farthest occupied cell.
     front: Option<i64>,
     breaks: [f64; BREAKS],
     next_break: usize,
@@ -42,23 +42,23 @@ struct Cell {
     t: f64,
 }
 
-/// What lies to one side of a place.
+/// Measurements found to one side of a position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Side {
-    /// Cells to look into.
+    /// Number of cells to use.
     cells: i64,
     count: u32,
-    /// The first one with anything in it lies further than it should.
+    /// The nearest occupied cell lies farther than half the reach.
     gap: bool,
-    /// The seam jumps there, or nothing was seen beyond.
+    /// The side ends at a seam jump or at the last measurement.
     ends: bool,
 }
 
-/// A local parabola, and what there was for it.
+/// A local parabola and the kind of data behind it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Local {
     pub(super) fit: Fit,
-    /// Nothing was seen near the place: it is bridged.
+    /// The position lies in a gap, which is bridged.
     pub(super) bridged: bool,
 }
 
@@ -77,12 +77,13 @@ impl Cells {
         (s / self.cell_mm).floor() as i64
     }
 
-    /// The farthest place that was seen, mm.
+    /// Path length of the farthest measurement, mm.
     pub(super) fn front(&self) -> Option<f64> {
         self.ring.get(self.front?).map(|c| c.seen.s)
     }
 
-    /// Adds a measurement taken at `t`; what was in its cell before counts less by `drift` (mm^2/s) since.
+    /// Adds a measurement taken at time `t`. The variance of the old mean in its cell grows by `drift` (mm^2/s) with
+    /// its age.
     pub(super) fn add(&mut self, seen: Seen, t: f64, drift: f64) {
         let i = self.index(seen.s);
         let cell = match self.ring.get(i) {
@@ -90,21 +91,21 @@ impl Cells {
             _ => Cell { seen, count: 1, t },
         };
         self.ring.put(i, cell);
-        // A cell far behind takes the slot of one far ahead: then that is not known any more.
+        // A cell far behind may overwrite the slot of one far ahead, which is then unknown.
         self.front = Some(self.front.map_or(i, |front| front.max(i).min(i + self.ring.len() - 1)));
         while let Some(front) = self.front.filter(|f| self.ring.get(*f).is_none()) {
             self.front = Some(front - 1);
         }
     }
 
-    /// Forgets everything.
+    /// Removes all measurements and jumps.
     pub(super) fn clear(&mut self) {
         self.ring.clear();
         self.front = None;
         self.breaks = [f64::NAN; BREAKS];
     }
 
-    /// Forgets what was seen from `s` on.
+    /// Removes the measurements from `s` on.
     pub(super) fn clear_from(&mut self, s: f64) {
         let Some(front) = self.front else { return };
         let first = self.index(s);
@@ -112,7 +113,7 @@ impl Cells {
         self.front = (first - self.ring.len()..first).rev().find(|i| self.ring.get(*i).is_some());
     }
 
-    /// The seam jumps at `s`: nothing is smoothed across.
+    /// Records a seam jump at `s`; fits do not smooth across it.
     pub(super) fn add_break(&mut self, s: f64) {
         self.breaks[self.next_break % BREAKS] = s;
         self.next_break += 1;
@@ -122,8 +123,8 @@ impl Cells {
         self.breaks.iter().any(|at| (a < *at) != (b < *at) && at.is_finite())
     }
 
-    /// What lies behind (-1) or ahead (1) of the beginning of cell `i`, without crossing a jump: enough of it within
-    /// the usual reach, or the next that there is.
+    /// Searches behind (`sense` -1) or ahead (1) of the start of cell `i`, up to a jump. Stops at enough measurements
+    /// within the reach, or at the next ones beyond it.
     fn side(&self, i: i64, sense: i64, reach: i64) -> Side {
         let s = i as f64 * self.cell_mm;
         let (mut least, mut count, mut gap) = (reach / 4, 0, false);
@@ -138,7 +139,7 @@ impl Cells {
                 return Side { cells: k, count, gap, ends: true };
             }
             if count == 0 && k > reach / 2 {
-                // The other side of a gap must be known well to see across.
+                // Bridging needs more measurements on the far side of the gap.
                 (gap, least) = (true, k + reach);
             }
             count += cell.count;
@@ -149,8 +150,8 @@ impl Cells {
         Side { cells: self.ring.len(), count, gap, ends: true }
     }
 
-    /// The joint at the beginning of cell `i`. None if nothing is known ahead of it yet, or, unless it is `urgent`, too
-    /// little.
+    /// Fits the joint at the start of cell `i`. Returns `None` if no measurement lies ahead yet, or, unless `urgent`,
+    /// too few do.
     pub(super) fn local(&self, i: i64, reach: i64, urgent: bool) -> Option<Local> {
         let front = self.front?;
         let [behind, ahead] = [-1, 1].map(|sense| self.side(i, sense, reach));
@@ -162,7 +163,7 @@ impl Cells {
             return None;
         }
         let bridged = behind.gap || ahead.gap;
-        // Of a side that ends early the other makes up for what it lacks.
+        // If one side ends early, the other side uses more cells.
         let [back, on] = [(behind, ahead), (ahead, behind)].map(|(side, other)| match other.ends {
             true if side.count < 2 * ENOUGH => side.cells.max(reach),
             _ => side.cells,
@@ -171,9 +172,9 @@ impl Cells {
         Some(Local { fit, bridged })
     }
 
-    /// The parabola at `s` through what lies in these cells, on the same side of every jump.
+    /// Fits the parabola at `s` to the measurements in `cells` that no jump separates from `s`.
     pub(super) fn fit(&self, s: f64, cells: Range<i64>, bend: f64) -> Option<Fit> {
-        // Gathered once: it is gone through four times.
+        // Collected once, because it is iterated four times.
         let seen = cells.filter_map(|k| self.ring.get(k)).map(|c| c.seen);
         let near: ArrayVec<Seen, SLOTS> = seen.filter(|seen| !self.is_between(s, seen.s)).take(SLOTS).collect();
         let mut hull = Hull::default();
@@ -183,7 +184,7 @@ impl Cells {
     }
 }
 
-/// What was seen around a place, by its extremes.
+/// Extremes of the measurements around a position.
 #[derive(Debug, Clone, Copy)]
 struct Hull {
     low: DVec2,
@@ -206,7 +207,7 @@ impl Hull {
         (self.nearest, self.farthest) = (self.nearest.min(away), self.farthest.max(away));
     }
 
-    /// No seam is steeper than it can be from the nearest place where it was seen.
+    /// Clamps `value` to the measured range, widened by the maximum slope over the distance to the nearest measurement.
     fn clamped(&self, value: DVec2) -> DVec2 {
         let room = DVec2::splat(STEEPEST * self.nearest);
         value.max(self.low - room).min(self.high + room)
@@ -214,15 +215,15 @@ impl Hull {
 }
 
 fn merged(old: &Cell, seen: Seen, t: f64, drift: f64) -> Cell {
-    let count = (old.count + 1).min(MOST);
+    let count = (old.count + 1).min(MAX_PER_CELL);
     let doubt = 1.0 / seen.weight + 1.0 / old.seen.weight;
     if (seen.value - old.seen.value).abs().max_element() > GATE * doubt.sqrt() {
         // The seam has moved since.
         return Cell { seen, count: 1, t };
     }
-    // No more weight than that of as many measurements as are counted.
+    // The old mean weighs at most as much as `MAX_PER_CELL - 1` measurements like this one.
     let faded = 1.0 / (1.0 / old.seen.weight + drift * (t - old.t).max(0.0));
-    let before = faded.min(seen.weight * f64::from(MOST - 1));
+    let before = faded.min(seen.weight * f64::from(MAX_PER_CELL - 1));
     let part = seen.weight / (before + seen.weight);
     let mean = Seen {
         s: old.seen.s + part * (seen.s - old.seen.s),

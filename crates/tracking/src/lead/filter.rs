@@ -1,19 +1,19 @@
 use glam::DVec2;
 
-/// Kalman filter of the deviation and its slope by path length, \[d, d'\], lateral and height at once: the slope walks
-/// at random with `wander` (1/mm), what was seen changes with time by `drift` (mm^2/s). Both directions have the same
-/// variances, because one measurement has one confidence.
+/// Kalman filter of the deviation and its slope over path length, \[d, d'\], lateral and height together. The slope
+/// performs a random walk with `wander` (1/mm); the measured seam moves over time by `drift` (mm^2/s). Both directions
+/// share their variances, because one measurement has one confidence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Filter {
     pub(super) s: f64,
     pub(super) t: f64,
     pub(super) value: DVec2,
     pub(super) slope: DVec2,
-    /// Variances of value and slope, and between them their covariance.
+    /// Variance of the value, covariance, and variance of the slope.
     pub(super) variance: [f64; 3],
 }
 
-/// How a seam may move between measurements.
+/// Process noise of the seam between measurements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Noise {
     pub(super) wander: f64,
@@ -21,7 +21,7 @@ pub(super) struct Noise {
 }
 
 impl Filter {
-    /// What is expected at `s` at time `t`; backwards too.
+    /// Predicts the state at `s` and time `t`, also backwards along the seam.
     pub(super) fn predicted(&self, s: f64, t: f64, noise: &Noise) -> Self {
         let ds = s - self.s;
         let [vv, vs, ss] = self.variance;
@@ -35,13 +35,13 @@ impl Filter {
         Self { s, t, value: self.value + ds * self.slope, slope: self.slope, variance }
     }
 
-    /// By how many standard deviations a measurement of variance `r` is off, in the worse of both directions.
+    /// Returns the innovation of a measurement of variance `r` in standard deviations, in the worse direction.
     pub(super) fn surprise(&self, measured: DVec2, r: f64) -> f64 {
         (measured - self.value).abs().max_element() / (self.variance[0] + r).sqrt()
     }
 
-    /// With a measurement of variance `r` taken at its place. One that is off by more than two standard deviations
-    /// counts as if two were its error: an outlier that passes the gate must not lead the slope astray.
+    /// Updates the state with a measurement of variance `r`. An innovation above two standard deviations raises `r`
+    /// until it equals two, so that an outlier that passes the gate does not distort the slope.
     pub(super) fn updated(&self, measured: DVec2, r: f64) -> Self {
         let [vv, vs, ss] = self.variance;
         let r = r.max(0.25 * (measured - self.value).abs().max_element().powi(2));
@@ -64,7 +64,7 @@ mod tests {
 
     const STILL: Noise = Noise { wander: 0.0, drift: 0.0 };
 
-    /// Without noise of the seam the filter is the least-squares line with the prior as one more measurement.
+    /// Without process noise the filter equals the least-squares line with the prior as one more measurement.
     #[test]
     fn of_a_straight_seam_it_is_least_squares() {
         let prior = Filter { s: 0.0, t: 0.0, value: DVec2::ZERO, slope: DVec2::ZERO, variance: [4.0, 0.0, 0.25] };
@@ -90,7 +90,7 @@ mod tests {
         }
     }
 
-    /// Going far at once and in steps is the same; the variance grows by the cube of the way and by time.
+    /// One long prediction equals many short ones; the variance grows with the cube of the distance and with time.
     #[test]
     fn coasting_adds_up() {
         let noise = Noise { wander: 0.004, drift: 0.01 };

@@ -1,36 +1,36 @@
 use glam::DVec2;
 use nalgebra::{Matrix3, Vector3};
 
-/// Residuals beyond this many standard deviations count less (Huber); 1.345 would cost 5 % where there are no outliers.
+/// Residuals beyond this many standard deviations count less (Huber); 1.345 costs 5 % efficiency without outliers.
 const HUBER: f64 = 1.345;
-/// Passes: one plain, the others with the weights of the residuals before.
+/// Number of passes: the first unweighted, the others weighted by the previous residuals.
 const PASSES: usize = 3;
-/// What slopes are before anything is seen, one standard deviation: what keeps a fit of too few places from swinging.
+/// Prior standard deviation of the slope, which stabilises a fit with too few measurements.
 const SLOPE: f64 = 0.3;
 
-/// What was seen at one place.
+/// Deviation measured at one position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Seen {
-    /// Place, mm.
+    /// Path length, mm.
     pub(super) s: f64,
     /// Deviation, lateral and height, mm.
     pub(super) value: DVec2,
-    /// Inverse variance of it, 1/mm^2.
+    /// Inverse variance of the deviation, 1/mm^2.
     pub(super) weight: f64,
 }
 
-/// A local parabola at one place.
+/// Local parabola at one position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Fit {
     pub(super) value: DVec2,
     pub(super) slope: DVec2,
-    /// Of the value, mm^2.
+    /// Variance of the value, mm^2.
     pub(super) variance: f64,
 }
 
-/// The parabola around `s` through what was seen, weighted by nearness within `reach` mm and by Huber's function of
-/// the residual. Its second derivative is `bend` (1/mm) before anything is seen, one standard deviation: with hardly
-/// any it is a line. None if nothing was seen.
+/// Fits a parabola around `s`, weighted by nearness within `reach` mm and by Huber's function of the residual. `bend`
+/// (1/mm) is the prior standard deviation of its second derivative; a small one gives a line. Returns `None` without
+/// measurements.
 pub(super) fn parabola<'a>(
     s: f64,
     reach: f64,
@@ -41,13 +41,13 @@ pub(super) fn parabola<'a>(
     let (steep, bent) = (prior(SLOPE * reach), prior(0.5 * bend * reach * reach));
     let mut found: Option<([Vector3<f64>; 2], f64)> = None;
     for _ in 0..PASSES {
-        // Moments of the weights, and of the values: the sums of the normal equations.
+        // Moments of weights and values: the sums of the normal equations.
         let mut moments = [0.0; 5];
         let mut values = [DVec2::ZERO; 3];
         for p in seen.clone() {
             let u = (p.s - s) / reach;
             let square = u * u;
-            // A prior has to weigh against everything, so weights of nearness count from 1.
+            // Nearness weights are at most 1, because they compete with the prior's absolute weight.
             let near = (1.0 - square).max(0.05);
             let weight = p.weight * near * found.as_ref().map_or(1.0, |(c, _)| huber(c, u, p));
             for (moment, power) in moments.iter_mut().zip([1.0, u, square, u * square, square * square]) {
@@ -68,10 +68,10 @@ pub(super) fn parabola<'a>(
     (fit.value.is_finite() && fit.slope.is_finite()).then_some(fit)
 }
 
-/// Huber's weight of a measurement under the last parabola.
+/// Returns Huber's weight of a measurement relative to the previous parabola.
 fn huber([x, y]: &[Vector3<f64>; 2], u: f64, p: &Seen) -> f64 {
     let at = |c: &Vector3<f64>| c.x + u * (c.y + u * c.z);
-    // Most are near: squares tell that without a root.
+    // Most residuals are small: comparing squares saves the root.
     let square = (p.value - DVec2::new(at(x), at(y))).length_squared() * p.weight;
     if square > HUBER * HUBER { HUBER / square.sqrt() } else { 1.0 }
 }
@@ -86,8 +86,7 @@ mod tests {
         (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
     }
 
-    /// Through points of a parabola goes that parabola, wherever it is asked for, but for the little that the prior
-    /// pulls.
+    /// The fit reproduces exact parabolas, except for the small pull of the prior.
     #[test]
     fn parabolas_are_met() {
         let mut random = Pcg64Mcg::seed_from_u64(1);
@@ -106,7 +105,7 @@ mod tests {
         }
     }
 
-    /// With errors of the size that it is told, its own variance is right, and a tenth of outliers moves it little.
+    /// With errors of the stated size the reported variance is right, and 10 % outliers shift the fit little.
     #[test]
     fn variance_and_outliers() {
         let mut random = Pcg64Mcg::seed_from_u64(2);
@@ -131,7 +130,7 @@ mod tests {
         assert!(worst < 0.06, "{worst}");
     }
 
-    /// One place alone, or none.
+    /// Fits to one measurement and to an empty set.
     #[test]
     fn too_few_places() {
         let one = [Seen { s: 1.0, value: DVec2::new(0.5, -0.5), weight: 2500.0 }];

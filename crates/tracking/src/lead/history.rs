@@ -1,19 +1,19 @@
 use glam::DVec2;
 use std::collections::VecDeque;
 
-/// Where the torch and its slide were at one cycle.
+/// Position of the torch and its slide at one cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moment {
-    /// On the cell's clock, s.
+    /// Time on the cell's clock, s.
     pub t_s: f64,
     /// Path length of the torch, mm.
     pub s_mm: f64,
-    /// True position of what carries the sensor, lateral and height, mm.
+    /// Actual offset of the slide or axes that carry the sensor, lateral and height, mm.
     pub slide: DVec2,
 }
 
-/// Where the torch and its slide were in the last cycles: so that a measurement that arrives late is put together with
-/// the place where it was taken. Room is made once.
+/// Positions of the torch and its slide in the last cycles, to match a late measurement with the position of its
+/// exposure. Memory is allocated once.
 #[derive(Debug, Clone)]
 pub(crate) struct History {
     moments: VecDeque<Moment>,
@@ -21,13 +21,13 @@ pub(crate) struct History {
 }
 
 impl History {
-    /// Room for the last `capacity` cycles, at least two.
+    /// Creates a history of the last `capacity` cycles, at least two.
     pub(crate) fn new(capacity: usize) -> Self {
         let capacity = capacity.max(2);
         Self { moments: VecDeque::with_capacity(capacity), capacity }
     }
 
-    /// Adds a cycle. One that is not later than the last is left out.
+    /// Adds a cycle; ignores one that is not later than the last.
     pub(crate) fn push(&mut self, moment: Moment) {
         if self.moments.back().is_some_and(|last| moment.t_s <= last.t_s) {
             return;
@@ -38,7 +38,7 @@ impl History {
         self.moments.push_back(moment);
     }
 
-    /// Where everything was at `t_s`, linear between cycles; none outside of what is remembered.
+    /// Interpolates linearly at `t_s`; `None` outside the stored time range.
     pub(crate) fn at(&self, t_s: f64) -> Option<Moment> {
         let after = self.moments.partition_point(|m| m.t_s < t_s);
         let b = self.moments.get(after)?;

@@ -1,42 +1,42 @@
 use glam::DVec2;
 
-/// What a leading sensor measured.
+/// Measurement of a look-ahead sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measurement {
-    /// When it was exposed, s, on the cell's clock.
+    /// Exposure time on the cell's clock, s.
     pub exposed_s: f64,
-    /// Where the joint lies in the sensor's plane, lateral and height from its zero, mm. The sensor rides on the slide.
+    /// Joint position in the sensor's plane, lateral and height from its zero, mm. The slide carries the sensor.
     pub offset: DVec2,
     /// 0 to 1.
     pub confidence: f64,
 }
 
-/// What became of a measurement.
+/// Result of processing a measurement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// It is used.
+    /// Accepted.
     Taken,
-    /// Too far from what is expected: not used, unless two more agree with it.
+    /// Outside the gate: used only if two more agree with it.
     Gated,
-    /// Three that agree with each other were gated: the seam has jumped, the estimate begins anew there.
+    /// Three gated measurements agree: the seam has jumped and the estimate restarts there.
     Restarted,
-    /// It is not used.
+    /// Rejected.
     Refused(Refusal),
 }
 
-/// Why a measurement is not used at all.
+/// Reason for rejecting a measurement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Refusal {
-    /// Its confidence is not a number from 0 to 1.
+    /// Confidence outside 0 to 1, or not a number.
     Confidence,
-    /// Too little confidence.
+    /// Confidence below the minimum.
     Faint,
-    /// Outside of the sensor's calibrated field, or no number.
+    /// Offset outside the sensor's calibrated field, or not finite.
     OutOfField,
-    /// Its exposure is longer ago than it may be: the sensor is late, or its clock is behind.
+    /// Exposure too old: the sensor is late or its clock is behind.
     Late,
-    /// Its exposure is too short a time ago, or in the future: the sensor's clock is wrong.
+    /// Exposure too recent or in the future: the sensor's clock is wrong.
     Clock,
-    /// The same value again and again: the sensor has frozen.
+    /// Repeated identical value: the sensor has frozen.
     Frozen,
 }

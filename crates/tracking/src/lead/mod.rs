@@ -1,12 +1,12 @@
-//! Where the seam is, from a sensor that leads the torch.
+//! Seam tracking with a sensor that looks ahead of the torch.
 //!
-//! What the sensor measures at exposure is put together with where torch and slide were then, so the deviation of the
-//! seam is known *absolutely*, by path length: `d(s + L) = measured + slide - own curve`. Nothing is summed up, so
-//! nothing drifts, and speed changes, holds and going back change nothing. A gate and a Kalman filter at the sensor
-//! sort out what cannot be; what passes is kept by path length until the torch is there, and smoothed from both sides,
-//! so without lag.
+//! A measurement is combined with the torch and slide positions at its exposure. This gives the *absolute* deviation of
+//! the seam by path length: `d(s + L) = measured + slide - own curve`. No error accumulates, so there is no drift, and
+//! speed changes, holds and reversing have no effect. A gate and a Kalman filter at the sensor reject outliers.
+//! Accepted measurements are stored by path length until the torch arrives, and smoothed from both sides, so without
+//! lag.
 //!
-//! [`Tracker`] is that. [`SampleBuffer`] is the algorithm of DUALBEAM-2013, to compare with.
+//! [`Tracker`] implements this method. [`SampleBuffer`] is the algorithm of DUALBEAM-2013, for comparison.
 
 mod cells;
 mod error;

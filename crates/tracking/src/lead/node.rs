@@ -1,38 +1,38 @@
 use glam::DVec2;
 
-/// How well the seam is known at a place; each is worse than the one before.
+/// Quality of the seam estimate at a position, from best to worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Sight {
-    /// The joint was seen there.
+    /// Measured.
     Seen,
-    /// Nothing was seen there, but before and behind it.
+    /// Interpolated between measurements before and behind.
     Bridged,
-    /// Nothing has been seen since: the last slope is followed, less and less.
+    /// Extrapolated with the decaying last slope.
     Coasted,
-    /// The same for too long: back to the taught path.
+    /// Extrapolated for too long: the correction fades out to the taught path.
     Fading,
-    /// There is nothing to go by: the taught path.
+    /// Unknown: the taught path.
     Unseen,
-    /// The correction has faded out. Stop.
+    /// The correction has faded out: the torch stops.
     Lost,
 }
 
-/// Deviation of the seam from the taught path at a place.
+/// Deviation of the seam from the taught path at a position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
     /// Lateral and height, mm.
     pub value: DVec2,
-    /// Standard deviation, mm; infinite where nothing is known.
+    /// Standard deviation, mm; infinite where the seam is unknown.
     pub sigma_mm: f64,
-    /// How it is known.
+    /// Quality of the estimate.
     pub sight: Sight,
 }
 
-/// What is known at the border of two cells.
+/// Estimate at the border of two cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Node {
     pub(super) value: DVec2,
-    /// By path length.
+    /// Slope over path length.
     pub(super) slope: DVec2,
     pub(super) variance: f64,
     pub(super) sight: Sight,
@@ -46,7 +46,7 @@ impl Node {
         Estimate { value: self.value, sigma_mm: self.variance.sqrt(), sight: self.sight }
     }
 
-    /// Between two nodes that lie `way` mm apart, `part` of the way from the first: Hermite's cubic.
+    /// Interpolates to the next node, `way` mm away, at fraction `part` of the distance (cubic Hermite).
     pub(super) fn between(&self, next: &Self, way: f64, part: f64) -> Estimate {
         let (p, q) = (part, 1.0 - part);
         let value = q * q * (1.0 + 2.0 * p) * self.value

@@ -1,34 +1,34 @@
 use glam::{DMat2, DVec2, DVec3};
 
-/// Distance of the places that are worked out, mm; between them everything is linear.
+/// Spacing of the precomputed views, mm; linear interpolation between them.
 const STEP_MM: f64 = 1.0;
 
-/// The torch's frame at a place of the nominal seam.
+/// Torch frame at a station of the nominal seam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeamFrame {
-    /// mm.
+    /// Origin, mm.
     pub point: DVec3,
     /// Unit direction of welding.
     pub along: DVec3,
-    /// Unit direction of lateral corrections, square to `along`.
+    /// Unit direction of lateral corrections, perpendicular to `along`.
     pub lateral: DVec3,
-    /// Unit direction of height corrections, square to both, out of the work.
+    /// Unit direction of height corrections, perpendicular to both, out of the work.
     pub height: DVec3,
 }
 
-/// What a sensor that leads the torch along its tangent sees of the nominal seam.
+/// View of the nominal seam from a sensor ahead of the torch along its tangent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
-    /// Path length of the place that it sees, mm.
+    /// Path length of the observed station, mm.
     pub place_mm: f64,
-    /// Where it sees the nominal seam, with the slide at zero, mm: a bent seam lies beside its tangent.
+    /// Nominal seam in the sensor's plane with the slide at zero, mm; a curved seam lies beside its tangent.
     pub offset: DVec2,
-    /// From offsets in the sensor's plane to deviations in the frame of the place that is seen.
+    /// Transforms offsets in the sensor's plane to deviations in the frame of the observed station.
     pub to_seam: DMat2,
 }
 
-/// What a leading sensor sees of the nominal seam, by path length of the torch: on radius R a sensor L ahead sees the
-/// seam's own curve, about L^2/2R, and sees deviations turned by the angle between here and there.
+/// Views of the nominal seam by path length of the torch. On radius R a sensor L ahead sees the seam's own curve, about
+/// L^2/2R, and deviations rotated by the angle between both stations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OwnCurve {
     from_mm: f64,
@@ -37,14 +37,14 @@ pub struct OwnCurve {
 }
 
 impl OwnCurve {
-    /// Of a straight seam.
+    /// Creates the view of a straight seam, without offset and rotation.
     #[must_use]
     pub fn straight(lead_mm: f64) -> Self {
         Self { from_mm: 0.0, views: Vec::new(), lead_mm }
     }
 
-    /// Of the seam with these frames by path length, with the torch between `from_mm` and `to_mm`. Frames are asked for
-    /// up to two leads further. A sensor plane that the seam does not cross so soon counts as seeing it there.
+    /// Creates the views of the seam given by `frame`, with the torch from `from_mm` to `to_mm`. Calls `frame` up to
+    /// two look-ahead distances further. A seam that has not crossed the sensor's plane by then counts as seen there.
     #[must_use]
     pub fn of(lead_mm: f64, from_mm: f64, to_mm: f64, frame: impl Fn(f64) -> SeamFrame) -> Self {
         let count = ((to_mm - from_mm) / STEP_MM).ceil().clamp(1.0, 1e7) as usize;
@@ -52,7 +52,7 @@ impl OwnCurve {
         Self { from_mm, views: (0..=count).map(view).collect(), lead_mm }
     }
 
-    /// What the sensor sees with the torch at `s_mm`; beyond the ends of the seam what it sees there.
+    /// Returns the view with the torch at `s_mm`; beyond the ends, offset and rotation are those of the end.
     #[must_use]
     pub fn at(&self, s_mm: f64) -> View {
         let along = ((s_mm - self.from_mm) / STEP_MM).clamp(0.0, self.views.len().saturating_sub(1) as f64);
@@ -61,7 +61,7 @@ impl OwnCurve {
             return View { place_mm: s_mm + self.lead_mm, offset: DVec2::ZERO, to_seam: DMat2::IDENTITY };
         };
         let part = along - i as f64;
-        // The place goes on with the torch beyond the ends too.
+        // Beyond the ends the observed station still moves with the torch.
         let ahead = |k: usize, v: &View| v.place_mm - (self.from_mm + (i + k) as f64 * STEP_MM);
         View {
             place_mm: s_mm + ahead(0, a) + part * (ahead(1, b) - ahead(0, a)),
@@ -74,7 +74,7 @@ impl OwnCurve {
 fn view(lead: f64, s: f64, frame: &impl Fn(f64) -> SeamFrame) -> View {
     let here = frame(s);
     let way = |place: f64| (frame(place).point - here.point).dot(here.along);
-    // The first crossing of the sensor's plane: bracketed in steps, then halved.
+    // Finds the first crossing of the sensor's plane: bracketing in steps, then bisection.
     let mut high = s + lead;
     while way(high) < lead && high < s + 2.0 * lead {
         high += lead / 16.0;
@@ -97,7 +97,7 @@ fn view(lead: f64, s: f64, frame: &impl Fn(f64) -> SeamFrame) -> View {
 
 #[cfg(test)]
 impl SeamFrame {
-    /// On a circle in the plane of x and y, lateral towards its centre.
+    /// Returns the frame on a circle in the xy plane, lateral towards its centre.
     pub(crate) fn on_circle(radius: f64, s: f64) -> Self {
         let (sin, cos) = (s / radius).sin_cos();
         Self {
@@ -113,7 +113,7 @@ impl SeamFrame {
 mod tests {
     use super::*;
 
-    /// On a circle everything is in closed form.
+    /// Compares the views on a circle with their closed form.
     #[test]
     fn of_a_circle() {
         for radius in [50.0, 500.0, -120.0] {
@@ -130,7 +130,7 @@ mod tests {
             }
             assert!((own.at(150.0).place_mm - 150.0 - radius * turn).abs() < 1e-9);
         }
-        // The figure everyone knows.
+        // L^2/2R for L = 20 mm and R = 500 mm.
         assert!((20.0f64.powi(2) / (2.0 * 500.0) - 0.4).abs() < 1e-12);
     }
 

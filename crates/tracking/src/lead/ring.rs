@@ -1,12 +1,12 @@
-/// Values by place: a window on cells counted along the seam. A slot serves every `len`-th cell and keeps the one that
-/// was written last, so the memory is bounded, and going back along the seam needs nothing special.
+/// Ring buffer of values by cell index along the seam. A slot serves every `len`-th cell and keeps the last one
+/// written, so the memory is bounded and reversing needs no special case.
 #[derive(Debug, Clone)]
 pub(super) struct Ring<T> {
     slots: Vec<Option<(i64, T)>>,
 }
 
 impl<T: Copy> Ring<T> {
-    /// At least `len` cells: a power of two.
+    /// Creates a ring of at least `len` cells, rounded up to a power of two.
     pub(super) fn new(len: usize) -> Self {
         Self { slots: vec![None; len.next_power_of_two()] }
     }
@@ -15,7 +15,7 @@ impl<T: Copy> Ring<T> {
         self.slots.len() as i64
     }
 
-    /// The value of cell `i`, if it is still there.
+    /// Returns the value of cell `i`, unless it was overwritten.
     pub(super) fn get(&self, i: i64) -> Option<&T> {
         self.slots[self.slot(i)].as_ref().filter(|(at, _)| *at == i).map(|(_, value)| value)
     }
@@ -25,13 +25,13 @@ impl<T: Copy> Ring<T> {
         self.slots[slot] = Some((i, value));
     }
 
-    /// Forgets cell `i`.
+    /// Removes cell `i`.
     pub(super) fn remove(&mut self, i: i64) {
         let slot = self.slot(i);
         self.slots[slot] = self.slots[slot].filter(|(at, _)| *at != i);
     }
 
-    /// Forgets everything.
+    /// Removes all cells.
     pub(super) fn clear(&mut self) {
         self.slots.fill(None);
     }

@@ -1,46 +1,45 @@
 use super::Error;
 use glam::DVec2;
 
-/// Part of the lead within which the joint is smoothed to each side of a place: so much of it must lie between the
-/// place and what was seen last.
+/// Smoothing reach to each side of a position, as a fraction of the look-ahead distance; measurements must extend that
+/// far beyond the position.
 pub(super) const REACH: f64 = 0.25;
 
-/// How a leading sensor is followed.
+/// Settings for tracking with a look-ahead sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// By how much the sensor leads the torch, mm.
+    /// Look-ahead distance of the sensor, mm.
     pub lead_mm: f64,
-    /// Greatest speed along the seam, mm/s.
+    /// Maximum speed along the seam, mm/s.
     pub speed_mm_s: f64,
     /// The cell's cycle, s.
     pub cycle_s: f64,
     /// Time between exposures, s.
     pub period_s: f64,
-    /// Least and greatest time from an exposure to the arrival of what was measured, s. Older or younger ones are
-    /// refused: a clock is wrong.
+    /// Minimum and maximum age of a measurement at its arrival, s. Others are rejected because of a wrong clock.
     pub age_s: [f64; 2],
-    /// How long before the torch is at a place its deviation must be known: what the actuator needs, s.
+    /// Time before the torch reaches a position at which the actuator needs its deviation, s.
     pub notice_s: f64,
-    /// Standard deviation of a measurement of confidence 1, mm; of confidence c it is that by c.
+    /// Standard deviation of a measurement of confidence 1, mm; divided by c for confidence c.
     pub noise_mm: f64,
-    /// Measurements of less confidence are not used.
+    /// Minimum confidence of a measurement.
     pub least_confidence: f64,
-    /// The sensor's calibrated field: greatest offsets to each side of its zero, lateral and height, mm.
+    /// Calibrated field of the sensor: maximum offsets to each side of its zero, lateral and height, mm.
     pub field_mm: DVec2,
-    /// How fast the seam's slope against the taught path wanders: variance of its change over 1 mm, 1/mm.
+    /// Random walk of the seam's slope against the taught path: variance of its change over 1 mm, 1/mm.
     pub wander: f64,
-    /// How fast a seam moves where it was seen: variance of its movement in 1 s, mm^2/s.
+    /// Drift of the seam after its measurement: variance of its movement in 1 s, mm^2/s.
     pub drift: f64,
-    /// How far the last slope is followed where nothing is seen: it decays by this length, mm.
+    /// Decay length of the last slope during extrapolation, mm.
     pub decay_mm: f64,
-    /// Longest tack on the seam, mm.
+    /// Maximum length of a tack weld on the seam, mm.
     pub tack_mm: f64,
-    /// Way over which the correction fades out to the taught path after too long without sight, mm.
+    /// Distance over which the correction fades out to the taught path after too long without measurements, mm.
     pub fade_mm: f64,
 }
 
 impl Settings {
-    /// Usual values for a stripe sensor: 10 ms from frame to frame, 15 ms late give or take a period, 0.02 mm of noise.
+    /// Typical values for a stripe sensor: 10 ms frame period, 15 ms latency give or take a period, 0.02 mm noise.
     #[must_use]
     pub fn usual(lead_mm: f64, speed_mm_s: f64) -> Self {
         Self {
@@ -61,15 +60,16 @@ impl Settings {
         }
     }
 
-    /// Way without sight after which the correction fades out, mm.
+    /// Distance without measurements after which the correction fades out, mm.
     #[must_use]
     pub fn coast_mm(&self) -> f64 {
         (1.5 * self.tack_mm).max(15.0)
     }
 
+    /// Checks all values.
+    ///
     /// # Errors
-    /// [`Error::Value`] for a value that cannot be; [`Error::LeadTooShort`] if what the sensor sees would be known too
-    /// late.
+    /// [`Error::Value`] for an invalid value; [`Error::LeadTooShort`] if measurements would arrive too late.
     pub fn check(&self) -> Result<(), Error> {
         let positive = [
             ("lead_mm", self.lead_mm),
@@ -125,7 +125,7 @@ impl Settings {
 mod tests {
     use super::*;
 
-    /// What the message says would work does work, and a little less does not.
+    /// The limits in the error message are tight: they pass, and slightly tighter values fail.
     #[test]
     fn a_lead_that_is_too_short_is_told_what_would_work() {
         for speed in [150.0, 400.0, 2000.0] {

@@ -2,19 +2,19 @@ use super::filter::Filter;
 use super::fit::Seen;
 use arrayvec::ArrayVec;
 
-/// As many gated measurements as begin the estimate anew, if they agree.
+/// Number of agreeing gated measurements that restart the estimate.
 pub(super) const IN_A_ROW: usize = 3;
-/// Gated measurements that are remembered: outliers may lie between those that agree.
+/// Number of stored gated measurements: outliers may lie between agreeing ones.
 const ROOM: usize = 4;
-/// Steepest seam against the taught path.
+/// Maximum slope of the seam against the taught path.
 pub(super) const STEEPEST: f64 = 0.3;
-/// Standard deviations that count as agreement, as at the gate.
+/// Limit of agreement in standard deviations, as at the measurement gate.
 pub(super) const GATE: f64 = 3.0;
 
-/// What a seam may bend between three measurements, mm.
+/// Maximum bend of a seam between three measurements, mm.
 const BENT_MM: f64 = 0.02;
 
-/// Measurements that were gated, one after the other: outliers, or the seam has jumped.
+/// Consecutive gated measurements: outliers, or the start of a seam jump.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Suspects {
     seen: ArrayVec<Seen, ROOM>,
@@ -27,7 +27,7 @@ impl Suspects {
         self.in_a_row = 0;
     }
 
-    /// One more; how many there are in a row now.
+    /// Adds a measurement; returns the number in a row.
     pub(super) fn add(&mut self, seen: Seen) -> usize {
         if self.seen.is_full() {
             self.seen.remove(0);
@@ -37,8 +37,8 @@ impl Suspects {
         self.in_a_row
     }
 
-    /// This one and two of those before, if all three agree with each other and lie on a line: outliers that are near to each
-    /// other hardly ever do.
+    /// Returns two earlier measurements and `last` if all three agree and lie on a line. Neighbouring outliers hardly
+    /// ever do.
     pub(super) fn agreeing(&self, last: &Seen) -> Option<[Seen; IN_A_ROW]> {
         let others = || self.seen.iter().rev().filter(|s| agree(s, last));
         let fits = |a: &Seen, b: &Seen| agree(a, b) && on_a_line(a, b, last);
@@ -47,10 +47,10 @@ impl Suspects {
     }
 }
 
-/// Whether the middle one of three is as near to the line through the others as their noise lets it be.
+/// Returns whether `b` lies on the line through `a` and `c` within their noise.
 fn on_a_line(a: &Seen, b: &Seen, c: &Seen) -> bool {
     let way = c.s - a.s;
-    // Where the torch is held they are in one place.
+    // While the torch is held all three have one position.
     let part = if way.abs() > 1e-3 { ((b.s - a.s) / way).clamp(0.0, 1.0) } else { 0.5 };
     let variance = (1.0 - part).powi(2) / a.weight + 1.0 / b.weight + part * part / c.weight;
     (b.value - a.value.lerp(c.value, part)).abs().max_element() <= GATE * variance.sqrt() + BENT_MM
@@ -61,7 +61,7 @@ fn agree(a: &Seen, b: &Seen) -> bool {
     (a.value - b.value).abs().max_element() <= allowed
 }
 
-/// A filter that begins with these three: at the last one, as steep as they may be.
+/// Starts a filter at the last of three measurements; two standard deviations of its slope span the maximum slope.
 pub(super) fn begun(three: &[Seen; IN_A_ROW], t: f64) -> Filter {
     let [a, b, c] = three;
     let variance = 1.0 / c.weight;

@@ -10,21 +10,22 @@ use super::{Error, Measurement, OwnCurve, Refusal, Settings, Verdict};
 use glam::DVec2;
 use std::ops::Range;
 
-/// The same value so often in a row is a frozen sensor.
+/// Number of identical values in a row from a frozen sensor.
 const FROZEN: u32 = 5;
-/// A gate does not open wider than this, mm: after a gap measurements must agree with each other.
+/// Maximum half-width of the gate, mm; after a gap measurements must agree with each other.
 const WIDEST_MM: f64 = 1.0;
-/// Second derivative of a seam that is looked at a few millimetres beyond where it was seen, one standard deviation, 1/mm.
+/// Standard deviation of the seam's second derivative for extrapolation by a few millimetres, 1/mm.
 const GENTLE: f64 = 0.01;
-/// Less than this counts as no jump, mm: it is smoothed over.
+/// Minimum jump of the seam, mm; smaller steps are smoothed.
 const JUMP_MM: f64 = 0.3;
-/// Cells to each side within which a place is smoothed.
+/// Smoothing reach to each side, in cells.
 const REACH_CELLS: i64 = (REACH * CELLS) as i64;
 
-/// The deviation of the seam from the taught path, by path length, from a sensor that leads the torch.
+/// Estimates the seam's deviation from the taught path by path length, from a sensor ahead of the torch.
 ///
-/// Every cycle [`Self::advance`] is told where torch and slide are; [`Self::take`] whenever a measurement arrives, in
-/// any order. [`Self::at`] tells the deviation. Its memory is bounded by the lead; no call allocates.
+/// Call [`Self::advance`] every cycle with the positions of torch and slide, and [`Self::take`] for each measurement,
+/// in any order. [`Self::at`] returns the deviation. Memory is bounded by the look-ahead distance; no call after
+/// [`Self::new`] allocates.
 #[derive(Debug, Clone)]
 pub struct Tracker {
     settings: Settings,
@@ -32,9 +33,9 @@ pub struct Tracker {
     history: History,
     cells: Cells,
     nodes: Ring<Node>,
-    /// The next node to be worked out.
+    /// Next node to compute.
     cursor: Option<i64>,
-    /// Where the torch is, by nodes.
+    /// Index of the node at the torch.
     here: i64,
     filter: Option<Filter>,
     suspects: Suspects,
@@ -42,26 +43,26 @@ pub struct Tracker {
     same: (DVec2, u32),
 }
 
-/// What is coming up on the seam.
+/// Extremes of the seam ahead.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ahead {
-    /// Greatest deviation, lateral and height, mm.
+    /// Maximum absolute deviation, lateral and height, mm.
     pub value: DVec2,
-    /// Greatest slope of it by path length.
+    /// Maximum absolute slope over path length.
     pub slope: DVec2,
 }
 
-/// Where the joint was last seen before it was lost.
+/// Last measured position before the joint was lost.
 #[derive(Debug, Clone, Copy)]
 struct Anchor {
     s: f64,
     fit: Fit,
-    /// First node that was coasted from it.
+    /// First node extrapolated from it.
     first: i64,
 }
 
 impl Tracker {
-    /// Follows the seam that `own` is of.
+    /// Creates a tracker of the seam described by `own`.
     ///
     /// # Errors
     /// Those of [`Settings::check`].
@@ -83,20 +84,20 @@ impl Tracker {
         })
     }
 
-    /// How the sensor is followed.
+    /// Returns the settings.
     #[must_use]
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// A cycle: where torch and slide are now. Deviations will be asked for up to `until_mm`.
+    /// Runs one cycle with the current positions; callers may ask for deviations up to `until_mm`.
     pub fn advance(&mut self, now: Moment, until_mm: f64) {
         self.history.push(now);
         let (here, until) = (self.cells.index(now.s_mm), self.cells.index(until_mm) + 1);
         self.here = here;
-        // What the torch has passed is worked out only if it was seen anew.
+        // Nodes behind the torch are computed only after new measurements there.
         let cursor = self.cursor.map_or(here, |cursor| cursor.max(here - self.nodes.len() / 2));
-        // One a cycle, so that no cycle takes long: at 1 ms and a lead of 20 mm that is enough up to 300 mm/s.
+        // One node per cycle keeps cycles short; at 1 ms and 20 mm look-ahead this suffices up to 300 mm/s.
         let node = self.node(cursor, cursor <= until);
         if let Some(node) = node {
             self.nodes.put(cursor, node);
@@ -104,7 +105,7 @@ impl Tracker {
         self.cursor = Some(cursor + i64::from(node.is_some()));
     }
 
-    /// A measurement has arrived at time `now_s`.
+    /// Processes a measurement that arrived at time `now_s`.
     pub fn take(&mut self, measured: &Measurement, now_s: f64) -> Verdict {
         match self.located(measured, now_s) {
             Ok(seen) => self.accept(seen, measured.exposed_s),
@@ -112,29 +113,29 @@ impl Tracker {
         }
     }
 
-    /// Where torch and slide were at `t_s`; none outside of what is remembered.
+    /// Returns the positions at `t_s`; `None` outside the stored time range.
     pub(crate) fn moment(&self, t_s: f64) -> Option<Moment> {
         self.history.at(t_s)
     }
 
-    /// A place of the seam that was seen in a picture at `exposed_s`, its deviation with this confidence: whoever saw the picture
-    /// has judged it as a whole.
+    /// Adds a deviation at `s` with this confidence, from a picture exposed at `exposed_s`. The caller has already
+    /// judged the picture as a whole.
     pub(crate) fn see(&mut self, s: f64, deviation: DVec2, confidence: f64, exposed_s: f64) {
         let weight = (confidence / self.settings.noise_mm).powi(2);
         self.keep(Seen { s, value: deviation, weight }, exposed_s);
     }
 
-    /// Forgets what was seen from `s` on: the seam jumps there.
+    /// Removes the measurements from `s` on and records a seam jump there.
     pub(crate) fn forget_from(&mut self, s: f64) {
         self.cells.clear_from(s);
         self.cells.add_break(s);
     }
 
-    /// Puts what was seen beside what is expected.
+    /// Compares a measurement with the prediction.
     fn accept(&mut self, seen: Seen, t: f64) -> Verdict {
         let noise = Noise { wander: self.settings.wander, drift: self.settings.drift };
         let r = 1.0 / seen.weight;
-        // First: while measurements are gated doubt grows, and soon the gate lets a jump pass.
+        // Checked first: gating increases the variance, and soon the gate would let a jump pass.
         if let Some(three) = self.suspects.agreeing(&seen) {
             self.suspects.clear();
             self.begin_with(&three);
@@ -153,15 +154,15 @@ impl Tracker {
             self.keep(seen, t);
             return Verdict::Taken;
         }
-        // What was expected is worth nothing after some that were not: a gate that opens would let wild values in. From
-        // here on only measurements that agree with each other are believed.
+        // After several gated measurements the prediction is discarded, because a widening gate would accept outliers.
+        // From here on measurements must agree with each other.
         if self.suspects.add(seen) >= IN_A_ROW {
             self.filter = None;
         }
         Verdict::Gated
     }
 
-    /// The deviation at path length `s_mm`.
+    /// Returns the deviation at path length `s_mm`.
     #[must_use]
     pub fn at(&self, s_mm: f64) -> Estimate {
         let i = self.cells.index(s_mm);
@@ -173,8 +174,7 @@ impl Tracker {
         }
     }
 
-    /// The greatest deviation and the greatest slope of it, each to either side, between `s_mm` and where the sensor
-    /// is.
+    /// Returns the maximum absolute deviation and slope, per direction, between `s_mm` and the sensor.
     #[must_use]
     pub fn ahead(&self, s_mm: f64) -> Ahead {
         let from = self.cells.index(s_mm);
@@ -186,7 +186,7 @@ impl Tracker {
         })
     }
 
-    /// Place and deviation of what was measured, or why it is of no use.
+    /// Returns position and deviation of a measurement, or the reason for rejecting it.
     fn located(&mut self, measured: &Measurement, now_s: f64) -> Result<Seen, Refusal> {
         let Measurement { exposed_s, offset, confidence } = *measured;
         if !(0.0..=1.0).contains(&confidence) {
@@ -201,7 +201,7 @@ impl Tracker {
         }
         let [young, old] = self.settings.age_s;
         let age = now_s - exposed_s;
-        // Half a cycle: times are those of cycles.
+        // Half a cycle, because times are those of cycles.
         let slack = 0.5 * self.settings.cycle_s;
         if age > old + slack {
             return Err(Refusal::Late);
@@ -222,7 +222,7 @@ impl Tracker {
     fn keep(&mut self, seen: Seen, t: f64) {
         self.cells.add(seen, t, self.settings.drift);
         let mut from = self.cursor;
-        // What was coasted over, and what lies near to a place that is seen anew, is worked out again.
+        // Recomputes extrapolated nodes and the nodes near the new measurement.
         if let Some(anchor) = self.anchor.take() {
             from = from.map(|cursor| cursor.min(anchor.first.max(self.here)));
         }
@@ -230,13 +230,13 @@ impl Tracker {
         self.cursor = from.map(|cursor| cursor.min(near));
     }
 
-    /// The estimate begins anew with these: the seam jumps there, or what was expected had been led astray by an
-    /// outlier.
+    /// Restarts the estimate with three agreeing measurements: the seam jumps there, or an outlier had distorted the
+    /// prediction.
     fn begin_with(&mut self, three: &[Seen; IN_A_ROW]) {
         let Some(front) = self.cells.front() else { return };
         let Seen { s, value, .. } = three[0];
         if s < front - 0.5 * self.cells.cell_mm {
-            // It was seen there before, and has moved since.
+            // The seam was measured there before and has moved since.
             self.cells.clear();
         } else if s - front < REACH * self.settings.lead_mm {
             let end = self.cells.index(front) + 1;
@@ -246,7 +246,7 @@ impl Tracker {
             };
             match (jumps(end - REACH_CELLS..end, BENT), jumps(end - 2 * REACH_CELLS..end - 1, GENTLE)) {
                 (true, true) => self.cells.add_break(0.5 * (s + front)),
-                // What was taken last was an outlier: without it nothing jumps.
+                // The last accepted measurement was an outlier: without it there is no jump.
                 (true, false) => self.cells.clear_from(front),
                 (false, _) => {}
             }
@@ -262,7 +262,7 @@ impl Tracker {
         urgent.then(|| self.coasted(i))
     }
 
-    /// Beyond what was seen last.
+    /// Extrapolates beyond the last measurement.
     fn coasted(&mut self, i: i64) -> Node {
         let Some(anchor) = self.anchor.or_else(|| self.anchored(i)) else { return Node::UNSEEN };
         self.anchor = Some(anchor);
@@ -282,7 +282,7 @@ impl Tracker {
         Node { value: keep * value, slope: keep * slope - falls * value, variance, sight }
     }
 
-    /// Value and slope where the joint was last seen; the slope is that over half a lead.
+    /// Fits value and slope at the last measurement; the slope is that over half a look-ahead distance.
     fn anchored(&self, first: i64) -> Option<Anchor> {
         let s = self.cells.front()?;
         let end = self.cells.index(s) + 1;

@@ -2,23 +2,23 @@ use super::LinePoint;
 use glam::DVec3;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
-/// Points within this way to both sides, or twice as far to one side at an end, tell the line's direction, mm: heights are
-/// noisier than places, and a torch that follows their noise trembles.
+/// Reach to both sides for the line's direction, mm; at an end twice as far to one side. Heights are noisier than
+/// positions, and a torch that follows their noise trembles.
 const REACH_MM: f64 = 6.0;
 
-/// How the torch leans at a place of the joint (`Torch` of a program).
+/// Torch angles at a station of the joint (`Torch` of a program).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Lean {
     /// Work angle from the surface's normal towards the first part, rad.
     pub work: f64,
     /// Travel angle, rad: positive is a drag angle.
     pub travel: f64,
-    /// The first part is on the side of normal x direction, and not on the other one.
+    /// The first part lies on the side of normal x direction.
     pub first_is_left: bool,
 }
 
-/// Unit vectors from the joint to the torch at each point of a taught line: the surface's normal, square to the line as it
-/// was found, so that it leans with the heights that were measured; then turned by the angles that `lean` gives.
+/// Returns unit vectors from the joint to the torch at each point of a taught line. The surface normal is made
+/// perpendicular to the line as measured, so it follows the measured heights, and then rotated by the angles of `lean`.
 pub fn torch_axes(line: &[LinePoint], lean: &dyn Fn(&LinePoint) -> Lean) -> Vec<DVec3> {
     let axis = |(i, p): (usize, &LinePoint)| {
         let Some(along) = direction(line, i) else { return p.normal };
@@ -32,14 +32,14 @@ pub fn torch_axes(line: &[LinePoint], lean: &dyn Fn(&LinePoint) -> Lean) -> Vec<
     line.iter().enumerate().map(axis).collect()
 }
 
-/// Unit direction of the line at its point `i`, from the parabola by way nearest to the points about it.
+/// Returns the line's unit direction at point `i`, from the least-squares parabola through the points around it.
 fn direction(line: &[LinePoint], i: usize) -> Option<DVec3> {
     let (way, end) = (line[i].way, line.last()?.way);
     let (low, high) = ((way - REACH_MM).max(0.0), (way + REACH_MM).min(end));
     let (low, high) = ((high - 2.0 * REACH_MM).min(low), (low + 2.0 * REACH_MM).max(high));
     let from = line.partition_point(|p| p.way < low);
     let points = &line[from..line.partition_point(|p| p.way <= high)];
-    // A little stiff: two points make a line.
+    // Slightly regularised, so that two points make a line.
     let mut normal = Matrix3::from_diagonal(&Vector3::new(1e-12, 1e-12, 1e-9));
     let mut right = SMatrix::<f64, 3, 3>::zeros();
     for p in points {
@@ -56,13 +56,13 @@ fn direction(line: &[LinePoint], i: usize) -> Option<DVec3> {
 mod tests {
     use super::*;
 
-    /// A circle on a cone: the torch is where the angles say, at the ends too.
+    /// On a circle on a cone the torch axes have the given angles, at the ends too.
     #[test]
     fn angles_are_those_of_the_surface_and_the_line() {
         let radius = 80.0;
         let at = |way: f64| DVec3::new((way / radius).cos(), (way / radius).sin(), 0.0);
         let tilt = 0.4f64;
-        // The nominal normal is off along the line, as of a part that lies higher and higher.
+        // The nominal normal is tilted along the line, as of a part that rises along it.
         let point = |k: u32| {
             let way = 0.5 * f64::from(k);
             let (out, along) = (at(way), DVec3::Z.cross(at(way)));
@@ -83,7 +83,7 @@ mod tests {
                 assert!((axis.dot(normal) - travel.cos() * work.cos()).abs() < 2e-3, "{}", p.way);
             }
         }
-        // Two points tell a direction, one tells none.
+        // Two points define a direction; a single point keeps the surface normal.
         assert!((torch_axes(&line[..2], &|_| Lean::default())[0].dot(line[1].point - line[0].point)).abs() < 1e-4);
         assert_eq!(torch_axes(&line[..1], &|_| Lean::default()), [line[0].normal]);
     }

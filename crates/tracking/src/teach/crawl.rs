@@ -5,36 +5,36 @@ use super::{EyeNote, Settings, levelled};
 use glam::DVec3;
 use seamwright_vision::camera::{HeightError, HeightTable};
 
-/// Points of this stretch to both sides tell the line's direction, mm.
+/// Reach to both sides for the line's direction, mm.
 const REACH_MM: f64 = 2.0;
-/// Length without a gap on which a frame's midline may begin, mm.
+/// Length without a gap required at the start of a frame's midline, mm.
 const STRETCH_MM: f64 = 8.0;
-/// The frame's midline begins at least so far from its rim, pixels.
+/// Minimum distance of the midline's start from the frame's edge, pixels.
 const MARGIN_PX: f64 = 12.0;
-/// Steps that turn by more say nothing of how the joint goes on, rad.
-const MOST_TURN: f64 = 0.5;
-/// Rows to both sides that tell the joint's direction in a frame.
+/// Maximum turn between two steps that predicts the next direction of the joint, rad.
+const MAX_TURN: f64 = 0.5;
+/// Number of rows to both sides for the joint's direction in a frame.
 const ABOUT: usize = 10;
-/// Fewest rows on the overlap that say whether two frames agree.
+/// Minimum number of overlapping rows to compare two frames.
 const FEWEST: usize = 5;
-/// An operator's point that the eye sees within this distance is replaced by what it sees, mm.
+/// Maximum distance at which a detected point replaces an operator's point, mm.
 const REPLACED_MM: f64 = 1.5;
-/// An operator's point at which nothing was seen is replaced by his next one within this distance, mm.
+/// Maximum distance at which the operator's next point replaces one without a detection, mm.
 const INSTEAD_MM: f64 = 5.0;
 
-/// The crawl along a joint.
+/// Follows a joint with the camera, frame by frame.
 pub struct Crawl<'a> {
     settings: Settings,
     table: &'a HeightTable,
     shape: &'a dyn Shape,
     line: TaughtLine,
     notes: Vec<EyeNote>,
-    /// Where the eye is or goes, and how far along the line that is.
+    /// Current or commanded camera pose, and its distance along the line, mm.
     target: EyePose,
     way: f64,
-    /// How far along the line the eye was before.
+    /// Previous distance of the camera along the line, mm.
     before: f64,
-    /// The line does not lead here: the start, or a point of the operator's.
+    /// The target is the start or an operator's point instead of a point of the line.
     fresh: bool,
     /// Direction at the start of the line.
     first: Option<DVec3>,
@@ -44,8 +44,8 @@ pub struct Crawl<'a> {
 }
 
 impl<'a> Crawl<'a> {
-    /// A crawl from `start`, whose `along` need only be rough, of an eye with the map `table` over a surface of which
-    /// `shape` is known.
+    /// Creates a crawl from `start`, whose `along` may be rough, for a camera with the map `table` over the known
+    /// surface `shape`.
     pub fn new(settings: Settings, table: &'a HeightTable, shape: &'a dyn Shape, start: EyePose) -> Self {
         Self {
             settings,
@@ -64,27 +64,27 @@ impl<'a> Crawl<'a> {
         }
     }
 
-    /// What was found so far.
+    /// Returns the line found so far.
     pub fn line(&self) -> &TaughtLine {
         &self.line
     }
 
-    /// The same with its heights between frames as all frames together measured them.
+    /// Returns the line with heights between frames fitted to the measurements of all frames.
     pub fn levelled(&self) -> TaughtLine {
         levelled(&self.line, &self.notes)
     }
 
-    /// A note of each frame so far.
+    /// Returns a note of each frame so far.
     pub fn notes(&self) -> &[EyeNote] {
         &self.notes
     }
 
-    /// Where the eye is or goes.
+    /// Returns the current or commanded camera pose.
     pub fn target(&self) -> &EyePose {
         &self.target
     }
 
-    /// What to do after `event`. After [`Command::Done`] there is nothing else.
+    /// Returns the command after `event`; after [`Command::Done`] always the same one.
     pub fn next(&mut self, event: Event) -> Command {
         if let Some(end) = &self.done {
             return Command::Done(end.clone());
@@ -103,10 +103,11 @@ impl<'a> Crawl<'a> {
         command
     }
 
-    /// Where to look for the midline in a frame taken from `view`: a little behind the eye, on the line that is known.
+    /// Returns the start of the midline search in a frame taken from `view`: slightly behind the camera, on the known
+    /// line.
     ///
     /// # Errors
-    /// The work is not where the camera sees it: too near, too far, beyond the picture.
+    /// [`HeightError`] if the work is too near, too far, or beyond the picture.
     pub fn aim(&self, view: &View) -> Result<Aim, HeightError> {
         let surface = self.surface(view);
         let (start, along) = self.begin(&surface);
@@ -121,8 +122,8 @@ impl<'a> Crawl<'a> {
         Surface::new(self.table, self.shape, view, Patch { point: self.target.point, normal })
     }
 
-    /// The normal carried on to `eye` square to the joint, and `ahead` mm further: the joint's direction from where the eyes
-    /// of the last frames met the work, since a single frame knows nothing of its tilt.
+    /// Returns the normal at `eye`, and `ahead` mm further, perpendicular to the joint. The joint's direction comes
+    /// from the axis points of the last frames, because a single frame cannot measure its tilt.
     fn carried(&self, eye: DVec3, ahead: f64) -> DVec3 {
         let mut eyes = vec![eye];
         for note in self.notes.iter().rev().filter(|note| note.agrees) {
@@ -133,13 +134,13 @@ impl<'a> Crawl<'a> {
         let step = |i: usize| eyes.get(i + 1).map(|before| eyes[i] - before);
         let Some(last) = step(0) else { return self.target.normal };
         let here = last.normalize();
-        // A chord has the direction of its middle; what two of them turn by goes on.
-        let turned = step(1).map(DVec3::normalize).filter(|before| before.dot(here) > MOST_TURN.cos());
+        // A chord has the direction of its middle; the turn between two chords is extrapolated.
+        let turned = step(1).map(DVec3::normalize).filter(|before| before.dot(here) > MAX_TURN.cos());
         let along = turned.map_or(here, |before| here + (0.5 + ahead / last.length()) * (here - before)).normalize();
         self.target.normal.reject_from_normalized(along).try_normalize().unwrap_or(self.target.normal)
     }
 
-    /// Where the midline begins: up to the overlap behind the eye, where the line was seen and is in the frame.
+    /// Returns the midline's start: up to the overlap behind the camera, on a detected stretch inside the frame.
     fn begin(&self, surface: &Surface) -> (DVec3, DVec3) {
         let given = (self.target.point, self.target.along);
         if self.fresh {
@@ -147,7 +148,7 @@ impl<'a> Crawl<'a> {
         }
         let ways = self.line.ways();
         let wanted = ways.partition_point(|w| *w <= self.way - self.settings.overlap_mm);
-        // Onto a stretch with points, long enough to find the joint anew: back before a gap.
+        // The stretch must be gap-free and long enough to find the joint again; before a gap the search goes back.
         let seen = |i: usize| {
             let (from, to) = (i.saturating_sub(FEWEST), ways.partition_point(|w| *w <= ways[i] + STRETCH_MM));
             ways.len() > i + FEWEST
@@ -164,11 +165,11 @@ impl<'a> Crawl<'a> {
     }
 
     fn refused(&mut self, why: String) -> Command {
-        // Half way there, and half of that; the line is known up to the target.
+        // Halves the step each time; the line is known up to the target.
         self.shortened += 1;
         let step = self.way - self.before;
         if self.fresh && self.line.points().last().is_some_and(|p| p.source == Source::Operator) {
-            // Another point of the operator's, then.
+            // The operator has to give another point.
             self.line.pop();
             return Command::Ask(why);
         }
@@ -178,7 +179,7 @@ impl<'a> Crawl<'a> {
         self.go_to(self.before + 0.5 * step)
     }
 
-    /// The eye to the place `way` along the line.
+    /// Commands the camera to `way` mm along the line.
     fn go_to(&mut self, way: f64) -> Command {
         let Some(point) = self.line.at(way) else { return Command::Done(End::Operator) };
         let along = self.line.direction(way, REACH_MM).unwrap_or(self.target.along);
@@ -220,7 +221,7 @@ impl<'a> Crawl<'a> {
             .collect();
         let overlap = self.overlap(&points);
         let mean = points.iter().map(|p| p.confidence).fold(0.0, |a, b| a + b) / points.len().max(1) as f64;
-        // What begins on the known line and is nowhere near it is something else.
+        // A midline that starts on the known line without any overlap belongs to another feature.
         let agrees = overlap.map_or(self.fresh || points.is_empty(), |off| off <= self.settings.agree_mm);
         self.notes.push(EyeNote {
             eye: surface.on_axis(),
@@ -246,7 +247,7 @@ impl<'a> Crawl<'a> {
         self.onward(seen.end, mean)
     }
 
-    /// Median distance of what a frame sees from what the frames before saw of it, where they overlap.
+    /// Returns the median distance of a frame's points from the known line in their overlap, mm.
     fn overlap(&self, points: &[RawPoint]) -> Option<f64> {
         let from = self.way - 2.0 * self.settings.overlap_mm;
         let mut off: Vec<f64> = points.iter().filter_map(|p| self.line.distance(p, from)).collect();
@@ -257,7 +258,8 @@ impl<'a> Crawl<'a> {
         Some(*off.select_nth_unstable_by(middle, f64::total_cmp).1)
     }
 
-    /// Puts what a frame sees into the line: beyond the middle between this eye and the one before, this frame was nearer.
+    /// Adds a frame's points to the line. They replace it beyond the middle of both camera positions, where this frame
+    /// is nearer.
     fn take(&mut self, points: &[RawPoint]) {
         let replaces = |p: &RawPoint| {
             p.source == Source::Operator && points.iter().any(|q| q.point.distance(p.point) < REPLACED_MM)
@@ -274,7 +276,7 @@ impl<'a> Crawl<'a> {
                 points[*i].point.distance(last.point).total_cmp(&points[*j].point.distance(last.point))
             };
             let nearest = (0..points.len()).min_by(by).unwrap_or(0);
-            // Only what lies ahead of the last point, or all of it beyond a gap.
+            // Only points ahead of the last one, or all of them beyond a gap.
             let ahead = |i: usize| {
                 let on = points.get(i + 1).map_or(DVec3::ZERO, |next| next.point - points[i].point);
                 (points[i].point - last.point).dot(on) > 0.0
@@ -294,7 +296,7 @@ impl<'a> Crawl<'a> {
     }
 
     fn onward(&mut self, end: FrameEnd, confidence: f64) -> Command {
-        // The eye is on the line that the frame has just shown, which may lie a little beside the one before.
+        // Distances count along the line with this frame's points, which may lie slightly beside the previous line.
         let closes = self.closes();
         let last = closes.map_or(self.line.length(), |(way, _)| way);
         let ahead = last - self.way;
@@ -323,7 +325,7 @@ impl<'a> Crawl<'a> {
         self.go_to(self.way + step)
     }
 
-    /// The next step: shorter where the joint turns or is seen badly, mm.
+    /// Returns the next step, mm: shorter where the joint turns or has low confidence.
     fn step(&self, confidence: f64) -> f64 {
         let Settings { step_mm, least_step_mm, turn, confidence: least, .. } = self.settings;
         let part = ((confidence - least) / (1.0 - least)).clamp(0.25, 1.0);
@@ -337,7 +339,7 @@ impl<'a> Crawl<'a> {
         step
     }
 
-    /// Where the line passes its start again, if it does: the way, and how far beside it, mm.
+    /// Returns the distance along the line at which it passes its start again, and the lateral gap there, mm.
     fn closes(&self) -> Option<(f64, f64)> {
         let Settings { close_mm, close_angle, close_after_mm, .. } = self.settings;
         let (first, along) = (self.line.points().first()?.point, self.first?);

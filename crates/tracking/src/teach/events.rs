@@ -1,9 +1,9 @@
-//! What goes into a crawl and what comes out of it.
+//! Events and commands of a crawl.
 
 use super::sight::{FrameEnd, Row, View};
 use glam::DVec3;
 
-/// Where the eye goes: its optical axis through `point`, against `normal`.
+/// Camera pose: the optical axis passes through `point`, against `normal`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EyePose {
     /// On the joint, in the work frame, mm.
@@ -14,68 +14,69 @@ pub struct EyePose {
     pub along: DVec3,
 }
 
-/// A frame with the midline that was found in it.
+/// A frame with its detected midline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Seen<'a> {
-    /// From where it was taken.
+    /// Camera view of the frame.
     pub view: View,
     /// The midline's rows in order.
     pub rows: &'a [Row],
-    /// Why they end.
+    /// Reason for their end.
     pub end: FrameEnd,
 }
 
-/// What the operator says when asked.
+/// Answer of the operator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Answer {
-    /// The joint goes on here (mm, work frame), perhaps in this direction; otherwise in that from where it was lost.
+    /// The joint continues at this point (mm, work frame), optionally in this direction; the default is that from the
+    /// last point.
     Point(DVec3, Option<DVec3>),
     /// The joint ends where it was lost.
     End,
 }
 
-/// What happens to a crawl.
+/// Input of a crawl.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Event<'a> {
-    /// It begins.
+    /// The crawl starts.
     Start,
-    /// The eye is where it was sent.
+    /// The camera has reached its target.
     Reached,
-    /// The machine cannot go there: a limit, a zone; in words.
+    /// The machine cannot reach the target (limit, zone); description.
     Refused(String),
-    /// A frame was taken and looked at, from wherever it was taken.
+    /// A frame was taken and evaluated, from any pose.
     Seen(Seen<'a>),
     /// The operator has answered.
     Operator(Answer),
 }
 
-/// What the crawl wants next.
+/// Output of a crawl: the next action.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
-    /// The eye there, straight; then [`Event::Reached`] or [`Event::Refused`].
+    /// Move the camera straight to the pose, then send [`Event::Reached`] or [`Event::Refused`].
     Move(EyePose),
-    /// A frame; then [`Event::Seen`], its midline looked for where [`Crawl::aim`](super::Crawl::aim) says.
+    /// Take a frame, search its midline from [`Crawl::aim`](super::Crawl::aim), then send [`Event::Seen`].
     Look,
-    /// The operator's help, and why; then [`Event::Operator`].
+    /// Ask the operator for help, with the reason, then send [`Event::Operator`].
     Ask(String),
-    /// Nothing more.
+    /// Finished.
     Done(End),
 }
 
-/// Why a crawl has ended.
+/// Reason for the end of a crawl.
 #[derive(Debug, Clone, PartialEq)]
 pub enum End {
     /// The joint ends.
     JointEnd,
-    /// It has come back to its start.
+    /// The joint has returned to its start.
     Closed {
         /// Distance of the line's end from its start across the joint, mm.
         gap_mm: f64,
     },
-    /// The machine can go no further, and why.
+    /// The machine cannot go further, and the reason.
     Limit(String),
-    /// The operator said so.
+    /// The operator ended it.
     Operator,
-    /// The joint is longer than any.
+    /// The joint exceeds the maximum length.
     TooLong,
 }

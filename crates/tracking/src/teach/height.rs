@@ -3,17 +3,17 @@ use super::note::EyeNote;
 use glam::DVec3;
 use nalgebra::{Matrix3, Vector3};
 
-/// Frames within this way to both sides tell the height at a place, mm: some two steps of the crawl.
+/// Reach to both sides for the height at a position, mm: about two steps of the crawl.
 const REACH_MM: f64 = 16.0;
-/// Fewest frames that do; where there are fewer the reach is widened.
+/// Minimum number of frames in reach; with fewer the reach is widened.
 const FEWEST: usize = 3;
 
-/// `line` with its heights between frames as all frames together measured them.
+/// Returns `line` with heights between frames fitted to the measurements of all frames.
 ///
-/// A frame measures the height at one place, on its optical axis, and its points were taken as if the part lay as high
-/// above its known shape all over the frame: wrong by the part's slope times the distance from the axis. Here each point
-/// goes along the ray in which it was seen to the height that the frames about it tell: the parabola by way that is
-/// nearest to their measurements. The operator's points stay, and where nothing was measured all do.
+/// A frame measures the height only on its optical axis. Its points assume the same height above the known shape all
+/// over the frame, wrong by the part's slope times the distance from the axis. Each point is moved along its viewing
+/// ray to the height of the least-squares parabola through the frames around it. The operator's points stay, and
+/// without measured heights all points do.
 pub fn levelled(line: &TaughtLine, notes: &[EyeNote]) -> TaughtLine {
     let measured = notes.iter().filter(|note| note.measured && note.agrees);
     let mut heights: Vec<(f64, f64)> = measured.map(|note| (way(line, note), note.raised_mm)).collect();
@@ -28,16 +28,16 @@ pub fn levelled(line: &TaughtLine, notes: &[EyeNote]) -> TaughtLine {
     line.moved(to)
 }
 
-/// Where along the line the optical axis of a frame met the work.
+/// Returns the distance along the line at which a frame's optical axis met the work, mm.
 fn way(line: &TaughtLine, note: &EyeNote) -> f64 {
     let off = line.at(note.way).map_or(DVec3::ZERO, |at| note.eye - at);
     note.way + line.direction(note.way, REACH_MM).map_or(0.0, |along| along.dot(off))
 }
 
-/// The height at `way`, of measurements (way, height) in order; none without any.
+/// Returns the height at `way` from sorted measurements (way, height); `None` without any.
 fn at(heights: &[(f64, f64)], way: f64) -> Option<f64> {
     let (first, last) = (heights.first()?, heights.last()?);
-    // Beyond the first and the last it is as there.
+    // Beyond the first and the last the height is constant.
     let way = way.clamp(first.0, last.0);
     let mut reach = REACH_MM;
     loop {
@@ -50,9 +50,9 @@ fn at(heights: &[(f64, f64)], way: f64) -> Option<f64> {
     }
 }
 
-/// The value at `way` of the parabola nearest to `heights`, those near it first.
+/// Returns the value at `way` of the least-squares parabola through `heights`, weighted by nearness.
 fn parabola(heights: &[(f64, f64)], way: f64, reach: f64) -> f64 {
-    // What two measurements leave open stays straight, what one does level.
+    // Regularised: two measurements give a straight line, one a constant.
     let mut normal = Matrix3::from_diagonal(&Vector3::new(0.0, 1e-9, 1e-9));
     let (mut right, mut sum, mut weights) = (Vector3::zeros(), 0.0, 0.0);
     for (at, height) in heights {
@@ -71,8 +71,7 @@ mod tests {
     use super::super::FrameEnd;
     use super::*;
 
-    /// A slope that frames every 8 mm measure: each point was put at its frame's height, and comes down the ray to the
-    /// slope.
+    /// On a slope measured every 8 mm, points placed at their frame's height move along the ray onto the slope.
     #[test]
     fn points_between_frames_come_to_the_slope() {
         for (slope, bend, lean) in [(0.05, 0.0, 0.0), (-0.08, 0.0, 0.3), (0.02, 0.0005, -0.2)] {
@@ -87,7 +86,7 @@ mod tests {
                 notes.push(EyeNote { eye, raised_mm, measured, way, rows, confidence, overlap_mm, end, agrees });
                 for k in 0..80 {
                     let x = way - 4.0 + 0.1 * f64::from(k);
-                    // What the ray that meets the slope at x meets at the frame's height.
+                    // Intersection of the frame's height with the ray that meets the slope at x.
                     let point = DVec3::new(x, 0.0, height(x)) + (height(x) - raised_mm) / ray.z.abs() * ray;
                     let source = if k == 7 { Source::Operator } else { Source::Eye };
                     line.push(RawPoint { point, normal: DVec3::Z, ray, confidence, frame, source }, Some(DVec3::X));
@@ -100,7 +99,7 @@ mod tests {
                 assert!(p.source == Source::Operator || !inside || away < 2e-3, "{slope}: {} {away}", p.point);
                 assert!(p.source == Source::Eye || p.point == before.point);
             }
-            // Where nothing was measured nothing changes.
+            // Without measured heights the line is unchanged.
             notes.iter_mut().for_each(|note| note.measured = false);
             assert_eq!(levelled(&line, &notes), line);
         }

@@ -1,68 +1,68 @@
 use glam::DVec3;
 
-/// A gap of the line that is longer has no points of its own, mm.
+/// Distance between neighbouring points from which they enclose a gap, mm.
 pub(super) const GAP_MM: f64 = 1.0;
 
-/// Farther from the line a point is not beside it: it is beside another stretch, round a bend, mm.
+/// Maximum distance of a point beside the line, mm; a farther one is beside another stretch, round a bend.
 const BESIDE_MM: f64 = 5.0;
 
-/// Where a point comes from.
+/// Source of a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
-    /// Seen in a frame.
+    /// Detected in a frame.
     Eye,
     /// Given by the operator.
     Operator,
 }
 
-/// A point of the joint as it was found.
+/// A point of the joint as measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RawPoint {
     /// In the work frame, mm.
     pub point: DVec3,
     /// The surface's unit normal there, out of the work.
     pub normal: DVec3,
-    /// Unit direction in which the eye saw it; of an operator's point against the normal.
+    /// Unit viewing direction of the camera; the negative normal for an operator's point.
     pub ray: DVec3,
     /// 0 to 1.
     pub confidence: f64,
-    /// The frame that it was taken from, counted from 0; of an operator's point the one before.
+    /// Index of its frame, counted from 0; the previous frame for an operator's point.
     pub frame: usize,
-    /// Where it comes from.
+    /// Source of the point.
     pub source: Source,
 }
 
-/// The joint found so far, point after point.
+/// The joint found so far, point by point.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TaughtLine {
     points: Vec<RawPoint>,
-    /// Way along the points up to each, mm.
+    /// Distance along the points up to each, mm.
     ways: Vec<f64>,
 }
 
 impl TaughtLine {
-    /// The points in order.
+    /// Returns the points in order.
     pub fn points(&self) -> &[RawPoint] {
         &self.points
     }
 
-    /// Way along the points up to each of them, mm.
+    /// Returns the distance along the points up to each of them, mm.
     pub fn ways(&self) -> &[f64] {
         &self.ways
     }
 
-    /// Way along all points, mm.
+    /// Returns the length along all points, mm.
     pub fn length(&self) -> f64 {
         self.ways.last().copied().unwrap_or(0.0)
     }
 
-    /// True without points.
+    /// Returns whether the line has no points.
     pub fn is_empty(&self) -> bool {
         self.points.is_empty()
     }
 
-    /// Adds a point; `along` is the joint's unit direction there, if it is known: the way is counted along it, so that noise
-    /// makes the line no longer.
+    /// Adds a point. The distance counts along `along`, the joint's unit direction there if known, so that noise does
+    /// not lengthen the line.
     pub(super) fn push(&mut self, point: RawPoint, along: Option<DVec3>) {
         let way = self.points.last().map_or(0.0, |last| {
             let step = point.point - last.point;
@@ -72,26 +72,27 @@ impl TaughtLine {
         self.ways.push(way);
     }
 
-    /// The same line with each point moved to where `to` (its way and itself) says; ways stay those that were counted.
+    /// Returns the line with each point moved to `to` (its distance and itself); the counted distances stay.
     pub(super) fn moved(&self, to: impl Fn(f64, &RawPoint) -> DVec3) -> Self {
         let points = self.ways.iter().zip(&self.points).map(|(way, p)| RawPoint { point: to(*way, p), ..*p }).collect();
         Self { points, ways: self.ways.clone() }
     }
 
-    /// Forgets the last point.
+    /// Removes the last point.
     pub(super) fn pop(&mut self) {
         self.points.pop();
         self.ways.pop();
     }
 
-    /// Forgets the points beyond `way`.
+    /// Removes the points beyond `way`.
     pub(super) fn cut(&mut self, way: f64) {
         let keep = self.ways.partition_point(|w| *w <= way);
         self.points.truncate(keep);
         self.ways.truncate(keep);
     }
 
-    /// Unit direction about `way`, from the points within `reach` mm to both sides; none of a line that is too short.
+    /// Returns the unit direction at `way` from the points within `reach` mm to both sides; `None` if they are too
+    /// close.
     pub(super) fn direction(&self, way: f64, reach: f64) -> Option<DVec3> {
         let first = self.ways.partition_point(|w| *w < way - reach);
         let last = self.ways.partition_point(|w| *w <= way + reach).max(1) - 1;
@@ -99,7 +100,7 @@ impl TaughtLine {
         (span.length() > 0.2 * reach).then(|| span.normalize())
     }
 
-    /// The point at `way`, between the points next to it.
+    /// Returns the point at `way`, interpolated between its neighbours.
     pub(super) fn at(&self, way: f64) -> Option<DVec3> {
         let next = self.ways.partition_point(|w| *w < way);
         let Some(b) = self.points.get(next) else { return self.points.last().map(|p| p.point) };
@@ -108,8 +109,8 @@ impl TaughtLine {
         Some(self.points[before].point.lerp(b.point, part))
     }
 
-    /// Distance of `point` from the line beyond `from` (way) on the surface, that is without what it is above or below the
-    /// line, where it is beside a piece without a gap; none beyond its ends.
+    /// Returns the distance in the surface, without the height component, of `point` from the line beyond `from`. Only
+    /// pieces without a gap count; `None` beyond the ends.
     pub(super) fn distance(&self, point: &RawPoint, from: f64) -> Option<f64> {
         let first = self.ways.partition_point(|w| *w < from);
         let pieces = self.points[first.min(self.points.len())..].windows(2);

@@ -1,16 +1,16 @@
-//! Teaching a path by eye (EBW-2004): frame, midline, next move along it, frame.
+//! Teaching a path by camera (EBW-2004): frame, midline, next move along it, frame.
 //!
-//! The operator puts the eye on the joint's start and says roughly which way it goes. A [`Crawl`] then asks for moves and
-//! frames, one after the other, until the joint ends, comes back to its start, is lost, or the machine can go no further;
-//! lost, it asks the operator, and goes on from the point that he gives (SADDLE-2020 teaches by such points alone). It knows
-//! no device, no machine and no clock: [`Event`]s go in, [`Command`]s come out. What it has then is a [`TaughtLine`], which
-//! [`smoothed`], [`torch_axes`] and [`to_program`] make into a program of lines and arcs, or of a spline.
+//! The operator puts the camera on the joint's start and gives its rough direction. A [`Crawl`] then requests moves and
+//! frames in turn, until the joint ends, returns to its start, or the machine can go no further. If it loses the joint,
+//! it asks the operator and continues from the given point (SADDLE-2020 teaches by such points alone). It is
+//! independent of devices, machines and clocks: [`Event`]s go in, [`Command`]s come out. [`smoothed`], [`torch_axes`]
+//! and [`to_program`] turn the resulting [`TaughtLine`] into a program of lines and arcs, or of a spline.
 //!
-//! - Every place on the joint is taken from the frame that saw it nearest to the picture's centre, where errors of scale,
-//!   attitude and height matter least.
-//! - A frame begins on the stretch that the one before it saw: where they do not agree nothing is taken.
-//! - Heights between the places where frames measure them come from the frames about them ([`levelled`]).
-//! - Only confident rows count: a stretch that was only coasted over has no points, and the report says so.
+//! - Every point comes from the frame that saw it nearest to the picture's centre, where errors of scale, attitude and
+//!   height matter least.
+//! - A frame starts on the stretch that the previous one saw; if both disagree, its points are discarded.
+//! - Heights between measured positions come from the surrounding frames ([`levelled`]).
+//! - Only confident rows count: an extrapolated stretch has no points, and the report names it.
 
 mod attitude;
 mod crawl;

@@ -1,25 +1,25 @@
 use super::FrameEnd;
 use glam::DVec3;
 
-/// What a frame gave.
+/// Summary of a frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EyeNote {
-    /// Where the optical axis met the work, mm.
+    /// Intersection of the optical axis with the work, mm.
     pub eye: DVec3,
-    /// How far that is above the shape that was known before, mm.
+    /// Height of that point above the known shape, mm.
     pub raised_mm: f64,
-    /// Whether that was measured with the frame; otherwise it was taken as in the frame before, or nominal.
+    /// Whether the height was measured with the frame; otherwise it is that of the previous frame, or nominal.
     pub measured: bool,
-    /// Way along the line up to there, mm.
+    /// Distance along the line up to there, mm.
     pub way: f64,
-    /// Confident rows.
+    /// Number of confident rows.
     pub rows: usize,
     /// Their mean confidence.
     pub confidence: f64,
-    /// Median distance of its midline from the ones before where they overlap, mm; none without an overlap.
+    /// Median distance of its midline from the previous ones in their overlap, mm; `None` without an overlap.
     pub overlap_mm: Option<f64>,
-    /// Why its midline ends.
+    /// Reason for the end of its midline.
     pub end: FrameEnd,
-    /// Whether it was believed.
+    /// Whether it was accepted.
     pub agrees: bool,
 }

@@ -8,7 +8,7 @@ use seamwright_program::{
 };
 use std::f64::consts::TAU;
 
-/// What a taught line is reduced to.
+/// Kind of curves to which a taught line is reduced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Lines and arcs (EBW-2004).
@@ -17,7 +17,7 @@ pub enum Kind {
     Spline,
 }
 
-/// The curves that stand for a taught line, by indices of its points.
+/// Curves that represent a taught line, by indices of its points.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Curves {
     /// Lines and arcs.
@@ -27,7 +27,7 @@ pub enum Curves {
 }
 
 impl Curves {
-    /// Greatest distance of a point from its curve, mm.
+    /// Returns the maximum distance of a point from its curve, mm.
     pub fn max_error(&self) -> f64 {
         match self {
             Self::Arcs(reduction) => reduction.spans.iter().map(|s| s.max_error).fold(0.0, f64::max),
@@ -35,7 +35,7 @@ impl Curves {
         }
     }
 
-    /// Number of lines, of arcs, and of pieces of a spline.
+    /// Returns the numbers of lines, of arcs, and of pieces of a spline.
     pub fn counts(&self) -> [usize; 3] {
         match self {
             Self::Arcs(Reduction { spans, .. }) => {
@@ -52,18 +52,18 @@ impl Curves {
 pub struct Reduced {
     /// The program: one pass through the curves' ends, poses of the torch in the frame of the nominal seam.
     pub program: Program,
-    /// What stands for the line, in the machine's work frame.
+    /// Curves that represent the line, in the machine's work frame.
     pub curves: Curves,
 }
 
-/// Reduces a taught line to curves within `tolerance` (mm), the torch's direction carried along within `attitude` (rad),
-/// and puts them into a program like `like`: its machine, title, seam, part and fixtures (the machine keeps clear of them) and
-/// what its first pass says of speed, process, sequence and axes to spare. `torch` are unit vectors from the joint to the
-/// torch, one for each point.
+/// Reduces a taught line to curves within `tolerance` (mm), and the torch's direction to within `attitude` (rad). The
+/// new program copies from `like` its machine, title, seam, part and fixtures (the machine keeps clear of them). From
+/// the first pass of `like` it takes speed, process, sequence and redundant axes. `torch` holds unit vectors from the
+/// joint to the torch, one per point.
 ///
 /// # Errors
-/// Those of [`reduce`] and [`reduce_to_spline`]; [`Error::Size`] with fewer than two points, or vectors that are not as
-/// many.
+/// Those of [`reduce`] and [`reduce_to_spline`]; [`Error::Size`] with fewer than two points, or with a different number
+/// of vectors.
 pub fn to_program(
     (line, torch): (&[LinePoint], &[DVec3]),
     like: &Program,
@@ -114,16 +114,16 @@ pub fn to_program(
     Ok(Reduced { program, curves })
 }
 
-/// What a row of the program holds.
+/// Builds the rows of the program.
 struct Writer<'a> {
     torch: &'a [DVec3],
     process: Vec<(String, f64)>,
     speed: f64,
-    /// From the machine's work frame to that of the seam, in which points of programs are.
+    /// Transform from the machine's work frame to the seam frame, which program points use.
     to_seam: DAffine3,
 }
 
-/// Speed where the pass that the program is like has none, mm/s.
+/// Speed if the template's pass has none, mm/s.
 const USUAL_SPEED: f64 = 5.0;
 
 impl<'a> Writer<'a> {
@@ -139,7 +139,7 @@ impl<'a> Writer<'a> {
         poses.chain(self.process.iter().map(|p| p.0.clone())).chain([SPEED_COLUMN.to_owned()]).collect()
     }
 
-    /// The row of point `index` of the line.
+    /// Returns the row of point `index` of the line.
     fn row(&self, line: &[LinePoint], index: usize, speed: f64) -> Vec<Finite> {
         let point = self.to_seam.transform_point3(line[index].point);
         let direction = self.to_seam.transform_vector3(-self.torch[index]);
@@ -152,7 +152,7 @@ impl<'a> Writer<'a> {
         match curves {
             Curves::Arcs(reduction) => self.arcs(line, &reduction.spans),
             Curves::Spline(reduction) => {
-                // Speeds of programs are those along chords.
+                // Program speeds are those along chords.
                 let knots = reduction.spline.knots().windows(2);
                 let points = reduction.kept.windows(2).zip(knots).map(|(kept, way)| {
                     let chord = line[kept[0]].point.distance(line[kept[1]].point);
@@ -164,7 +164,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Runs of lines, and arcs.
+    /// Joins consecutive lines to one span; every arc is its own.
     fn arcs(&self, line: &[LinePoint], spans: &[Span]) -> Vec<PointSpan> {
         let mut out: Vec<PointSpan> = Vec::new();
         for s in spans {
@@ -191,7 +191,7 @@ fn span(along: Along, via_mm: Option<Point>, points: Vec<Vec<Finite>>) -> PointS
     PointSpan { along, stops: false, via_mm, normal: None::<Direction>, speeds: Vec::new(), points }
 }
 
-/// The middle of the arc from `first` to `last` counter-clockwise about `normal` through `centre`.
+/// Returns the middle of the arc from `first` to `last` counter-clockwise about `normal` through `centre`.
 fn via(first: DVec3, last: DVec3, centre: DVec3, normal: DVec3) -> DVec3 {
     let (a, b) = (first - centre, last - centre);
     let sweep = normal.dot(a.cross(b)).atan2(a.dot(b)).rem_euclid(TAU);

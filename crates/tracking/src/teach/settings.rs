@@ -1,30 +1,30 @@
-/// How the crawl goes. The usual values suit a frame of some 50 mm at 0.1 mm a pixel.
+/// Settings of the crawl. The defaults suit a frame of about 50 mm at 0.1 mm per pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Longest step from frame to frame, mm.
+    /// Maximum step from frame to frame, mm.
     pub step_mm: f64,
-    /// Shortest step: less counts as none, mm.
+    /// Minimum step, mm; less counts as no progress.
     pub least_step_mm: f64,
-    /// Greatest turn of the joint in one step, rad.
+    /// Maximum turn of the joint in one step, rad.
     pub turn: f64,
-    /// How far behind the eye a frame's midline begins, mm: the overlap with the frame before.
+    /// Distance of a midline's start behind the camera, mm: the overlap with the previous frame.
     pub overlap_mm: f64,
-    /// Greatest median distance of the midlines of two frames where they overlap, mm.
+    /// Maximum median distance of two frames' midlines in their overlap, mm.
     pub agree_mm: f64,
-    /// Least confidence of a row that counts.
+    /// Minimum confidence of a row.
     pub confidence: f64,
-    /// How near the joint must come to its start to be closed, mm.
+    /// Maximum distance between end and start of a closed joint, mm.
     pub close_mm: f64,
-    /// How nearly it must then run as at its start, rad.
+    /// Maximum angle between the directions at end and start of a closed joint, rad.
     pub close_angle: f64,
-    /// Way after which it may be closed, mm.
+    /// Minimum length of a closed joint, mm.
     pub close_after_mm: f64,
-    /// Length before which the joint does not end: what looks like an end is then a long tack, and the operator is asked. mm;
-    /// infinity of a joint that is known to be closed.
+    /// Minimum length of an open joint, mm; an earlier end is treated as a long tack, and the operator is asked.
+    /// Infinity for a joint known to be closed.
     pub ends_after_mm: f64,
-    /// Longest joint, mm.
+    /// Maximum length of a joint, mm.
     pub longest_mm: f64,
-    /// Frames looked at again where nothing was seen, before the operator is asked.
+    /// Number of retries without a detection before the operator is asked.
     pub again: u32,
 }
 

@@ -1,29 +1,29 @@
 use glam::{DAffine3, DVec2, DVec3};
 use seamwright_vision::camera::{HeightError, HeightTable};
 
-/// A place of the work's surface.
+/// A point of the work's surface and its normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Patch {
-    /// A point of it, mm.
+    /// Point, mm.
     pub point: DVec3,
     /// Unit normal, out of the work.
     pub normal: DVec3,
 }
 
-/// What is known of the surface before it is seen: the nominal part, where it is nominally. In the work frame.
+/// Surface known before any measurement: the nominal part at its nominal pose, in the work frame.
 pub trait Shape {
-    /// The surface near `point`; none where nothing is known.
+    /// Returns the surface near `point`; `None` where it is unknown.
     fn near(&self, point: DVec3) -> Option<Patch>;
 }
 
-/// Nothing is known: the surface goes on as it was seen last.
+/// Unknown shape: the surface continues as last measured.
 impl Shape for () {
     fn near(&self, _point: DVec3) -> Option<Patch> {
         None
     }
 }
 
-/// From where a frame was taken.
+/// Camera pose of a frame, and the height of the work.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     /// The camera's frame in the work frame: x to the right in the picture, y down, z away from the camera.
@@ -32,64 +32,64 @@ pub struct View {
     pub height: Option<f64>,
 }
 
-/// Where the midline of a frame is to be looked for, pixels.
+/// Start of the midline search in a frame, pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aim {
-    /// Where it begins.
+    /// Start position.
     pub start: DVec2,
-    /// Unit direction in which it goes, x right, y down.
+    /// Unit direction of the midline, x right, y down.
     pub direction: DVec2,
-    /// Somebody has said where it starts: a hand is right to a millimetre or so.
+    /// The operator gave the start, with an accuracy of about a millimetre.
     pub by_hand: bool,
 }
 
-/// A place on the midline that was found in a frame.
+/// A point of the midline detected in a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
-    /// Pixels.
+    /// Position, pixels.
     pub px: DVec2,
     /// 0 to 1.
     pub confidence: f64,
-    /// Seen, and not only coasted over.
+    /// Detected instead of extrapolated.
     pub seen: bool,
 }
 
-/// Why a midline ends.
+/// Reason for the end of a midline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FrameEnd {
-    /// At the picture's rim.
+    /// At the picture's edge.
     LeftImage,
     /// The joint ends.
     JointEnd,
-    /// It comes back to where it began, in this frame.
+    /// The joint returns to its start, in this frame.
     Closed,
-    /// It is seen no longer.
+    /// The joint is no longer visible.
     Lost,
 }
 
-/// Steps of Newton's method along a ray: what is near a surface is on it after two.
+/// Maximum number of Newton steps along a ray; two suffice near a surface.
 const STEPS: usize = 4;
 
-/// The surface that a frame shows: nominal shape or a plane, raised to where the height was measured.
+/// Surface shown by a frame: nominal shape or a plane, raised to the measured height.
 pub(super) struct Surface<'a> {
     table: &'a HeightTable,
     shape: &'a dyn Shape,
     camera: DAffine3,
     /// Height on the optical axis, mm.
     height: f64,
-    /// The plane that it is where no shape is known.
+    /// Plane used where the shape is unknown.
     plane: Patch,
-    /// How far the measured surface lies above the shape.
+    /// Height of the measured surface above the shape, mm.
     raised: f64,
 }
 
 impl<'a> Surface<'a> {
-    /// The surface in `view`, about `expected`: a place where it should be and its normal.
+    /// Creates the surface in `view` near `expected`, its expected point and normal.
     pub(super) fn new(table: &'a HeightTable, shape: &'a dyn Shape, view: &View, expected: Patch) -> Self {
         let camera = view.camera;
         let axis = camera.transform_vector3(DVec3::Z);
         let expected = shape.near(expected.point).map_or(expected, |patch| Patch { normal: patch.normal, ..expected });
-        // Where the optical axis meets the expected surface, if nothing was measured.
+        // Without a measurement: the intersection of the optical axis with the expected surface.
         let slope = axis.dot(expected.normal);
         let assumed = (expected.point - camera.translation).dot(expected.normal) / slope;
         let height = view.height.unwrap_or(assumed);
@@ -98,22 +98,22 @@ impl<'a> Surface<'a> {
         Self { table, shape, camera, height, plane: Patch { point: at, ..expected }, raised }
     }
 
-    /// Where the optical axis meets it.
+    /// Returns the intersection of the optical axis with the surface.
     pub(super) fn on_axis(&self) -> DVec3 {
         self.camera.transform_point3(DVec3::Z * self.height)
     }
 
-    /// How far it lies above the shape.
+    /// Returns the height of the surface above the shape, mm.
     pub(super) fn raised(&self) -> f64 {
         self.raised
     }
 
-    /// The normal near a point.
+    /// Returns the normal near a point.
     pub(super) fn normal(&self, point: DVec3) -> DVec3 {
         self.shape.near(point).map_or(self.plane.normal, |patch| patch.normal)
     }
 
-    /// Distance of a point from the surface, along its normal.
+    /// Returns the distance of a point from the surface along its normal, and that normal.
     fn above(&self, point: DVec3) -> (f64, DVec3) {
         match self.shape.near(point) {
             Some(patch) => ((point - patch.point).dot(patch.normal) - self.raised, patch.normal),
@@ -121,7 +121,7 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The point at which a pixel looks, and the unit direction in which it does.
+    /// Returns the surface point seen in a pixel, and the unit viewing direction.
     pub(super) fn point(&self, px: DVec2) -> Result<(DVec3, DVec3), HeightError> {
         let axis = self.camera.transform_vector3(DVec3::Z);
         let mut height = self.height;
@@ -141,12 +141,12 @@ impl<'a> Surface<'a> {
         Ok((point, ray.try_normalize().unwrap_or(axis)))
     }
 
-    /// The pixel in which a point is seen.
+    /// Returns the pixel in which a point is seen.
     pub(super) fn px(&self, point: DVec3) -> Result<DVec2, HeightError> {
         self.table.to_px(self.camera.inverse().transform_point3(point))
     }
 
-    /// Whether a pixel is in the frame, `margin` pixels from its rim.
+    /// Returns whether a pixel is in the frame, at least `margin` pixels from its edge.
     pub(super) fn in_frame(&self, px: DVec2, margin: f64) -> bool {
         let (width, height) = self.table.size_px();
         let inside = |v: f64, size: usize| v >= margin && v <= size as f64 - 1.0 - margin;

@@ -6,26 +6,26 @@ use nalgebra::{Matrix3, SMatrix, Vector3};
 /// A point of the smoothed line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LinePoint {
-    /// Way along the raw points, mm.
+    /// Distance along the raw points, mm.
     pub way: f64,
     /// In the work frame, mm.
     pub point: DVec3,
     /// The surface's unit normal, out of the work.
     pub normal: DVec3,
-    /// Mean confidence of the points it comes from; 0 where it bridges a stretch without any.
+    /// Mean confidence of its source points; 0 where it bridges a gap.
     pub confidence: f64,
 }
 
-/// Fewest points that a parabola goes through the middle of.
+/// Minimum number of points of a parabola.
 const FEWEST: usize = 7;
-/// Part of a window that must have points: where it has fewer, beside a gap or at an end, it is widened.
+/// Minimum fraction of a window covered by points; beside a gap or at an end the window is widened to reach it.
 const COVERED: f64 = 0.7;
 
-/// The line through `line`'s points, every `every` mm and at both ends: at each place the parabola by way that is nearest to
-/// the points within `window` mm to both sides, weighted by confidence and nearness. Over a gap (a tack that was coasted over),
-/// beside one and at the ends the window is wider, so that there are always as many.
+/// Smooths `line` to points every `every` mm and at both ends. Each lies on the least-squares parabola through the
+/// points within `window` mm to both sides, weighted by confidence and nearness. The window is wider over a gap (such
+/// as an extrapolated tack), beside one and at the ends, to cover enough of the line.
 ///
-/// A line that closes is smoothed over its start: then give `closed`.
+/// With `closed` the line is smoothed over its start.
 pub fn smoothed(line: &TaughtLine, every: f64, window: f64, closed: bool) -> Vec<LinePoint> {
     let count = (line.length() / every).ceil().max(1.0);
     if line.points().len() < FEWEST || !count.is_finite() || !(f64::MIN_POSITIVE..).contains(&window) {
@@ -41,11 +41,11 @@ pub fn smoothed(line: &TaughtLine, every: f64, window: f64, closed: bool) -> Vec
     (0..=count as usize).map(|k| track.at(line.length() * k as f64 / count, window)).collect()
 }
 
-/// The points by way; of a closed line a turn before and after too.
+/// Points by distance; of a closed line also one turn before and after.
 struct Track {
     ways: Vec<f64>,
     points: Vec<RawPoint>,
-    /// Way up to each without gaps.
+    /// Distance up to each without gaps, mm.
     covered: Vec<f64>,
 }
 
@@ -54,7 +54,7 @@ impl Track {
         let turns: &[f64] = if closed { &[-1.0, 0.0, 1.0] } else { &[0.0] };
         let (mut ways, mut points) = (Vec::new(), Vec::new());
         for turn in turns {
-            // The last point is the first one again, seen anew.
+            // The last point is the first one again, from another frame.
             ways.extend(line.ways().iter().map(|w| w + turn * line.length()));
             points.extend_from_slice(line.points());
         }
@@ -72,7 +72,7 @@ impl Track {
         let here = self.ways.partition_point(|w| *w < way).min(self.ways.len() - 1);
         let (before, after) = (self.ways[here.saturating_sub(1)], self.ways[here]);
         let bridged = after - before > GAP_MM;
-        // Into the points on both sides of a gap, and over as much of the line as elsewhere.
+        // Reaches the points on both sides of a gap, and covers as much of the line as elsewhere.
         let mut reach = if bridged { (way - before).max(after - way) + COVERED * window } else { window };
         let whole = self.ways[self.ways.len() - 1] - self.ways[0];
         loop {
@@ -93,7 +93,7 @@ impl Track {
         let origin = self.points[first].point;
         for (w, p) in self.ways[first..last].iter().zip(&self.points[first..last]) {
             let u = (w - way) / reach;
-            // An operator's point stands alone among thousands of the eye's.
+            // An operator's point is alone among thousands of detected ones.
             let trust = if p.source == Source::Operator { 10.0 } else { p.confidence.max(1e-3) };
             let weight = trust * (1.0 - 0.9 * u * u).max(0.0).powi(2);
             let basis = Vector3::new(1.0, u, u * u);

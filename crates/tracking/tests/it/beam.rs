@@ -1,4 +1,4 @@
-//! Beam mode: what is found in short interruptions of the weld, and what is made of it, on seams and with eyes of all kinds.
+//! Beam mode: joint detection in short interruptions of the weld, and its corrections, for many seams and cameras.
 
 use glam::{DVec2, DVec3};
 use rand_pcg::Pcg64Mcg;
@@ -30,12 +30,12 @@ fn ring(s: f64) -> SeamFrame {
     }
 }
 
-/// How far the actual seam lies beside.
+/// Lateral deviation of the actual seam, mm.
 fn beside(s: f64) -> f64 {
     2.2 * (0.006 * s + 0.5).sin() + 0.5 * (0.03 * s).cos()
 }
 
-/// A picture of it from a torch at `s` that is carried aside by `carried`, every millimetre.
+/// Midline points every millimetre, seen from a torch at `s` that is carried aside by `carried`.
 fn points(s: f64, carried: f64, error: &mut impl FnMut() -> f64) -> Vec<Point> {
     let here = ring(s);
     let point = |k: i32| {
@@ -54,7 +54,7 @@ fn points(s: f64, carried: f64, error: &mut impl FnMut() -> f64) -> Vec<Point> {
     (-20..=24).filter_map(point).collect()
 }
 
-/// A perfect gun. What is wrong with a picture: its points, stamp, arrival.
+/// Simulated weld with an ideal gun; a [`Wrong`] alters the points, time stamp and arrival of a picture.
 struct Weld {
     cycle: u64,
     s: f64,
@@ -75,7 +75,7 @@ impl Weld {
         Self { cycle: 0, s: 0.0, carried: 0.0, under_way, misses, taken, alarms, random }
     }
 
-    /// From rest at 0 to `to` at `speed`; false if it was stopped.
+    /// Welds from rest at 0 to `to` at `speed`; returns false if it was stopped.
     fn run(&mut self, head: &mut BeamTracking<'_>, (to, speed): (f64, f64), wrong: Wrong<'_>) -> bool {
         while self.s < to {
             self.cycle += 1;
@@ -121,8 +121,8 @@ impl Weld {
 
 fn right(_: f64, _: &mut f64, _: &mut f64, _: &mut Vec<Point>) {}
 
-/// The beam lies on a seam that is up to 2.6 mm beside, whatever its speed; the axes carry what its deflection does not
-/// reach, and that is said.
+/// The beam follows a seam with deviations up to 2.6 mm at any speed. The axes carry the excess over the deflection
+/// range, and an alarm reports it.
 #[test]
 fn a_ring_is_met() {
     for (speed, seed) in [5.0, 8.0, 10.0].into_iter().flat_map(|v| (0..8).map(move |seed| (v, seed))) {
@@ -132,12 +132,12 @@ fn a_ring_is_met() {
         assert!(weld.within(0.99) < 0.04 && weld.within(1.0) < 0.08, "{speed} {seed}: {}", weld.within(0.99));
         assert!(weld.alarms.iter().all(|(_, alarm)| *alarm == Alarm::AxesCarry), "{:?}", weld.alarms.last());
         assert!(!weld.alarms.is_empty());
-        // Each picture is used but for what lies in the heat or too far ahead.
+        // Each picture is used except for points in the heat or too far ahead.
         assert!(weld.taken.iter().all(|t| t.refused.is_none() && t.used >= 5 && t.gated <= 2), "{:?}", weld.taken);
     }
 }
 
-/// Outliers and tacks cost little.
+/// Outliers and tacks cause only small errors.
 #[test]
 fn outliers_and_tacks() {
     for seed in 0..40 {
@@ -159,8 +159,8 @@ fn outliers_and_tacks() {
     }
 }
 
-/// One picture of another line, as a scratch beside the joint, changes nothing; a part that has moved is followed from the second
-/// picture on.
+/// A single picture of another line, such as a scratch, is ignored; a moved part is followed from the second picture
+/// on.
 #[test]
 fn other_lines_and_parts_that_move() {
     for (seed, moves) in [(1, false), (2, false), (3, true), (4, true)] {
@@ -180,7 +180,7 @@ fn other_lines_and_parts_that_move() {
         };
         assert!(off(0.0, 100.0, 0.0) < 0.08);
         if moves {
-            // Two pictures, and the way to where the zone begins.
+            // Two pictures, and the distance to the start of the zone.
             assert!(off(113.0, 200.0, 0.8) < 0.08, "{}", off(113.0, 200.0, 0.8));
         } else {
             assert!(off(100.0, 200.0, 0.0) < 0.08, "{}", off(100.0, 200.0, 0.0));
@@ -188,8 +188,8 @@ fn other_lines_and_parts_that_move() {
     }
 }
 
-/// From half-way on pictures are of no use, each in its way: it is said why, the weld keeps near the seam as far as its course
-/// is known, fades to where it was taught and stops; the order never jumps.
+/// Pictures fail from half-way on, in several ways. The cause is reported; the weld stays near the seam as far as it is
+/// known, fades out to the taught path and stops.
 #[test]
 fn eyes_that_fail() {
     const THERE: f64 = 120.0;
@@ -237,11 +237,11 @@ fn eyes_that_fail() {
             assert!((least..least + known + 4.0).contains(&stopped), "{name} {seed}: {stopped}");
             assert_eq!(weld.alarms.last().map(|a| a.1), Some(Alarm::Lost));
             let first = weld.alarms.iter().find(|(s, alarm)| *s > THERE && *alarm >= Alarm::Blind).unwrap();
-            // 2.5 periods, and the last picture was up to one old.
+            // 2.5 periods, plus up to one for the age of the last picture.
             assert!(first.0 - THERE < 3.6 * 0.3 * 10.0, "{name}: {first:?}");
             let told = weld.taken.iter().rev().find_map(|t| t.refused);
             assert_eq!(told, refusal, "{name}");
-            // As far as it was seen it is met; then it drifts off by no more than the seam turns, and fades to what was taught.
+            // The weld meets the known part, then drifts by at most the seam's turn and fades out to the taught path.
             let off = |from: f64, to: f64| {
                 let misses = weld.misses.iter().filter(|m| (from..to).contains(&(m.0 - THERE)));
                 misses.map(|m| m.1.abs()).fold(0.0, f64::max)
@@ -266,8 +266,8 @@ fn recorded(length: f64) -> DeviationRecord {
     recorder.finish().unwrap()
 }
 
-/// A pass from 40 mm on of a stored seam that has been moved by `moved`: where it was stopped, how it fits, its worst miss, and
-/// how often the beam looked.
+/// Replays a pass from 40 mm on of a stored seam displaced by `moved`. Returns the position of a stop, the fit, the
+/// maximum error and the number of frames.
 fn replayed(moved: f64, settings: ReplaySettings, seed: u64) -> (f64, Option<Result<f64, Misfit>>, f64, u32) {
     let replay = Replay::new(recorded(200.0), 40.0, 150.0, 0.03).unwrap();
     let later = |s: f64| ring(s + 40.0);
@@ -296,7 +296,7 @@ fn replayed(moved: f64, settings: ReplaySettings, seed: u64) -> (f64, Option<Res
     (s, head.judged().map(|j| j.map(|fit| fit.median_mm)), worst, looks)
 }
 
-/// What is stored is welded, exactly, with three looks at its start; what does not fit any more is refused with numbers.
+/// A fitting record is replayed exactly after three frames; a misfit is refused with its numbers.
 #[test]
 fn replays_fit_or_are_refused() {
     for seed in 0..10 {
@@ -319,7 +319,7 @@ fn what_cannot_be_replayed_is_refused() {
     for (shift, length) in [(0.0, 204.0), (-5.0, 100.0), (150.0, 100.0)] {
         assert!(matches!(refused(shift, length), Error::NotCovered { last_mm, .. } if last_mm > 200.0));
     }
-    // Pictures that show nothing.
+    // Empty pictures.
     let replay = Replay::new(recorded(200.0), 0.0, 150.0, 0.03).unwrap();
     let mut head = BeamReplay::new(ReplaySettings::USUAL, replay, &ring, BEAM, AXES).unwrap();
     for i in 0..3 {
@@ -329,7 +329,7 @@ fn what_cannot_be_replayed_is_refused() {
     let misfit = head.judged().unwrap().unwrap_err();
     assert_eq!(misfit, Misfit::Unseen { points: 0, frames: 3 });
     assert!(misfit.to_string().contains("0 points in 3 frames"), "{misfit}");
-    // A camera that sends nothing: the weld stops all the same.
+    // A silent camera stops the weld too.
     let replay = Replay::new(recorded(200.0), 0.0, 150.0, 0.03).unwrap();
     let mut head = BeamReplay::new(ReplaySettings::USUAL, replay, &ring, BEAM, AXES).unwrap();
     let stops = (1..5000u32).find(|i| {
@@ -340,13 +340,13 @@ fn what_cannot_be_replayed_is_refused() {
     assert_eq!(head.judged().unwrap().unwrap_err(), Misfit::Unseen { points: 0, frames: 0 });
 }
 
-/// Axes that do not carry the gun where they are sent.
+/// Axes that do not follow their set-points stop the weld.
 #[test]
 fn axes_that_are_stuck_stop_it() {
     let mut head = BeamTracking::new(Settings::usual(10.0), &ring, BEAM, AXES).unwrap();
     let mut weld = Weld::new(1);
     assert!(weld.run(&mut head, (40.0, 10.0), &mut right));
-    // The gun stays where it is from here on.
+    // From here on the gun does not move.
     let (held, mut s, mut stopped) = (weld.carried, weld.s, None);
     for i in 0..30_000u32 {
         let t = (weld.cycle + 1 + u64::from(i)) as f64 * CYCLE;

@@ -1,4 +1,4 @@
-//! The crawl with an eye that sees a known joint through a known camera: exactly but for noise, tacks and the frame's rim.
+//! The crawl with a simulated camera on a known joint: exact except for noise, tacks and the frame's edge.
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use rand_pcg::Pcg64Mcg;
@@ -43,7 +43,7 @@ impl Shape for Plane {
     }
 }
 
-/// A joint by points every 0.1 mm, closed or not, with stretches that are hidden.
+/// A joint as points every 0.1 mm, open or closed, with hidden stretches.
 struct World {
     points: Vec<DVec3>,
     closed: bool,
@@ -82,7 +82,7 @@ impl World {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// What a follower would see from `start` along `direction`.
+    /// Simulates the midline that a follower detects from `start` along `direction`.
     fn midline(
         &mut self,
         table: &HeightTable,
@@ -144,7 +144,7 @@ fn height(truth: &dyn Shape, camera: &DAffine3) -> f64 {
     })
 }
 
-/// Crawls; `refuse` says where the machine cannot go, `answer` what the operator answers.
+/// Runs a crawl; `refuse` marks poses out of the machine's reach, `answer` gives the operator's answers.
 fn crawl<'a>(
     world: &mut World,
     (table, shape, truth): (&'a HeightTable, &'a dyn Shape, &dyn Shape),
@@ -159,14 +159,14 @@ fn crawl<'a>(
         command = match command {
             Command::Move(pose) if refuse(&pose) => crawl.next(Event::Refused("axis x".to_owned())),
             Command::Move(pose) => {
-                // The picture's x as it comes.
+                // The direction of the picture's x axis is arbitrary.
                 let z = -pose.normal;
                 let x = z.any_orthonormal_vector();
                 camera = DAffine3 { matrix3: DMat3::from_cols(x, z.cross(x), z), translation: pose.point - 3.0 * z };
                 crawl.next(Event::Reached)
             }
             Command::Look => {
-                // Focus finds the height of the work to a hair.
+                // Focus measures the height of the work to 0.02 mm.
                 let height = height(truth, &camera) + 0.02 * world.uniform();
                 let view = View { camera, height: Some(height) };
                 let aim = crawl.aim(&view).unwrap();
@@ -180,7 +180,7 @@ fn crawl<'a>(
     panic!("no end: {:?}", crawl.notes().last());
 }
 
-/// RMS and greatest distance of the smoothed line from the joint, without bridged stretches.
+/// Returns RMS and maximum distance of the smoothed line from the joint, without bridged stretches.
 fn errors(world: &World, crawl: &Crawl, closed: bool) -> (f64, f64) {
     let line = smoothed(crawl.line(), 1.0, 2.5, closed);
     let off: Vec<f64> = line.iter().filter(|p| p.confidence > 0.0).map(|p| world.distance(p.point)).collect();
@@ -210,7 +210,7 @@ fn a_closed_joint_round_a_tube_closes() {
     assert!(gap_mm < 0.1 && rms < 0.03 && max < 0.1, "gap {gap_mm}, rms {rms}, max {max}");
     let length = 0.1 * world.points.len() as f64;
     assert!((crawl.line().length() - length).abs() < 0.02 * length);
-    // Steps are long where the joint is plain to see: not more frames than needed.
+    // Steps are long where the joint is clearly visible, so that few frames suffice.
     assert!(crawl.notes().len() < 160, "{}", crawl.notes().len());
     assert!(crawl.notes().iter().skip(1).filter(|n| n.overlap_mm.is_some()).count() > 100);
 }
@@ -273,7 +273,7 @@ fn lost_it_asks_and_goes_on_from_the_operators_point() {
         |pose| pose.point.z > 10.0,
         |why| {
             asked.push(why.to_owned());
-            // His first point is out of reach.
+            // The operator's first point is out of reach.
             let up = if asked.len() == 1 { 20.0 } else { 0.0 };
             Answer::Point(beyond + DVec3::new(0.3, 0.2, up), Some(s_curve(0.56) - s_curve(0.55)))
         },
@@ -284,7 +284,7 @@ fn lost_it_asks_and_goes_on_from_the_operators_point() {
     assert!(crawl.line().points().last().unwrap().point.distance(s_curve(1.0)) < 0.3);
     let (rms, max) = errors(&world, &crawl, false);
     assert!(rms < 0.03 && max < 0.15, "rms {rms}, max {max}");
-    // Nothing is made up between.
+    // The gap has no points.
     let gap = crawl.line().ways().windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
     assert!(gap > 40.0, "{gap}");
 }
@@ -308,7 +308,7 @@ fn limits_stop_it_short_of_them() {
     let (crawl, end) = crawl(&mut world, (&table, &Plane, &Plane), from, |pose| pose.point.x > 40.0, no_one);
     assert_eq!(end, End::Limit("axis x".to_owned()));
     assert!(crawl.target().point.x > 39.0, "{}", crawl.target().point.x);
-    // A start that cannot be reached gives nothing at all.
+    // An unreachable start gives an empty line.
     let (crawl, end) = self::crawl(&mut world, (&table, &Plane, &Plane), from, |_| true, no_one);
     assert!(crawl.line().is_empty() && matches!(end, End::Limit(_)));
 }

@@ -1,4 +1,4 @@
-//! The seam from a leading sensor: what the estimate must be on seams, slides and sensors of all kinds.
+//! Seam estimates from a look-ahead sensor, for many seams, slides and sensors.
 
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
@@ -18,11 +18,11 @@ fn uniform(random: &mut Pcg64Mcg) -> f64 {
 /// A sensor ahead of a torch, cycle by cycle.
 struct Rig<'a> {
     tracker: Tracker,
-    /// Where the seam is, by path length and time.
+    /// Seam deviation by path length and time.
     seam: &'a dyn Fn(f64, f64) -> DVec2,
-    /// Where the slide is, by time.
+    /// Slide position by time.
     slide: &'a dyn Fn(f64) -> DVec2,
-    /// What becomes of a measurement before it arrives: by its number and place; none is lost.
+    /// Alters a measurement before its arrival, by number and position; `None` loses it.
     sensor: &'a mut dyn FnMut(u64, f64, Measurement) -> Option<Measurement>,
     cycle: u64,
     s: f64,
@@ -40,7 +40,7 @@ impl<'a> Rig<'a> {
         Self { tracker, seam, slide, sensor, cycle: 0, s: -LEAD - 5.0, under_way: Vec::new(), verdicts: Vec::new() }
     }
 
-    /// One cycle, in which the torch goes on by `step`; what is known of the seam at the torch.
+    /// Runs one cycle that advances the torch by `step`; returns the torch position and the estimate there.
     fn cycle(&mut self, step: f64) -> (f64, seamwright_tracking::lead::Estimate) {
         self.cycle += 1;
         let t = self.cycle as f64 * CYCLE;
@@ -61,7 +61,7 @@ impl<'a> Rig<'a> {
         (self.s, self.tracker.at(self.s))
     }
 
-    /// On to path length `to` at `speed`; the errors on the way from 0 on.
+    /// Runs to path length `to` at `speed`; returns the errors from path length 0 on.
     fn run(&mut self, to: f64, speed: f64) -> Vec<f64> {
         let mut errors = Vec::new();
         let step = speed * CYCLE;
@@ -99,7 +99,7 @@ fn resting(_: f64) -> DVec2 {
     DVec2::new(0.4, -0.2)
 }
 
-/// Whatever the slide does, it is the same seam: nothing is summed up.
+/// The estimate does not depend on the slide's motion: no error accumulates.
 #[test]
 fn the_slide_is_in_nothing() {
     let restless = |t: f64| DVec2::new(2.0 * (7.0 * t).sin(), -1.0 + (3.0 * t).cos());
@@ -113,14 +113,14 @@ fn the_slide_is_in_nothing() {
     }
 }
 
-/// With noise the estimate is better than a measurement, with outliers nearly as good, at any speed; and what it says
-/// of itself is true.
+/// With noise the estimate is better than a measurement, with outliers nearly as good, at any speed. Its reported
+/// standard deviation is realistic.
 #[test]
 fn noise_and_outliers() {
     for (speed, outliers, limit) in
         [(5.0, 0.0, 0.03), (20.0, 0.0, 0.03), (100.0, 0.0, 0.035), (20.0, 0.05, 0.04), (100.0, 0.05, 0.1)]
     {
-        // Now and then two outliers come together, and cost a few millimetres.
+        // Occasionally two outliers coincide and cost a few millimetres.
         let p99s = (0..20).map(|seed| {
             let mut sensor = noisy(seed, 0.02, outliers);
             let mut rig = Rig::new(&wavy, &resting, &mut sensor);
@@ -141,7 +141,7 @@ fn noise_and_outliers() {
     }
 }
 
-/// A step is kept: nothing is smoothed across it, and it is known before the torch is there.
+/// A step stays sharp, without smoothing across it, and is known before the torch arrives.
 #[test]
 fn a_step_stays_a_step() {
     let step = |s: f64, _: f64| DVec2::new(if s < 77.7 { 0.0 } else { 1.0 }, 0.2);
@@ -160,16 +160,16 @@ fn a_step_stays_a_step() {
             2,
             "at the start and at the step"
         );
-        // It lies somewhere between two measurements.
+        // The step lies somewhere between two measurements.
         assert!(wrong < speed * PERIOD as f64 * CYCLE + 0.7, "{speed}: {wrong} mm");
     }
 }
 
-/// Over a tack nothing is seen; when the torch comes there its other side is known.
+/// A tack hides the joint; its far side is known when the torch arrives.
 #[test]
 fn a_tack_is_bridged() {
     let slow = |s: f64, _: f64| DVec2::new(0.01 * s + 0.3 * (0.04 * s).sin(), 0.5 - 0.005 * s);
-    // At 100 mm/s little of the other side is known by then.
+    // At 100 mm/s little of the far side is known by then.
     for (speed, limit) in [(20.0, 0.05), (100.0, 0.09)] {
         let mut noise = noisy(5, 0.02, 0.0);
         let mut sensor = |i: u64, place: f64, m: Measurement| {
@@ -187,7 +187,8 @@ fn a_tack_is_bridged() {
     }
 }
 
-/// Without sight the last slope is followed, then the taught path, then there is a stop; each where it is said to be.
+/// Without measurements the estimate follows the last slope, then the taught path, then is lost, each after its set
+/// distance.
 #[test]
 fn loss_ends_in_a_stop() {
     let ramp = |s: f64, _: f64| DVec2::new(0.01 * s, -0.005 * s);
@@ -223,7 +224,7 @@ fn loss_ends_in_a_stop() {
     }
 }
 
-/// Sight that comes back is used at once, also when the torch is already within what was coasted over.
+/// Returning measurements are used at once, also when the torch is already in the extrapolated stretch.
 #[test]
 fn sight_that_comes_back() {
     let ramp = |s: f64, _: f64| DVec2::new(0.02 * s, 0.0);
@@ -240,7 +241,7 @@ fn sight_that_comes_back() {
     assert_eq!(rig.tracker.at(160.0).sight, Sight::Seen);
 }
 
-/// Holding, going back, going on: all by path length. What moves meanwhile is seen anew.
+/// Holding, reversing and continuing work by path length; a part that moves meanwhile is measured again.
 #[test]
 fn hold_and_reverse() {
     // The part moves by 0.4 mm from second 12 on.
@@ -254,14 +255,15 @@ fn hold_and_reverse() {
     }
     let back = rig.run(135.0, -20.0);
     assert!(back.len() > 500);
-    // On the way back the sensor is ahead of what it must tell, so only what is then gone over again is judged.
+    // While reversing the sensor does not see the stretch that the torch enters, so only the repeated stretch is
+    // judged.
     rig.run(156.0, 20.0);
     let again = rig.run(260.0, 20.0);
     assert!(quantile(again, 0.99) < 0.04);
     assert!(rig.tracker.at(250.0).sight == Sight::Seen);
 }
 
-/// Back by more than is remembered, and on again, several times; a second pass begins anew from the start.
+/// Reverses beyond the stored range and continues, several times; a second pass restarts from the beginning.
 #[test]
 fn far_back_and_a_second_pass() {
     let mut sensor = noisy(11, 0.02, 0.0);
@@ -269,14 +271,14 @@ fn far_back_and_a_second_pass() {
     rig.run(200.0, 50.0);
     for back in [40.0, 120.0, -25.0] {
         rig.run(back, -50.0);
-        // The sensor must have gone over what it is to tell.
+        // The sensor must first pass over the judged stretch.
         rig.run(back + 26.0, 50.0);
         let errors = rig.run(back + 150.0, 50.0);
         assert!(quantile(errors, 0.99) < 0.04, "{back}");
     }
 }
 
-/// A curved seam: its own curve is not taken for a deviation.
+/// The own curve of a curved seam is not reported as a deviation.
 #[test]
 fn the_own_curve_is_subtracted() {
     use glam::DVec3;
@@ -292,7 +294,7 @@ fn the_own_curve_is_subtracted() {
         }
     };
     let own = OwnCurve::of(LEAD, -30.0, 200.0, frame);
-    // The joint lies where it is drawn; the sensor still reads 0.4 mm.
+    // The joint is at its nominal position; the sensor still reads 0.4 mm.
     let seam = |_: f64, _: f64| DVec2::new(radius - (radius * radius - LEAD * LEAD).sqrt(), 0.0);
     let still = |_: f64| DVec2::ZERO;
     for (own, miss) in [(own, 0.0), (OwnCurve::straight(LEAD), 0.4)] {
@@ -304,7 +306,7 @@ fn the_own_curve_is_subtracted() {
     }
 }
 
-/// What is of no use is refused with the reason, and changes nothing.
+/// Unusable measurements are rejected with the reason, and leave the estimate unchanged.
 #[test]
 fn refusals() {
     let mut sensor = noisy(1, 0.02, 0.0);
@@ -330,7 +332,7 @@ fn refusals() {
     assert_eq!(rig.tracker.at(50.0), before);
 }
 
-/// A sensor that always says the same is not believed.
+/// A sensor that repeats one value is rejected.
 #[test]
 fn a_frozen_sensor() {
     let mut frozen = None;
@@ -350,8 +352,8 @@ fn a_frozen_sensor() {
     assert!(rig.tracker.at(rig.s).sight >= Sight::Fading);
 }
 
-/// Whatever arrives, whenever, and wherever the torch goes: the estimate stays a number, no farther off than what
-/// was seen and the steepest seam across what is remembered.
+/// For any measurements, times and torch motion the estimate stays finite. Its bound is the measured deviation plus the
+/// maximum slope across the stored range.
 #[test]
 fn nothing_upsets_it() {
     for seed in 0..40 {
@@ -383,7 +385,7 @@ fn nothing_upsets_it() {
     }
 }
 
-/// A seam that swings as fast as can be asked for, 2 Hz at 20 mm/s, is no row of outliers.
+/// The fastest allowed oscillation of a seam, 2 Hz at 20 mm/s, is not rejected as outliers.
 #[test]
 fn a_fast_sine() {
     let sine = |s: f64, _: f64| 0.5 * DVec2::from_angle(std::f64::consts::TAU * s / 10.0);
@@ -395,8 +397,7 @@ fn a_fast_sine() {
     assert!(taken > 0.98, "{taken}");
 }
 
-/// A sensor that has gone wild is not followed anywhere: what it measures counts from the slide, and could lead it
-/// away.
+/// A sensor with random values is not followed; they count from the slide and could lead it away.
 #[test]
 fn a_wild_sensor() {
     for (seed, speed) in (0..20).flat_map(|seed| [(seed, 20.0), (seed, 100.0)]) {

@@ -1,4 +1,4 @@
-//! All tests in one program, which is compiled and linked once. Those that count what a process takes are beside it.
+//! All tests in one program, compiled and linked once. Tests that count the allocations of a process are beside it.
 
 mod beam;
 mod crawl;

@@ -15,7 +15,7 @@ fn uniform(random: &mut Pcg64Mcg) -> f64 {
     (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// Somewhere in the middle half of the ranges.
+/// Returns random axis positions in the middle half of the ranges.
 fn somewhere(machine: &Machine, random: &mut Pcg64Mcg) -> Joints {
     let mut q = Joints::default();
     for (q, axis) in q.iter_mut().zip(&machine.axes) {
@@ -32,8 +32,8 @@ fn to_a_side(random: &mut Pcg64Mcg, most: f64) -> DVec3 {
 
 const CARRIERS: [&str; 4] = ["saddle-4axis", "torch-5axis", "table-tilting-xyzac", "ebw-7axis"];
 
-/// The tip is exactly shifted, also when the correction jumps by millimetres within a cycle or two; and where the axes can
-/// give any direction the torch keeps its own.
+/// The tool centre point is shifted exactly, also when the correction jumps by millimetres within a cycle or two. If
+/// the axes can give any direction, the torch keeps its own.
 #[test]
 fn the_tip_is_shifted_and_the_torch_keeps_its_direction() {
     for name in CARRIERS {
@@ -58,7 +58,7 @@ fn the_tip_is_shifted_and_the_torch_keeps_its_direction() {
     }
 }
 
-/// On a machine of five axes there is one such place: that of the inverse in closed form.
+/// On a five-axis machine the solution is unique: that of the closed-form inverse.
 #[test]
 fn five_axes_go_where_the_inverse_says() {
     for name in ["torch-5axis", "table-tilting-xyzac"] {
@@ -82,7 +82,7 @@ fn five_axes_go_where_the_inverse_says() {
     }
 }
 
-/// The way there does not matter, also with axes to spare.
+/// The result does not depend on the path of the correction, also with redundant axes.
 #[test]
 fn the_way_does_not_matter() {
     let machine = machine("ebw-7axis");
@@ -128,7 +128,7 @@ fn held_axes_stand_still_while_the_others_shift_the_tip() {
     assert!(used > 400, "{used}");
 }
 
-/// Heads on one carrier are shifted alike.
+/// All heads on one carrier are shifted alike.
 #[test]
 fn all_heads_are_carried_along() {
     let machine = machine("dual-laser-10axis");
@@ -145,7 +145,7 @@ fn all_heads_are_carried_along() {
     }
 }
 
-/// A correction within its limits moves no axis faster than its reserve, at planned places that stand.
+/// A correction within its limits moves no axis faster than its reserve, at stationary planned positions.
 #[test]
 fn corrections_keep_the_reserve() {
     for name in CARRIERS {

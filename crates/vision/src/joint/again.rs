@@ -1,4 +1,4 @@
-//! A joint that is seen no longer is tried once more in other ways; what is found so has no confidence.
+//! Second attempts at a lost joint, in other ways. Rows found so get no confidence.
 
 use super::follow::{Follower, Inside, known_width};
 use super::levels::Levels;
@@ -6,35 +6,38 @@ use super::trail::{Look, ROWS};
 use super::{CONFIDENT, End, Row, Start, State, judge};
 use crate::Frame;
 
-/// Another way counts if the joint is so many times as long by it ...
+/// A second attempt is accepted if the joint is this many times as long, ...
 const LONGER: f32 = 1.25;
-/// ... and so many times as much of what it is longer by is seen as not, ...
+/// ... if this many times as many of the additional rows are seen as unseen, ...
 const SEEN_ON: f32 = 1.5;
-/// ... and, behind an end that was told, so much of it without a gap, pixels.
+/// ... and, behind a reported end, if this much of them is seen without a gap, pixels.
 pub(super) const STRETCH: f32 = 100.0;
-/// A joint is tried again if it was seen last so far within the frame, pixels; where it left it unseen, the other way counts if it
-/// is seen on for half of that.
+/// Minimum distance of the last row from the border for a second attempt, pixels. If the joint left the image there,
+/// the attempt must be seen for half of the remaining distance.
 const UNSEEN: f32 = 16.0;
-/// What is narrower is looked for with widths up to this part of the one before, and is narrower than this part of them ...
+/// An attempt with narrower widths tries widths up to this part of the previous one and accepts results below this part
+/// of those ...
 pub(super) const NARROWER: f32 = 0.7;
-/// ... and as long as this part of it: what is wider is its surroundings.
+/// ... if the joint is this part as long: then the wider result was the joint's surroundings.
 const AS_LONG: f32 = 0.9;
-/// A joint is looked for on the top-hat of a coarser level than its own if it is this many pixels wide there.
+/// Minimum width of a joint on the top-hat of a level coarser than its own, pixels.
 const NARROWEST: f32 = 2.5;
-/// Levels and widths there that a start is looked for with on top-hats.
+/// Levels and widths there at which a start is searched on top-hats.
 const STARTS: [(usize, f32); 3] = [(1, 2.0), (1, 5.0), (2, 5.0)];
 /// A joint is wide if it is followed on this level or a coarser one.
 pub(super) const COARSE: usize = 2;
-/// Rows that were sure stay if the new way passes them so near, pixels or parts of the width.
+/// Confident rows are kept if the new path passes them within this distance: the larger of pixels and parts of the
+/// width.
 const SAME: (f32, f32) = (2.0, 0.25);
-/// Rows that tell the way at one of them.
+/// Rows over which the heading at a row is measured.
 pub(super) const HEADING: usize = 12;
 
 impl Follower {
-    /// Tries again if the joint may go on behind its end; `looks` are those at its start and where it was followed last.
+    /// Makes second attempts if the joint may continue behind its end. `looks` are those at its start and at its last
+    /// strip.
     pub(super) fn try_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, looks: [Look; 2]) {
         let look = looks[0];
-        // Salt fills the squares of fine levels, and is one of many pixels on coarse ones.
+        // Salt noise fills the squares of fine levels; on coarse ones it is averaged over many pixels.
         let level = top_hat_level(&look);
         let coarser = look.width_in_frame() >= NARROWEST * (2 << level) as f32;
         let goes_on = self.try_on_top_hat(frame, start, inside, looks, level)
@@ -43,7 +46,7 @@ impl Follower {
             return;
         }
         if self.joint.end == End::Lost && look.level >= COARSE && known_width(start).is_none() {
-            // A dark strip may have been taken for the joint in it.
+            // The first result may be a dark strip that contains the joint.
             self.narrower = NARROWER * look.width_in_frame();
             let length = way(&self.joint.rows);
             self.follow_again(frame, start, inside, length, AS_LONG * length);
@@ -51,7 +54,8 @@ impl Follower {
         }
     }
 
-    /// Follows from a start where nothing was seen, where the edges of light are not seen: the joint may begin on one of them.
+    /// Follows from a start without a visible joint, on top-hats without the edges of light: the joint may begin on
+    /// such an edge.
     pub(super) fn try_start_on_top_hat(&mut self, frame: &Frame, start: &Start, inside: &Inside) {
         let coarsest = Levels::coarsest(frame);
         for (level, width) in STARTS.into_iter().filter(|(level, _)| *level <= coarsest) {
@@ -60,14 +64,15 @@ impl Follower {
             let found = self.follow_again(frame, &start, inside, 0.0, STRETCH);
             self.levels.uncover();
             if found {
-                // What is nowhere sure is not known to end.
+                // The end is not reported, as no row is confident.
                 self.joint.end = End::Lost;
                 return;
             }
         }
     }
 
-    /// Follows on the top-hat of a level, where the edges of light and of tacks are not seen; true if the joint goes on there.
+    /// Follows on the top-hat of a level, without the edges of light and tacks; returns true if the joint continues
+    /// there.
     fn try_on_top_hat(
         &mut self,
         frame: &Frame,
@@ -85,7 +90,7 @@ impl Follower {
             End::Lost | End::JointEnd => (LONGER * length).min(length + 0.5 * unseen),
             End::LeftImage => length + 0.5 * unseen,
         };
-        // From where it was last sure, so far back as a strip shows it.
+        // Starts at the last confident row, less the length of a strip.
         let rows = &self.joint.rows;
         let from = last_sure(rows).map_or(0, |last| last.saturating_sub(ROWS << (level - look.level)));
         let before = rows.get(..=from).map_or(0.0, way);
@@ -94,7 +99,7 @@ impl Follower {
             && self.keep_sure(usize::MAX)
     }
 
-    /// Follows once more as [`Self::follow_again`] does, on the top-hat of a level.
+    /// Follows as [`Self::follow_again`] does, on the top-hat of a level.
     pub(super) fn follow_on_top_hat(
         &mut self,
         frame: &Frame,
@@ -113,15 +118,15 @@ impl Follower {
         found
     }
 
-    /// True if the joint is followed for sure to where it ends and there is even metal behind; `last` is the look there.
+    /// Returns true if a row near the end is confident and uniform metal follows; `last` is the look there.
     fn is_sure_end(&self, last: &Look) -> bool {
         let rows = &self.joint.rows;
         let is_sure = last_sure(rows).is_some_and(|last| last + HEADING >= rows.len());
         is_sure && self.midline.is_plain_behind(rows.len(), last.contrast)
     }
 
-    /// Follows once more from a place behind which it was `length` pixels long; what was found before comes back unless the joint is
-    /// seen `least` pixels from there, and enough of what it is longer by is seen.
+    /// Follows again from a start behind which the joint was `length` pixels long. The previous result is restored
+    /// unless the joint is seen `least` pixels from there and enough of the additional rows are seen.
     fn follow_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, length: f32, least: f32) -> bool {
         std::mem::swap(&mut self.joint, &mut self.before);
         let look = self.follow_in(frame, start, inside, least);
@@ -132,14 +137,14 @@ impl Follower {
         }
         judge::doubtful(&mut self.joint.rows, 0);
         if self.joint.end == End::LeftImage && self.before.end != End::LeftImage {
-            // What is nowhere sure is not known to lead out of the frame.
+            // An exit from the frame is not reported, as no row is confident.
             self.joint.end = End::Lost;
         }
         true
     }
 
-    /// Puts the first `count` rows as they were before those that are found now, up to the last sure one that these pass; what was
-    /// before comes back, and false, if there are sure ones but these pass none.
+    /// Prepends the first `count` rows of the previous result, up to the last confident one that the new rows pass.
+    /// Restores the previous result and returns false if it has confident rows but the new rows pass none of them.
     pub(super) fn keep_sure(&mut self, count: usize) -> bool {
         let (before, now) = (&mut self.before.rows, &mut self.joint.rows);
         let passed = |sure: &Row| {
@@ -163,38 +168,38 @@ impl Follower {
     }
 }
 
-/// The level on which a joint is followed on a top-hat: on the frame itself that takes long.
+/// Returns the level for a top-hat; on the frame itself it would be slow.
 pub(super) fn top_hat_level(look: &Look) -> usize {
     look.level.max(1)
 }
 
-/// What is so near to the frame's rim is at it, pixels.
+/// Returns the distance from the border within which a row counts as at the border, pixels.
 pub(super) fn rim(look: &Look) -> f32 {
     UNSEEN.max(look.width_in_frame())
 }
 
-/// How far the last row is from the rim, pixels.
+/// Returns the last row's distance from the border, pixels.
 pub(super) fn to_rim(rows: &[Row], inside: &Inside) -> f32 {
     rows.last().map_or(f32::INFINITY, |row| inside.to_rim([row.x, row.y]))
 }
 
-/// What passes a row nearer than this is the same joint, pixels.
+/// Returns the distance within which a path passes through a row of the same joint, pixels.
 pub(super) fn same_within(row: &Row) -> f32 {
     SAME.0.max(SAME.1 * row.width)
 }
 
-/// The last row that is sure.
+/// Returns the last confident row.
 pub(super) fn last_sure(rows: &[Row]) -> Option<usize> {
     rows.iter().rposition(|row| row.confidence >= CONFIDENT)
 }
 
-/// Row `from` as a start; none for the first one, before which nothing tells the way.
+/// Returns row `from` as a start; `None` for the first [`HEADING`] rows, whose heading is unknown.
 pub(super) fn start_at(rows: &[Row], from: usize) -> Option<Start> {
     let (row, before) = (rows.get(from)?, rows.get(from.checked_sub(HEADING)?)?);
     Some(Start { x: row.x, y: row.y, direction: (row.y - before.y).atan2(row.x - before.x), width: None })
 }
 
-/// True if of the rows farther on than `length` enough are seen, and a `stretch` of them without a gap.
+/// Returns true if enough of the rows beyond `length` are seen, and a `stretch` of them without a gap, pixels.
 fn is_seen_beyond(rows: &[Row], length: f32, stretch: f32) -> bool {
     let (mut at, mut seen, mut unseen, mut run, mut longest) = (0.0, 0, 0, 0.0, 0.0f32);
     for pair in rows.windows(2) {
@@ -215,7 +220,7 @@ fn is_seen_beyond(rows: &[Row], length: f32, stretch: f32) -> bool {
     seen as f32 >= SEEN_ON * unseen as f32 && longest >= stretch
 }
 
-/// How far a joint is followed to where it is seen last, pixels.
+/// Returns the length of the path up to its last seen row, pixels.
 pub(super) fn way(rows: &[Row]) -> f32 {
     let seen = rows.iter().rposition(|row| row.state == State::Seen).map_or(0, |last| last + 1);
     rows[..seen].windows(2).map(|pair| pair[0].away(&pair[1])).sum()
@@ -226,7 +231,7 @@ mod tests {
     use super::*;
     use crate::joint::testing::along;
 
-    /// Rows a pixel apart along a straight way of legs that are seen or not.
+    /// Rows a pixel apart along a straight path of legs that are seen or not.
     fn straight(legs: &[(usize, bool)]) -> Vec<Row> {
         along(&legs.iter().map(|(count, seen)| (*count, 0.0, seen.then_some(false))).collect::<Vec<_>>(), 4.0)
     }

@@ -1,9 +1,9 @@
-/// Length of a way of pixels: `f32::hypot` without its care for numbers too great to be squared, which takes long.
+/// Length of a vector in pixels. Unlike `f32::hypot` it omits the slow protection against overflow.
 pub(super) fn length([x, y]: [f32; 2]) -> f32 {
     (x * x + y * y).sqrt()
 }
 
-/// A predicted axis: an arc in pixels of a level.
+/// A predicted axis: an arc, in pixels of a level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Axis {
     pub(super) at: [f32; 2],
@@ -13,7 +13,7 @@ pub(super) struct Axis {
     pub(super) curvature: f32,
 }
 
-/// A place and the unit tangent there.
+/// A position and the unit tangent there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Station {
     pub(super) at: [f32; 2],
@@ -21,16 +21,16 @@ pub(super) struct Station {
 }
 
 impl Axis {
-    /// True if `length` pixels of it end in a picture of this size.
+    /// Returns true if the axis is within a picture of this size after `length` pixels.
     pub(super) fn stays_within(&self, length: f32, (width, height): (usize, usize)) -> bool {
         let [x, y] = self.station(length).at;
         (0.0..=(width - 1) as f32).contains(&x) && (0.0..=(height - 1) as f32).contains(&y)
     }
 
-    /// Its place and tangent after `s` pixels.
+    /// Returns the position and tangent after `s` pixels.
     pub(super) fn station(&self, s: f32) -> Station {
         let turn = s * self.curvature;
-        // Chord of an arc: the mean direction is that of half the turn.
+        // Chord of an arc: its direction is that of half the turn.
         let chord = s * (1.0 - turn * turn / 24.0);
         let (sin, cos) = (self.heading + turn / 2.0).sin_cos();
         let (tangent_sin, tangent_cos) = (self.heading + turn).sin_cos();
@@ -39,10 +39,10 @@ impl Axis {
 }
 
 impl Axis {
-    /// `count` stations a pixel apart, the first one after `from` pixels.
+    /// Returns `count` stations a pixel apart, the first after `from` pixels.
     pub(super) fn stations(&self, from: f32, count: usize) -> impl ExactSizeIterator<Item = Station> {
         let mut next = self.station(from);
-        // From one to the next the tangent turns twice by half of the angle, and the chord lies between.
+        // From one station to the next the tangent turns twice by half of the angle; the chord lies between.
         let (sin, cos) = (0.5 * self.curvature).sin_cos();
         let half = move |[x, y]: [f32; 2]| [x * cos - y * sin, x * sin + y * cos];
         let chord = 1.0 - self.curvature * self.curvature / 24.0;
@@ -54,7 +54,7 @@ impl Axis {
         })
     }
 
-    /// How far along the axis a place is and how far to its right, pixels; within half a turn.
+    /// Returns a function from a point to its distances along the axis and to its right, pixels; valid for half a turn.
     pub(super) fn along_and_across(&self) -> impl Fn([f32; 2]) -> (f32, f32) {
         let Self { at: [x0, y0], heading, curvature } = *self;
         let ((sin, cos), radius) = (heading.sin_cos(), 1.0 / curvature);
@@ -71,7 +71,7 @@ impl Axis {
     }
 }
 
-/// `f32::atan2`, which takes long, to a millionth: angles near none by their series.
+/// Fast `f32::atan2`, accurate to a millionth: small angles by their series.
 pub(super) fn angle(y: f32, x: f32) -> f32 {
     let ratio = y / x;
     if x > 0.0 && ratio.abs() < 0.3 {
@@ -83,7 +83,7 @@ pub(super) fn angle(y: f32, x: f32) -> f32 {
 }
 
 impl Station {
-    /// The place `across` pixels to its right.
+    /// Returns the position `across` pixels to the right.
     #[inline(always)]
     pub(super) fn beside(&self, across: f32) -> [f32; 2] {
         let [cos, sin] = self.tangent;
@@ -104,7 +104,7 @@ mod tests {
             for (i, station) in all.enumerate() {
                 let alone = axis.station(i as f32 - 10.0);
                 for k in 0..2 {
-                    // The chord of a long arc is known to a few hundredths of a pixel.
+                    // The chord formula for a long arc is accurate to a few hundredths of a pixel.
                     assert!((station.at[k] - alone.at[k]).abs() < 0.05, "{curvature} {i}");
                     assert!((station.tangent[k] - alone.tangent[k]).abs() < 1e-5, "{curvature} {i}");
                 }
@@ -128,7 +128,7 @@ mod tests {
             for s in [-40.0, -7.0, 0.0, 13.0, 44.0] {
                 for across in [-6.0, 0.0, 4.5] {
                     let (along, beside) = axis.along_and_across()(axis.station(s).beside(across));
-                    // The chord of an arc is known to a few hundredths of a pixel.
+                    // The chord formula for an arc is accurate to a few hundredths of a pixel.
                     assert!((along - s).abs() < 0.1 && (beside - across).abs() < 0.1, "{curvature} {s} {across}");
                 }
             }

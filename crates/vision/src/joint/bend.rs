@@ -1,20 +1,21 @@
-//! How sharply a way turns.
+//! Sharpness of the turns of a path.
 
 use super::axis::angle;
 
-/// Places next to a turn that are left out (a scratch that meets another one turns at once), and those before and after that tell ...
+/// Points next to a turn that are left out (crossing scratches turn at once), and points of an arm before and after
+/// them.
 const NEAR: usize = 5;
 const ARM: usize = 25;
-/// ... so many to either side in all.
+/// Points to either side of a turn in all.
 pub(super) const REACH: usize = NEAR + ARM;
 
-/// The angle between two ways, rad.
+/// Returns the angle between two directions, rad.
 pub(super) fn turn(a: [f32; 2], b: [f32; 2]) -> f32 {
     angle(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])
 }
 
-/// By how much a way of places about evenly apart turns at place `i` beyond its bend before and behind it, rad. [`REACH`] places are
-/// before it and behind it.
+/// Returns the turn of a path of about evenly spaced points at point `i`, beyond its bend before and behind, rad.
+/// [`REACH`] points must lie before and behind it.
 pub(super) fn sharpness(at: impl Fn(usize) -> [f32; 2], i: usize) -> f32 {
     let way = |from: usize, to: usize| {
         let (a, b) = (at(from), at(to));
@@ -24,7 +25,7 @@ pub(super) fn sharpness(at: impl Fn(usize) -> [f32; 2], i: usize) -> f32 {
     let (before, after) = (i - NEAR - ARM / 2, i + NEAR + ARM / 2);
     let own = turn(way(first, before), way(before, i - NEAR)) + turn(way(i + NEAR, after), way(after, last));
     let between = turn(way(first, i - NEAR), way(i + NEAR, last));
-    // Two halves of an arm are half an arm apart, the two arms an arm and twice the way near the place.
+    // The halves of an arm are half an arm apart; the two arms are an arm and twice the distance `NEAR` apart.
     (between - own * (2 * NEAR + ARM) as f32 / ARM as f32).abs()
 }
 

@@ -2,34 +2,34 @@ use super::End;
 use super::midline::Found;
 use super::trail::Stop;
 
-/// Rows about the last one seen among which the end is looked for.
+/// Rows before and after the last seen row in which the end is searched.
 const ABOUT: usize = 40;
-/// A row's depth tells at most this much of the joint's, either way.
-const MOST: f32 = 1.0;
-/// Pixels to either side of an end that it is placed between rows by, one row at least: as far as it is out of focus.
+/// Maximum contribution of a row's depth, parts of the joint's, either way.
+const MAX_CONTRIBUTION: f32 = 1.0;
+/// Rows to either side of an end that place it between rows, at level 0; one row at least. They cover the blur.
 const NEAR: usize = 3;
-/// Rows that tell a depth.
+/// Minimum rows for a mean depth.
 const SEVERAL: usize = 5;
-/// Rows before and after an end that tell the depth there.
+/// Rows before and after an end over which the depth is averaged.
 const LEVEL: usize = 14;
-/// Rows before an end that are seen.
+/// Rows before an end that must be mostly seen.
 const BEFORE: usize = 24;
 
-/// What is behind an end is less than this part as deep.
+/// The depth behind an end is below this part of the joint's.
 const CLEAR: f32 = 0.5;
-/// Part of the longest gap that tells an end from a tack before the rim.
+/// Minimum rows before the border to distinguish an end from a tack, as a part of the longest gap.
 const TOLD: f32 = 0.5;
 
-/// How much of the way is the joint's, and how it ends.
+/// Rows that belong to the joint, and the reason why it ends.
 pub(super) struct Cut {
     pub(super) rows: usize,
     pub(super) end: End,
-    /// The end from half a row after the last one on, rows.
+    /// Position of the end from half a row after the last row on, rows.
     pub(super) beyond: f32,
 }
 
-/// Takes off what was coasted over last, and tells an end of the joint from its loss; none if nothing is seen. `gap`: rows of
-/// the longest gap.
+/// Cuts off the last coasted rows and distinguishes an end of the joint from its loss; `None` if no row is seen. `gap`:
+/// rows of the longest gap.
 pub(super) fn cut(
     rows: &[Found],
     (solid, stop): (usize, Stop),
@@ -43,16 +43,16 @@ pub(super) fn cut(
     let left = Cut { rows: seen, end: End::LeftImage, beyond: 0.0 };
     match stop {
         Stop::Closed => return Some(Cut { rows: rows.len(), end: End::Closed, beyond: 0.0 }),
-        // Too little metal before the rim to tell an end from a tack.
+        // The metal before the border is too short to distinguish an end from a tack.
         Stop::Rim if ((rows.len() - seen) as f32) < TOLD * gap => return Some(left),
         Stop::Rim | Stop::Gap => {}
     }
-    // Where depths fall from the joint's to none: most above half of it before and most below it after.
+    // The end is where depths fall to zero: most are above half of the joint's before it, and below after it.
     let depth = rows[seen.saturating_sub(ABOUT)].depth.max(1e-3);
     let (from, to) = (seen.saturating_sub(ABOUT), (seen + ABOUT).min(rows.len()));
     let (mut sum, mut greatest, mut at) = (0.0, 0.0, from);
     for (i, row) in rows[from..to].iter().enumerate() {
-        sum += (row.own_depth / depth - 0.5).clamp(-MOST, MOST);
+        sum += (row.own_depth / depth - 0.5).clamp(-MAX_CONTRIBUTION, MAX_CONTRIBUTION);
         if sum > greatest {
             (greatest, at) = (sum, from + i + 1);
         }
@@ -72,7 +72,8 @@ pub(super) fn cut(
     })
 }
 
-/// Behind the last row seen of a stretch of which both sides are somewhere in the picture: others are something at its rim.
+/// Returns the row behind the last seen stretch with both sides of the joint in the picture. Other stretches are
+/// artefacts at the border.
 fn last_whole(rows: &[Found], is_whole: impl Fn(usize) -> bool) -> Option<usize> {
     let mut to = rows.iter().rposition(|r| r.seen)? + 1;
     loop {
@@ -84,8 +85,8 @@ fn last_whole(rows: &[Found], is_whole: impl Fn(usize) -> bool) -> Option<usize>
     }
 }
 
-/// How far beyond the begin of row `at` the joint reaches, rows: as far as all depth near the end together does, of what is
-/// there before the end and after it; `reach`: rows to either side that are in part the joint's.
+/// Returns the end's distance behind the start of row `at`, rows, by the sum of the depths within `reach` rows to
+/// either side. Depths are scaled to the means before and after the end.
 fn between(rows: &[Found], at: usize, depth: f32, reach: usize) -> f32 {
     let mean = |from: usize, to: usize| {
         let near = &rows[from.min(to)..to];
@@ -114,7 +115,7 @@ mod tests {
         let rows = rows(&[(60, true), (40, false), (4, true), (3, false), (5, true)]);
         let at_rim = cut(&rows, (60, Stop::Rim), (50.0, 0), |i| i < 95).unwrap();
         assert_eq!((at_rim.rows, at_rim.end), (60, End::JointEnd));
-        // One row of it with metal on both sides: the joint goes on there.
+        // A single row with metal on both sides shows that the joint continues there.
         let whole = cut(&rows, (60, Stop::Rim), (50.0, 0), |i| i < 109).unwrap();
         assert_eq!((whole.rows, whole.end), (rows.len(), End::LeftImage));
     }

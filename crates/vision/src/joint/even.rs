@@ -1,4 +1,4 @@
-//! Parabolas through rows that lie evenly, several at a time.
+//! Parabolas through evenly spaced rows, several at a time.
 
 use super::axis::Station;
 use super::make_room;
@@ -6,16 +6,16 @@ use super::parabola::Parabola;
 use crate::wide::LANES;
 use std::ops::Range;
 
-/// Most rows before and after.
-pub(super) const MOST: usize = 24;
+/// Maximum rows before and after.
+pub(super) const MAX_REACH: usize = 24;
 /// Rows of the longest parabola.
-const LONGEST: usize = 2 * MOST + 1;
+const LONGEST: usize = 2 * MAX_REACH + 1;
 
-/// Zeros before the first row and behind the last one: as far as a parabola reaches, and as many as are done at a time.
-const BEFORE: usize = MOST;
-const BEHIND: usize = MOST + LANES;
+/// Zeros before the first row and behind the last one: a parabola's reach, plus the rows of a SIMD step.
+const BEFORE: usize = MAX_REACH;
+const BEHIND: usize = MAX_REACH + LANES;
 
-/// Rows in a picture, to the right and down, pixels, and 1 for those that are seen.
+/// Positions of rows in a picture, to the right and down, pixels; `seen` is 1 for seen rows.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rows {
     x: Vec<f32>,
@@ -24,12 +24,12 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Room for so many rows.
+    /// Reserves capacity for this many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
         [&mut self.x, &mut self.y, &mut self.seen].into_iter().for_each(|list| make_room(list, BEFORE + rows + BEHIND));
     }
 
-    /// Takes other rows.
+    /// Replaces the rows.
     pub(super) fn put(&mut self, rows: impl Iterator<Item = ([f32; 2], bool)>) {
         [&mut self.x, &mut self.y, &mut self.seen].into_iter().for_each(|list| {
             list.clear();
@@ -44,21 +44,21 @@ impl Rows {
         [&mut self.x, &mut self.y, &mut self.seen].into_iter().for_each(|list| list.resize(behind, 0.0));
     }
 
-    /// Where rows are in the picture.
+    /// Returns the positions of rows in the picture.
     pub(super) fn places(&self, rows: Range<usize>) -> impl Iterator<Item = [f32; 2]> {
         let rows = BEFORE + rows.start..BEFORE + rows.end;
         self.x[rows.clone()].iter().zip(&self.y[rows]).map(|(x, y)| [*x, *y])
     }
 }
 
-/// A parabola across rows as far before as after one, their weights falling as a parabola: what does not depend on where they
-/// are, once for all rows.
+/// Parabola fit across rows equally far before and after one, with parabolic weights. Holds the factors that do not
+/// depend on the rows' positions.
 #[derive(Debug, Clone)]
 pub(super) struct Even {
     reach: usize,
-    /// Weights times the rows' numbers to the powers 0 to 4, of `2 * reach + 1` rows.
+    /// Weights times the rows' numbers to the powers 0 to 4, for `2 * reach + 1` rows.
     weights: [[f32; LONGEST]; 5],
-    /// Their sums for the powers 0, 2 and 4.
+    /// Sums of the weights for the powers 0, 2 and 4.
     moments: [f32; 3],
 }
 
@@ -69,7 +69,7 @@ impl Default for Even {
 }
 
 impl Even {
-    /// For `reach` rows before and after, up to [`MOST`].
+    /// Prepares for `reach` rows before and after, up to [`MAX_REACH`].
     pub(super) fn prepare(&mut self, reach: usize) {
         self.reach = reach;
         for k in 0..=2 * reach {
@@ -83,15 +83,16 @@ impl Even {
         self.moments = [0, 2, 4].map(|power| self.weights[power][..=2 * reach].iter().sum());
     }
 
-    /// How far to the right of each of up to [`LANES`] stations in a row, the first that of row `i`, the parabola through the rows about
-    /// it crosses its line, and the standard error of that. About each lie as many rows before and after as were prepared for.
+    /// Fits a parabola about each of up to [`LANES`] consecutive stations, the first that of row `i`. Returns its
+    /// crossing of the station's line, pixels to the right, and the standard error. Each station needs the prepared
+    /// number of rows before and after it.
     #[inline(always)]
     pub(super) fn across(&self, rows: &Rows, i: usize, stations: &[Station]) -> [(f32, f32); LANES] {
         let [x0, y0, cos, sin] = lanes(stations);
         let from = BEFORE + i - self.reach;
         let [w0, w1, w2, ..] = self.weights.each_ref().map(|list| list[..=2 * self.reach].iter());
         let near = rows.x[from..].windows(LANES).zip(rows.y[from..].windows(LANES));
-        // Sums of each row's weight times how far it is off, times its number, its number's square, and how far it is off.
+        // Weighted sums of the offsets, of the offsets times the row number and its square, and of the squared offsets.
         let [mut r0, mut r1, mut r2, mut squares] = [[0.0; LANES]; 4];
         for (((x, y), w0), (w1, w2)) in near.zip(w0).zip(w1.zip(w2)) {
             let (Some(x), Some(y)) = (x.first_chunk::<LANES>(), y.first_chunk::<LANES>()) else { break };
@@ -111,7 +112,7 @@ impl Even {
         })
     }
 
-    /// The same through those of the rows that are seen, held to a line by `stiff`; none where too few are.
+    /// Fits through the seen rows only, held to a line by `stiff`; `None` for too few rows.
     #[inline(always)]
     pub(super) fn across_seen(
         &self,
@@ -146,7 +147,7 @@ impl Even {
     }
 }
 
-/// Places and tangents of up to [`LANES`] stations.
+/// Positions and tangents of up to [`LANES`] stations.
 #[inline(always)]
 fn lanes(stations: &[Station]) -> [[f32; LANES]; 4] {
     debug_assert!(stations.len() <= LANES, "{} stations", stations.len());
@@ -171,7 +172,7 @@ mod tests {
             even.prepare(reach);
             let (sin, cos) = angle.sin_cos();
             let count = 2 * reach + 7;
-            // A bend with a scatter that is the same each time.
+            // A bend with deterministic scatter.
             let across = |k: usize| 0.01 * (k as f32 - 9.0).powi(2) + 0.3 * (7.3 * k as f32).sin();
             let place = |k: usize| [200.0 + cos * k as f32 - sin * across(k), 90.0 + sin * k as f32 + cos * across(k)];
             let mut rows = Rows::default();
@@ -180,7 +181,7 @@ mod tests {
                 |i: usize| Station { at: [200.0 + cos * i as f32, 90.0 + sin * i as f32], tangent: [cos, sin] };
             for i in reach..count - reach {
                 let (found, error) = even.across(&rows, i, &[station(i)])[0];
-                // The same as one of several.
+                // The same station as one of several.
                 let from = (i - i % LANES).max(reach);
                 let together: Vec<Station> = (from..=i).map(station).collect();
                 let again = even.across(&rows, from, &together)[i - from];
@@ -216,7 +217,7 @@ mod tests {
                     let weight = |k: usize| 1.0 - (k.abs_diff(row) as f32 / (reach + 1) as f32).powi(2);
                     let near = near.map(|k| (k as f32 - row as f32, across[k], weight(k)));
                     let told = Parabola::through(near, 100.0);
-                    // Where few places lie far aside the one tells it and the other does not.
+                    // For a few points far aside one method may give a parabola and the other none.
                     let Some((found, told)) = found.zip(told).filter(|(_, told)| told.variance < 10.0) else {
                         assert!(told.is_none_or(|told| told.variance > 3.0), "{row} of {count}: {told:?}");
                         continue;

@@ -10,25 +10,25 @@ use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge, make
 use crate::Frame;
 use std::f32::consts::PI;
 
-/// Widths tried at a start of unknown width: level and pixels of it.
+/// Widths tried at a start of unknown width: level, and pixels of that level.
 const WIDTHS: [(usize, f32); 7] = [(0, 3.0), (0, 5.0), (1, 5.0), (2, 5.0), (3, 5.0), (4, 5.0), (5, 5.0)];
-/// A joint is followed on the level on which it is narrower than this, pixels.
+/// Upper limit of the width on the level on which a joint is followed, pixels.
 const WIDE: f32 = 7.0;
-/// Part of the strength of the strongest width that the narrowest has at least.
+/// Minimum strength of the narrowest width, as a part of that of the strongest.
 const NOT_MUCH_LESS: f32 = 0.5;
-/// What is this many standard deviations deep at the start ...
+/// A width is clearly a line if its depth is this many standard deviations at the start ...
 const CLEAR: f32 = 6.0;
-/// ... and this part of the depth of the deepest width is sure to be a line.
+/// ... and this part of the depth of the deepest width.
 const NEARLY_DEEPEST: f32 = 0.7;
-/// What is this many times as deep as what is wider, and this many standard deviations, is a line in a dark strip.
+/// A line in a dark strip is this many times as deep as the wider strip, and this many standard deviations.
 const TWICE: f32 = 1.8;
 const DEEP: f32 = 3.5;
-/// Least and most width, pixels of the frame.
+/// Minimum and maximum width, pixels of the frame.
 const WIDTH: (f32, f32) = (1.0, 400.0);
-/// Part of the frame's shorter side that is coasted over if nothing else is said.
+/// Default gap that is coasted over, as a part of the frame's shorter side.
 const GAP: f32 = 0.2;
 
-/// Follows joints; keeps its buffers from frame to frame.
+/// Follows joints; reuses its buffers from frame to frame.
 #[derive(Debug, Clone)]
 pub struct Follower {
     options: Options,
@@ -36,17 +36,17 @@ pub struct Follower {
     trail: Trail,
     pub(super) midline: Midline,
     rims: Rims,
-    /// A start of unknown width is looked for with widths below this, pixels, and found narrower than this by a part.
+    /// Upper limit of the widths tried at a start of unknown width, pixels; the result is below [`NARROWER`] times it.
     pub(super) narrower: f32,
-    /// Where something may hide the joint.
+    /// Place at which an object may hide the joint.
     pub(super) hidden: Option<Hidden>,
     pub(super) joint: Joint,
-    /// The joint as it was found before it was tried again.
+    /// The joint as found before the second attempt.
     pub(super) before: Joint,
 }
 
 impl Follower {
-    /// A follower with its buffers.
+    /// Creates a follower.
     #[must_use]
     pub fn new(options: Options) -> Self {
         let joint = Joint { rows: Vec::new(), end: End::Lost };
@@ -65,8 +65,10 @@ impl Follower {
         }
     }
 
-    /// The joint in `frame` from `start`. A start outside the frame or zone, or not finite, gives no rows and
-    /// [`End::LeftImage`]; a start where no joint is to be seen ends as [`End::Lost`], without rows or with rows that are not confident.
+    /// Follows the joint in `frame` from `start`.
+    ///
+    /// A start outside the frame or zone, or not finite, gives no rows and [`End::LeftImage`]. A start without a
+    /// visible joint gives [`End::Lost`], with no rows or only unconfident ones.
     pub fn follow(&mut self, frame: &Frame, start: &Start) -> &Joint {
         let inside = Inside::new(frame, self.options.zone);
         let finite = start.x.is_finite() && start.y.is_finite() && start.direction.is_finite();
@@ -75,7 +77,7 @@ impl Follower {
             self.joint.end = End::LeftImage;
             return &self.joint;
         }
-        // A single row or column shows no joint, and there is nothing between its pixels.
+        // A single row or column shows no joint and has no points between pixels.
         if frame.width() < 2 || frame.height() < 2 {
             self.joint.rows.clear();
             self.joint.end = End::Lost;
@@ -91,26 +93,26 @@ impl Follower {
         &self.joint
     }
 
-    /// A later frame of this size is not to allocate, whatever it shows.
+    /// Reserves capacity, so that later frames of this size do not allocate.
     fn make_room(&mut self, frame: &Frame) {
         let rows = self.longest(frame) as usize + ROWS + (frame.width() + frame.height()) / 2;
         self.trail.make_room(rows);
         self.midline.make_room(rows);
         self.rims.make_room(rows >> rims::FINER);
         self.levels.make_room(frame, WIDE);
-        // What is found again is put behind what was sure.
+        // Rows of a second attempt are appended to the confident ones.
         make_room(&mut self.joint.rows, 2 * rows);
         make_room(&mut self.before.rows, 2 * rows);
     }
 
-    /// The longest path, pixels.
+    /// Returns the maximum path length, pixels.
     fn longest(&self, frame: &Frame) -> f32 {
         let sum = (frame.width() + frame.height()) as f32;
         self.options.length.unwrap_or(2.0 * sum).clamp(0.0, 16.0 * sum)
     }
 
-    /// Follows; what the joint looks like at its start, if one is there, and where it is followed last. It ends as lost, without rows,
-    /// if where it is seen last is less than `least` pixels away.
+    /// Follows the joint and returns its look at the start and at the last strip; `None` if there is no joint at the
+    /// start. The result is [`End::Lost`] without rows if the last seen row is less than `least` pixels away.
     pub(super) fn follow_in(&mut self, frame: &Frame, start: &Start, inside: &Inside, least: f32) -> Option<[Look; 2]> {
         self.joint.rows.clear();
         self.joint.end = End::Lost;
@@ -120,7 +122,7 @@ impl Follower {
         Some([first, last])
     }
 
-    /// Level, width, heading and depth at the start, if a joint is there: ahead or, as a tack may lie ahead, behind.
+    /// Measures the joint at the start: ahead or, as a tack may lie ahead, behind.
     fn begin(&mut self, frame: &Frame, start: &Start) -> Option<Look> {
         let coarsest = Levels::coarsest(frame);
         self.levels.prepare(frame, known_width(start).map_or(coarsest, |w| on_level(w, coarsest).0));
@@ -132,8 +134,8 @@ impl Follower {
         Some(look)
     }
 
-    /// What is seen from the start in a direction. `within`: only strips that stay in the frame count, others go on beyond
-    /// its rim.
+    /// Looks from the start in a direction. `within`: only strips inside the frame count; otherwise they may cross its
+    /// border.
     fn look(&mut self, frame: &Frame, start: &Start, heading: f32, within: bool) -> Option<Look> {
         let coarsest = Levels::coarsest(frame);
         let level_of = |width: f32| match self.levels.covered() {
@@ -165,7 +167,7 @@ impl Follower {
         let picture = self.levels.picture(frame, level);
         let at = [start.x, start.y].map(|v| to_level(v, level));
         let axis = Axis { at, heading: best.axis.heading, curvature: 0.0 };
-        // Next to the edge of a shadow a wide joint may not be seen with its width itself.
+        // Next to the edge of a shadow a wide joint may be invisible at its measured width.
         self.trail.look(&picture, axis, width, level).or((level >= COARSE && level == best.level).then_some(best))
     }
 
@@ -205,7 +207,7 @@ impl Follower {
     }
 }
 
-/// Rows of the frame from those of the level.
+/// Converts rows of the level to rows of the frame.
 fn tell(
     midline: &Midline,
     picture: &Picture,
@@ -214,7 +216,7 @@ fn tell(
     out: &mut Vec<Row>,
 ) -> End {
     let scale = (1 << level) as f32;
-    // What is told to end is there up to its end, though groups of rows there show less of it.
+    // A joint with a reported end is seen up to it, although groups of rows there show less of it.
     let to_end =
         midline.rows[..rows].iter().rposition(|found| found.seen).filter(|_| end == End::JointEnd).unwrap_or(rows);
     for (i, found) in midline.rows[..rows].iter().enumerate() {
@@ -239,14 +241,14 @@ fn tell(
     judge::corners(out);
     judge::lone(out);
     match end {
-        // What is nowhere sure is not known to lead out of the frame.
+        // An exit from the frame is not reported, as no row is confident.
         End::LeftImage if out.iter().all(|r| r.confidence < CONFIDENT) => End::Lost,
         End::JointEnd if is_short => End::Lost,
         end => end,
     }
 }
 
-/// Puts coasted rows on the straight line between the seen ones before and after: what the best path does there is chance.
+/// Interpolates coasted rows between the seen ones before and after; the best path there is random.
 fn bridge(rows: &mut [Row]) {
     let mut before = None;
     for i in 0..rows.len() {
@@ -263,7 +265,7 @@ fn bridge(rows: &mut [Row]) {
     }
 }
 
-/// Puts the last row where the joint ends, so many rows after the first one.
+/// Places the last row at the end of the joint, `at` rows after the first one.
 fn place_end(rows: &mut Vec<Row>, at: f32) {
     rows.truncate((at.max(1.0) as usize + 1).max(2));
     let beyond = at - (rows.len() - 1) as f32;
@@ -273,8 +275,9 @@ fn place_end(rows: &mut Vec<Row>, at: f32) {
     }
 }
 
-/// The narrowest of the widths for which more speaks than for its neighbours, and not much less than for any: what is wider
-/// still is the joint's surroundings. What stands out far from the noise and is deeper than all that is wider needs no more.
+/// Selects the narrowest width that is stronger than its neighbours and not much weaker than the strongest. Wider ones
+/// are the joint's surroundings. A width that is clearly above the noise and deeper than the next wider one is taken at
+/// once.
 fn narrowest(looks: &[Option<Look>]) -> Option<Look> {
     let depth = |look: &Option<Look>| look.map_or(0.0, |l| l.contrast);
     let deepest = looks.iter().map(depth).fold(0.0, f32::max);
@@ -289,23 +292,23 @@ fn narrowest(looks: &[Option<Look>]) -> Option<Look> {
     let strength = |k: usize| looks.get(k).copied().flatten().map_or(0.0, |l| l.strength);
     let most = (0..looks.len()).map(strength).fold(0.0, f32::max);
     let found = (0..looks.len()).find(|k| strength(*k) > strength(k + 1) && strength(*k) >= NOT_MUCH_LESS * most)?;
-    // A line in a dark strip: what is twice as deep and narrower is it.
+    // A line in a dark strip: a narrower width that is about twice as deep is the joint.
     let deep = |look: &&Look| look.contrast > DEEP * look.noise && look.contrast > TWICE * depth(&looks[found]);
     looks[..found].iter().flatten().find(deep).copied().or(looks[found])
 }
 
-/// The width that a start tells, pixels of the frame.
+/// Returns the given width of a start, pixels of the frame.
 pub(super) fn known_width(start: &Start) -> Option<f32> {
     start.width.filter(|w| w.is_finite() && *w > 0.0).map(|w| w.clamp(WIDTH.0, WIDTH.1))
 }
 
-/// The level on which a width is narrow, and the width there.
+/// Returns the level on which a width is narrow, and the width there.
 fn on_level(width: f32, coarsest: usize) -> (usize, f32) {
     let level = (0..=coarsest).find(|l| width / ((1 << l) as f32) < WIDE).unwrap_or(coarsest);
     (level, (width / (1 << level) as f32).min(WIDE))
 }
 
-/// Frame and zone.
+/// The part of the frame inside the zone.
 pub(super) struct Inside {
     zone: Zone,
 }
@@ -324,7 +327,7 @@ impl Inside {
         Self { zone }
     }
 
-    /// How far a place in it is from its nearest rim, pixels.
+    /// Returns the distance of an inside point from the nearest border, pixels.
     pub(super) fn to_rim(&self, [x, y]: [f32; 2]) -> f32 {
         let Zone { left, top, right, bottom } = self.zone;
         (x - left).min(right - x).min(y - top).min(bottom - y)

@@ -3,42 +3,42 @@ use super::midline::Found;
 use super::{CONFIDENT, End, Row, State};
 use std::ops::Range;
 
-// Each of these alone makes a row half confident.
-/// Nats by which the path is likelier than any other.
+// At the limit, each of these alone halves a row's confidence.
+/// Log likelihood ratio of the path to the best path elsewhere, nats.
 const MARGIN: f32 = 10.0;
-/// Nats by which a joint is likelier than none.
+/// Log likelihood ratio of a joint to no joint, nats.
 const STRENGTH: f32 = 5.0;
 /// Standard error, pixels.
 const ERROR: f32 = 0.56;
-/// How unlike the rest of the joint.
+/// Difference from the rest of the joint.
 const UNLIKE: f32 = 1.45;
 /// Asymmetry of the valley, pixels.
 const ASYMMETRY: f32 = 1.15;
-/// How far a row is off the smooth line through others, beyond its standard error, pixels.
+/// Offset of a row from the smooth line through others, beyond its standard error, pixels.
 const BUMP: f32 = 1.5;
 
-/// Rows that tell the way before and behind a gap ...
+/// Rows over which the heading before and behind a gap is measured ...
 const HEADING: usize = 16;
-/// ... and by how much it turns at most at its rims, rad, and for each pixel of it.
+/// ... and the maximum turn at its rims, rad, and per pixel of it.
 const KINK: f32 = 0.25;
 const KINK_OVER: f32 = 0.006;
-/// A narrow line that turns by so much in all at each of its gaps, in the mean, is scratches beside each other, rad.
+/// Mean turn per gap above which a narrow line is a row of scratches, rad.
 const JUMPS: f32 = 0.2;
-/// Stretches before and behind a gap are at least this part as deep as each other.
+/// Minimum ratio of the depths of the stretches before and behind a gap.
 const AS_DEEP: f32 = 0.5;
-/// A stretch is much longer than another one if it is longer than so many of it.
+/// A stretch is much longer than another one above this ratio.
 const MUCH_LONGER: usize = 3;
-/// A scratch that meets another one turns so much more sharply than its own bend, rad.
+/// Turn beyond its own bend at which a scratch meets another one, rad.
 const SHARP: f32 = 0.2;
-/// Between sure rows a joint turns by more than this only in a bend without a corner sharper than that, rad.
+/// Turn between confident rows above which a corner is searched, and the angle of such a corner, rad.
 const TURNED: f32 = 0.4;
 const CORNER: f32 = 0.6;
-/// A row that is narrower than this part of the sure ones' mean shows a part of the joint.
+/// A row narrower than this part of the confident rows' mean width shows only a part of the joint.
 const NARROWED: f32 = 0.62;
-/// Rows next to one across which the light steps: its edge may lie beside the joint there, or be taken for it.
+/// Rows next to a light step that lose confidence: its edge may lie beside the joint or be mistaken for it.
 const STEP: usize = 16;
 
-/// How sure a row is by itself, `scale` pixels of the frame to one of its level.
+/// Returns the confidence of a single row. `scale`: pixels of the frame per pixel of the level.
 pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
     if !found.seen || !whole {
         return 0.0;
@@ -51,47 +51,47 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
         found.asymmetry * scale / ASYMMETRY,
         (found.bump - found.error).max(0.0) * scale / BUMP,
     ];
-    // The greatest doubt counts most.
+    // The cubes make the largest doubt dominate.
     1.0 / (1.0 + doubts.iter().map(|d| d.powi(3)).sum::<f32>())
 }
 
-/// Confidence of rows that are seen but not sure, at most.
+/// Maximum confidence of rows that are seen but doubtful.
 const UNSURE: f32 = 0.4;
-/// A line that ends and of which less than this is seen may be a scratch, pixels ...
+/// A line that ends may be a scratch if it is seen for less than this, pixels ...
 const SHORT: f32 = 170.0;
-/// ... and one that is narrow, if less than this is.
+/// ... or, if it is narrow, for less than this.
 const SHORT_AND_NARROW: f32 = 210.0;
-/// Of a joint at least this part is seen; scratches one after the other have longer gaps.
+/// Minimum part of a joint that is seen; rows of scratches have longer gaps.
 const MOSTLY_SEEN: f32 = 0.7;
-/// Fewer than this part of the rows that are seen are chance.
+/// Minimum part of confident rows among the seen ones; fewer are random.
 const FEW: f32 = 0.33;
-/// Fewer rows than this that are sure among others that are not are chance.
+/// Minimum run of confident rows among others; shorter runs are random.
 const LONE: usize = 9;
-/// Scratches are narrower than this, pixels.
+/// Maximum width of a scratch, pixels.
 const NARROW: f32 = 3.5;
 
-/// Rows next to a gap or a loss that are not sure: what is seen there is in part beyond it.
+/// Rows next to a gap or a loss that lose confidence, as they partly show what lies beyond.
 const RIM: usize = 13;
-/// The same behind the start.
+/// Rows behind the start that lose confidence.
 const START_RIM: usize = 6;
-/// The same where the joint is seen to end.
+/// Rows before a detected end that lose confidence.
 const END_RIM: usize = 2;
 
-/// Takes the confidence from rows from `solid` on, and from all if too few of them are seen.
+/// Lowers the confidence of rows from `solid` on, and of all rows if too few of them are seen.
 pub(super) fn doubtful(rows: &mut [Row], solid: usize) {
     let seen = rows.iter().filter(|r| r.state == State::Seen).count();
     let from = if (seen as f32) < MOSTLY_SEEN * rows.len() as f32 { 0 } else { solid.min(rows.len()) };
     rows[from..].iter_mut().for_each(unsure);
 }
 
-/// Takes the confidence from a few rows that have it among others that do not: they look like the joint by chance.
+/// Lowers the confidence of short confident runs among other rows, which look like the joint by chance.
 pub(super) fn lone(rows: &mut [Row]) {
     let sure = |row: &Row| row.confidence >= CONFIDENT;
     let runs = rows.chunk_by_mut(|a, b| sure(a) == sure(b));
     runs.filter(|run| run.len() < LONE).for_each(|run| run.iter_mut().for_each(unsure));
 }
 
-/// Takes the confidence from all rows if few of those that are seen have it: of what is no joint some rows look like one by chance.
+/// Lowers the confidence of all rows if few of the seen ones are confident: some rows of any texture look like a joint.
 pub(super) fn few(rows: &mut [Row]) {
     let seen = rows.iter().filter(|r| r.state == State::Seen).count();
     let sure = rows.iter().filter(|r| r.confidence >= CONFIDENT).count();
@@ -100,13 +100,13 @@ pub(super) fn few(rows: &mut [Row]) {
     }
 }
 
-/// Takes the confidence from rows next to gaps and ends.
+/// Lowers the confidence of rows next to gaps and ends.
 pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
     let count = rows.len();
     let sure_from = if on_joint || end == End::Closed { 0 } else { START_RIM };
     rows[..sure_from.min(count)].iter_mut().for_each(unsure);
-    // What is found again may be something else: as many rows as were missed, in this gap and before, are not sure, unless it
-    // goes on for longer.
+    // Rows behind a gap may belong to another line. As many of them as were missed so far lose confidence, unless the
+    // stretch is longer than that.
     let (mut from, mut missed) = (0, 0);
     while let Some(gap) = (from..count).find(|i| rows[*i].state == State::Coasted) {
         let seen = (gap..count).find(|i| rows[*i].state == State::Seen).unwrap_or(count);
@@ -127,9 +127,9 @@ pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
     }
 }
 
-/// Takes the confidence from the stretches before and behind a gap at which the way turns more sharply than a joint may, or that
-/// are not as deep as each other: one of them, the shorter if it is much shorter, is something else. And from all of a narrow line
-/// that turns at each of its gaps.
+/// Lowers the confidence of the stretches at a gap where the path turns too sharply or the depths differ too much. Only
+/// the shorter one is affected if it is much shorter. A narrow line that turns at each of its gaps loses all
+/// confidence.
 pub(super) fn gaps(rows: &mut [Row], found: &[Found]) {
     let gap_from = |rows: &[Row], from: usize| {
         let missed = |i: &usize| rows[*i..].iter().take(RIM).all(|r| r.state == State::Coasted);
@@ -145,7 +145,7 @@ pub(super) fn gaps(rows: &mut [Row], found: &[Found]) {
             let turns = turns(rows, &first, &second);
             (turned, jumps) = (turned + turns[0] + turns[1], jumps + 1);
             if is_kinked(turns, rows[gap - 1], rows[seen]) || differ(found, (&first, &second)) {
-                // What is much longer is the joint.
+                // A much longer stretch is the joint.
                 let wrong = match (first.len(), second.len()) {
                     (a, b) if a > MUCH_LONGER * b => second,
                     (a, b) if b > MUCH_LONGER * a => first,
@@ -161,12 +161,12 @@ pub(super) fn gaps(rows: &mut [Row], found: &[Found]) {
     }
 }
 
-/// True if most of it is no wider than a scratch.
+/// Returns true if most rows are no wider than a scratch.
 fn is_narrow(rows: &[Row]) -> bool {
     rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2
 }
 
-/// True if the joint is much deeper in one stretch than in the other.
+/// Returns true if the joint is much deeper in one stretch than in the other.
 fn differ(found: &[Found], stretches: (&Range<usize>, &Range<usize>)) -> bool {
     let depth = |rows: &Range<usize>| {
         let seen = found[rows.clone()].iter().filter(|f| f.seen);
@@ -177,7 +177,7 @@ fn differ(found: &[Found], stretches: (&Range<usize>, &Range<usize>)) -> bool {
     a.min(b) < AS_DEEP * a.max(b)
 }
 
-/// How much the way from one stretch over a gap into the next one turns at either, rad.
+/// Returns the turns at both rims of the gap between two stretches, rad.
 fn turns(rows: &[Row], first: &Range<usize>, second: &Range<usize>) -> [f32; 2] {
     let (last, next) = (rows[first.end - 1], rows[second.start]);
     let over = way(last, next);
@@ -186,18 +186,18 @@ fn turns(rows: &[Row], first: &Range<usize>, second: &Range<usize>) -> [f32; 2] 
     [bend::turn(into, over).abs(), bend::turn(over, out).abs()]
 }
 
-/// The way from one row to another.
+/// Returns the vector from one row to another.
 fn way(from: Row, to: Row) -> [f32; 2] {
     [to.x - from.x, to.y - from.y]
 }
 
-/// True if either is too sharp for a joint, for a gap between these rows.
+/// Returns true if a turn is too sharp for a joint with a gap between these rows.
 fn is_kinked(turns: [f32; 2], last: Row, next: Row) -> bool {
     let most = KINK + KINK_OVER * last.away(&next);
     turns.iter().any(|turn| *turn > most)
 }
 
-/// Takes the confidence from rows near a step of the light.
+/// Lowers the confidence of rows near a light step.
 pub(super) fn steps(rows: &mut [Row], found: &[Found]) {
     for (i, _) in found.iter().enumerate().filter(|(_, f)| f.stepped) {
         let to = (i + STEP + 1).min(rows.len());
@@ -205,7 +205,8 @@ pub(super) fn steps(rows: &mut [Row], found: &[Found]) {
     }
 }
 
-/// Takes the confidence from rows that are much narrower than sure ones are in the mean: an edge of light has cut off a part of the joint.
+/// Lowers the confidence of rows much narrower than the confident rows' mean: an edge of light has cut off a part of
+/// the joint.
 pub(super) fn narrowed(rows: &mut [Row]) {
     let sure = rows.iter().filter(|r| r.confidence >= CONFIDENT);
     let (sum, count) = sure.fold((0.0, 0.0), |(sum, count), row| (sum + row.width, count + 1.0));
@@ -216,7 +217,7 @@ fn unsure(row: &mut Row) {
     row.confidence = row.confidence.min(UNSURE);
 }
 
-/// Takes the confidence from what is behind a corner among rows that are not sure: where joints meet, another one was followed.
+/// Lowers the confidence behind a corner among unconfident rows: at a junction another joint was followed.
 pub(super) fn corners(rows: &mut [Row]) {
     let is_sure = |row: &Row| row.confidence >= CONFIDENT;
     let mut from = 0;
@@ -231,8 +232,8 @@ pub(super) fn corners(rows: &mut [Row]) {
     }
 }
 
-/// Takes the confidence from a line of which no stretch without a long gap is longer than a scratch; true if the whole of it is
-/// not.
+/// Lowers the confidence of a line without a stretch longer than a scratch. Returns true if the whole line is shorter
+/// than a scratch too.
 pub(super) fn length(rows: &mut [Row], end: End) -> bool {
     if !matches!(end, End::JointEnd | End::Lost) {
         return false;
@@ -251,7 +252,7 @@ pub(super) fn length(rows: &mut [Row], end: End) -> bool {
         }
     }
     let least = if narrow { SHORT_AND_NARROW } else { SHORT };
-    // What does not begin at the start may be a scratch beside it, or several.
+    // A line that begins behind the start may be a scratch beside it, or several.
     let apart = rows.iter().take(RIM).all(|r| r.state == State::Coasted);
     let least = if apart { 2.0 * least } else { least };
     if longest < least {
@@ -260,19 +261,19 @@ pub(super) fn length(rows: &mut [Row], end: End) -> bool {
     whole < least
 }
 
-/// True where the way before row `i` and the way behind it are straighter than the turn between them.
+/// Returns true if the path turns at row `i` more sharply than by its own bend.
 fn is_angle(rows: &[Row], i: usize) -> bool {
     angle(rows, i) > SHARP
 }
 
-/// The angle between the way before row `before` and that from row `from` on, rad.
+/// Returns the angle between the path before row `before` and the path from row `from` on, rad.
 fn turn_over(rows: &[Row], before: usize, from: usize) -> f32 {
     let last = rows.len() - 1;
     let into = way(rows[before.saturating_sub(1 + HEADING)], rows[before - 1]);
     bend::turn(into, way(rows[from], rows[(from + HEADING).min(last)])).abs()
 }
 
-/// By how much the way turns at row `i` beyond its bend before and behind it, rad.
+/// Returns the turn of the path at row `i` beyond its bend before and behind, rad.
 fn angle(rows: &[Row], i: usize) -> f32 {
     if i < bend::REACH || i + bend::REACH >= rows.len() {
         return 0.0;
@@ -319,7 +320,7 @@ mod tests {
             corners(&mut rows);
             assert_eq!(sure(&rows), left, "{turn}");
         }
-        // A bend of the same turn, and a way that comes back to where it went.
+        // A bend of the same turn, and a path that returns to its direction.
         let bend: Vec<_> = (0..80).map(|i| (1, 0.01 * i as f32, no)).collect();
         let mut rows = along(&[&[(60, 0.0, yes)], &bend[..], &[(60, 0.8, yes)]].concat(), 6.0);
         corners(&mut rows);

@@ -3,25 +3,25 @@ use super::strip::{COLS, GROUP, Line, MID, Strip, greater, greatest, lesser};
 use crate::aligned::Aligned;
 use crate::wide::{Simd, Work, wide};
 
-/// What a step to the next column costs, nats.
+/// Cost of a step to the next column, nats.
 const MOVE: f32 = 2.5;
-/// One row tells at most this much for a joint, nats: a scratch does not outweigh many rows ...
-const MOST: f32 = 3.0;
-/// ... and this much against it: something may lie on it.
-const LEAST: f32 = -1.0;
-/// What is nearly so many times as deep as the joint is something else. (Where two cross it is twice as deep.)
+/// Maximum evidence of one row for a joint, nats: a scratch does not outweigh many rows ...
+const MAX_EVIDENCE: f32 = 3.0;
+/// ... and the minimum: an object may lie on the joint.
+const MIN_EVIDENCE: f32 = -1.0;
+/// A line nearly this many times as deep as the joint is something else. (Two crossing joints are twice as deep.)
 const TOO_DEEP: f32 = 3.5;
-/// Out of reach.
+/// Score of unreachable places.
 const NEVER: f32 = -1e6;
 
-/// The columns of a strip in which a joint is looked for: there is a depth in no other, but for the narrowest joints.
+/// Columns of a strip in which a joint is searched. Others have no depth, except for the narrowest joints.
 const FROM: usize = 8;
 const SPAN: usize = COLS - 2 * FROM;
-/// One value for each of them.
+/// One value per searched column.
 type Span = Aligned<SPAN>;
 
-/// Paths across the rows of a strip, one column a row, and how likely they are: the logarithm of the ratio of
-/// likelihoods with a joint and without one, less what their moves cost.
+/// Paths across the rows of a strip, one column per row, with their scores. A score is the log likelihood ratio with
+/// and without a joint, less the cost of the moves, nats.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Lattice {
     evidence: Vec<Span>,
@@ -29,19 +29,20 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
-    /// Room for so many rows.
+    /// Reserves capacity for this many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
         for spans in [&mut self.evidence, &mut self.forward] {
             make_room(spans, rows);
         }
     }
 
-    /// The evidence of a row for a joint in a column.
+    /// Returns the evidence of a row for a joint in a column.
     pub(super) fn evidence(&self, row: usize, column: usize) -> f32 {
         self.evidence[row][column - FROM]
     }
 
-    /// The best path across a strip and its score, of a joint so deep in each row. `cost` of beginning in a column.
+    /// Finds the best path across a strip and returns its score. `contrast`: the joint's depth in each row; `cost`: the
+    /// cost of each start column, nats.
     pub(super) fn best(
         &mut self,
         strip: &Strip,
@@ -54,7 +55,7 @@ impl Lattice {
         path.clear();
         path.resize(self.forward.len(), MID);
         let Some(last) = self.forward.last() else { return NEVER };
-        // Of equal ends the one nearest to the axis.
+        // Of equal ends the one nearest to the axis wins.
         let mut at = (0..SPAN).fold(MIDDLE, |at, j| {
             let nearer = j.abs_diff(MIDDLE) < at.abs_diff(MIDDLE);
             if last[j] > last[at] || (last[j] >= last[at] && nearer) { j } else { at }
@@ -74,7 +75,8 @@ impl Lattice {
         score
     }
 
-    /// How much worse the best path is that keeps away from column `path[i]` by more than `away` in row i, nats.
+    /// Computes the margin of each row: the score above the best path more than `away` columns from `path[i]` in row i,
+    /// nats.
     pub(super) fn margins(&self, path: &[usize], away: usize, margins: &mut Vec<f32>) {
         margins.clear();
         margins.resize(path.len(), 0.0);
@@ -87,7 +89,7 @@ impl Lattice {
         self.forward.resize(rows, Span::default());
         let (first, last) = strip.columns;
         let columns = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
-        // Groups overlap: each row counts once.
+        // Groups of rows overlap; the division counts each row once.
         let rows_counted = (2 * GROUP + 1) as f32;
         let least = 1.0 / (rows_counted * strip.noise * strip.noise);
         let Self { evidence, forward } = self;
@@ -95,8 +97,8 @@ impl Lattice {
     }
 }
 
-/// The evidence of each place of each row by its depth for a joint so deep there, and the best way to it from the scores `begin` of ways
-/// to begin. (Each row waits for the one before: what else there is to do is done meanwhile.)
+/// Forward pass: evidence of each place by its depth, and the best score to reach it from the start scores `begin`.
+/// (Each row waits for the one before; the evidence is computed meanwhile.)
 struct Forward<'a, C> {
     depth: &'a [Line],
     evidence: &'a mut [Span],
@@ -119,14 +121,14 @@ impl<C: Fn(usize) -> f32> Work for Forward<'_, C> {
     }
 }
 
-/// The evidence of the places of a row for a joint so deep.
+/// Computes the evidence of a row's places for a joint of this depth.
 #[inline(always)]
 fn weigh(evidence: &mut Span, depth: &Line, contrast: f32, (first, last): (usize, usize), least: f32) {
-    // At the joint's own depth the evidence is no more than the most: it peaks there.
-    let part = least.min(2.0 * MOST / (contrast * contrast));
+    // The factor limits the evidence at the joint's own depth to the maximum.
+    let part = least.min(2.0 * MAX_EVIDENCE / (contrast * contrast));
     for (evidence, depth) in evidence.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
         let depth = lesser(*depth, TOO_DEEP * contrast - depth);
-        *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
+        *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(MIN_EVIDENCE, MAX_EVIDENCE);
     }
     evidence[..first].fill(NEVER);
     evidence[last + 1..].fill(NEVER);
@@ -160,10 +162,11 @@ impl Work for Margins<'_> {
     }
 }
 
-/// The scores of the best ways to each place of a row, between two columns out of reach: none of the others is a case of its own.
+/// Scores of the best paths to each place of a row, between two unreachable columns, so that borders need no special
+/// case.
 struct Ways {
     scores: [f32; SPAN + 2],
-    /// Before the first row: what is there is where ways begin.
+    /// Before the first row: the scores are those of the start columns.
     at_begin: bool,
 }
 
@@ -175,7 +178,7 @@ impl Ways {
         Self { scores, at_begin: true }
     }
 
-    /// The scores in the next row.
+    /// Advances to the next row and returns its scores.
     #[inline(always)]
     fn go_on(&mut self, evidence: &Span) -> Span {
         let Self { scores, at_begin } = self;
@@ -189,13 +192,13 @@ impl Ways {
     }
 }
 
-/// The best that leads to a place from the columns to the left, below and to the right.
+/// Returns the best score that reaches a place from the columns to the left, below and to the right.
 #[inline(always)]
 fn arrive(left: f32, here: f32, right: f32) -> f32 {
     greater(here, greater(left, right) - MOVE)
 }
 
-/// The mean column of a path over the rows within `reach` of row `i`.
+/// Returns the mean column of a path over the rows within `reach` of row `i`.
 pub(super) fn column_about(path: &[usize], i: usize, reach: usize) -> f32 {
     let near = &path[i.saturating_sub(reach)..(i + reach + 1).min(path.len())];
     near.iter().sum::<usize>() as f32 / near.len() as f32
@@ -206,7 +209,7 @@ mod tests {
     use super::*;
     use crate::testing::random;
 
-    /// The best score of all paths that are at a column of their own in one row, by trying each step from each column.
+    /// Best score by exhaustive dynamic programming, over all paths in allowed columns of one row.
     fn best_through(
         evidence: &[[f64; SPAN]],
         cost: &[f64; SPAN],
@@ -239,15 +242,16 @@ mod tests {
                 let (contrast, depth) = (f64::from(contrast[i]), f64::from(strip.depth[i][j + FROM]));
                 let depth = depth.min(f64::from(TOO_DEEP) * contrast - depth);
                 let variance = 9.0 * f64::from(strip.noise).powi(2);
-                let part = (1.0 / variance).min(2.0 * f64::from(MOST) / contrast.powi(2));
-                let told = (contrast * (depth - 0.5 * contrast) * part).clamp(f64::from(LEAST), f64::from(MOST));
+                let part = (1.0 / variance).min(2.0 * f64::from(MAX_EVIDENCE) / contrast.powi(2));
+                let told = (contrast * (depth - 0.5 * contrast) * part)
+                    .clamp(f64::from(MIN_EVIDENCE), f64::from(MAX_EVIDENCE));
                 if (9..COLS - 9).contains(&(j + FROM)) { told } else { f64::from(NEVER) }
             };
             let all: Vec<[f64; SPAN]> = (0..rows).map(|i| std::array::from_fn(|j| evidence(i, j))).collect();
             let cost: [f64; SPAN] = (*costs).map(f64::from);
             let best = best_through(&all, &cost, (0, &|_| true));
             assert!((f64::from(score) - best).abs() < 1e-3, "{score} {best}");
-            // The path is one of that score.
+            // The path has this score.
             let moves = path.windows(2).map(|pair| pair[0].abs_diff(pair[1]));
             assert!(moves.clone().all(|step| step <= 1), "{path:?}");
             let moved = f64::from(MOVE) * moves.sum::<usize>() as f64;
@@ -258,7 +262,7 @@ mod tests {
             for (i, margin) in margins.iter().enumerate() {
                 let here = best_through(&all, &cost, (i, &|j| j.abs_diff(path[i] - FROM) <= 2));
                 let elsewhere = best_through(&all, &cost, (i, &|j| j.abs_diff(path[i] - FROM) > 2));
-                // Out of reach numbers are coarse.
+                // Scores of unreachable places are coarse numbers.
                 let told = here - elsewhere;
                 assert!((f64::from(*margin) - told).abs() < 1e-3 || told > 1e5, "{margin} {told}");
             }

@@ -3,20 +3,20 @@ use super::top_hat::TopHat;
 use crate::wide::{Simd, Work, wide};
 use crate::{Frame, Pixels};
 
-/// Times a frame is halved at most.
-pub(super) const MOST: usize = 5;
-/// A level has at least this many pixels a side.
-const LEAST_SIDE: usize = 32;
+/// Maximum number of halvings.
+pub(super) const MAX_HALVINGS: usize = 5;
+/// Minimum side of a level, pixels.
+const MIN_SIDE: usize = 32;
 
-/// A frame halved again and again: on one level each joint is some pixels wide, and noise is averaged over the rest.
+/// Image pyramid: on one level each joint is a few pixels wide, and noise is averaged over the rest.
 #[derive(Debug, Clone)]
 pub(super) struct Levels {
-    /// The levels up to this one are those of the frame.
+    /// Highest level computed for this frame.
     prepared: Option<usize>,
     halved: Vec<Halved>,
-    /// The top-hat of this level takes its place.
+    /// Level that is replaced by its top-hat.
     covered: Option<usize>,
-    /// The level, squares and depth that the top-hat was taken for since the frame began.
+    /// Level, square and depth of the current top-hat of this frame.
     taken: Option<(usize, usize, f32)>,
     top_hat: TopHat,
 }
@@ -28,7 +28,7 @@ struct Halved {
     pixels: Vec<f32>,
 }
 
-/// Grey values of a level, 0 to 255 whatever they are kept as.
+/// Grey values of a level, 0 to 255 in any format.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Picture<'a> {
     pub(super) width: usize,
@@ -44,38 +44,39 @@ pub(super) enum Grey<'a> {
     F32(&'a [f32]),
 }
 
-/// What 16 bits are divided by.
+/// Divisor from 16-bit grey values to 0 to 255.
 pub(super) const OF_16_BITS: f32 = 257.0;
 
 impl Levels {
     pub(super) fn new() -> Self {
         Self {
             prepared: None,
-            halved: vec![Halved::default(); MOST],
+            halved: vec![Halved::default(); MAX_HALVINGS],
             covered: None,
             taken: None,
             top_hat: TopHat::default(),
         }
     }
 
-    /// Another frame comes next.
+    /// Starts the next frame.
     pub(super) fn begin_frame(&mut self) {
         (self.prepared, self.covered, self.taken) = (None, None, None);
     }
 
-    /// Halves `frame` up to `level`, if that was not done since it began.
+    /// Computes the levels of `frame` up to `level`, unless already done for this frame.
     pub(super) fn prepare(&mut self, frame: &Frame, level: usize) {
         if self.prepared.is_some_and(|prepared| prepared >= level) {
             return;
         }
         self.prepared = Some(level);
-        for k in 0..level.min(MOST) {
+        for k in 0..level.min(MAX_HALVINGS) {
             let (before, rest) = self.halved.split_at_mut(k);
             let from = before.last().map_or_else(|| whole(frame), Halved::picture);
             match from.grey {
                 Grey::U8(pixels) => {
                     rest[0].halve(from.width, from.height, pixels, 0.25, |[a, b], [c, d]| {
-                        // Pairs are taken apart as one number, several of them at a time. The greatest sum is 1020.
+                        // Two 8-bit pixels are split from one 16-bit number, several at a time. The maximum sum is
+                        // 1020.
                         let [upper, lower] = [[a, b], [c, d]].map(u16::from_le_bytes);
                         f32::from((upper & 0xff) + (upper >> 8) + (lower & 0xff) + (lower >> 8))
                     });
@@ -92,7 +93,7 @@ impl Levels {
         }
     }
 
-    /// A level that was prepared; 0 is the frame itself.
+    /// Returns a prepared level; 0 is the frame itself.
     pub(super) fn picture<'a>(&'a self, frame: &Frame<'a>, level: usize) -> Picture<'a> {
         match level {
             _ if self.covered == Some(level) => self.top_hat.picture(),
@@ -101,7 +102,7 @@ impl Levels {
         }
     }
 
-    /// From now on `level` (1 at least) is its top-hat, for a joint of this width there and so many grey values deep.
+    /// Replaces `level` (1 at least) by its top-hat, for a joint of this width there and this depth, grey values.
     pub(super) fn cover(&mut self, frame: &Frame, level: usize, (width, contrast): (f32, f32)) {
         self.prepare(frame, level);
         let Halved { width: columns, height: rows, pixels } = &self.halved[level - 1];
@@ -114,17 +115,18 @@ impl Levels {
         self.covered = Some(level);
     }
 
-    /// The level that is a top-hat.
+    /// Returns the level that is replaced by its top-hat.
     pub(super) fn covered(&self) -> Option<usize> {
         self.covered
     }
 
-    /// The levels are those of the frame again.
+    /// Restores the levels of the frame.
     pub(super) fn uncover(&mut self) {
         self.covered = None;
     }
 
-    /// Room for all levels of a frame, and the top-hat of any, for joints up to so many pixels wide on theirs.
+    /// Reserves capacity for all levels of a frame and the top-hat of any, for joints up to `widest` pixels on their
+    /// level.
     pub(super) fn make_room(&mut self, frame: &Frame, widest: f32) {
         let (mut width, mut height) = (frame.width(), frame.height());
         for level in &mut self.halved {
@@ -134,10 +136,10 @@ impl Levels {
         self.top_hat.make_room((frame.width() / 2, frame.height() / 2), widest.round() as usize);
     }
 
-    /// The coarsest level that is still a picture.
+    /// Returns the coarsest usable level.
     pub(super) fn coarsest(frame: &Frame) -> usize {
         let side = frame.width().min(frame.height());
-        (0..=MOST).rev().find(|l| side >> l >= LEAST_SIDE).unwrap_or(0)
+        (0..=MAX_HALVINGS).rev().find(|l| side >> l >= MIN_SIDE).unwrap_or(0)
     }
 }
 
@@ -154,7 +156,7 @@ impl Halved {
         Picture { width: self.width, height: self.height, grey: Grey::F32(&self.pixels), is_top_hat: false }
     }
 
-    /// Sums of two by two pixels times `part`; an odd last row or column is left out.
+    /// Computes sums of two by two pixels times `part`; drops an odd last row or column.
     fn halve<P: Copy>(
         &mut self,
         width: usize,
@@ -192,13 +194,13 @@ impl<P: Copy, S: Fn([P; 2], [P; 2]) -> f32> Work for Halve<'_, P, S> {
     }
 }
 
-/// A place of the frame on a level, along one axis, and back.
+/// Converts a coordinate of the frame to a level.
 pub(super) fn to_level(at: f32, level: usize) -> f32 {
     let scale = (1usize << level) as f32;
     (at - 0.5 * (scale - 1.0)) / scale
 }
 
-/// See [`to_level`].
+/// Converts a coordinate of a level to the frame.
 pub(super) fn from_level(at: f32, level: usize) -> f32 {
     let scale = (1usize << level) as f32;
     at * scale + 0.5 * (scale - 1.0)
@@ -209,7 +211,7 @@ mod tests {
     use super::*;
     use crate::testing::random;
 
-    /// A top-hat is taken once for what stays the same, and anew for all else.
+    /// The top-hat is reused for the same key and recomputed for any other.
     #[test]
     fn a_top_hat_is_of_this_frame_level_width_and_depth() {
         let mut random = random();

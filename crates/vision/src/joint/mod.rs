@@ -1,12 +1,14 @@
-//! The joint in a frame: a dark line on lighter metal (EBW-2004), followed from a point on it in a rough direction.
+//! Joint detection: a dark line on lighter metal (EBW-2004), followed from a point on it in a rough direction.
 //!
-//! On the level of the halved frame on which the joint is a few pixels wide (`levels`), strips along the predicted,
-//! curved axis are unrolled (`axis`, `strip`) and the best path across their rows is taken (`lattice`): the way the joint
-//! goes, to a pixel or two (`trail`). Along all of that way once more: the best path by everything that is seen, how much
-//! worse any other is, and the middle between pixels (`profile`, `readings`, `midline`); then where the joint ends (`end`) and how
-//! sure each row is (`judge`); rows of wide gaps that are not sure are put between the rims (`rims`). A joint that is seen no longer is
-//! followed once more where the edges of light are gone (`again`, `top_hat`), and
-//! straight on behind what led it aside (`straight_on`).
+//! 1. Trail: on a level of the image pyramid (`levels`) the joint is a few pixels wide. Strips along the predicted,
+//!    curved axis are unrolled there (`axis`, `strip`). The best path across their rows (`lattice`) gives the joint to
+//!    a pixel or two (`trail`).
+//! 2. Midline: a second pass along the whole trail finds the best path and its margin over other paths. It then finds
+//!    the middle between pixels (`profile`, `readings`, `midline`).
+//! 3. The end of the joint (`end`) and the confidence of each row (`judge`) follow. Unconfident rows of wide gaps are
+//!    placed between the rims (`rims`).
+//! 4. A lost joint is followed again with the edges of light removed (`again`, `top_hat`). It is also followed
+//!    straight on behind the point where another line led it aside (`straight_on`).
 
 mod again;
 mod axis;
@@ -33,69 +35,69 @@ mod trail;
 
 pub use follow::Follower;
 
-/// Makes room for so many in all, so that no later frame allocates.
+/// Reserves capacity for `count` elements in all, so that later frames do not allocate.
 fn make_room<T>(list: &mut Vec<T>, count: usize) {
     list.reserve(count.saturating_sub(list.len()));
 }
 
-/// Rows with at least this confidence are called confident.
+/// Minimum confidence of a confident row.
 pub const CONFIDENT: f32 = 0.5;
 
-/// Where the joint may be looked for, pixels, rims included.
+/// Zone of the frame in which the joint may be detected, pixels; its borders belong to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zone {
-    /// Left rim.
+    /// Left border.
     pub left: f32,
-    /// Upper rim.
+    /// Upper border.
     pub top: f32,
-    /// Right rim.
+    /// Right border.
     pub right: f32,
-    /// Lower rim.
+    /// Lower border.
     pub bottom: f32,
 }
 
-/// What a follower may do.
+/// Options of a [`Follower`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Options {
-    /// Longest stretch without a joint in sight that is coasted over (a tack weld), pixels; none: a fifth of the frame's
-    /// shorter side.
+    /// Maximum stretch without a visible joint (a tack weld) that is coasted over, pixels; `None`: a fifth of the
+    /// frame's shorter side.
     pub gap: Option<f32>,
-    /// Longest path, pixels; none: twice the frame's width and height together.
+    /// Maximum path length, pixels; `None`: twice the frame's width and height together.
     pub length: Option<f32>,
-    /// Where the joint is looked for; none: in the whole frame.
+    /// Detection zone; `None`: the whole frame.
     pub zone: Option<Zone>,
-    /// The start is known to lie on the joint: a short line is no scratch.
+    /// The start is known to lie on the joint, so a short line is not taken for a scratch.
     pub on_joint: bool,
 }
 
-/// Where a joint is to be followed from.
+/// Point and direction from which a joint is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
-    /// Point on the joint, pixels to the right.
+    /// X of a point on the joint, pixels to the right.
     pub x: f32,
-    /// Pixels down.
+    /// Y of the point, pixels down.
     pub y: f32,
     /// Rough direction, rad, from x to y (clockwise as seen).
     pub direction: f32,
-    /// Full width at half depth, pixels, if it is known.
+    /// Full width at half depth, pixels, if known.
     pub width: Option<f32>,
 }
 
-/// How a row came about.
+/// Detection state of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum State {
-    /// The joint is seen.
+    /// The joint is visible.
     Seen,
-    /// It is not; the line goes on as it went.
+    /// The joint is not visible; the line continues without it.
     Coasted,
 }
 
-/// A place of the midline.
+/// A point of the midline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
-    /// Pixels to the right.
+    /// X, pixels to the right.
     pub x: f32,
-    /// Pixels down.
+    /// Y, pixels down.
     pub y: f32,
     /// 0 to 1; see [`CONFIDENT`].
     pub confidence: f32,
@@ -106,30 +108,30 @@ pub struct Row {
 }
 
 impl Row {
-    /// How far another row is from it, pixels.
+    /// Returns the distance to another row, pixels.
     fn away(&self, other: &Self) -> f32 {
         axis::length([other.x - self.x, other.y - self.y])
     }
 }
 
-/// Why a joint was followed no further.
+/// Reason why the following of a joint stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
-    /// It leaves the frame or the zone, or the longest path is reached.
+    /// The joint leaves the frame or the zone, or the maximum length is reached.
     LeftImage,
-    /// It ends: a clear line stops and clear metal follows.
+    /// The joint ends: a clear line stops and clear metal follows.
     JointEnd,
-    /// It comes back to its start.
+    /// The joint returns to its start.
     Closed,
-    /// It is seen no longer, or never was.
+    /// The joint is not visible any more, or never was.
     Lost,
 }
 
-/// The midline found in a frame.
+/// The midline of the joint found in a frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
-    /// Its places in order, about a pixel apart, or up to a third of the width of a wide joint.
+    /// Rows in order, about a pixel apart, or up to a third of the width of a wide joint.
     pub rows: Vec<Row>,
-    /// Why it ends.
+    /// Reason why the following stopped.
     pub end: End,
 }

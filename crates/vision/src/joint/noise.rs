@@ -1,32 +1,32 @@
-//! The noise of depths in a strip.
+//! Noise of the depths in a strip.
 
 use super::strip::{COLS, GROUP, Strip};
 
-/// Groups this many rows apart share none.
+/// Distance of groups without a common row, rows.
 const APART: usize = 2 * GROUP + 1;
-/// About so many rows tell the noise of a long strip.
+/// Approximate number of rows sampled from a long strip.
 const NOISE_ROWS: usize = 100;
-/// A joint so many times as deep as the noise is clear.
+/// Minimum depth of a clear joint, in standard deviations of the noise.
 const CLEAR: f32 = 10.0;
-/// A path that goes no more columns to and fro is straight.
+/// Maximum range of a straight path, columns.
 const STRAIGHT: usize = 1;
-/// Least noise of a depth, grey values of 255.
-const LEAST_NOISE: f32 = 0.3;
+/// Minimum noise of a depth, grey values of 255.
+const MIN_NOISE: f32 = 0.3;
 
 impl Strip {
-    /// The noise of all depths.
+    /// Measures the noise of all depths.
     pub(super) fn noise_everywhere(&mut self) -> f32 {
         let (first, last) = self.columns;
         self.measure_noise(|_| [([first; 2], last + 1 - first)])
     }
 
-    /// The noise, without what is near the path of a joint so wide and so many grey values deep.
+    /// Measures the noise away from the path of a joint of this width and depth.
     pub(super) fn noise_beside(&mut self, path: &[usize], (width, contrast): (f32, f32)) -> f32 {
         let (first, last) = self.columns;
         let away = width as usize + 2;
         let noise = self.measure_noise(|i| {
             let near = &path[i..(i + APART + 1).min(path.len())];
-            // In numbers that are small, several at a time.
+            // 16-bit numbers, so that several are compared at a time.
             let columns = near.iter().map(|j| *j as i16);
             let (low, high) = columns.fold((COLS as i16, 0), |(low, high), j| (low.min(j), high.max(j)));
             let left = (low as usize + 1).saturating_sub(first + away);
@@ -38,7 +38,7 @@ impl Strip {
         if straight || contrast > CLEAR * noise {
             return noise;
         }
-        // What a bend moves along with the joint is no noise.
+        // Changes that follow the joint's bend are not noise.
         let moved = self.measure_noise(|i| {
             let (a, b) = (path[i], path[i + APART]);
             let left = (a.min(b) + 1).saturating_sub(first + away);
@@ -49,18 +49,18 @@ impl Strip {
         if contrast > CLEAR * moved { moved } else { noise }
     }
 
-    /// What differs between groups that share no row is noise, the joint goes on; a low quantile, as it may slant. `within`: from which
-    /// columns of a row and of the one that is compared with it on how many are.
+    /// Measures noise as the difference between groups without a common row, where the joint continues. `within` gives
+    /// the first columns of both rows and the number of columns to compare.
     fn measure_noise<W: IntoIterator<Item = ([usize; 2], usize)>>(&mut self, within: impl Fn(usize) -> W) -> f32 {
         let step = (self.depth.len() / NOISE_ROWS).max(2);
-        // No more are told than there is room for: it grows with the longest strip, and is not emptied.
+        // The buffer has room for the longest strip and is not emptied; only its first part is valid.
         let mut told = 0;
         let most = self.depth.len().saturating_sub(APART).div_ceil(step) * COLS / 2;
         if self.magnitudes.len() < most {
             self.magnitudes.resize(most, 0.0);
         }
         for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(step) {
-            // Every other column, over the gap between ranges too.
+            // Every other column is used, also across the gap between ranges.
             let mut skipped = 0;
             for ([from_a, from_b], count) in within(i).into_iter().filter(|(_, count)| *count > 0) {
                 let less = skipped.min(count);
@@ -73,16 +73,17 @@ impl Strip {
                 told += a.len().div_ceil(2);
             }
         }
-        self.deviation(told).unwrap_or(self.noise).max(LEAST_NOISE)
+        self.deviation(told).unwrap_or(self.noise).max(MIN_NOISE)
     }
 
-    /// Standard deviation of what the first `told` differ by, by a low quantile: the joint may slant, or a shadow's edge.
+    /// Returns the standard deviation from the collected differences, by a low quantile: the joint may slant, or a
+    /// shadow's edge.
     fn deviation(&mut self, told: usize) -> Option<f32> {
         let place = told * 3 / 10;
         if place == 0 {
             return None;
         }
-        // Numbers of no sign are in the order of their bits.
+        // Non-negative numbers are ordered like their bits.
         let (_, quantile, _) =
             self.magnitudes[..told].select_nth_unstable_by_key(place, |magnitude| magnitude.to_bits());
         Some(*quantile / (0.385 * std::f32::consts::SQRT_2))
@@ -97,7 +98,7 @@ mod tests {
 
     const ROWS: usize = 480;
 
-    /// A strip along a joint of this width in noise of this deviation, to and fro by so many pixels, and the joint's path.
+    /// A strip along a joint of this width in noise of this deviation, wavy by `bent` pixels, and the joint's path.
     fn along(width: f32, deviation: f32, bent: f32) -> (Strip, Vec<usize>) {
         let mut even = random();
         let mut random = || (0..12).map(|_| even() - 0.5).sum::<f32>();
@@ -109,7 +110,8 @@ mod tests {
         (strip, (0..ROWS).map(|i| middle(i).round() as usize).collect())
     }
 
-    /// Along a joint of any width in even noise: the deviation of the mean of a box on the joint less that of one beside it.
+    /// Expected noise, for any width: the deviation of the difference between the means of a box on the joint and one
+    /// beside it.
     #[test]
     fn the_noise_of_depths_is_told() {
         for (width, deviation) in [(1.0, 4.0), (3.0, 2.0), (5.0, 4.0), (6.8, 8.0)] {
@@ -121,7 +123,7 @@ mod tests {
         }
     }
 
-    /// Of a joint that is clear, its bends are not taken for noise; of one that is not, whatever differs is.
+    /// Bends of a clear joint are not counted as noise; without a clear joint all differences are.
     #[test]
     fn what_moves_along_with_a_clear_joint_is_no_noise() {
         for width in [5.0, 6.8] {

@@ -1,24 +1,24 @@
-/// Places whose sums have a smaller determinant than this part of what it could be tell no parabola ...
+/// Minimum determinant relative to its maximum for a parabola ...
 const SINGULAR: f64 = 1e-9;
-/// ... and if the sums are known to single precision only.
+/// ... and for sums in single precision.
 const SINGULAR_IN_SINGLE: f64 = 1e-6;
-/// Places with a greater sum of weights than this tell a standard error.
+/// Minimum sum of weights for a standard error.
 const FEW: f32 = 4.0;
 
-/// A parabola through places.
+/// A parabola fitted through points.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parabola {
     /// Value, slope and half of the second derivative at 0.
     pub(super) terms: [f32; 3],
     /// Variance of the value at 0 for places of weight 1 and variance 1.
     pub(super) variance: f32,
-    /// Weighted mean of the squares that are left, and the sum of the weights.
+    /// Weighted mean of the squared residuals, and the sum of the weights.
     pub(super) rest: f32,
     pub(super) weights: f32,
 }
 
 impl Parabola {
-    /// Of least squares through places (x, y, weight), its last term held near 0 by `stiff`.
+    /// Fits through points (x, y, weight) by least squares; `stiff` holds the last term near 0.
     pub(super) fn through(places: impl Iterator<Item = (f32, f32, f32)>, stiff: f32) -> Option<Self> {
         let (mut m, mut r, mut squares) = ([0.0f64; 5], [0.0f64; 3], 0.0f64);
         for (x, y, w) in places {
@@ -33,8 +33,8 @@ impl Parabola {
         Self::solve((m, r, squares), f64::from(stiff), SINGULAR)
     }
 
-    /// The same from sums over the places: of the weights times x to the powers 0 to 4, of those times y times x to the powers 0 to 2,
-    /// and of the weights times the square of y.
+    /// Fits from sums over the points: weights times x to the powers 0 to 4, weights times y times x to the powers 0 to
+    /// 2, and weights times the square of y.
     #[inline(always)]
     pub(super) fn of(m: [f32; 5], r: [f32; 3], squares: f32, stiff: f32) -> Option<Self> {
         let sums = (m.map(f64::from), r.map(f64::from), f64::from(squares));
@@ -44,7 +44,7 @@ impl Parabola {
     #[inline(always)]
     fn solve((m, r, squares): ([f64; 5], [f64; 3], f64), stiff: f64, singular: f64) -> Option<Self> {
         let bend = m[4] + stiff;
-        // The inverse is that of the minors by the determinant.
+        // The inverse is the adjugate divided by the determinant.
         let [a, b, c] = [m[2] * bend - m[3] * m[3], m[2] * m[3] - m[1] * bend, m[1] * m[3] - m[2] * m[2]];
         let [d, e, f] = [m[0] * bend - m[2] * m[2], m[1] * m[2] - m[0] * m[3], m[0] * m[2] - m[1] * m[1]];
         let determinant = m[0] * a + m[1] * b + m[2] * c;
@@ -62,7 +62,7 @@ impl Parabola {
         Some(Self { terms: [value, slope, bend], variance, rest, weights })
     }
 
-    /// Standard error of its value at 0; a few places tell none.
+    /// Returns the standard error of the value at 0; infinite for few points.
     #[inline(always)]
     pub(super) fn error(&self) -> f32 {
         if self.weights > FEW { (self.rest * self.variance).sqrt() } else { f32::INFINITY }
@@ -75,7 +75,8 @@ mod tests {
     use crate::testing::random;
     use nalgebra::{DMatrix, DVector};
 
-    /// By its definition: of least squares, weights and what holds the bend as rows of their own, solved by singular values.
+    /// Reference by definition: weighted least squares with the stiffness as a row of its own, solved by singular
+    /// values.
     #[test]
     fn it_is_of_least_squares() {
         let mut random = random();
@@ -116,7 +117,7 @@ mod tests {
         assert!(Parabola::through([].into_iter(), 0.0).is_none());
         assert!(Parabola::through([(3.0, 1.0, 1.0)].into_iter(), 100.0).is_none());
         assert!(Parabola::through([(3.0, 1.0, 1.0), (4.0, 2.0, 1.0)].into_iter(), 0.0).is_none());
-        // Far aside, numbers of few digits tell none either.
+        // Far from 0, single precision is not enough for a parabola either.
         let powers: [f32; 5] = std::array::from_fn(|power| (20..25).map(|x| (x as f32).powi(power as i32)).sum());
         assert!(Parabola::of(powers, [5.0, 110.0, 2430.0], 5.0, 0.0).is_none());
     }

@@ -2,7 +2,7 @@ use super::strip::{COLS, Line, MID, greater};
 use crate::aligned::Aligned;
 use crate::wide::{LANES, Scalar, Simd};
 
-/// Columns to one side of the middle at most.
+/// Maximum columns to one side of the middle.
 const REACH: usize = 12;
 
 /// Parts of the depth at which the middles between rims are compared.
@@ -11,28 +11,28 @@ const PARTS: [f32; 3] = [0.3, 0.5, 0.7];
 /// Columns about the middle of a row, in whole lanes.
 pub(super) const ROOM: usize = 4 * LANES;
 
-/// The place of the middle among them.
+/// Index of the middle.
 pub(super) const MIDDLE: usize = ROOM / 2;
 
 /// A row's grey values about a middle, from left to right.
 pub(super) type Around = Aligned<ROOM>;
 
-/// A bell across the joint, and what of a profile moves with it.
+/// Filters across the joint that measure depth, shift and light step, for a bell-shaped profile.
 #[derive(Debug, Clone)]
 pub(super) struct Profile {
-    /// Columns looked at on either side of the middle.
+    /// Columns used on either side of the middle.
     reach: usize,
-    /// Columns within which the floor is.
+    /// Columns on either side of the middle within which the floor lies.
     half: usize,
-    /// Weights that give the depth, of the even part.
+    /// Weights that give the depth, of the even part of the profile.
     depth: Around,
-    /// Weights of the odd part that give depth times shift where light changes evenly across the joint.
+    /// Weights that give depth times shift, of the odd part, independent of a linear change of the light.
     moment: Around,
-    /// Weights of the odd part that give a step of the light.
+    /// Weights that give a step of the light, of the odd part.
     step: Around,
 }
 
-/// What one row tells of the joint near a place.
+/// Measurements of one row near a point.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Reading {
     /// Depth, grey values.
@@ -53,7 +53,7 @@ impl Shape {
         self.0[within.clone()].iter_mut().zip(&around[within]).for_each(|(sum, grey)| *sum += grey);
     }
 
-    /// Even light, its slope across, and this shape without those: each of length 1 and square to the others.
+    /// Returns constant light, its slope across, and this shape without those, orthonormalised.
     pub(super) fn and_light(&self, reach: usize) -> [Self; 3] {
         let even = Self(across(reach, |_| 1.0)).unit();
         let slope = Self(across(reach, |t| t)).unit();
@@ -69,19 +69,19 @@ impl Shape {
         Self(self.0.map(|v| part * v))
     }
 
-    /// The product with another one.
+    /// Returns the dot product with another shape.
     #[inline(always)]
     pub(super) fn dot(&self, simd: impl Simd, other: &Self) -> f32 {
         self.0.dot(simd, &other.0)
     }
 }
 
-/// A value for each column so far to the right of the middle, up to `reach` on either side.
+/// Evaluates `value` at each column offset from the middle, up to `reach` on either side.
 pub(super) fn across(reach: usize, value: impl Fn(f32) -> f32) -> Around {
     Around::from_fn(|j| if j.abs_diff(MIDDLE) <= reach { value(j as f32 - MIDDLE as f32) } else { 0.0 })
 }
 
-/// The grey values of `row` about column `centre` (fractions too).
+/// Returns the grey values of `row` about the fractional column `centre`.
 #[inline(always)]
 pub(super) fn about(row: &Line, centre: f32) -> Around {
     let centre = centre.clamp(MIDDLE as f32, (COLS - MIDDLE - 1) as f32);
@@ -96,12 +96,12 @@ pub(super) fn about(row: &Line, centre: f32) -> Around {
 }
 
 impl Profile {
-    /// Columns looked at on either side of the middle.
+    /// Returns the columns used on either side of the middle.
     pub(super) fn reach(&self) -> usize {
         self.reach
     }
 
-    /// For a joint of this full width at half depth, columns.
+    /// Creates the filters for a joint of this full width at half depth, columns.
     pub(super) fn new(width: f32) -> Self {
         let reach = ((1.2 * width + 2.0).ceil() as usize).clamp(3, REACH);
         let spread = width / 2.355;
@@ -115,28 +115,28 @@ impl Profile {
         let slope = across(reach, |t| -t / (spread * spread) * bell(t));
         let one = across(reach, |t| if t < 0.0 { -1.0 } else { f32::from(u8::from(t > 0.0)) });
         let moment = against(&slope, &[ramp]);
-        // Half of the step is odd.
+        // Only half of the step is odd.
         let step = against(&one, &[ramp, less_along(&slope, &ramp)]).map(|w| 2.0 * w);
         let half = ((0.5 * width).ceil() as usize).min(reach - 2);
         Self { reach, half, depth, moment, step }
     }
 
-    /// What a row with these grey values about a place tells of the joint there.
+    /// Measures the joint in a row with these grey values about a point.
     #[inline(always)]
     pub(super) fn read<S: Simd>(&self, simd: S, around: &Around) -> Reading {
         let told = |weights: &Around| weights.dot(simd, around);
         Reading { depth: told(&self.depth), moment: told(&self.moment), step: told(&self.step) }
     }
 
-    /// The left and the right rim of a mean row, columns from its middle: where it is half as deep as its floor below the
-    /// metal on the darker side. None where a side is no lighter.
+    /// Returns both rims of a mean row, columns from its middle, at half the depth of the floor below the
+    /// darker side's metal. `None` if a side is no lighter.
     pub(super) fn rims(&self, around: &Around) -> Option<[f32; 2]> {
         let valley = self.valley(around);
         Some([self.rim(around, &valley, -1, 0.5, 1.0)?, self.rim(around, &valley, 1, 0.5, 1.0)?])
     }
 
-    /// How far apart the middles between rims are at several parts of the depth, and the middle itself, columns: little for a
-    /// valley that is the same on both sides. Each side's depth counts, or no more of it than the darker side's.
+    /// Returns the spread of the middles between rims at several parts of the depth and the middle itself, columns. It
+    /// is small for a symmetric valley. Each side's own depth is tried, and also at most that of the darker side.
     pub(super) fn asymmetry(&self, around: &Around) -> f32 {
         let valley = self.valley(around);
         let (mut low, mut high) = (0.0f32, 0.0f32);
@@ -152,7 +152,7 @@ impl Profile {
     }
 
     fn valley(&self, around: &Around) -> Valley {
-        // Of each column and those beside it, but for the first and the last.
+        // Index `j` is centred on column `j + 1`; the first and the last column are left out.
         let (left, right) = (&around[..ROOM - 2], &around[2..]);
         let mut smooth = [0.0; ROOM - 2];
         let mut threes = [0.0; ROOM - 2];
@@ -169,13 +169,14 @@ impl Profile {
             }
         }
         let floor = around[lowest + 1];
-        // The lightest metal on a side of the joint, over three columns.
+        // Lightest metal on a side of the joint, over three columns.
         let depth = |threes: &[f32]| threes.iter().fold(f32::MIN, |most, three| greater(*three, most)) / 3.0 - floor;
         let depths = [depth(&threes[MIDDLE - self.reach..first]), depth(&threes[last + 1..MIDDLE - 1 + self.reach])];
         Valley { floor_at: lowest as isize + 1 - MIDDLE as isize, floor, depths }
     }
 
-    /// Where a side rises above a part of its depth, which counts up to `most` times that of the darker side.
+    /// Returns the position at which a side rises above a part of its depth; the depth is limited to `most` times the
+    /// darker side's.
     fn rim(&self, around: &Around, valley: &Valley, side: isize, part: f32, most: f32) -> Option<f32> {
         let [left, right] = valley.depths;
         let depth = if side > 0 { right } else { left }.min(most * left.min(right));
@@ -186,39 +187,39 @@ impl Profile {
     }
 }
 
-/// The floor of a mean row, where it is, and how far the metal on the left and on the right is above it.
+/// The floor of a mean row, its position, and the height of the metal on the left and on the right above it.
 struct Valley {
     floor_at: isize,
     floor: f32,
     depths: [f32; 2],
 }
 
-/// The grey value so many columns to the right of the middle.
+/// Grey value at `t` columns to the right of the middle.
 fn at(around: &Around, t: isize) -> f32 {
     around[MIDDLE.wrapping_add_signed(t)]
 }
 
-/// Weights that give how much of `wanted` is in a line, whatever there is of the others (orthogonal to each other).
+/// Returns weights that measure the part of `wanted` in a line, independent of the `others` (orthogonal to each other).
 fn against(wanted: &Around, others: &[Around]) -> Around {
     let free = others.iter().fold(*wanted, |free, other| less_along(&free, other));
     let norm = dot(&free, wanted);
     free.map(|f| f / norm)
 }
 
-/// `a` less its part along `b`.
+/// Returns `a` less its projection on `b`.
 fn less_along(a: &Around, b: &Around) -> Around {
     less(a, dot(a, b) / dot(b, b), b)
 }
 
-/// `a` less a part of `b`.
+/// Returns `a` less `part` times `b`.
 fn less(a: &Around, part: f32, b: &Around) -> Around {
     Around::from_fn(|t| a[t] - part * b[t])
 }
 
-/// The sum of products, once for all rows.
+/// Dot product outside of SIMD loops, once for all rows.
 fn dot(a: &Around, b: &Around) -> f32 {
     a.dot(Scalar::new(), b)
 }
 
-/// All columns about the axis are in the strip; middles farther than that from its rims are read as if they were at the limit.
+/// Columns about the axis are inside the strip; middles too far out are read at the limit.
 const _: () = assert!(REACH < MIDDLE && MID >= MIDDLE && COLS > MID + MIDDLE);

@@ -3,15 +3,15 @@ use super::profile::{Around, MIDDLE, Profile, Reading, Shape, about, across};
 use super::strip::Strip;
 use crate::wide::{Simd, Work, wide};
 
-/// What the rows of a strip tell of the joint about its middle, and sums over rows.
+/// Measurements of the rows of a strip about the joint's middle, and sums over rows.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Readings {
     rows: Vec<Reading>,
     /// Grey values about each middle.
     around: Vec<Around>,
-    /// Sums over the rows before each: depth, moment, step and its square.
+    /// Sums over the rows before each: depth, moment, step and squared step.
     sums: Vec<[f64; 4]>,
-    /// The same of the grey values within reach of the middle.
+    /// Sums over the rows before each of the grey values within reach of the middle.
     around_sums: Vec<Around>,
 }
 
@@ -42,7 +42,7 @@ impl Work for Read<'_> {
             rows.push(reading);
             around.push(greys);
         }
-        // Less the light of the first row: small numbers keep more digits.
+        // The first row's light is subtracted: small numbers keep more digits.
         let light = around.first().map_or(0.0, |greys| greys[MIDDLE]);
         let within = across(self.profile.reach(), |_| 1.0);
         let mut sum = Around::default();
@@ -64,13 +64,13 @@ pub(super) struct About {
     pub(super) depth: f32,
     /// Depth times shift to the right, grey values times pixels.
     pub(super) moment: f32,
-    /// Step of the light from left to right, grey values, and the square of its standard error.
+    /// Step of the light from left to right, grey values, and its squared standard error.
     pub(super) step: f32,
     pub(super) step_variance: f32,
 }
 
 impl Readings {
-    /// Room for so many rows.
+    /// Reserves capacity for this many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
         make_room(&mut self.rows, rows);
         make_room(&mut self.around, rows);
@@ -78,7 +78,7 @@ impl Readings {
         make_room(&mut self.around_sums, rows + 1);
     }
 
-    /// Reads each row about its centre.
+    /// Measures each row about its centre.
     pub(super) fn read(&mut self, profile: &Profile, strip: &Strip, centres: &[f32]) {
         wide(Read { readings: self, profile, strip, centres });
     }
@@ -93,19 +93,19 @@ impl Readings {
         (i.saturating_sub(around), (i + around + 1).min(self.rows.len()))
     }
 
-    /// Means over the rows within `around` of row `i`.
+    /// Returns means over the rows within `around` of row `i`.
     #[inline(always)]
     pub(super) fn about(&self, i: usize, around: usize) -> About {
         let (from, to) = self.near(i, around);
         let part = 1.0 / (to - from) as f64;
         let (before, after) = (&self.sums[from], &self.sums[to]);
         let [depth, moment, step, square]: [f64; 4] = std::array::from_fn(|k| (after[k] - before[k]) * part);
-        // Neighbours are alike: of four rows one is independent.
+        // Neighbouring rows are correlated: one of four is independent.
         let step_variance = ((square - step * step).max(0.0) * 4.0 * part) as f32;
         About { depth: depth as f32, moment: moment as f32, step: step as f32, step_variance }
     }
 
-    /// The mean of the rows within `around` of row `i`, grey values from some light on.
+    /// Returns the mean of the rows within `around` of row `i`, grey values up to a common offset.
     #[inline(always)]
     pub(super) fn mean(&self, i: usize, around: usize) -> Around {
         let (from, to) = self.near(i, around);
@@ -114,8 +114,8 @@ impl Readings {
         Around::from_fn(|t| (after[t] - before[t]) * part)
     }
 
-    /// How far the rows within `around` of each are from the mean of those that are `seen`, light and its slope across and the
-    /// depth aside: root mean squares, grey values.
+    /// Computes the RMS difference of the rows within `around` of each from the mean of the `seen` rows, grey values.
+    /// Light, its slope across and the depth are factored out.
     #[inline(always)]
     pub(super) fn rests<S: Simd>(
         &self,

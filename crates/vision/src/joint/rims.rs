@@ -1,5 +1,5 @@
-//! The rims of a wide gap: where rows are not sure because something lights up within the gap (a chamfer, a rib, dross), or because
-//! one plate is far lighter, the middle is the one between the two rims that go on steadily.
+//! Rims of a wide gap. Rows may be unconfident because of light within the gap (a chamfer, a rib, dross) or because one
+//! plate is far lighter. Their middle is then taken between the two rims that continue steadily.
 
 use super::axis::Station;
 use super::levels::{Levels, to_level};
@@ -7,35 +7,35 @@ use super::strip::{COLS, Line, MID, Strip, greater};
 use super::{CONFIDENT, Row, make_room};
 use crate::Frame;
 
-/// Rims are looked for on a level so many times finer than the joint's: where it is 5 columns wide, it is 20 there.
+/// Levels between the joint's level and the finer one for the rims: a joint 5 columns wide is 20 columns wide there.
 pub(super) const FINER: usize = 2;
-/// Lines of the finer level to one row of the joint's.
+/// Lines of the finer level per row of the joint's level.
 const LINES: usize = 1 << FINER;
-/// Rows before and after that tell which way the joint goes there.
+/// Rows before and after over which the joint's direction is measured.
 const HEADING: usize = 6;
-/// Rows before and after that a middle is the mean of.
+/// Rows before and after over which a middle is averaged.
 const SMOOTH: usize = 4;
-/// Fewer rows than this show no rim that goes on.
-const LEAST_ROWS: usize = 4 * SMOOTH;
-/// Columns on either side of a rim that tell how clear it is, parts of the width.
+/// Minimum rows for a steady rim.
+const MIN_ROWS: usize = 4 * SMOOTH;
+/// Columns on either side over which a rim's contrast is measured, as a part of the width.
 const BESIDE: f32 = 0.1;
-/// A rim is at least this part of the width from the middle.
+/// Minimum distance of a rim from the middle, as a part of the width.
 const INNER: f32 = 0.15;
-/// What a step of a rim to the next column costs, nats of light.
+/// Cost of a rim's step to the next column, nats of light.
 const MOVE: f32 = 0.5;
-/// The metal is at least this much lighter than the gap at both rims, nats.
+/// Minimum contrast between metal and gap at both rims, nats.
 const CLEAR: f32 = 0.35;
-/// Grey values below this are noise: their logarithms go along evenly.
+/// Grey values below this are noise; an offset makes their logarithm nearly linear.
 const DARK: f32 = 4.0;
-/// A middle is no farther from what was found before than this part of the width.
+/// Maximum distance of a middle from the previous one, as a part of the width.
 const NEAR: f32 = 0.35;
 
-/// Finds rims; keeps its buffers.
+/// Finds rims; reuses its buffers.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rims {
     strip: Strip,
     stations: Vec<Station>,
-    /// How much lighter it is to the right than to the left of each column's left side, nats.
+    /// Contrast from left to right at each column's left side, nats.
     edges: Vec<Line>,
     ways: Vec<Line>,
     left: Vec<Rim>,
@@ -48,12 +48,12 @@ pub(super) struct Rims {
 struct Rim {
     /// Columns to the right of the middle.
     at: f32,
-    /// How much lighter the metal is than the gap, nats.
+    /// Contrast between metal and gap, nats.
     clear: f32,
 }
 
 impl Rims {
-    /// Room for so many rows.
+    /// Reserves capacity for this many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
         make_room(&mut self.strip.grey, LINES * rows);
         make_room(&mut self.stations, LINES * rows);
@@ -64,9 +64,10 @@ impl Rims {
         make_room(&mut self.widths, rows);
     }
 
-    /// Puts rows of a joint followed on `level` ([`FINER`] at least) that are not sure between its rims, where both are clear.
+    /// Places unconfident rows of a joint followed on `level` ([`FINER`] at least) between its rims, where both are
+    /// clear.
     pub(super) fn place(&mut self, levels: &Levels, frame: &Frame, level: usize, rows: &mut [Row]) {
-        if rows.len() < LEAST_ROWS || rows.iter().all(|row| row.confidence >= CONFIDENT) {
+        if rows.len() < MIN_ROWS || rows.iter().all(|row| row.confidence >= CONFIDENT) {
             return;
         }
         let fine = level - FINER;
@@ -93,7 +94,7 @@ impl Rims {
         }
     }
 
-    /// Stations along the rows, on level `fine`, [`LINES`] to each.
+    /// Places stations along the rows, on level `fine`, [`LINES`] per row.
     fn stand(&mut self, fine: usize, rows: &[Row]) {
         self.stations.clear();
         for (i, row) in rows.iter().enumerate() {
@@ -108,7 +109,7 @@ impl Rims {
         }
     }
 
-    /// How clear an edge is at each place of each row, by `beside` columns to either side of it.
+    /// Measures the contrast at each column of each row, from `beside` columns on either side.
     fn find_edges(&mut self, beside: usize) {
         self.edges.clear();
         let part = 1.0 / (LINES * beside) as f32;
@@ -127,15 +128,16 @@ impl Rims {
     }
 }
 
-/// How many nats lighter one grey value is than another: the first term of the logarithm's series in the difference over the sum,
-/// 1 % less at 0.35 nats, 4 % at 0.7.
+/// Returns the contrast between two grey values, nats: the first term of the logarithm's series in difference over sum.
+/// It is 1 % low at 0.35 nats, 4 % at 0.7.
 fn nats(from: f32, to: f32) -> f32 {
     2.0 * (to - from) / (to + from + 2.0 * DARK)
 }
 
-/// The rim on one side (-1: left) at least `inner` columns from the middle: the steady way along which it gets lighter outwards most.
+/// Finds the rim on one side (-1: left) at least `inner` columns from the middle: the steady path with the highest sum
+/// of contrast.
 fn rim(edges: &[Line], ways: &mut Vec<Line>, (side, inner): (f32, f32), rims: &mut Vec<Rim>) {
-    // The edge at a column's left side is half a column from its middle.
+    // The left side of a column is half a column from its middle.
     let place = |j: usize| j as f32 - MID as f32 - 0.5;
     ways.clear();
     for edge in edges {
@@ -163,14 +165,14 @@ fn rim(edges: &[Line], ways: &mut Vec<Line>, (side, inner): (f32, f32), rims: &m
         }
         let clear = |j: usize| side * edges[i][j.min(COLS - 1)];
         let [before, here, after] = [clear(at.saturating_sub(1)), clear(at), clear(at + 1)];
-        // Where a parabola through three is highest.
+        // Vertex of a parabola through three columns.
         let bend = before - 2.0 * here + after;
         let part = if bend < 0.0 { (0.5 * (before - after) / bend).clamp(-0.5, 0.5) } else { 0.0 };
         *rim = Rim { at: place(at) + part, clear: here };
     }
 }
 
-/// The mean of the rims about row `i`.
+/// Returns the mean of the rims about row `i`.
 fn about(rims: &[Rim], i: usize) -> Rim {
     let near = &rims[i.saturating_sub(SMOOTH)..(i + SMOOTH + 1).min(rims.len())];
     let part = 1.0 / near.len() as f32;

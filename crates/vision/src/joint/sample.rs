@@ -1,27 +1,27 @@
-//! Rows of grey values across a line, between pixels.
+//! Rows of grey values across a line, interpolated between pixels.
 
 use super::axis::Station;
 use super::levels::OF_16_BITS;
 use super::strip::{COLS, Line, MID, greater, lesser};
 use crate::wide::LANES;
 
-/// Places within a row are counted in these parts of a pixel.
+/// Fractions of a pixel that positions within a row are counted in.
 const PARTS: f32 = (1 << PARTS_BITS) as f32;
 const PARTS_BITS: u32 = 15;
-/// No side of a picture is longer: products of numbers that are sure to be below it are fast.
+/// Maximum side of a picture: products of numbers known to be below it are fast.
 const LONGEST: u32 = 0x7fff;
-/// Places farther out than this, pixels, are at it.
+/// Positions are clamped to this distance, pixels.
 const FARTHEST: f32 = 60000.0;
 
-/// What a picture is made of.
+/// Pixel type of a picture.
 pub(super) trait Pixel: Copy {
-    /// Two beside each other as one number: fetched at once.
+    /// Two neighbouring pixels as one number, loaded at once.
     type Pair: Copy + Default;
-    /// A pixel and the one to its right.
+    /// Combines a pixel with the one to its right.
     fn pair(self, right: Self) -> Self::Pair;
-    /// Grey values, 0 to 255, of the left ones of pairs and of the right ones.
+    /// Returns the grey values, 0 to 255, of the left and of the right pixels of pairs.
     fn greys(pairs: &[Self::Pair; LANES]) -> ([f32; LANES], [f32; LANES]);
-    /// The grey value of one.
+    /// Returns the grey value of one pixel.
     fn grey(self) -> f32;
 }
 
@@ -81,8 +81,8 @@ pub(super) struct Sampler<'a, P: Pixel> {
     width: u32,
     /// The last column and row.
     last: [i32; 2],
-    /// The two pixels on either side of each column's place, in the row above it and in the one below: first fetched, then mixed, as
-    /// mixing is done for several columns at a time.
+    /// Pairs of pixels around each column's position, in the rows above and below it. They are loaded first and
+    /// interpolated later, several columns at a time.
     around: [[P::Pair; COLS]; 2],
 }
 
@@ -92,11 +92,11 @@ impl<'a, P: Pixel> Sampler<'a, P> {
         Self { pixels, width: width as u32, last, around: [[P::Pair::default(); COLS]; 2] }
     }
 
-    /// Grey values across `station`; beyond the picture's rim the rim goes on.
+    /// Samples grey values across `station`; beyond the border the border pixels are repeated.
     #[inline(always)]
     pub(super) fn row(&mut self, line: &mut Line, station: &Station) {
         let [right, bottom] = self.last;
-        // The last pixels have others before them only.
+        // The last pixels only have neighbours before them.
         let within = |v: i32, last: i32| (v.clamp(0, last << PARTS_BITS), last - 1);
         let places = Places::new(station, 0.0);
         let (mut at, mut parts) = ([0; COLS], [[0; COLS]; 2]);
@@ -119,7 +119,7 @@ impl<'a, P: Pixel> Sampler<'a, P> {
         }
     }
 
-    /// The pixels that are nearest to the places across `station`.
+    /// Samples the pixels nearest to the positions across `station`.
     #[inline(always)]
     pub(super) fn row_of_nearest(&mut self, line: &mut Line, station: &Station) {
         let [right, bottom] = self.last;
@@ -135,10 +135,10 @@ impl<'a, P: Pixel> Sampler<'a, P> {
         }
     }
 
-    /// Fetches the pixels at these places, those to their right, and the ones below both.
+    /// Loads the pixels at these positions, those to their right, and the ones below both.
     #[inline(always)]
     fn fetch(&mut self, at: &[u32; COLS]) {
-        // Those that have others to their right and below, and the others: of one length, so that one check is enough.
+        // Slices of equal length for pixels and their neighbours, so that one bounds check is enough.
         let width = self.width as usize;
         let (count, below) = (self.pixels.len() - width - 1, &self.pixels[width..]);
         let [a, b, c, d] = [&self.pixels[..count], &self.pixels[1..=count], &below[..count], &below[1..=count]];
@@ -153,20 +153,20 @@ impl<'a, P: Pixel> Sampler<'a, P> {
     }
 }
 
-/// Values between two of each.
+/// Interpolates between two values each.
 #[inline(always)]
 fn mix((from, to): ([f32; LANES], [f32; LANES]), parts: &[f32; LANES]) -> [f32; LANES] {
     std::array::from_fn(|k| from[k] + parts[k] * (to[k] - from[k]))
 }
 
-/// Places across a station in parts of a pixel, from left to right.
+/// Positions across a station in fractions of a pixel, from left to right.
 struct Places {
     first: [i32; 2],
     step: [i32; 2],
 }
 
 impl Places {
-    /// `more`: pixels to add.
+    /// `more`: offset, pixels.
     #[inline(always)]
     fn new(station: &Station, more: f32) -> Self {
         let [cos, sin] = station.tangent;
@@ -198,7 +198,7 @@ mod tests {
         };
         let mut sampler = Sampler::new(&pixels, (width, height));
         for i in 0..3000 {
-            // Over the rims too, and far away.
+            // Beyond the borders too, and far away.
             let far = if i % 10 == 0 { 1e6 } else { 1.0 };
             let at = [far * (120.0 * random() - 15.0), far * (100.0 * random() - 15.0)];
             let station = Axis { at, heading: 7.0 * random(), curvature: 0.0 }.station(0.0);
@@ -207,7 +207,7 @@ mod tests {
             sampler.row(&mut between, &station);
             for j in 0..COLS {
                 let [x, y] = station.beside(j as f32 - MID as f32);
-                // Places are counted in parts of a pixel: next to a border either side is right.
+                // Positions are counted in fractions of a pixel: next to a boundary either side is right.
                 let about = |v: f32| [v - 2e-3, v + 2e-3].map(|v| v.round() as i32);
                 let near = about(x).into_iter().flat_map(|x| about(y).map(|y| grey(x, y)));
                 assert!(near.clone().any(|grey| (grey - nearest[j]).abs() < 0.5), "{x} {y}: {}", nearest[j]);

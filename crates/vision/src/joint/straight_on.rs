@@ -1,5 +1,5 @@
-//! What turns as no joint does, at the rim of a tack or where another joint meets, is left again: the joint may go straight on behind
-//! what hides it.
+//! Turns too sharp for a joint, at the rim of a tack or at a junction, are left again: the joint may continue straight
+//! behind the object that hides it.
 
 use super::again::{HEADING, STRETCH, last_sure, rim, same_within, start_at, to_rim, top_hat_level, way};
 use super::axis::length;
@@ -9,21 +9,21 @@ use super::trail::{Look, ROWS};
 use super::{End, Row, State};
 use crate::Frame;
 
-/// A joint turns by no more than this beyond its own bend, rad.
+/// Maximum turn of a joint beyond its own bend, rad.
 const CORNER: f32 = 0.45;
-/// Rows about a corner of which it is the sharpest: next to it a half of an arm alone lies behind it.
+/// Rows before and after a corner among which it is the sharpest: next to it only a part of an arm lies behind it.
 const NEAR: usize = 15;
-/// Corners that are looked at, and where it ends within the frame.
+/// Corners tried, and corners tried if the joint ends within the frame.
 const CORNERS: usize = 1;
 const CORNERS_WITHIN: usize = 4;
-/// Rows before a corner in which the way bends aside already.
+/// Rows before a corner in which the path already turns aside.
 const BEFORE: usize = 8;
-/// Where the joint goes straight on, so much of it at most is not seen, but for what is behind the corner.
-const MOST_UNSEEN: f32 = 0.05;
+/// Maximum part of unseen rows straight on, without the stretch behind the corner.
+const MAX_UNSEEN: f32 = 0.05;
 
 impl Follower {
-    /// Follows straight on, where the edges of light are not seen, from where the way turns like none of a joint: among rows that are
-    /// not sure, or anywhere if it ends within the frame. True if the joint goes on there.
+    /// Follows straight on, on a top-hat without the edges of light, from a turn too sharp for a joint. Tries
+    /// unconfident rows, or all rows if the joint ends within the frame. Returns true if the joint continues there.
     pub(super) fn try_straight_on(&mut self, frame: &Frame, inside: &Inside, look: &Look) -> bool {
         let rows = &self.joint.rows;
         let (corners, from) = match self.joint.end {
@@ -42,14 +42,14 @@ impl Follower {
         false
     }
 
-    /// Follows straight on from row `corner`; true if the joint goes on there, elsewhere than it was followed to.
+    /// Follows straight on from row `corner`; returns true if the joint continues there, to another place than before.
     fn go_straight_on(&mut self, frame: &Frame, inside: &Inside, look: &Look, corner: usize) -> bool {
         let (rows, level) = (&self.joint.rows, top_hat_level(look));
         let from = corner.saturating_sub(ROWS << (level - look.level)).max(HEADING);
         let Some(start) = start_at(rows, from).filter(|_| from < corner) else { return false };
         let length = way(&rows[from..=corner]);
         let place = (length / (1 << level) as f32) as usize;
-        // What ends within the frame may go on behind its end.
+        // A joint that ends within the frame may continue behind its end.
         let aside = if to_rim(rows, inside) < rim(look) { corner } else { rows.len() };
         self.hidden = Some(Hidden { place, aside });
         let found = self.follow_on_top_hat(frame, &start, inside, (look, level), (length, length + STRETCH));
@@ -57,35 +57,36 @@ impl Follower {
         if !found {
             return false;
         }
-        // To the rim or as far as it went, not to the same place, and hardly anything is unseen.
+        // Accepted if it reaches the border or the previous length, ends elsewhere, and is almost all seen.
         let (rows, before) = (&self.joint.rows, &self.before.rows);
         let is_as_far = to_rim(rows, inside) < rim(look) || way(rows) >= way(&before[from..]);
         let apart = rows.last().zip(before.last()).map_or(0.0, |(a, b)| a.away(b));
-        let is_seen = unseen_elsewhere(rows) as f32 <= MOST_UNSEEN * rows.len() as f32;
+        let is_seen = unseen_elsewhere(rows) as f32 <= MAX_UNSEEN * rows.len() as f32;
         if !(is_as_far && is_seen && apart >= rim(look)) {
             std::mem::swap(&mut self.joint, &mut self.before);
             return false;
         }
-        // What was sure behind the corner was something else.
+        // Confident rows behind the corner belonged to another line.
         self.keep_sure(corner + 1)
     }
 }
 
-/// Where something may hide a joint that was followed aside there.
+/// Place where an object may hide a joint that was followed aside there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Hidden {
-    /// How many places behind the start.
+    /// Number of points behind the start.
     pub(super) place: usize,
-    /// The row from which on the joint was followed aside, to the rim; there is none if it ended within the frame.
+    /// First row of the path aside, which leads to the border; the number of rows if the joint ended within the frame.
     pub(super) aside: usize,
 }
 
-/// True if one of the rows is near a place of the frame.
+/// Returns true if one of the rows is near a point of the frame.
 pub(super) fn is_passed(rows: &[Row], at: [f32; 2]) -> bool {
     rows.iter().any(|row| length([row.x - at[0], row.y - at[1]]) < same_within(row))
 }
 
-/// The first row from `from` on, [`bend::REACH`] at least, at which the way turns like none of a joint, and none near it more.
+/// Returns the first row from `from` on ([`bend::REACH`] at least) with a turn too sharp for a joint that is the
+/// sharpest near it.
 fn next_corner(rows: &[Row], from: usize) -> Option<usize> {
     let sharpness = |i: usize| bend::sharpness(|k| [rows[k].x, rows[k].y], i);
     let to = rows.len().saturating_sub(bend::REACH);
@@ -96,7 +97,7 @@ fn next_corner(rows: &[Row], from: usize) -> Option<usize> {
     })
 }
 
-/// Rows that are not seen, but for the longest stretch of them: what hides the joint.
+/// Returns the number of unseen rows, except for the longest stretch, where the joint is hidden.
 fn unseen_elsewhere(rows: &[Row]) -> usize {
     let unseen =
         rows.chunk_by(|a, b| a.state == b.state).filter(|run| run[0].state == State::Coasted).map(<[Row]>::len);

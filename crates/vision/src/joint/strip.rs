@@ -8,52 +8,52 @@ use std::ops::Range;
 
 /// Columns of a strip.
 pub(super) const COLS: usize = 48;
-/// The column on the axis.
+/// Column on the axis.
 pub(super) const MID: usize = COLS / 2;
-/// A group is the mean of this many rows before and after.
+/// Rows before and after that are averaged to a group.
 pub(super) const GROUP: usize = 4;
-/// Rows before and after that tell whether a joint is seen.
+/// Rows before and after that decide whether a joint is seen.
 pub(super) const SEEN_AROUND: usize = 6;
-/// Their mean depth is at least this part of the joint's ...
+/// Minimum mean depth of these rows, as a part of the joint's ...
 const PART: f32 = 0.45;
-/// ... and this many standard deviations of one.
+/// ... and in standard deviations of a depth.
 const STANDS_OUT: f32 = 2.2;
-/// From this many widths from the middle on there is metal.
+/// Distance from the middle at which metal begins, in widths.
 pub(super) const METAL: f32 = 1.1;
-/// The light's change across is found from so many rows together.
+/// Rows over which the light's change across is measured together.
 pub(super) const LIT: usize = 24;
 /// Columns of each of the two boxes on either side.
 pub(super) const SIDE: usize = 3;
 
 /// Half of the box on the widest joint of a level, columns.
-const MOST_HALF: usize = 3;
+const MAX_HALF: usize = 3;
 
-/// Columns of the box on a joint of this width.
+/// Returns the columns of the box on a joint of this width.
 pub(super) fn box_columns(width: f32) -> usize {
-    2 * (((width - 1.0) / 2.0).round().max(0.0) as usize).min(MOST_HALF) + 1
+    2 * (((width - 1.0) / 2.0).round().max(0.0) as usize).min(MAX_HALF) + 1
 }
 
-/// The column to the side of a joint's middle from which on there is metal, for half of the box on it.
+/// Returns the distance from a joint's middle at which metal begins, columns, for half of the box on it.
 const fn away(half: usize) -> usize {
     half + 1 + half.div_ceil(2)
 }
 
-/// One value a column.
+/// One value per column.
 pub(super) type Line = Aligned<COLS>;
 
-/// `f32::max` without its care for what is no number: one instruction.
+/// `f32::max` without NaN handling: one instruction.
 #[inline(always)]
 pub(super) fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// The same of `f32::min`.
+/// `f32::min` without NaN handling.
 #[inline(always)]
 pub(super) fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// The greatest of a line, several at a time.
+/// Returns the maximum of a line, several values at a time.
 #[inline(always)]
 pub(super) fn greatest<const N: usize>(line: &[f32; N]) -> f32 {
     const { assert!(N.is_multiple_of(LANES), "whole lanes") };
@@ -66,7 +66,7 @@ pub(super) fn greatest<const N: usize>(line: &[f32; N]) -> f32 {
     lanes.into_iter().fold(f32::MIN, greater)
 }
 
-/// Sums of [`SIDE`] columns from each one on; behind the last one as many as are done at a time.
+/// Sums of [`SIDE`] columns from each column on, padded by a SIMD step.
 type Boxes = [f32; COLS + LANES];
 
 #[inline(always)]
@@ -76,12 +76,12 @@ fn boxes(boxes: &mut Boxes, sum: &Line) {
     }
 }
 
-/// How much darker the box of `HALF` columns to both sides of each column is than boxes beside it, of the sum of `count`
-/// rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
-/// harm), and the darker side.
+/// Computes the depth of the box of `HALF` columns to both sides of each column, against boxes beside it, for the sum
+/// of `count` rows. On each side the lighter of two boxes counts, so a scratch or the foot of a step beside the joint
+/// does not matter. Of the two sides the darker one counts.
 #[inline(always)]
 fn depths<const HALF: usize>(depth: &mut Line, (sum, boxes): (&Line, &Boxes), count: f32) {
-    // Whole lanes, some behind the last column.
+    // Whole lanes, some of them behind the last column.
     let (away, reach, lanes) = const {
         let reach = away(HALF) + 2 * SIDE;
         (away(HALF), reach, (COLS - 2 * reach).next_multiple_of(LANES))
@@ -90,8 +90,8 @@ fn depths<const HALF: usize>(depth: &mut Line, (sum, boxes): (&Line, &Boxes), co
     let (left, right) = (reach - away - SIDE, reach + away + 1);
     let near = [&boxes[left..left + lanes], &boxes[right..right + lanes]];
     let far = [&boxes[left - SIDE..left - SIDE + lanes], &boxes[right + SIDE..right + SIDE + lanes]];
-    // The columns of the box on the joint, each for all places.
-    let centre: [&[f32]; 2 * MOST_HALF + 1] = std::array::from_fn(|k| {
+    // Columns of the box on the joint, each for all positions.
+    let centre: [&[f32]; 2 * MAX_HALF + 1] = std::array::from_fn(|k| {
         let from = reach - HALF + k.min(2 * HALF);
         &sum[from..from + lanes]
     });
@@ -107,7 +107,7 @@ fn depths<const HALF: usize>(depth: &mut Line, (sum, boxes): (&Line, &Boxes), co
     depth[COLS - reach..].fill(0.0);
 }
 
-/// Grey values across each station.
+/// Samples grey values across each station.
 struct Unroll<'a, P: Pixel, S, const NEAREST: bool> {
     sampler: Sampler<'a, P>,
     stations: S,
@@ -127,7 +127,7 @@ impl<P: Pixel, S: Iterator<Item = Station>, const NEAREST: bool> Work for Unroll
     }
 }
 
-/// Depths of a strip for a joint of `width` pixels; see [`Strip::measure`].
+/// Computes the depths of a strip for a joint of `width` pixels; see [`Strip::measure`].
 struct Measure<'a, const HALF: usize> {
     grey: &'a mut [Line],
     depth: &'a mut [Line],
@@ -147,7 +147,7 @@ impl<const HALF: usize> Work for Measure<'_, HALF> {
             }
         }
         let mut count = GROUP.min(rows) as f32;
-        // Several rows at a time, step by step: what was just written is not at hand yet.
+        // Several rows at a time, step by step, since a value just written is not available at once.
         let (mut sums, mut counts) = ([Line::default(); LANES], [0.0; LANES]);
         let mut box_sums: [Boxes; LANES] = [[0.0; COLS + LANES]; LANES];
         for first in (0..rows).step_by(LANES) {
@@ -181,8 +181,8 @@ impl<const HALF: usize> Work for Measure<'_, HALF> {
 }
 
 impl<const HALF: usize> Measure<'_, HALF> {
-    /// Takes away the light's even change across, so far as it is the same on both sides of a joint in the middle: on
-    /// a ramp the middle of a wide joint would be drawn to its darker side.
+    /// Removes the light's linear change across, as far as it is the same on both sides of a joint in the middle. A
+    /// ramp would pull the middle of a wide joint to its darker side.
     #[inline(always)]
     fn level_light(&mut self) {
         let away = (METAL * self.width + 2.0) as usize;
@@ -217,7 +217,7 @@ impl<const HALF: usize> Measure<'_, HALF> {
     }
 }
 
-/// The greatest depth of each row.
+/// Finds the maximum depth of each row.
 struct Deepest<'a> {
     depth: &'a [Line],
     deepest: &'a mut [f32],
@@ -232,35 +232,35 @@ impl Work for Deepest<'_> {
     }
 }
 
-/// Grey values along a line of stations, unrolled, and how much darker than the metal on both sides each place is.
+/// Unrolled grey values along a line of stations, and the depth of each place against the metal on both sides.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Strip {
     /// Grey values, 0 to 255.
     pub(super) grey: Vec<Line>,
-    /// How much darker a group of rows is than the metal on both sides, grey values; the lesser of both.
+    /// Depth of a group of rows against the metal on both sides, grey values; the smaller of both sides.
     pub(super) depth: Vec<Line>,
-    /// Standard deviation of a depth where there is no joint.
+    /// Standard deviation of a depth without a joint.
     pub(super) noise: f32,
-    /// First and last column where there is a depth.
+    /// First and last column with a depth.
     pub(super) columns: (usize, usize),
     pub(super) magnitudes: Vec<f32>,
 }
 
 impl Strip {
-    /// Room for so many rows.
+    /// Reserves capacity for this many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
         make_room(&mut self.grey, rows);
         make_room(&mut self.depth, rows);
-        // Of every other row at most, of every other column.
+        // At most every other row and every other column is used.
         make_room(&mut self.magnitudes, rows * COLS / 4);
     }
 
-    /// Unrolls `picture` along `stations`, between its pixels.
+    /// Unrolls `picture` along `stations`, interpolated between its pixels.
     pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         self.rows::<false>(picture, stations);
     }
 
-    /// Unrolls the pixels of a frame that are nearest; a coarser level between its pixels. It takes half the time, and means over
+    /// Unrolls the nearest pixels of a frame; interpolates a coarser level. It takes half the time, and means over
     /// groups and boxes have the same noise.
     pub(super) fn unroll_nearest(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         self.rows::<true>(picture, stations);
@@ -277,7 +277,7 @@ impl Strip {
         }
     }
 
-    /// Depths for a joint of `width` pixels. No pixel counts for more than `most` grey values more or less than those before it
+    /// Computes depths for a joint of `width` pixels. Pixels are clipped to `most` grey values from those before them
     /// along the joint.
     pub(super) fn measure(&mut self, width: f32, most: f32) {
         let half = box_columns(width) / 2;
@@ -293,24 +293,25 @@ impl Strip {
         }
     }
 
-    /// The greatest depth of each row.
+    /// Finds the maximum depth of each row.
     pub(super) fn find_deepest(&self, deepest: &mut Vec<f32>) {
         deepest.resize(self.depth.len(), 0.0);
         wide(Deepest { depth: &self.depth, deepest });
     }
 
-    /// Which rows show a joint along `path`, by the rows about each, where it is `contrast` deep.
+    /// Determines which rows show a joint of depth `contrast` along `path`, by the rows about each.
     pub(super) fn shows(&self, path: &[usize], contrast: impl Fn(usize) -> f32, seen: &mut Vec<bool>) {
         seen.clear();
         seen.extend(self.showing(path.len(), |k| self.depth[k][path[k]], contrast));
     }
 
-    /// At most so many of the first rows show a joint of this depth along any path, given each row's greatest depth.
+    /// Returns an upper bound of the `first` rows that show a joint of this depth on any path, given each row's maximum
+    /// depth.
     pub(super) fn shows_at_most(&self, deepest: &[f32], contrast: f32, first: usize) -> usize {
         self.showing(deepest.len(), |k| deepest[k], |_| contrast).take(first).filter(|shows| *shows).count()
     }
 
-    /// Which of `count` rows show a joint that has these depths in them.
+    /// Returns which of `count` rows show a joint with these depths.
     fn showing(
         &self,
         count: usize,
@@ -338,7 +339,7 @@ mod tests {
     use super::*;
     use crate::testing::random;
 
-    /// No pixel counts for more than `most` more or less than the mean of up to nine rows before it in its column.
+    /// Reference: clips each pixel to `most` from the mean of up to nine rows before it in its column.
     fn clip(grey: &mut [Line], most: f32) {
         for i in GROUP..grey.len() {
             let (before, rest) = grey.split_at_mut(i);
@@ -350,7 +351,7 @@ mod tests {
         }
     }
 
-    /// Depths by their definition: of means over groups, the darker side's lighter box less the box on the joint.
+    /// Depths by their definition: means over groups, the darker side's lighter box less the box on the joint.
     fn depths_of(grey: &[Line], half: usize) -> Vec<Line> {
         let reach = away(half) + 2 * SIDE;
         let of_row = |i: usize| {
@@ -370,7 +371,8 @@ mod tests {
         (0..grey.len()).map(of_row).collect()
     }
 
-    /// What a leap relies on: but for its last rows, a begin of whole lit stretches is measured like the whole strip.
+    /// A leap relies on this: except for its last rows, the first part of a strip is measured like the whole strip. The
+    /// part consists of whole [`LIT`] stretches.
     #[test]
     fn a_begin_of_a_strip_is_measured_like_the_whole() {
         let mut random = random();
@@ -400,7 +402,7 @@ mod tests {
                     strip
                 };
                 let near = |a: &Line, b: &Line| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-2);
-                // In even light and with nothing clipped; then clipped.
+                // In levelled light without clipping, then with it.
                 let mut grey = measured(f32::INFINITY).grey;
                 for most in [f32::INFINITY, 12.0] {
                     clip(&mut grey, most);

@@ -1,8 +1,8 @@
-//! What several tests need.
+//! Helpers for several tests.
 
 use super::{Row, State};
 
-/// Rows a pixel apart along legs of a length and a heading (rad), each sure, unsure or not seen.
+/// Rows a pixel apart along legs of a length and a heading (rad), each confident, unconfident or not seen.
 pub(super) fn along(legs: &[(usize, f32, Option<bool>)], width: f32) -> Vec<Row> {
     let (mut x, mut y) = (0.0, 0.0);
     let mut row = |heading: f32, sure: Option<bool>| {

@@ -1,38 +1,38 @@
-//! How much darker each place of a picture is than the metal about it, whatever light is on it: the black top-hat, a closing
-//! less the picture (Serra, Image Analysis and Mathematical Morphology, 1982). A closing fills what is darker and narrower than
-//! its square and leaves the edges of shadows and of tacks as they are, so these are not seen any longer.
+//! Depth of each pixel against the metal about it, under any light: the black top-hat, a closing less the picture
+//! (Serra, Image Analysis and Mathematical Morphology, 1982). A closing fills dark structures narrower than its square.
+//! It keeps the edges of shadows and tacks, so that the difference removes them.
 
 use super::levels::{Grey, Picture};
 use super::make_room;
 use crate::aligned::CACHE_LINE;
 use crate::wide::{Simd, Work, wide};
 
-/// Parts of a grey value that are told apart. (Two grey values together are no more than 16 bits.)
+/// Resolution of grey values, parts of one. (A sum of two of them fits into 16 bits.)
 const PARTS: f32 = 64.0;
-/// Parts of a grey value that depths are told apart by, and the depths.
+/// Resolution of depths, parts of a grey value, and the number of depths.
 const DEPTH_PARTS: i16 = 8;
 const DEPTHS: i16 = 256 * DEPTH_PARTS;
-/// Pixels that are combined at a time.
+/// Pixels processed at a time.
 const LANES: usize = 32;
-/// Depths go towards this part of the depth at the start: where it is lighter beside an open gap it is deeper.
+/// Limit of the depths as a part of the depth at the start: an open gap beside lighter metal is deeper.
 const DEEPEST: f32 = 0.8;
 /// Grey value of the metal.
 const METAL: f32 = 255.0;
 
-/// A picture of the joint on even metal; keeps its buffers.
+/// A picture of the joint on uniform metal; reuses its buffers.
 #[derive(Debug, Clone, Default)]
 pub(super) struct TopHat {
     width: usize,
     height: usize,
-    /// The picture within a margin of its rims' values, a little out of focus, in parts of grey values.
+    /// The slightly blurred picture with a margin of repeated border pixels, in parts of grey values.
     smooth: Vec<i16>,
-    /// The same, closed.
+    /// The closing of `smooth`.
     metal: Vec<i16>,
     pixels: Vec<f32>,
 }
 
 impl TopHat {
-    /// Room for a picture of this size and squares of so many pixels to either side.
+    /// Reserves capacity for a picture of this size and squares of `around` pixels to either side.
     pub(super) fn make_room(&mut self, (width, height): (usize, usize), around: usize) {
         let room = room(line(width, around) * (height + 2 * margin(around)), around);
         make_room(&mut self.smooth, room);
@@ -40,8 +40,8 @@ impl TopHat {
         make_room(&mut self.pixels, width * height);
     }
 
-    /// Takes it of a picture, by squares of `around` pixels to either side, for joints that are narrower than those and about
-    /// `contrast` grey values deep.
+    /// Computes the top-hat of a picture, with squares of `around` pixels to either side, for joints narrower than
+    /// these and about `contrast` grey values deep.
     pub(super) fn take(&mut self, pixels: &[f32], (width, height): (usize, usize), around: usize, contrast: f32) {
         (self.width, self.height) = (width, height);
         let (margin, square) = (margin(around), 2 * around + 1);
@@ -60,54 +60,54 @@ impl TopHat {
     }
 }
 
-/// A grey value in parts.
+/// Converts a grey value to parts.
 #[inline(always)]
 fn parts(grey: f32) -> i16 {
-    // The last bits of what has no place for fractions.
+    // At this magnitude `f32` has no fraction bits: the low bits are the integer.
     const WHOLE: f32 = 8_388_608.0;
     (PARTS * grey + WHOLE).to_bits() as i16
 }
 
-/// Pixels that are needed about a picture for squares of so many to either side.
+/// Returns the margin about a picture for squares of `around` pixels to either side.
 fn margin(around: usize) -> usize {
     2 * around + 2
 }
 
-/// Pixels from one row of a picture within its margin to the next, in whole lanes.
+/// Returns the pixels from one row of a picture with its margin to the next, in whole lanes.
 fn line(width: usize, around: usize) -> usize {
     (width + 2 * margin(around)).next_multiple_of(LANES)
 }
 
-/// Pixels that are kept for so many: behind the last row those that its own are combined with, whole lanes or the longest step, and
-/// before the first one those up to where a line of the cache begins.
+/// Returns the buffer size for `pixels`. It includes whole lanes or the longest step behind the last row, and the
+/// alignment to a cache line before the first one.
 fn room(pixels: usize, around: usize) -> usize {
     pixels + around.max(LANES) + LANES
 }
 
-/// Pixels from where a line of the cache begins on.
+/// Returns the pixels from the first cache line boundary on.
 fn from_cache_line(pixels: &mut [i16]) -> &mut [i16] {
     const { assert!(LANES * size_of::<i16>() >= CACHE_LINE, "there is room for it") };
     let from = pixels.as_ptr().align_offset(CACHE_LINE);
     &mut pixels[from..]
 }
 
-/// Steps after each of which a pixel holds so many more from it on, until they are `count`.
+/// Returns steps of doubling length, after which a pixel combines `count` pixels from it on.
 fn steps(count: usize) -> impl Iterator<Item = usize> + Clone {
     let more = move |done: usize| (done < count).then(|| done.min(count - done));
     let mut done = 1;
     std::iter::from_fn(move || more(done).inspect(|step| done += step))
 }
 
-/// See [`TopHat::take`]. Rows are done one after the other, each as soon as those that it needs are: so they stay at hand. The upper left
-/// pixel of each group becomes what the group is.
+/// See [`TopHat::take`]. Each row is processed as soon as its inputs are ready, so that they stay in the cache. The
+/// upper left pixel of each group holds the result.
 struct Take<'a> {
     pixels: &'a [f32],
-    /// Pixels of a row of the picture, and rows.
+    /// Pixels per row of the picture, and rows.
     size: (usize, usize),
     smooth: &'a mut [i16],
     metal: &'a mut [i16],
     out: &'a mut [f32],
-    /// Pixels of a row within the margin, and rows.
+    /// Pixels per row with the margin, and rows.
     line: usize,
     rows: usize,
     margin: usize,
@@ -126,7 +126,8 @@ impl Work for Take<'_> {
             put_within(&mut smooth[row * line..][..line], from, margin);
             across(smooth, (line, row), &twice, mean);
             down(smooth, (line, row), &twice, mean);
-            // A row is smooth when the two below it are there, and the greatest or least of a square when the others of it are.
+            // A row is smoothed when the two below it are there. The maximum or minimum of a square is ready with its
+            // last row.
             let Some(row) = row.checked_sub(2) else { continue };
             let this = row * line..(row + 1) * line;
             metal[this.clone()].copy_from_slice(&smooth[this]);
@@ -136,7 +137,7 @@ impl Work for Take<'_> {
             down(metal, (line, row), &steps, i16::min);
             let Some(row) = row.checked_sub(square - 1) else { continue };
             across(metal, (line, row), &steps, i16::min);
-            // A group of three is one to the upper left, two squares are so much more.
+            // A group of three is shifted by one to the upper left, the two squares by their size.
             let Some(y) = (row + square).checked_sub(margin).filter(|y| *y < height) else { continue };
             let at = |less: usize| (y + margin - less) * line + margin - less;
             let (smooth, metal) = (&smooth[at(1)..][..width], &metal[at(square)..][..width]);
@@ -145,7 +146,7 @@ impl Work for Take<'_> {
     }
 }
 
-/// A row of grey values in parts, within a margin.
+/// Writes a row of grey values in parts, with a margin.
 #[inline(always)]
 fn put_within(row: &mut [i16], from: &[f32], margin: usize) {
     let (before, rest) = row.split_at_mut(margin);
@@ -157,7 +158,8 @@ fn put_within(row: &mut [i16], from: &[f32], margin: usize) {
     behind.fill(parts(from[from.len() - 1]));
 }
 
-/// Combines each pixel with those of its row from it on, step by step. (Behind the rim a row goes on with the next one: nobody asks.)
+/// Combines each pixel with those behind it in its row, step by step. (Behind the border a row continues in the next
+/// one; those results are unused.)
 #[inline(always)]
 fn across(
     pixels: &mut [i16],
@@ -177,7 +179,7 @@ fn across(
     }
 }
 
-/// Combines rows with those from them on, step by step, as far as those reach up to this one.
+/// Combines rows with those below them, step by step, for all rows whose inputs end at this row.
 #[inline(always)]
 fn down(
     pixels: &mut [i16],
@@ -185,7 +187,7 @@ fn down(
     steps: &(impl Iterator<Item = usize> + Clone),
     of: impl Fn(i16, i16) -> i16,
 ) {
-    // Each step as soon as the one before it is done with the row it reaches.
+    // Each step follows once the previous one is done with the row it reaches.
     let mut reached = row;
     for step in steps.clone() {
         let Some(upper) = reached.checked_sub(step) else { break };
@@ -197,7 +199,7 @@ fn down(
     }
 }
 
-/// The grey values of a row for depths that are bent over at `most`.
+/// Writes the grey values of a row; depths saturate at `most`.
 #[inline(always)]
 fn bend(out: &mut [f32], smooth: &[i16], metal: &[i16], most: f32) {
     let part_of_most = 1.0 / most;
@@ -214,7 +216,7 @@ mod tests {
     use super::*;
     use crate::testing::random;
 
-    /// The same by the definition: the least of the greatest of squares, of means of three by three with weights 1, 2, 1.
+    /// Reference by definition: the minimum of the maximum over squares, of 3 x 3 means with weights 1, 2, 1.
     fn slowly(pixels: &[f32], (width, height): (usize, usize), around: isize) -> Vec<f32> {
         let (w, h) = (width as isize, height as isize);
         let at = |x: isize, y: isize| pixels[(y.clamp(0, h - 1) * w + x.clamp(0, w - 1)) as usize];
@@ -255,7 +257,7 @@ mod tests {
         }
     }
 
-    /// What it is for: a line across the edge of a shadow and a bright disc is there, and nothing else.
+    /// The purpose: a line across the edges of a shadow and a bright disc remains, everything else vanishes.
     #[test]
     fn the_edges_of_light_are_gone() {
         let (width, height) = (120, 90);
@@ -273,10 +275,10 @@ mod tests {
             let (x, y) = place(i);
             let off = (y - 0.2 * x - 20.0).abs();
             match METAL - grey {
-                // Across the edge itself the line is half as deep.
+                // Across the edge itself the line has half the depth.
                 _ if (x + 0.3 * y - 70.0).abs() < 2.0 => {}
                 depth if off < 0.5 => assert!(depth > 15.0, "{x} {y}: {depth}"),
-                // The corners between the disc's rim and the square's are filled in part.
+                // The corners between the disc's rim and the square's are partly filled.
                 depth if off > 4.0 => assert!(depth < 8.0, "{x} {y}: {depth}"),
                 _ => {}
             }

@@ -1,44 +1,44 @@
 //! One chain of blobs across the columns: the stripe, without reflections and spatter.
 //!
-//! Viterbi's method with a few live ends: an end is continued by a blob of the next column, or waits while columns have
-//! none that fits. A blob earns up to 1 by its strength; a step costs by how far it leaves the end's course, but never
-//! more than a jump does (edges of lap joints, gaps), which takes more columns to earn than spatter has. A reflection
-//! must earn its way out and back, and so cannot take over where the stripe itself is seen.
+//! The method is Viterbi's with a few live ends. An end is continued by a blob of the next column, or waits while no
+//! blob of a column fits. A blob earns up to 1 by its strength. A step costs by its distance from the end's course, but
+//! at most the cost of a jump (edges of lap joints, gaps). Earning a jump takes more columns than spatter has. A
+//! reflection must earn the jumps to it and back, so it cannot take over from a visible stripe.
 
-use super::blobs::{Blob, Blobs, MOST};
+use super::blobs::{Blob, Blobs, MAX_BLOBS};
 use glam::DVec2;
 
-/// Cost of a pixel off the course, and of a pixel up or down whatever the course: corners, steep walls.
+/// Cost per pixel off the course, and per pixel up or down regardless of the course, for corners and steep walls.
 const A_PIXEL: f32 = 0.8;
 const A_ROW: f32 = 0.12;
 
-/// Rows up or down that are free for every column, and most such columns.
+/// Rows up or down that are free per column, and the maximum number of such columns.
 const FREE_ROWS: f32 = 1.0;
 const FREE_COLUMNS: f32 = 40.0;
 
-/// Most that a step costs, and what it costs more by the columns of the image.
+/// Maximum cost of a step, and the columns of the image that raise it by 1.
 const JUMP: f32 = 20.0;
 const JUMP_COLUMNS: f32 = 64.0;
 
-/// Live ends kept while they wait.
+/// Maximum number of waiting ends.
 const WAITING: usize = 4;
 
-/// Part of a new slope in the course.
+/// Weight of a new slope in the course.
 const NEW_SLOPE: f32 = 0.4;
 
-/// Steepest course, rows a column.
+/// Maximum slope of the course, rows per column.
 const STEEPEST: f32 = 4.0;
 
-/// A place of the stripe in the image.
+/// A point of the stripe in the image.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StripePoint {
     /// Column, and row of the stripe's centre, pixels.
     pub at: DVec2,
-    /// Grey values (0 to 255) above the background, summed down the column.
+    /// Sum of the grey values (0 to 255) above the background, down the column.
     pub strength: f64,
     /// Rows from border to border.
     pub width: f64,
-    /// Whether some of its pixels are saturated.
+    /// True if some of its pixels are saturated.
     pub saturated: bool,
 }
 
@@ -58,11 +58,11 @@ struct End {
     slope: f32,
     column: u32,
     node: u32,
-    /// Continued by a blob that lies on its course: nothing is lost by not waiting any more.
+    /// Continued by a blob on its course, so that nothing is lost if it does not wait any more.
     continued: bool,
 }
 
-/// Chains blobs; its buffers are kept from image to image.
+/// Chains blobs; reuses its buffers from image to image.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Chainer {
     nodes: Vec<Node>,
@@ -73,29 +73,29 @@ pub(super) struct Chainer {
 
 const NONE: u32 = u32::MAX;
 
-/// A run of the stripe has at least this part of the image's columns, and so many.
+/// Minimum length of a run of the stripe: the columns of the image divided by this, and columns.
 const SHORTEST_PART: usize = 32;
 const SHORTEST: usize = 8;
 
-/// A run ends where so many columns are missing, or where the next place is so many rows off for each column, and more.
+/// A run ends at this many missing columns, or at a next point this many rows off: per column, plus a constant.
 const BREAK_COLUMNS: f64 = 14.0;
 const BREAK_SLOPE: f64 = 5.0;
 const BREAK_ROWS: f64 = 8.0;
 
 impl Chainer {
-    /// Room for what an image of so many columns can hold.
+    /// Reserves capacity for an image of this many columns.
     pub(super) fn reserve(&mut self, columns: usize) {
         self.nodes.clear();
-        self.nodes.reserve(columns * MOST);
+        self.nodes.reserve(columns * MAX_BLOBS);
         self.live.clear();
-        self.live.reserve(WAITING + 2 * MOST);
+        self.live.reserve(WAITING + 2 * MAX_BLOBS);
         self.next.clear();
-        self.next.reserve(MOST);
+        self.next.reserve(MAX_BLOBS);
         self.strengths.clear();
         self.strengths.reserve(columns);
     }
 
-    /// The stripe among `blobs`, from left to right, into `chain`.
+    /// Links the stripe among `blobs` from left to right into `chain`.
     pub(super) fn link(&mut self, blobs: &Blobs, chain: &mut Vec<StripePoint>) {
         chain.clear();
         let usual = self.usual_strength(blobs);
@@ -136,7 +136,7 @@ impl Chainer {
         drop_short_runs(chain, blobs.width());
     }
 
-    /// Median strength of the strongest blobs of the columns.
+    /// Returns the median strength of the strongest blobs of the columns.
     fn usual_strength(&mut self, blobs: &Blobs) -> f32 {
         self.strengths.clear();
         let best = |c: usize| blobs.of(c).iter().map(|b| b.strength).reduce(f32::max);
@@ -148,14 +148,14 @@ impl Chainer {
         *self.strengths.select_nth_unstable_by(middle, f32::total_cmp).1
     }
 
-    /// The best chain that ends with this blob.
+    /// Returns the best chain that ends with this blob.
     fn extend(&mut self, column: u32, index: u8, blob: &Blob, (usual, jump): (f32, f32)) -> End {
         let earns = (blob.strength / usual).clamp(0.15, 1.0);
         let mut best: Option<(f32, usize, f32)> = None;
         for (i, end) in self.live.iter_mut().enumerate() {
             let columns = (column - end.column) as f32;
             let off = (blob.row - end.row - end.slope * columns).abs();
-            // The course is known less well over columns without the stripe.
+            // The course is less certain after columns without the stripe.
             let on_course = A_PIXEL * off / (1.0 + 0.1 * (columns - 1.0)).min(4.0);
             let free = FREE_ROWS * columns.min(FREE_COLUMNS);
             let anywhere = A_ROW * ((blob.row - end.row).abs() - free).max(0.0) + 0.4;
@@ -184,7 +184,7 @@ impl Chainer {
     }
 }
 
-/// Takes out short runs of places without neighbours: spatter where the stripe itself is not seen.
+/// Removes short runs of points without neighbours: spatter where the stripe itself is not visible.
 fn drop_short_runs(chain: &mut Vec<StripePoint>, width: usize) {
     let shortest = (width / SHORTEST_PART).max(SHORTEST);
     let breaks = |a: &StripePoint, b: &StripePoint| {

@@ -1,66 +1,67 @@
-//! Where the light along a course ends.
+//! Detection of the ends of the light along a course.
 
 use super::profile::median;
 use nalgebra::{SMatrix, SVector};
 
-/// Part of the usual light from which on a column is lit.
+/// Minimum light of a lit column, as a part of the usual light.
 pub(super) const LIT: f64 = 0.2;
 
-/// Least and greatest part of the columns on a course thought to be lit, and part of those off it that are: by
-/// reflections, spatter and faces seen from the side.
+/// Minimum and maximum part of lit columns on a course, and the part of lit columns off it. Reflections, spatter and
+/// faces seen from the side light the latter.
 const LIT_ON: [f64; 2] = [0.6, 0.95];
 const LIT_OFF: f64 = 0.05;
 
-/// Logarithm of how likely holes must be for a gap not to be one; dark columns that are no gap at all.
+/// Logarithm of the likelihood of holes below which dark columns are a gap, and the minimum columns of a gap.
 const GAP_ODDS: f64 = -5.0;
-const LEAST_GAP: f64 = 2.0;
+const MIN_GAP: f64 = 2.0;
 
-/// What is taken for the part of holes that go on if there are none.
-const LEAST_HOLE: f64 = 0.1;
+/// Part of the holes that are assumed to continue if a course has no holes.
+const PRIOR_HOLE: f64 = 0.1;
 
-/// Light of a column that the lens brings into its neighbours. With it the sub-pixel part is known much better than by the
-/// place of half the light: grains make columns differ by half, but what a column brings into a dark one is all its own.
+/// Part of a column's light that the lens spreads into each neighbour. It locates an end far better than the position
+/// of half the light: grains vary by half between columns, but the light spread into a dark column comes from its
+/// neighbour alone.
 const SPREAD: f64 = 0.25;
 
-/// Standard deviation of columns after that, if neighbours are independent before it.
+/// Standard deviation of columns after the spread, for independent columns before it.
 const AFTER_SPREAD: f64 = 0.612;
 
-/// Light off the course, and noise, as parts of the usual light; standard deviations.
+/// Standard deviations of the light off the course and of the noise, as parts of the usual light.
 const STRAY: f64 = 0.07;
 const NOISE: f64 = 0.03;
 
-/// Columns before an end that are looked at for something else, and most about it that may have it: corners have some.
+/// Columns before an end searched for another object, and the maximum number with one: corners have some.
 const BEFORE: usize = 12;
 const HIDING: usize = 4;
 
-/// Columns about an end that are looked at.
+/// Columns in the window about an end.
 const WINDOW: usize = 8;
 
-/// How far the end is looked for from where the lit columns end, and in what steps, columns.
+/// Reach and step of the search for an end about the lit columns' end, columns.
 const REACH: f64 = 2.5;
 const STEP: f64 = 0.2;
 
-/// Light along a course, in parts of what is usual on it.
+/// Usual light along a course.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Usual {
     /// Light of a lit column.
     pub(super) light: f64,
-    /// Mean and standard deviation of all columns, parts of it.
+    /// Mean and standard deviation of all columns, in parts of `light`.
     mean: f64,
     deviation: f64,
     /// Part of the columns that are lit.
     pub(super) lit: f64,
-    /// Part of the dark columns after which the next one is dark too.
+    /// Part of the dark columns that are followed by a dark one.
     hole: f64,
 }
 
 impl Usual {
-    /// Of columns that are thought to be on the course.
+    /// Measures columns that are assumed to be on the course.
     pub(super) fn of(strip: &[f64], scratch: &mut Vec<f64>) -> Option<Self> {
         scratch.clear();
         scratch.extend(strip.iter().filter(|v| v.is_finite()));
         let middle = median(scratch)?;
-        // Of holes too there may be many.
+        // Holes may be frequent too.
         scratch.retain(|v| *v > 0.5 * middle);
         let light = median(scratch)?;
         let seen = || strip.iter().filter(|v| v.is_finite()).map(|v| (v / light).clamp(0.0, 3.0));
@@ -70,21 +71,21 @@ impl Usual {
         let lit = seen().filter(|v| *v > LIT).count() as f64 / count;
         let dark = |v: &f64| *v <= LIT * light;
         let pairs = strip.windows(2).filter(|w| dark(&w[0]) && dark(&w[1])).count() as f64;
-        let hole = (pairs + LEAST_HOLE) / (count * (1.0 - lit) + 1.0);
+        let hole = (pairs + PRIOR_HOLE) / (count * (1.0 - lit) + 1.0);
         (light > 0.0 && mean > 0.0).then_some(Self { light, mean, deviation, lit, hole })
     }
 
-    /// Whether a column is known to be dark.
+    /// Returns true if a column is known to be dark.
     pub(super) fn is_dark(&self, light: f64) -> bool {
         light.is_finite() && light <= LIT * self.light
     }
 
-    /// Fewest dark columns in a row that are more likely a gap than holes.
+    /// Returns the minimum number of consecutive dark columns that are more likely a gap than holes.
     pub(super) fn least_gap(&self) -> f64 {
-        (GAP_ODDS / self.hole.min(0.5).ln()).max(LEAST_GAP)
+        (GAP_ODDS / self.hole.min(0.5).ln()).max(MIN_GAP)
     }
 
-    /// Whether that much light is the stripe's; what is outside of the image, or under something else, is not known.
+    /// Returns the log likelihood ratio that this light is the stripe's; 0 outside the image or under another object.
     pub(super) fn evidence(&self, light: f64) -> f64 {
         let on = self.lit.clamp(LIT_ON[0], LIT_ON[1]);
         if !light.is_finite() {
@@ -98,7 +99,7 @@ impl Usual {
     }
 }
 
-/// The number of columns of `strip`, from inside to outside, that are best taken for lit: the others are not.
+/// Returns the most likely number of lit columns at the start of `strip`, which runs from inside to outside.
 pub(super) fn lit_columns(strip: &[f64], usual: &Usual) -> usize {
     let (mut sum, mut most, mut end) = (0.0, 0.0, 0);
     for (i, &light) in strip.iter().enumerate() {
@@ -110,18 +111,19 @@ pub(super) fn lit_columns(strip: &[f64], usual: &Usual) -> usize {
     end
 }
 
-/// Whether something else hides where the light ends: seen in several columns before it, or until it is dark.
+/// Returns true if another object hides the end of the light: in several columns before it, or up to the first dark
+/// one.
 pub(super) fn is_hidden(strip: &[f64], usual: &Usual, end: usize) -> bool {
     let after = strip[end..].iter().take_while(|v| !usual.is_dark(**v));
     let about = strip[end.saturating_sub(BEFORE)..end].iter().chain(after);
     about.filter(|v| v.is_infinite()).count() > HIDING
 }
 
-/// The same to a part of a column: the mean over all places where the end could be, weighted by how likely the light
-/// about it is.
+/// Locates the end to a fraction of a column: the mean over all positions of the end, weighted by the likelihood of the
+/// light about it.
 ///
-/// Every column on the course has light of normal distribution of its own, those off it some stray light, and the lens
-/// spreads all of it. So the light seen is normally distributed for every place of the end.
+/// Each column on the course has normally distributed light, each column off it some stray light, and the lens spreads
+/// both. The observed light is therefore normally distributed for every position of the end.
 pub(super) fn sub_column(strip: &[f64], usual: &Usual, coarse: usize) -> f64 {
     let first = coarse as i64 - (WINDOW / 2) as i64;
     let (own, mean) = ((usual.deviation / AFTER_SPREAD).clamp(0.1, 0.9), usual.mean);
@@ -129,7 +131,7 @@ pub(super) fn sub_column(strip: &[f64], usual: &Usual, coarse: usize) -> f64 {
     let mut noise = SVector::<f64, WINDOW>::zeros();
     for i in 0..WINDOW {
         let at = usize::try_from(first + i as i64).ok().and_then(|i| strip.get(i)).copied().unwrap_or(f64::NAN);
-        // The neighbour before the window is not known.
+        // The light of the neighbour before the window is unknown.
         let known = at.is_finite() && i > 0;
         seen[i] = if known { at / usual.light } else { 0.0 };
         noise[i] = if known { NOISE * NOISE } else { 1e4 };
@@ -139,7 +141,7 @@ pub(super) fn sub_column(strip: &[f64], usual: &Usual, coarse: usize) -> f64 {
     for k in 0..=steps {
         let end = (WINDOW / 2) as f64 - REACH + STEP * f64::from(k);
         let Some(score) = likelihood(&seen, &noise, end, (mean, own)) else { continue };
-        // Weights by the greatest likelihood so far.
+        // Weights relative to the maximum likelihood so far.
         if score > most {
             let down = (most - score).exp();
             (weights, moment, most) = (weights * down, moment * down, score);
@@ -151,7 +153,7 @@ pub(super) fn sub_column(strip: &[f64], usual: &Usual, coarse: usize) -> f64 {
     if weights > 0.0 { first as f64 + moment / weights } else { coarse as f64 }
 }
 
-/// Logarithm of how likely the light is if columns before `end` are lit, but for a constant.
+/// Returns the log likelihood of the light if columns before `end` are lit, up to a constant.
 fn likelihood(
     seen: &SVector<f64, WINDOW>,
     noise: &SVector<f64, WINDOW>,
@@ -190,7 +192,7 @@ mod tests {
 
     const LIGHT: f64 = 700.0;
 
-    /// What a seed makes of a number: 0 to 1.
+    /// Returns a pseudorandom number from 0 to 1 for a seed.
     fn chance(seed: u64) -> f64 {
         let hash = seed.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
         let hash = (hash ^ (hash >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -202,18 +204,18 @@ mod tests {
         for (count, run) in [(100, 0), (100, 1), (120, 4), (200, 30)] {
             let mut strip = vec![LIGHT; count];
             strip[50..50 + run].fill(0.0);
-            // What is not known changes nothing.
+            // Unknown columns do not matter.
             strip.push(f64::NAN);
             let usual = Usual::of(&strip, &mut Vec::new()).unwrap();
             let lit = 1.0 - run as f64 / count as f64;
             assert!((usual.light - LIGHT).abs() < 1e-9 && (usual.lit - lit).abs() < 1e-12);
             assert!((usual.mean - lit).abs() < 1e-12);
             assert!((usual.deviation - (lit * (1.0 - lit)).sqrt()).abs() < 1e-12);
-            let hole = (run.saturating_sub(1) as f64 + LEAST_HOLE) / (run as f64 + 1.0);
+            let hole = (run.saturating_sub(1) as f64 + PRIOR_HOLE) / (run as f64 + 1.0);
             assert!((usual.hole - hole).abs() < 1e-9);
-            // So many dark columns are as unlikely as is asked.
+            // The likelihood of that many dark columns is the limit.
             let gap = usual.least_gap();
-            assert!(gap >= LEAST_GAP && (gap <= LEAST_GAP || (hole.min(0.5).ln() * gap - GAP_ODDS).abs() < 1e-9));
+            assert!(gap >= MIN_GAP && (gap <= MIN_GAP || (hole.min(0.5).ln() * gap - GAP_ODDS).abs() < 1e-9));
             assert!(usual.is_dark(0.1 * LIGHT) && !usual.is_dark(0.3 * LIGHT) && !usual.is_dark(f64::INFINITY));
         }
         assert!(Usual::of(&[f64::NAN; 9], &mut Vec::new()).is_none());
@@ -250,7 +252,7 @@ mod tests {
         for k in 0..200 {
             let end = 20.0 + 0.05 * f64::from(k);
             let lit = |i: i64| (end - i as f64).clamp(0.0, 1.0);
-            // The lens spreads what each column has.
+            // The lens spreads the light of each column.
             let seen = |i: i64| (1.0 - 2.0 * SPREAD) * lit(i) + SPREAD * (lit(i - 1) + lit(i + 1));
             let strip: Vec<f64> = (0..60).map(|i| LIGHT * seen(i)).collect();
             let coarse = lit_columns(&strip, &usual);
@@ -268,7 +270,7 @@ mod tests {
                 let mut strip = [LIGHT; 60];
                 strip[30..].fill(0.0);
                 strip[from..from + many].fill(f64::INFINITY);
-                // Those before the end count, and those after it up to the first dark column.
+                // Columns before the end count, and those after it up to the first dark one.
                 let near = if from > 30 { 0 } else { many };
                 assert_eq!(is_hidden(&strip, &usual, 30), near > HIDING, "{many} from {from}");
             }

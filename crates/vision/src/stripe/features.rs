@@ -1,11 +1,11 @@
-//! What is asked of a stripe, and what is answered.
+//! Task and result of reading a stripe.
 
 use arrayvec::ArrayVec;
 use glam::DVec2;
 use serde::Serialize;
 use thiserror::Error;
 
-/// Joints that can be looked for, as a sensor sees them from above.
+/// Joint types that can be detected, as seen by a sensor from above.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum JointKind {
@@ -28,69 +28,69 @@ impl JointKind {
     pub const ALL: [Self; 6] = [Self::Fillet, Self::V, Self::Lap, Self::Butt, Self::U, Self::J];
 }
 
-/// Where the joint point should be, from a result before.
+/// Expected position of the joint point, from a previous result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expected {
     /// y and z, mm.
     pub at: DVec2,
-    /// How far off is nothing unusual, mm.
+    /// Normal deviation from it, mm.
     pub within: f64,
 }
 
-/// What is asked of a stripe. Lengths are in the unit of the profile: mm, or pixels without a map.
+/// Task for reading a stripe. Lengths are in the unit of the profile: mm, or pixels without a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StripeTask {
-    /// The joint that should be there.
+    /// The type of the joint.
     pub joint: JointKind,
-    /// A smaller step is the mismatch of a butt joint, a greater one that of a lap joint.
+    /// Limit between the mismatch of a butt joint (below) and the step of a lap joint (above).
     pub least_step: f64,
-    /// Thickness of a lap joint's upper sheet; its gap is known only with it.
+    /// Thickness of a lap joint's upper sheet; required to measure its gap.
     pub thickness: Option<f64>,
-    /// Where the joint should be.
+    /// Expected position of the joint.
     pub expected: Option<Expected>,
 }
 
 impl StripeTask {
-    /// The joint in mm: steps below 1 mm are mismatch.
+    /// Creates a task in mm: steps below 1 mm are mismatch.
     #[must_use]
     pub fn in_mm(joint: JointKind) -> Self {
         Self { joint, least_step: 1.0, thickness: None, expected: None }
     }
 
-    /// The joint in pixels: steps below 20 pixels are mismatch.
+    /// Creates a task in pixels: steps below 20 pixels are mismatch.
     #[must_use]
     pub fn in_pixels(joint: JointKind) -> Self {
         Self { least_step: 20.0, ..Self::in_mm(joint) }
     }
 
-    /// The same with the upper sheet's thickness; steps below half of it are mismatch.
+    /// Sets the upper sheet's thickness; steps below half of it are mismatch.
     #[must_use]
     pub fn with_thickness(self, thickness: f64) -> Self {
         Self { thickness: Some(thickness), least_step: 0.5 * thickness, ..self }
     }
 }
 
-/// Places of a joint.
+/// Feature points of a joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Feature {
-    /// What the torch goes for: the corner of a fillet, the middle of the root of a groove, the foot of a lap joint's
-    /// end, the middle of a butt joint's gap.
+    /// Target of the torch: a fillet's corner, the middle of a groove's root or butt joint's gap, or the foot of a lap
+    /// joint's upper edge.
     Joint,
-    /// Where the left plate's surface ends at the groove, the gap or the step.
+    /// End of the left plate's surface at the groove, the gap or the step.
     LeftEdge,
-    /// The same of the right plate.
+    /// End of the right plate's surface.
     RightEdge,
     /// Root of a groove's left side.
     LeftRoot,
-    /// Root of its right side.
+    /// Root of a groove's right side.
     RightRoot,
     /// End of a lap joint's upper sheet.
     UpperEdge,
 }
 
 impl Feature {
-    /// Its name in tables.
+    /// Returns its name in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -104,32 +104,33 @@ impl Feature {
     }
 }
 
-/// Lengths, areas and angles of a joint.
+/// Measured lengths, areas and angles of a joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
-    /// Root gap; of a lap joint the distance between the sheets, of a fillet that of the web's end from the other face.
+    /// Root gap; for a lap joint the distance between the sheets, for a fillet the distance of the web's end from the
+    /// other face.
     Gap,
-    /// Height of the right plate's surface over the left one's.
+    /// Height of the right plate's surface above the left one's.
     Mismatch,
     /// Cross-section of the groove below the line between its edges.
     Area,
-    /// Angle between the faces of a fillet, the walls of a V groove, a U or J groove's wall and the upright, rad.
+    /// Angle between a fillet's faces, a V groove's walls, or a U or J groove's wall and the upright, rad.
     Angle,
     /// Turn from the left plate's surface to the right one's, rad; positive if they make a valley.
     Bend,
-    /// Distance of a groove's edges.
+    /// Distance between a groove's edges.
     Width,
     /// Depth of a groove's root below the line between its edges.
     Depth,
-    /// Height of a lap joint's upper surface over the lower one.
+    /// Height of a lap joint's upper surface above the lower one.
     Height,
     /// Radius of a U or J groove's arcs.
     Radius,
 }
 
 impl Quantity {
-    /// Its name in tables.
+    /// Returns its name in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -145,7 +146,7 @@ impl Quantity {
         }
     }
 
-    /// Power of the unit of length that it has; none for angles.
+    /// Returns the power of its unit of length; `None` for angles.
     #[must_use]
     pub fn power(self) -> Option<u8> {
         match self {
@@ -156,34 +157,34 @@ impl Quantity {
     }
 }
 
-/// A joint that was found. Lengths in mm, or in pixels without a map; angles in rad.
+/// A detected joint. Lengths are in mm, or in pixels without a map; angles in rad.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Features {
-    /// The joint that was asked for.
+    /// The type of joint that was searched.
     pub kind: JointKind,
-    /// Its places, the joint point first: y and z.
+    /// Feature points (y, z), the joint point first.
     pub points: ArrayVec<(Feature, DVec2), 6>,
-    /// What was measured of it.
+    /// Measured quantities.
     pub values: ArrayVec<(Quantity, f64), 8>,
-    /// 0 to 1; from [`Features::CONFIDENT`] on it may be followed.
+    /// Confidence, 0 to 1; see [`Features::CONFIDENT`].
     pub confidence: f64,
-    /// What takes most of the confidence, if that is too little to follow it.
+    /// Main reason for a confidence below [`Features::CONFIDENT`].
     pub doubt: Option<Doubt>,
 }
 
-/// What takes confidence from a joint that was found.
+/// Reason for a low confidence of a detected joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum Doubt {
-    /// What is seen does not lie on the joint's lines, or something as bright lies beside them.
+    /// Points lie off the joint's lines, or something as bright lies beside them.
     #[error("much of what is seen is not on the joint's lines: reflections or spatter")]
     Clutter,
-    /// A part of the joint is seen in few columns.
+    /// A part of the joint is visible in few columns only.
     #[error("a part of the joint is seen in fewer than 30 columns: move the sensor nearer or across the whole joint")]
     Short,
     /// A part of the joint is not straight.
     #[error("a part of the joint is not straight: its places are several rows off the line")]
     Uneven,
-    /// The light on a part has holes, goes on beyond its end, or something hides the end.
+    /// The light on a part has holes, continues beyond its end, or the end is hidden.
     #[error(
         "the light does not begin and end where the joint's parts do: dark places on them, light beyond their ends, or \
          something that hides an end"
@@ -192,76 +193,76 @@ pub enum Doubt {
     /// The shape is nearly that of another joint.
     #[error("the shape is at the limit of this kind of joint")]
     Shape,
-    /// It is far from where it was before.
+    /// The joint is far from its expected position.
     #[error("it is far from where it was expected")]
     Moved,
-    /// A place or value is no finite number.
+    /// A point or value is not finite.
     #[error("a place or a value of it is not known")]
     Unknown,
 }
 
 impl Features {
-    /// Least confidence to follow what was found.
+    /// Minimum confidence to follow a detected joint.
     pub const CONFIDENT: f64 = 0.5;
 
-    /// A place.
+    /// Returns a feature point.
     #[must_use]
     pub fn point(&self, feature: Feature) -> Option<DVec2> {
         self.points.iter().find(|p| p.0 == feature).map(|p| p.1)
     }
 
-    /// The joint point.
+    /// Returns the joint point.
     #[must_use]
     pub fn joint(&self) -> DVec2 {
-        // Every joint puts it first.
+        // Every joint type stores it first.
         self.point(Feature::Joint).unwrap_or(DVec2::NAN)
     }
 
-    /// A value.
+    /// Returns a measured value.
     #[must_use]
     pub fn value(&self, quantity: Quantity) -> Option<f64> {
         self.values.iter().find(|v| v.0 == quantity).map(|v| v.1)
     }
 
-    /// Whether it may be followed.
+    /// Returns true if the joint may be followed.
     #[must_use]
     pub fn is_confident(&self) -> bool {
         self.confidence >= Self::CONFIDENT
     }
 }
 
-/// Why there are no features.
+/// Reason why no joint was detected.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum NoFeatures {
-    /// No chain of bright places.
+    /// No chain of bright points.
     #[error("there is no stripe")]
     NoStripe,
-    /// Nearly all of the image is white.
+    /// More than half of the image's background is saturated.
     #[error("the image is saturated: shorter exposure or less light")]
     Saturated,
-    /// The stripe is seen in too few columns.
+    /// The stripe is visible in too few columns.
     #[error("the stripe is seen in {found} of {columns} columns, a quarter is needed")]
     ShortStripe {
-        /// Columns with it.
+        /// Columns with the stripe.
         found: usize,
         /// Columns of the image.
         columns: usize,
     },
-    /// Too few places in a profile.
+    /// Too few points in a profile.
     #[error("the profile has {found} usable points, {needed} are needed")]
     TooFewPoints {
-        /// Places there are.
+        /// Usable points.
         found: usize,
-        /// Places there must be.
+        /// Required points.
         needed: usize,
     },
-    /// No two faces at 60 to 120 degrees that meet, or there is more than these.
+    /// No two faces at 60 to 120 degrees that meet, or the profile has more than these.
     #[error("no corner of two faces at 60 to 120 degrees that make up the profile")]
     NoCorner,
-    /// No walls between two shoulders as this groove has them.
+    /// No walls of this groove type between two shoulders.
     #[error("no groove of this kind between two shoulders")]
     NoGroove,
-    /// No two parallel sheets with a step that is high enough.
+    /// No two parallel sheets with a high enough step.
     #[error("no step between two parallel sheets")]
     NoStep,
     /// No two plates in line with a gap, a mismatch or a dark line between them.

@@ -1,32 +1,32 @@
-//! Lines and circles through places with outliers: least squares of distances with Tukey's weights.
+//! Robust lines and circles through points with outliers: least squares of distances with Tukey's weights.
 
 use super::profile::{Sample, median};
 use glam::DVec2;
 
-/// Tukey's limit in standard deviations; rounds of weights.
+/// Tukey's limit in standard deviations, and the maximum number of iterations.
 const LIMIT: f64 = 4.685;
 const ROUNDS: usize = 6;
 
-/// A line that moves by less than this part of the scale at its ends is there.
+/// A line has converged if its ends move by less than this part of the scale.
 const SETTLED: f64 = 0.02;
 
 /// A straight line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StripeLine {
-    /// A point of it, mm.
+    /// A point on the line, mm.
     pub at: DVec2,
     /// Unit direction, to the right.
     pub along: DVec2,
 }
 
 impl StripeLine {
-    /// Signed distance of `p`, mm: positive above the line.
+    /// Returns the signed distance of `p`, mm: positive above the line.
     #[must_use]
     pub fn off(&self, p: DVec2) -> f64 {
         self.along.perp_dot(p - self.at)
     }
 
-    /// Where it meets `other`; none if they are parallel to 0.1 degree.
+    /// Returns the intersection with `other`; `None` if they are parallel to 0.1 degree.
     #[must_use]
     pub fn meets(&self, other: &Self) -> Option<DVec2> {
         let sine = self.along.perp_dot(other.along);
@@ -34,14 +34,14 @@ impl StripeLine {
         (sine.abs() > 1.7e-3).then_some(self.at + t * self.along)
     }
 
-    /// The foot of `p` on it.
+    /// Returns the foot of `p` on the line.
     #[must_use]
     pub fn foot(&self, p: DVec2) -> DVec2 {
         self.at + self.along * self.along.dot(p - self.at)
     }
 }
 
-/// Sums of places, to fit a line.
+/// Weighted sums over points, to fit a line.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Moments {
     pub(super) n: f64,
@@ -66,20 +66,20 @@ impl Moments {
         Self { n: self.n - o.n, sum: self.sum - o.sum, yy: self.yy - o.yy, yz: self.yz - o.yz, zz: self.zz - o.zz }
     }
 
-    /// Squares about the mean: yy, yz, zz.
+    /// Returns the second moments about the mean: yy, yz, zz.
     fn scatter(&self) -> (f64, f64, f64) {
         let mean = self.sum * (1.0 / self.n);
         (self.yy - self.sum.x * mean.x, self.yz - self.sum.x * mean.y, self.zz - self.sum.y * mean.y)
     }
 
-    /// Least sum of squared distances from a line.
+    /// Returns the minimum sum of squared distances from a line.
     pub(super) fn cost(&self) -> f64 {
         let (yy, yz, zz) = self.scatter();
         let half = (yy - zz) / 2.0;
         ((yy + zz) / 2.0 - (half * half + yz * yz).sqrt()).max(0.0)
     }
 
-    /// The line with that sum.
+    /// Returns the line of that minimum.
     pub(super) fn line(&self) -> Option<StripeLine> {
         let (yy, yz, zz) = self.scatter();
         let angle = 0.5 * (2.0 * yz).atan2(yy - zz);
@@ -90,7 +90,7 @@ impl Moments {
     }
 }
 
-/// Scale of distances, from their median; `floor` at least.
+/// Returns a robust scale of distances from their median, at least `floor`.
 fn deviation(scratch: &mut [f64], floor: f64) -> f64 {
     (median(scratch).unwrap_or(0.0) / 0.6745).max(floor)
 }
@@ -100,7 +100,7 @@ fn tukey(distance: f64, scale: f64) -> f64 {
     if u.abs() < 1.0 { (1.0 - u * u).powi(2) } else { 0.0 }
 }
 
-/// The line through `samples`, and the deviation of those that are on it; from `start` if that is given.
+/// Fits a line to `samples`, from `start` if given; returns it with the deviation of the samples on it.
 pub(super) fn line(
     samples: &[Sample],
     start: Option<StripeLine>,
@@ -134,19 +134,19 @@ pub(super) fn line(
 /// A circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct StripeArc {
-    /// Its centre, mm.
+    /// Centre, mm.
     pub(super) centre: DVec2,
-    /// Its radius, mm.
+    /// Radius, mm.
     pub(super) radius: f64,
 }
 
 impl StripeArc {
-    /// Signed distance of `p`, mm: positive outside.
+    /// Returns the signed distance of `p`, mm: positive outside.
     pub(super) fn off(&self, p: DVec2) -> f64 {
         p.distance(self.centre) - self.radius
     }
 
-    /// The circle through three places.
+    /// Returns the circle through three points.
     pub(super) fn through(a: DVec2, b: DVec2, c: DVec2) -> Option<Self> {
         let (u, v) = (b - a, c - a);
         let twice = 2.0 * u.perp_dot(v);
@@ -158,7 +158,7 @@ impl StripeArc {
         centre.is_finite().then(|| Self { centre, radius: centre.distance(a) })
     }
 
-    /// Brought nearer to the samples by steps of Gauss and Newton with Tukey's weights; and their deviation.
+    /// Refines the circle by Gauss-Newton steps with Tukey's weights; returns it with the samples' deviation.
     pub(super) fn refined(mut self, samples: &[Sample], floor: f64, scratch: &mut Vec<f64>) -> Option<(Self, f64)> {
         let mut scale = floor;
         for _ in 0..2 * ROUNDS {

@@ -1,7 +1,7 @@
-//! The light of the image along a course: a line or an arc that the stripe is thought to be on.
+//! Light of the image along a course: a line or an arc on which the stripe is assumed.
 //!
-//! The chain has one place a column, and reflections and spatter shift or take it. But light adds up: where the stripe is,
-//! the pixels on its course are bright whatever else is seen in the column, and where it ends they are dark.
+//! The chain has one point per column, and reflections and spatter shift or replace it. Light adds up instead: pixels
+//! on the stripe's course are bright regardless of other light in the column, and dark beyond its end.
 
 use super::blobs::Blobs;
 use super::fit::{StripeArc, StripeLine};
@@ -10,19 +10,19 @@ use crate::{Frame, Pixels};
 use glam::DVec2;
 use seamwright_geometry::Homography;
 
-/// Half the rows of a strip as a part of the stripe's usual width: one and a quarter standard deviations.
+/// Half the rows of a strip as a part of the stripe's usual width: 1.25 standard deviations.
 const HALF: f64 = 0.35;
 
-/// Light of a column where something else than the stripe is seen on the course, so that the stripe may be there or not.
+/// Light of a column with another object on the course, so that the stripe may be there or not.
 pub(super) const SOMETHING_ELSE: f64 = f64::INFINITY;
 
-/// Part of the stripe's usual strength from which on light that is not centred on the course is something else.
+/// Minimum light of another object off the course's centre, as a part of the stripe's usual strength.
 const BRIGHT: f64 = 0.15;
 
-/// How much one side of the course may be brighter than the other, part of both.
+/// Maximum difference of the light on both sides of the course, as a part of their sum.
 const ONE_SIDED: f64 = 0.5;
 
-/// What the stripe follows.
+/// Assumed path of the stripe.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Course {
     Line(StripeLine),
@@ -31,7 +31,7 @@ pub(super) enum Course {
 }
 
 impl Course {
-    /// Signed distance of a place.
+    /// Returns the signed distance of a point.
     pub(super) fn off(&self, p: DVec2) -> f64 {
         match self {
             Self::Line(line) => line.off(p),
@@ -39,7 +39,7 @@ impl Course {
         }
     }
 
-    /// Its place at `y`; none beside an arc.
+    /// Returns the point at `y`; `None` beside an arc.
     pub(super) fn at(&self, y: f64) -> Option<DVec2> {
         let z = match self {
             Self::Line(line) => line.at.y + (y - line.at.x) * line.along.y / line.along.x.max(1e-6),
@@ -49,19 +49,19 @@ impl Course {
     }
 }
 
-/// An image with what is known of its light.
+/// An image with the parameters of its light.
 pub(super) struct Light<'a> {
     frame: &'a Frame<'a>,
     blobs: &'a Blobs,
     to_px: Option<Homography>,
     /// Half the height of a strip, rows.
     half: f64,
-    /// Light that is not of the background's noise.
+    /// Minimum light above the background's noise.
     bright: f64,
 }
 
 impl<'a> Light<'a> {
-    /// Of an image whose stripe is usually so many rows wide and so strong.
+    /// Creates it for an image with this usual width (rows) and strength of the stripe.
     pub(super) fn new(
         frame: &'a Frame<'a>,
         blobs: &'a Blobs,
@@ -72,15 +72,15 @@ impl<'a> Light<'a> {
         Self { frame, blobs, to_px, half: (HALF * width).max(1.0), bright: BRIGHT * strength }
     }
 
-    /// Light on `course` in the profile's columns `from` to `to`, both included, in that order: grey values above the
-    /// background, summed over a strip of rows. Not a number where the course leaves the image, [`SOMETHING_ELSE`] where
-    /// that is.
+    /// Measures the light on `course` in the profile's columns `from` to `to`, both included, in that order. The unit
+    /// is grey values above the background, summed over a strip of rows. The light is NaN where the course leaves the
+    /// image, and [`SOMETHING_ELSE`] where another object is seen.
     pub(super) fn along(&self, profile: &Profile, course: &Course, (from, to): (i32, i32), strip: &mut Vec<f64>) {
         strip.clear();
         let step = if to >= from { 1 } else { -1 };
         let columns = (0..=(to - from).abs()).map(|i| f64::from(from + step * i));
         if let Course::Line(line) = course {
-            // A straight line in the image too.
+            // The line is straight in the image too.
             let ends = [line.at - line.along, line.at + line.along].map(|p| self.px(p));
             let [Some(a), Some(b)] = ends else { return };
             let slope = (b.y - a.y) / (b.x - a.x);
@@ -102,25 +102,25 @@ impl<'a> Light<'a> {
         }
     }
 
-    /// The place of `course` in a column of the profile, looked for from `y` on, and its row.
+    /// Finds the point of `course` in a column of the profile, from `y` on, and its row.
     pub(super) fn place(&self, profile: &Profile, course: &Course, column: f64, y: f64) -> Option<(DVec2, f64)> {
         let (column, along) = (profile.image_column(column), profile.pitch * profile.direction);
         let mut at = course.at(y)?;
-        // Columns are nearly even along y.
+        // Columns are nearly uniform along y.
         for _ in 0..2 {
             at = course.at(at.x + (column - self.px(at)?.x) * along)?;
         }
         Some((at, self.px(at)?.y))
     }
 
-    /// Light of a column within `half` rows of `row`, if it is centred on it.
+    /// Returns the light of a column within `half` rows of `row`, if it is centred on it.
     fn strip(&self, column: f64, row: f64) -> f64 {
         let (width, height) = (self.frame.width(), self.frame.height());
         let inside = (0.0..=height as f64 - 1.0).contains(&row) && (-0.5..width as f64 - 0.5).contains(&column);
         if !inside {
             return f64::NAN;
         }
-        // What is inside is -0.5 at least.
+        // The range check above guarantees at least -0.5.
         let column = (column + 0.5) as usize;
         let background = self.blobs.background_at(column, row as usize);
         match self.frame.pixels() {
@@ -129,12 +129,12 @@ impl<'a> Light<'a> {
         }
     }
 
-    /// The light about `row` in a column over a background, from its pixels, which are so many for a grey value.
+    /// Returns the light about `row` in a column above the background; `a_grey` is the pixel value of one grey value.
     fn centred(&self, row: f64, (background, a_grey): (f64, f64), pixel: impl Fn(usize) -> u32) -> f64 {
         // The strip, and as much again above and below it.
         let first = (row - 2.0 * self.half).ceil().max(0.0) as usize;
         let last = ((row + 2.0 * self.half) as usize).min(self.frame.height() - 1);
-        // The strip's upper border, middle and lower border, the pixels that they are in, and the sums of those before these.
+        // Upper border, middle and lower border of the strip, their pixels, and the sums up to these.
         let edges = [row - self.half, row, row + self.half].map(|edge| edge + 0.5);
         let within = edges.map(|edge| (edge.max(0.0) as usize).clamp(first, last));
         let (mut all, mut before) = (0, [0; 3]);
@@ -172,7 +172,7 @@ mod tests {
         80.0 + SLOPE * (column - 20.0)
     }
 
-    /// A stripe along a straight line over dark, 16 bits.
+    /// A stripe along a straight line on a dark background, 16 bits.
     fn image() -> Vec<u16> {
         let grey = |i: usize| {
             let (column, at) = ((i % SIZE.0) as f64, (i / SIZE.0) as f64);
@@ -181,7 +181,7 @@ mod tests {
         (0..SIZE.0 * SIZE.1).map(|i| (257.0 * grey(i)).round() as u16).collect()
     }
 
-    /// The integral of the bell from `a` to `b`, by Simpson's rule.
+    /// Integral of the bell from `a` to `b` by Simpson's rule.
     fn integral(a: f64, b: f64) -> f64 {
         let bell = |t: f64| (-t * t / (2.0 * SIGMA * SIGMA)).exp();
         let n = 200;
@@ -215,11 +215,12 @@ mod tests {
                 let wanted = integral(-half, half);
                 assert!((found - wanted).abs() < 0.03 * wanted, "{width}, {i}: {found} {wanted}");
             }
-            // Backwards the same, from the other end.
+            // The reverse direction gives the same light in reverse order.
             let forwards = strip.clone();
             light.along(&profile, &course(0.0), (60, 5), &mut strip);
             assert!(strip.iter().eq(forwards.iter().rev()));
-            // Far from the stripe it is dark, beside it something else is seen, and out of the image nothing is known.
+            // Far from the stripe it is dark. Beside it another object is seen, and outside the image the light is
+            // unknown.
             light.along(&profile, &course(40.0 + half), (5, 60), &mut strip);
             assert!(strip.iter().all(|v| v.abs() < 0.02 * HEIGHT));
             light.along(&profile, &course(half + SIGMA), (5, 60), &mut strip);
@@ -254,7 +255,7 @@ mod tests {
         let blobs = Blobs::default();
         let (mut beside, mut on) = (0, 0);
         for _ in 0..5000 {
-            // Also borders at pixels' borders, and strips over the rims.
+            // Also strip borders at pixel borders, and strips across the image's borders.
             let snap = |v: f64| if v.fract() < 0.2 { (2.0 * v).round() / 2.0 } else { v };
             let (row, half) = (snap(39.0 * random()), snap(1.0 + 12.0 * random()));
             let background = 200.0 * random();

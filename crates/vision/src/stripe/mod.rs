@@ -1,15 +1,17 @@
-//! A laser stripe across a joint: its image becomes a profile, the profile the joint's features (DUALBEAM-2013).
+//! Laser stripe sensor: the image of a stripe across a joint becomes a profile, the profile the joint's features
+//! (DUALBEAM-2013).
 //!
-//! 1. `blobs`: up to five bright places of every column (three are not enough: spatter is brighter), sub-pixel, above a background that is taken away.
-//! 2. `chain`: one chain of them across the columns by Viterbi's method: reflections and spatter are left out.
-//!    The places that are told are those of several columns together (`smooth`).
+//! 1. `blobs`: up to five bright blobs of every column, sub-pixel, above a subtracted background. (Three are not
+//!    enough: spatter is brighter.)
+//! 2. `chain`: one chain of blobs across the columns by Viterbi's method, without reflections and spatter. Reported
+//!    points are smoothed over several columns (`smooth`).
 //! 3. `profile`: the chain in mm, through the sensor's map. All further steps are in mm.
 //! 4. `segments`: at most five straight segments, cut by dynamic programming and fitted robustly.
-//! 5. `joints`: what the segments must look like for each joint, and what is measured of it, with a confidence. Where parts
-//!    end, and whether the joint is all there, is looked up in the image: `light` along a course, `edges` of it.
+//! 5. `joints`: the required shape and the measurements of each joint type, with a confidence. The ends of parts, and
+//!    the completeness of the joint, are checked in the image: `light` along a course, `edges` of it.
 //!
-//! The stripe runs from left to right: one place a column. y grows to the right, z upwards, to the sensor. All steps are
-//! deterministic, and once a [`StripeReader`] has seen an image it allocates nothing for others of that size.
+//! The stripe runs from left to right, with one point per column. y grows to the right, z upwards, to the sensor. All
+//! steps are deterministic. After a first image, a [`StripeReader`] does not allocate for others of that size.
 
 mod blobs;
 mod chain;
@@ -38,13 +40,13 @@ use seamwright_geometry::Homography;
 use segments::Cutter;
 use smooth::Smoother;
 
-/// Fewest places of a profile.
+/// Minimum points of a profile.
 const FEWEST: usize = 24;
 
-/// Least part of an image's columns with the stripe.
-const LEAST_COLUMNS: f64 = 0.25;
+/// Minimum part of an image's columns with the stripe.
+const MIN_COLUMNS: f64 = 0.25;
 
-/// Reads stripes, one after the other; keeps its buffers.
+/// Reads stripes, one after the other; reuses its buffers.
 #[derive(Debug, Clone, Default)]
 pub struct StripeReader {
     blobs: Blobs,
@@ -60,17 +62,17 @@ pub struct StripeReader {
 }
 
 impl StripeReader {
-    /// A reader.
+    /// Creates a reader.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The joint asked for in an image: places and lengths in mm if `to_mm` maps (column, row) to (y, z), else in pixels
-    /// with z against the rows.
+    /// Detects the task's joint in an image. Points and lengths are in mm if `to_mm` maps (column, row) to (y, z), else
+    /// in pixels with z against the rows.
     ///
     /// # Errors
-    /// The reason why there is none.
+    /// The reason why no joint was detected.
     pub fn read_image(
         &mut self,
         frame: &Frame,
@@ -92,17 +94,17 @@ impl StripeReader {
         View { profile, segments, task, light, strip, evidence, scratch }.joint()
     }
 
-    /// The stripe in an image, without looking for a joint.
+    /// Traces the stripe in an image, without detecting a joint.
     ///
     /// # Errors
-    /// If there is none.
+    /// The reason why no stripe was found.
     pub fn trace(&mut self, frame: &Frame) -> Result<&[StripePoint], NoFeatures> {
         self.link(frame)?;
         self.smoother.smooth(&mut self.chain);
         Ok(&self.chain)
     }
 
-    /// The stripe, each column by itself.
+    /// Links the stripe, each column on its own.
     fn link(&mut self, frame: &Frame) -> Result<(), NoFeatures> {
         self.segments.clear();
         self.chain.clear();
@@ -115,32 +117,33 @@ impl StripeReader {
         if found < FEWEST {
             return Err(NoFeatures::NoStripe);
         }
-        if (found as f64) < LEAST_COLUMNS * columns as f64 {
+        if (found as f64) < MIN_COLUMNS * columns as f64 {
             return Err(NoFeatures::ShortStripe { found, columns });
         }
         Ok(())
     }
 
-    /// Room for all that an image of so many columns can hold: later images of that size allocate nothing.
+    /// Reserves capacity for an image of this many columns, so that later images of that size do not allocate.
     fn reserve(&mut self, columns: usize) {
         self.chainer.reserve(columns);
         self.chain.reserve(columns);
         self.smoother.reserve(columns);
         self.profile.reserve(columns);
         self.cutter.reserve(columns);
-        self.segments.reserve(segments::MOST);
+        self.segments.reserve(segments::MAX_SEGMENTS);
         for strip in self.evidence.iter_mut().chain([&mut self.strip]) {
             strip.clear();
             strip.reserve(columns + 1);
         }
         self.scratch.clear();
-        self.scratch.reserve(columns * blobs::MOST);
+        self.scratch.reserve(columns * blobs::MAX_BLOBS);
     }
 
-    /// The joint asked for in a profile of (y, z), mm, in any order; places that are not finite are missing.
+    /// Detects the task's joint in a profile of points (y, z), mm, in any order; points that are not finite count as
+    /// missing.
     ///
     /// # Errors
-    /// The reason why there is none.
+    /// The reason why no joint was detected.
     pub fn read_profile(&mut self, points: &[DVec2], task: &StripeTask) -> Result<Features, NoFeatures> {
         self.segments.clear();
         self.chain.clear();
@@ -150,19 +153,19 @@ impl StripeReader {
         View { profile, segments, task, light: None, strip, evidence, scratch }.joint()
     }
 
-    /// The stripe in the last image, from left to right; empty after a profile.
+    /// Returns the stripe in the last image, from left to right; empty after a profile.
     #[must_use]
     pub fn chain(&self) -> &[StripePoint] {
         &self.chain
     }
 
-    /// The segments of the last profile, from left to right.
+    /// Returns the segments of the last profile, from left to right.
     #[must_use]
     pub fn segments(&self) -> &[Segment] {
         &self.segments
     }
 
-    /// Length of a column along y in the last profile, mm.
+    /// Returns the length of a column along y in the last profile, mm.
     #[must_use]
     pub fn pitch(&self) -> f64 {
         self.profile.pitch

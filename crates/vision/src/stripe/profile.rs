@@ -1,58 +1,58 @@
-//! The profile: places of the stripe in mm, from left to right.
+//! The profile: points of the stripe in mm, from left to right.
 
-use super::blobs::{Blob, Blobs, MOST};
+use super::blobs::{Blob, Blobs, MAX_BLOBS};
 use super::chain::StripePoint;
 use super::segments::Segment;
 use glam::DVec2;
 use seamwright_geometry::Homography;
 
-/// A place of the profile.
+/// A point of the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Sample {
-    /// Column of the sensor, counted from the first place.
+    /// Column of the sensor, counted from the first point.
     pub(super) column: i32,
-    /// y and z, mm (pixels, z upwards, where there is no map).
+    /// y and z, mm; pixels, with z upwards, without a map.
     pub(super) at: DVec2,
-    /// Strength of the stripe; none in a profile that came without.
+    /// Strength of the stripe; `None` in a profile without it.
     pub(super) strength: Option<f64>,
-    /// Half of what it covers in its column, mm.
+    /// Half of its extent along its column, mm.
     pub(super) covers: f64,
 }
 
-/// Places by column, and their usual distance along y.
+/// Points by column, and their usual distance along y.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Profile {
     pub(super) samples: Vec<Sample>,
-    /// The same and all blobs that are not of the chain, by column.
+    /// The samples and all blobs outside the chain, by column.
     pub(super) all: Vec<Sample>,
     /// Length of a column along y, mm.
     pub(super) pitch: f64,
-    /// Length of a column or a row, whichever is longer, mm: what distances from a line are measured by. A camera that
-    /// looks at the laser's plane at a small angle has rows that are much longer than its columns.
+    /// Length of a column or a row, whichever is longer, mm: the unit for distances from a line. Rows are much longer
+    /// than columns if the camera looks at the laser's plane at a small angle.
     pub(super) grain: f64,
     /// Length of a row, mm.
     pub(super) row: f64,
-    /// Column of the image that column 0 is, and 1 if columns run as in the image, else -1.
+    /// Column of the image at column 0, and 1 if columns run as in the image, else -1.
     pub(super) first: f64,
     pub(super) direction: f64,
     scratch: Vec<f64>,
 }
 
-/// Most columns from the first place to the last: profiles with wild distances are thinned to it.
-const MOST_COLUMNS: f64 = 65536.0;
+/// Maximum number of columns; profiles with extreme distances are thinned to it.
+const MAX_COLUMNS: f64 = 65536.0;
 
 impl Profile {
-    /// Room for what an image of so many columns can hold.
+    /// Reserves capacity for an image of this many columns.
     pub(super) fn reserve(&mut self, columns: usize) {
         self.samples.clear();
         self.samples.reserve(columns);
         self.all.clear();
-        self.all.reserve(columns * MOST);
+        self.all.reserve(columns * MAX_BLOBS);
         self.scratch.clear();
         self.scratch.reserve(columns);
     }
 
-    /// The stripe, and all blobs, through a map from pixels to mm.
+    /// Takes the stripe, and all blobs, through a map from pixels to mm.
     pub(super) fn set_chain(&mut self, chain: &[StripePoint], blobs: &Blobs, to_mm: Option<&Homography>) {
         let map = |at: DVec2| match to_mm {
             Some(map) => map.map(at),
@@ -102,7 +102,7 @@ impl Profile {
         self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.covers *= row);
     }
 
-    /// Places that are given, in any order; those that are not finite are missing.
+    /// Takes points in any order; points that are not finite count as missing.
     pub(super) fn set_points(&mut self, points: &[DVec2]) {
         self.samples.clear();
         let there = points.iter().filter(|p| p.is_finite());
@@ -112,7 +112,7 @@ impl Profile {
         self.scratch.extend(self.samples.windows(2).map(|w| w[1].at.x - w[0].at.x).filter(|d| *d > 0.0));
         self.pitch = median(&mut self.scratch).unwrap_or(0.0);
         let [first, .., last] = self.samples[..] else { return };
-        self.pitch = self.pitch.max((last.at.x - first.at.x) / MOST_COLUMNS);
+        self.pitch = self.pitch.max((last.at.x - first.at.x) / MAX_COLUMNS);
         if self.pitch > 0.0 {
             let (from, pitch) = (first.at.x, self.pitch);
             self.samples.iter_mut().for_each(|s| s.column = ((s.at.x - from) / pitch).round() as i32);
@@ -123,42 +123,42 @@ impl Profile {
         self.all.extend_from_slice(&self.samples);
     }
 
-    /// The image's column of a column here.
+    /// Returns the image's column of a profile column.
     pub(super) fn image_column(&self, column: f64) -> f64 {
         self.first + self.direction * column
     }
 
-    /// About where a column is, mm: from the nearest place before it.
+    /// Returns the approximate y of a column, mm, from the nearest point before it.
     pub(super) fn y_at(&self, column: f64) -> f64 {
         let next = self.samples.partition_point(|s| f64::from(s.column) <= column);
         let near = self.samples.get(next.saturating_sub(1));
         near.map_or(0.0, |s| s.at.x + (column - f64::from(s.column)) * self.pitch)
     }
 
-    /// About which column is at `y`.
+    /// Returns the approximate column at `y`.
     pub(super) fn column_at(&self, y: f64) -> f64 {
         let next = self.samples.partition_point(|s| s.at.x <= y);
         let near = self.samples.get(next.saturating_sub(1));
         near.map_or(0.0, |s| f64::from(s.column) + (y - s.at.x) / self.pitch)
     }
 
-    /// Number of columns from the first place to the last.
+    /// Returns the number of columns from the first point to the last.
     pub(super) fn columns(&self) -> usize {
         self.samples.last().map_or(0, |s| s.column as usize + 1)
     }
 
-    /// Samples of the columns `from` to `to`, both included.
+    /// Returns the samples of the columns `from` to `to`, both included.
     pub(super) fn between(&self, from: i32, to: i32) -> &[Sample] {
         within(&self.samples, from, to)
     }
 
-    /// The same of all blobs.
+    /// Returns all blobs of the columns `from` to `to`, both included.
     pub(super) fn all_between(&self, from: i32, to: i32) -> &[Sample] {
         within(&self.all, from, to)
     }
 
-    /// Where another blob of a column lies on a line that is longer than the one that the chain is on there, takes that
-    /// one. True if there was any.
+    /// Replaces points by another blob of their column that lies on a longer line than their own. Returns true if any
+    /// point changed.
     pub(super) fn repick(&mut self, segments: &[Segment]) -> bool {
         let (mut changed, grain) = (false, self.grain);
         for segment in segments {
@@ -191,7 +191,7 @@ fn within(samples: &[Sample], from: i32, to: i32) -> &[Sample] {
     &samples[first..end.max(first)]
 }
 
-/// The middle one of `values`, which are put in another order.
+/// Returns the median of `values`, and reorders them.
 pub(super) fn median(values: &mut [f64]) -> Option<f64> {
     let middle = values.len() / 2;
     (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
@@ -203,7 +203,7 @@ mod tests {
     use crate::stripe::StripeLine;
     use crate::testing::random;
 
-    /// A level segment at this height, from column to column, a column a mm.
+    /// A level segment at this height, from column to column, 1 mm per column.
     fn level(z: f64, (from, to): (i32, i32)) -> Segment {
         let at = |column: i32| DVec2::new(f64::from(column), z);
         let line = StripeLine { at: at(from), along: DVec2::X };
@@ -221,7 +221,7 @@ mod tests {
                 if random() < 0.2 {
                     continue;
                 }
-                // One to three blobs, one of them of the chain; some near a line, all at heights of their own.
+                // One to three blobs, one of them in the chain; some near a line, all at different heights.
                 let count = 1 + (3.0 * random()) as usize;
                 let blob = |z: f64| {
                     let at = DVec2::new(f64::from(column), z);

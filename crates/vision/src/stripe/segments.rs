@@ -1,53 +1,53 @@
-//! A profile as a few straight segments.
+//! Approximation of a profile by a few straight segments.
 //!
-//! First the whole at once, coarsely: medians of up to 128 bins, and of all ways to cut them into at most
-//! [`MOST`] straight runs the one of least squares and pieces, by dynamic programming. Then, with all places, robust lines
-//! in the runs without their ends, the cuts where neighbours meet, and the lines once more.
+//! The first pass is coarse: medians of up to 128 bins are cut into at most [`MAX_SEGMENTS`] straight runs. Dynamic
+//! programming minimises the squared distances plus a cost per run. The second pass uses all points: it fits robust
+//! lines in the runs without their ends, moves the cuts to where neighbours meet, and fits the lines again.
 
 use super::fit::{Moments, StripeLine, line};
 use super::profile::{Profile, Sample, median};
 use glam::DVec2;
 
-/// Most segments.
-pub(super) const MOST: usize = 5;
+/// Maximum number of segments.
+pub(super) const MAX_SEGMENTS: usize = 5;
 
-/// Most bins, and fewest columns of one.
+/// Maximum number of bins, and minimum columns per bin.
 const BINS: usize = 128;
 const BIN_COLUMNS: usize = 4;
 
-/// What a piece more must save, in squared standard deviations of a bin.
+/// Cost of an additional piece, in squared standard deviations of a bin.
 const A_PIECE: f64 = 30.0;
 
-/// Deviation that is put down to the steel, not to a corner: grains.
+/// Deviation attributed to the surface's grain instead of a corner.
 const PLAY: f64 = 0.35;
 
-/// Columns left out beside a corner: the stripe's own width rounds it.
+/// Columns left out beside a corner, which the stripe's own width rounds.
 const ROUNDED: i32 = 6;
 
-/// Columns that the last places of a segment are in.
+/// Maximum columns that span the last points of a segment.
 const TOGETHER: i32 = 8;
 
 /// A straight part of the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
-    /// The line that it is on.
+    /// The line of the segment.
     pub line: StripeLine,
-    /// Its first and last column.
+    /// First and last column.
     pub(super) columns: (i32, i32),
-    /// Deviation of its places from the line, mm.
+    /// Deviation of the points from the line, mm.
     pub deviation: f64,
-    /// Its ends on the line, mm.
+    /// End points on the line, mm.
     pub ends: [DVec2; 2],
 }
 
 impl Segment {
-    /// Its length, mm.
+    /// Returns the length, mm.
     #[must_use]
     pub fn length(&self) -> f64 {
         self.ends[0].distance(self.ends[1])
     }
 
-    /// How far a place on it may be from its line, mm.
+    /// Returns the maximum distance of a point on the segment from its line, mm.
     pub(super) fn within(&self, grain: f64) -> f64 {
         (4.0 * self.deviation).max(1.5 * grain)
     }
@@ -59,19 +59,19 @@ struct Bin {
     columns: (i32, i32),
 }
 
-/// Cuts profiles; its buffers are kept.
+/// Cuts profiles; reuses its buffers.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Cutter {
     bins: Vec<Bin>,
     moments: Vec<Moments>,
-    /// Cost of the best cut of the bins before `j` into `k` pieces, and where its last piece begins.
-    costs: Vec<[(f64, u16); MOST + 1]>,
+    /// Cost of the best cut of the bins before `j` into `k` pieces, and the start of its last piece.
+    costs: Vec<[(f64, u16); MAX_SEGMENTS + 1]>,
     scratch: Vec<f64>,
     other: Vec<f64>,
 }
 
 impl Cutter {
-    /// Room for what a profile of so many columns can hold.
+    /// Reserves capacity for a profile of this many columns.
     pub(super) fn reserve(&mut self, columns: usize) {
         self.bins.clear();
         self.bins.reserve(BINS + 2);
@@ -85,14 +85,14 @@ impl Cutter {
         }
     }
 
-    /// The segments of `profile`, from left to right.
+    /// Finds the segments of `profile`, from left to right.
     pub(super) fn cut(&mut self, profile: &Profile, segments: &mut Vec<Segment>) {
         segments.clear();
         self.fill_bins(profile);
         if self.bins.len() < 3 {
             return;
         }
-        let mut cuts = [0usize; MOST + 1];
+        let mut cuts = [0usize; MAX_SEGMENTS + 1];
         let pieces = self.best_cut(profile.grain, &mut cuts);
         for k in 0..pieces {
             let bins = &self.bins[cuts[k]..cuts[k + 1]];
@@ -127,7 +127,7 @@ impl Cutter {
         }
     }
 
-    /// Standard deviation of a bin from its neighbours' middle.
+    /// Returns the standard deviation of a bin from its neighbours' middle.
     fn bin_deviation(&mut self) -> f64 {
         self.scratch.clear();
         let bent = |w: &[Bin]| (w[0].at.y - 2.0 * w[1].at.y + w[2].at.y).abs();
@@ -135,8 +135,8 @@ impl Cutter {
         median(&mut self.scratch).unwrap_or(0.0) / (0.6745 * 6f64.sqrt())
     }
 
-    /// The best cut into straight runs: the first bin of each, and their number.
-    fn best_cut(&mut self, grain: f64, cuts: &mut [usize; MOST + 1]) -> usize {
+    /// Finds the best cut into straight runs: the first bin of each; returns their number.
+    fn best_cut(&mut self, grain: f64, cuts: &mut [usize; MAX_SEGMENTS + 1]) -> usize {
         let deviation = self.bin_deviation().clamp(PLAY * grain, 6.0 * PLAY * grain).max(1e-12);
         let origin = self.bins[0].at;
         self.moments.clear();
@@ -148,12 +148,12 @@ impl Cutter {
         let n = self.bins.len();
         let weight = 1.0 / (deviation * deviation);
         self.costs.clear();
-        self.costs.resize(n + 1, [(f64::INFINITY, 0); MOST + 1]);
+        self.costs.resize(n + 1, [(f64::INFINITY, 0); MAX_SEGMENTS + 1]);
         self.costs[0][0].0 = 0.0;
         for to in 2..=n {
             for from in 0..=to - 2 {
                 let off = self.moments[to].less(&self.moments[from]).cost() * weight;
-                for k in 0..MOST {
+                for k in 0..MAX_SEGMENTS {
                     let cost = self.costs[from][k].0 + off;
                     if cost < self.costs[to][k + 1].0 {
                         self.costs[to][k + 1] = (cost, from as u16);
@@ -162,7 +162,7 @@ impl Cutter {
             }
         }
         let total = |k: &usize| self.costs[n][*k].0 + A_PIECE * *k as f64;
-        let pieces = (1..=MOST).min_by(|a, b| total(a).total_cmp(&total(b))).unwrap_or(1);
+        let pieces = (1..=MAX_SEGMENTS).min_by(|a, b| total(a).total_cmp(&total(b))).unwrap_or(1);
         cuts[pieces] = n;
         for k in (0..pieces).rev() {
             cuts[k] = usize::from(self.costs[cuts[k + 1]][k + 1].1);
@@ -170,7 +170,7 @@ impl Cutter {
         pieces
     }
 
-    /// A robust line through the columns, `trim` of them left out at both ends where enough are left.
+    /// Fits a robust line through the columns, without up to `trim` of them at either end.
     fn fit(
         &mut self,
         profile: &Profile,
@@ -186,11 +186,11 @@ impl Cutter {
         Some(Segment { line, columns: (from, to), deviation, ends })
     }
 
-    /// Puts every cut where it parts the places of two segments best, and fits the lines again.
+    /// Moves every cut to the best separation of two segments' points, and fits the lines again.
     fn move_cuts(&mut self, profile: &Profile, segments: &mut Vec<Segment>) {
         for i in 1..segments.len() {
             let (a, b) = (segments[i - 1], segments[i]);
-            // No farther than into a third of either.
+            // At most into a third of either.
             let from = a.columns.1 - (a.columns.1 - a.columns.0) / 3;
             let to = b.columns.0 + (b.columns.1 - b.columns.0) / 3;
             let limit = 3.0 * a.deviation.max(b.deviation);
@@ -218,7 +218,7 @@ impl Cutter {
     }
 }
 
-/// Leaves the columns between the first and the last places that are on the line with two of the three after them.
+/// Shrinks the columns to the first and last point on the line. Two of the next three points inwards must be on it too.
 fn shrink(profile: &Profile, segment: &mut Segment) {
     let samples = profile.between(segment.columns.0, segment.columns.1);
     let within = segment.within(profile.grain);

@@ -1,16 +1,16 @@
-//! Centres of the stripe from several columns together.
+//! Smoothing of the stripe's centres over several columns.
 
 use super::chain::StripePoint;
 use crate::wide::{Simd, Work, wide};
 
-/// Columns to each side that a centre is made of, and how far their centres may be from the straight line through them,
-/// pixels: beside corners and ends every column stays as it is.
+/// Columns to each side in a window, and the maximum distance of its centres from their straight line, pixels. Beside
+/// corners and ends, columns stay unchanged.
 const TOGETHER: usize = 2;
 const STRAIGHT: f64 = 1.0;
 
 const WINDOW: usize = 2 * TOGETHER + 1;
 
-/// Smooths chains; its buffers are kept.
+/// Smooths chains; reuses its buffers.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Smoother {
     columns: Vec<f64>,
@@ -20,7 +20,7 @@ pub(super) struct Smoother {
 }
 
 impl Smoother {
-    /// Room for so many places.
+    /// Reserves capacity for this many points.
     pub(super) fn reserve(&mut self, places: usize) {
         for list in [&mut self.columns, &mut self.rows, &mut self.weights, &mut self.smoothed] {
             list.clear();
@@ -28,9 +28,9 @@ impl Smoother {
         }
     }
 
-    /// Puts every centre on the straight line through those of [`TOGETHER`] columns to both sides, by least squares weighted
-    /// with the strengths. Grains of light differ much from column to column, and the lens mixes neighbours: on a slope that
-    /// shifts the centre of one column alone, but not that of all of them.
+    /// Moves every centre to the straight line through those of [`TOGETHER`] columns to both sides, by least squares
+    /// weighted with the strengths. Grains of light vary much between columns, and the lens mixes neighbours. On a
+    /// slope this shifts the centre of a single column, but not the line through several.
     pub(super) fn smooth(&mut self, chain: &mut [StripePoint]) {
         let Self { columns, rows, weights, smoothed } = self;
         if chain.len() < WINDOW {
@@ -51,7 +51,7 @@ impl Smoother {
     }
 }
 
-/// For each window of places, its middle on the line through it, or as it is.
+/// Fits a line to each window of points and computes its middle, or keeps the centre.
 struct Lines<'a> {
     columns: &'a [f64],
     rows: &'a [f64],
@@ -63,7 +63,7 @@ impl Work for Lines<'_> {
     #[inline(always)]
     fn run(self, _: impl Simd) {
         let count = self.smoothed.len();
-        // Of every list, the first places of all windows, the second ones and so on.
+        // For each list, the first points of all windows, then the second ones, and so on.
         let [columns, rows, weights]: [[&[f64]; WINDOW]; 3] =
             [self.columns, self.rows, self.weights].map(|list| std::array::from_fn(|k| &list[k..k + count]));
         for i in 0..count {
@@ -93,8 +93,8 @@ mod tests {
     use glam::DVec2;
     use nalgebra::{DMatrix, DVector};
 
-    /// A line by least squares through the places of a window, solved by its singular values: its row in the middle, and whether all
-    /// are near it.
+    /// Reference: least-squares line through the points of a window, by singular values. Returns its row in the middle,
+    /// and true if all points are near it.
     fn fitted(window: &[StripePoint]) -> (f64, bool) {
         let root = |p: &StripePoint| p.strength.max(1.0).sqrt();
         let x = |p: &StripePoint| p.at.x - window[TOGETHER].at.x;

@@ -1,4 +1,4 @@
-//! Maps identified from rendered pictures of grids, against the maps that they were rendered with.
+//! Maps identified from rendered pictures of grids, compared with the maps they were rendered with.
 
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
@@ -79,7 +79,7 @@ fn rendered_grids_give_their_maps_back() {
         let grid = Grid { pitch_mm: plate.pitch, centre_px: Some(truth.centre_px), limit_px: 0.3 };
         let found = identify(&frame, &grid).unwrap_or_else(|e| panic!("seed {seed}: {e}"));
         assert!(found.dots.len() >= 50 && found.rms_px < 0.15 && found.max_px < 0.6, "seed {seed}: {found:?}");
-        // The dots tell the same, each where it is seen.
+        // The dots' own offsets agree with the maximum.
         let most = found.dots.iter().map(|dot| dot.off_px.length()).fold(0.0, f64::max);
         assert!((most - found.max_px).abs() < 1e-9, "seed {seed}");
         for dot in &found.dots {
@@ -87,7 +87,7 @@ fn rendered_grids_give_their_maps_back() {
             let off = mm - plate.pitch * (mm / plate.pitch).round();
             assert!(off.length() < 0.6 * truth.mm_per_px.x, "seed {seed}: {dot:?} is no dot");
         }
-        // What counts: where on the plate a pixel is, in pixels.
+        // Error of the position on the plate, in pixels.
         for corner in [DVec2::ZERO, DVec2::new(479.0, 0.0), DVec2::new(100.0, 300.0), DVec2::new(479.0, 399.0)] {
             let off = (found.map.to_mm(corner).unwrap() - plate.map.to_mm(corner).unwrap()).length();
             worst = worst.max(off / truth.mm_per_px.x);
@@ -110,7 +110,7 @@ fn pictures_of_no_grid_are_refused() {
     refused(&noisy);
     let wild: Vec<u8> = (0..count).map(|_| random.within(0.0, 255.9) as u8).collect();
     refused(&wild);
-    // Dots anywhere.
+    // Randomly placed dots.
     let mut dots = vec![200u8; count];
     for _ in 0..150 {
         let at = DVec2::new(random.within(8.0, 471.0), random.within(8.0, 391.0));
@@ -123,7 +123,7 @@ fn pictures_of_no_grid_are_refused() {
         }
     }
     refused(&dots);
-    // A grid in a corner, and one whose rows are bent as no lens bends them.
+    // A grid in a corner only, and one bent more than any lens does.
     let mut plate = plate(&mut random);
     (plate.noise, plate.ramp) = (1.0, 0.0);
     let mut corner = plate.picture(&mut random);

@@ -1,4 +1,4 @@
-//! The follower on pictures that are known exactly.
+//! Tests of the follower on synthetic pictures.
 
 use seamwright_vision::joint::{CONFIDENT, End, Follower, Options, Start, State};
 use seamwright_vision::{Frame, Pixels};
@@ -16,7 +16,7 @@ fn straight_joints_of_all_widths_are_found_between_pixels() {
             assert_eq!(joint.end, End::LeftImage, "width {width}");
             let last = joint.rows.last().unwrap();
             assert!(last.x > 500.0, "width {width}: {}", last.x);
-            // The first rows are not sure, nor is what is next to the rim of the frame.
+            // The first rows, and those next to the frame's border, are unconfident.
             let inside = joint.rows.iter().skip(8).filter(|r| r.x < 450.0);
             for row in inside {
                 let off = (f64::from(row.y) - a - b * f64::from(row.x)) / b.hypot(1.0);
@@ -28,7 +28,7 @@ fn straight_joints_of_all_widths_are_found_between_pixels() {
     }
 }
 
-/// A picture by the depth of each place on grey 150.
+/// A picture of the given depth at each point, on a grey value of 150.
 fn picture(size: usize, depth: impl Fn(f64, f64) -> f64) -> Vec<u8> {
     (0..size * size).map(|i| (150.0 - depth((i % size) as f64, (i / size) as f64)).round() as u8).collect()
 }
@@ -76,7 +76,7 @@ fn a_square_end_is_found_where_it_is() {
     }
 }
 
-/// Each pixel's noise, from its number.
+/// Noise of a pixel from its index.
 fn noise(i: usize) -> f64 {
     let hash = (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let hash = (hash ^ (hash >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -103,7 +103,7 @@ fn sixteen_bits_show_what_eight_do_and_the_same_frame_gives_the_same_joint() {
     let first = follower.follow(&Frame::new(300, 300, Pixels::U8(&eight)).unwrap(), &begin(300)).clone();
     assert_eq!(first.end, End::LeftImage);
     assert!(first.rows.len() > 280 && first.rows.iter().filter(|r| r.confidence >= CONFIDENT).count() > 200);
-    // Whatever was followed before.
+    // Independent of the frame followed before.
     let other = picture(200, |_, y| 80.0 * bell(y - 77.0, 11.0));
     follower.follow(
         &Frame::new(200, 200, Pixels::U8(&other)).unwrap(),
@@ -164,7 +164,7 @@ fn starts_outside_and_frames_without_a_joint_give_no_rows() {
         let joint = follower.follow(&frame, &Start { x: 20.0, y: 50.0, direction: 0.0, width: None });
         assert!(joint.rows.is_empty() && joint.end == End::Lost);
     }
-    // Frames smaller than any strip.
+    // Frames smaller than a strip.
     for (width, height) in [(1, 1), (3, 40), (40, 2), (17, 16)] {
         let pixels = vec![90u8; width * height];
         let frame = Frame::new(width, height, Pixels::U8(&pixels)).unwrap();
@@ -173,8 +173,9 @@ fn starts_outside_and_frames_without_a_joint_give_no_rows() {
     }
 }
 
-/// Gaps between plates of different light, with a lit rib somewhere in the gap, up to half as light as the darker plate: all of it is
-/// followed, 999 of 1000 rows are within 0.04 of the width of the middle between the rims, and no confident one is off by more than 2 px.
+/// Gaps between plates of different light, with a lit rib in the gap up to half as light as the darker plate. The whole
+/// gap is followed; 999 of 1000 rows are within 0.04 of the width of the middle between the rims. No confident row is
+/// off by more than 2 px.
 #[test]
 fn a_rib_in_a_wide_gap_does_not_draw_the_middle_to_one_side() {
     let mut follower = Follower::new(Options::default());
@@ -210,8 +211,8 @@ fn a_rib_in_a_wide_gap_does_not_draw_the_middle_to_one_side() {
     assert!(rows > 10_000 && 1000 * near >= 999 * rows, "{near} of {rows}");
 }
 
-/// Frames of any size, with pieces of lines, edges and noise, from any start: rows are numbers, and the same frame gives the same
-/// joint after any other.
+/// Frames of any size with pieces of lines, edges and noise, from any start: rows are finite, and a frame gives the
+/// same joint after any other.
 #[test]
 fn any_frame_gives_rows_of_numbers_and_the_same_ones_again() {
     let mut state = 11u32;

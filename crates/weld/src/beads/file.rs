@@ -141,7 +141,7 @@ fn layer() -> Positive {
     number(3.0)
 }
 
-/// What a run asks for.
+/// Settings of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Asked {
     /// Area of a bead, mm^2.
@@ -156,7 +156,7 @@ pub(crate) struct Asked {
 }
 
 impl Beads {
-    /// What the run `name` asks for: its own values over those of the weld.
+    /// Settings of the run `name`: its own values over those of the weld.
     ///
     /// # Errors
     /// With the key's address: no area, or an area and a wire.
@@ -227,7 +227,7 @@ impl Beads {
         weave.check_speeds(file, &path, (&pass.spans, |_| path.clone()))
     }
 
-    /// Checks what does not depend on the groove.
+    /// Checks the settings that do not depend on the groove.
     ///
     /// # Errors
     /// With the key's address.

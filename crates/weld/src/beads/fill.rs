@@ -2,7 +2,7 @@ use super::layers::Layer;
 use crate::Section;
 use glam::DVec2;
 
-/// How beads lie in their layer.
+/// Arrangement of beads in their layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Laying {
     /// Distance of the wire from the walls, mm.
@@ -18,9 +18,9 @@ pub(crate) struct Laying {
 pub struct BeadAt {
     /// Its layer, counted from 0 at the root.
     pub layer: usize,
-    /// Its place in the layer, counted from 0 at the second part.
+    /// Its index in the layer, counted from 0 at the second part.
     pub index: usize,
-    /// Where the wire points to, mm, in the frame of the [`Section`].
+    /// Target of the wire, mm, in the frame of the [`Section`].
     pub tip: DVec2,
     /// Angle from the bisector to the torch, rad; positive leans towards the first part.
     pub lean: f64,
@@ -36,14 +36,14 @@ pub struct BeadAt {
     pub parts: (f64, f64),
 }
 
-/// How far over the bottom of the groove the wire points in the first layer, as a part of the layer's height.
+/// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height.
 const ROOT_RISE: f64 = 0.35;
 
-/// The beads of `layers` in a section, layer by layer, each from the second part to the first; layers for which
+/// The beads of `layers` in a section, layer by layer, each from the second part to the first. Layers for which
 /// `present` is false are left out and their area goes to the others.
 ///
-/// Guarantee: the areas sum to that of groove and cap; a bead's is its share of its layer's, and the layers' those of
-/// the groove between their heights, and of the cap for the last one.
+/// Guarantee: the areas sum to that of groove and cap. A bead's area is its share of its layer's. The layers' areas are
+/// those of the groove between their heights, and of the cap for the last one.
 pub(crate) fn fill(
     section: &Section,
     layers: &[Layer],

@@ -5,7 +5,7 @@ use seamwright_program::Role;
 /// A layer of beads, from the root out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layer {
-    /// What its beads are for.
+    /// Role of its beads.
     pub role: Role,
     /// Number of beads side by side.
     pub beads: usize,
@@ -13,7 +13,7 @@ pub struct Layer {
     pub share: f64,
 }
 
-/// What the three kinds of runs ask for.
+/// Settings of the three kinds of runs.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Runs {
     pub(crate) root: Option<Asked>,
@@ -36,18 +36,18 @@ impl Runs {
     }
 }
 
-/// Most beads in a layer.
-const MOST: f64 = 400.0;
+/// Maximum number of beads in a layer.
+const MAX_IN_LAYER: f64 = 400.0;
 
-/// More beads in a section are a slip: a V of 60 degrees in 300 mm takes 2,600 beads of 20 mm^2.
+/// Maximum number of beads in a section; more are a mistake: a V of 60 degrees in 300 mm takes 2,600 beads of 20 mm^2.
 pub(crate) const MAX_BEADS: usize = 5_000;
 
-/// The layers that fill a section best: every bead of its run's area, but for one factor for all that is as near to 1 as
-/// whole numbers of beads allow.
+/// The layers that fill a section best. Every bead has its run's area times one factor for all, as near to 1 as whole
+/// numbers of beads allow.
 ///
-/// One bead that is large enough is enough. Otherwise a root pass of its own, if there is one, then layers of as many
-/// beads side by side as give a height near to the wanted one, then the cap layer with what is above the line from toe to
-/// toe.
+/// A single bead is used if it is large enough. Otherwise a root pass of its own, if there is one, then layers of beads
+/// side by side. Their number gives a height near to the wanted one. The cap layer has the area above the line from toe
+/// to toe.
 ///
 /// # Errors
 /// The number of beads it would take, if that is more than [`MAX_BEADS`].
@@ -101,5 +101,5 @@ fn stack(section: &Section, runs: &Runs, cap: usize) -> Vec<Layer> {
 
 /// The number of beads nearest to `wanted`, at least one.
 fn whole(wanted: f64) -> usize {
-    wanted.round().clamp(1.0, MOST) as usize
+    wanted.round().clamp(1.0, MAX_IN_LAYER) as usize
 }

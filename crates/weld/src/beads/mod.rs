@@ -1,9 +1,9 @@
-//! Beads: how a groove is filled, layer by layer, all along the seam.
+//! Beads: a groove is filled layer by layer, all along the seam.
 //!
-//! Layers are chosen once, from the areas that the runs of the job ask for and the groove at a place of middling area
-//! (`layers.rs`). At every place of the seam the beads then fill the groove as it is there (`fill.rs`): each keeps its
-//! share of the area, and speed or wire feed follows, or layers end where there is less to fill (`plan.rs`). Each bead
-//! becomes a pass of the program (`passes.rs`).
+//! Layers are chosen once, from the areas of the job's runs and the groove at a station of middling area (`layers.rs`).
+//! At every station of the seam the beads then fill the groove there (`fill.rs`). Each keeps its share of the area.
+//! Speed or wire feed follows, or layers end where there is less to fill (`plan.rs`). Each bead becomes a pass of the
+//! program (`passes.rs`).
 
 mod file;
 mod fill;
@@ -34,11 +34,11 @@ pub(crate) struct Filled {
 }
 
 impl Beads {
-    /// Fills the joint of `seam`; speed and process values that the runs do not give are those of the weld, everything
-    /// else that of `template`.
+    /// Fills the joint of `seam`; speed and process values missing from the runs are those of the weld, all others
+    /// those of `template`.
     ///
     /// # Errors
-    /// With the key's address: no area of a bead, ramps, a place without a groove.
+    /// With the key's address: no area of a bead, ramps, a station without a groove.
     pub(crate) fn filled<T>(
         &self,
         file: &Document<T>,

@@ -17,7 +17,7 @@ struct Run {
     reverse: bool,
 }
 
-/// The passes of a plan in the order of welding, and of which bead each is. What is the same for all is that of
+/// The passes of a plan in the order of welding, each with the index of its bead. Values common to all are those of
 /// `template`.
 pub(crate) fn passes(
     plan: &BeadPlan,
@@ -82,9 +82,9 @@ fn pass(plan: &BeadPlan, beads: &Beads, runs: &Runs, run: &Run, template: &Pass)
     pass
 }
 
-/// Where the bead lies at every station, and how wide a weave is that `follows` the groove.
+/// Position of the bead at every station, and the width of a weave that `follows` the groove.
 fn columns(plan: &BeadPlan, bead: usize, follows: Option<&Weave>) -> Bead {
-    // To a tenth of a micrometre, a millionth of a degree: what a file needs.
+    // Rounded to the resolution of a file: a tenth of a micrometre, a millionth of a degree.
     let rounded = |value: f64, digits: f64| Finite::new((value * digits).round() / digits).unwrap_or_default();
     let column = |value: &dyn Fn(usize) -> f64, digits: f64| {
         (0..plan.stations.len()).map(|i| rounded(value(i), digits)).collect::<Vec<_>>()
@@ -123,8 +123,8 @@ fn spans(plan: &BeadPlan, adapt: Adapt, asked: &Asked, run: &Run) -> Vec<Span> {
     spans
 }
 
-/// Number of steps from the first of `values` (at least two) over which a line leaves none of them by more than
-/// [`STRAIGHT`] of it; one pass over the values: each narrows the slopes that a line may have.
+/// Number of steps from the first of `values` (at least two) over which a line deviates from each by at most
+/// [`STRAIGHT`] of it. One pass over the values: each narrows the permitted slopes of the line.
 fn straight(values: &[f64]) -> usize {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let goes_on = |(i, value): &(usize, &f64)| {

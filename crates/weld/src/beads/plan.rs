@@ -6,12 +6,12 @@ use crate::joint::SeamJoint;
 use crate::{SeamCurve, Section};
 use seamwright_program::{Finding, Role, part_start, parts_of};
 
-/// Where all beads lie along a seam.
+/// Positions of all beads along a seam.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BeadPlan {
     /// Layers from the root out.
     pub layers: Vec<Layer>,
-    /// Places along the seam at which the beads were laid out, mm from the start of the weld; on a seam welded all
+    /// Stations along the seam at which the beads were laid out, mm from the start of the weld. On a seam welded all
     /// round evenly from 0 to less than its length, else with both ends.
     pub stations: Vec<f64>,
     /// Area of groove and cap at the stations, mm^2.
@@ -41,7 +41,7 @@ const HALF: f64 = 0.5;
 #[derive(Debug, Clone, Copy)]
 struct Sizes {
     shares: f64,
-    /// Sizes of the smallest and the largest bead, as parts of what their runs ask for, before shares are scaled.
+    /// Sizes of the smallest and the largest bead, as parts of their runs' areas, before shares are scaled.
     range: (f64, f64),
 }
 
@@ -65,13 +65,13 @@ impl Sizes {
 }
 
 impl BeadPlan {
-    /// Lays out the beads that `beads` asks for along a seam with a joint: the layers are chosen for the mean area along
-    /// the seam (for the largest one where layers may be left out), and everywhere fill the groove there.
+    /// Lays out the beads of `beads` along a seam with a joint. The layers are chosen for the mean area along the seam
+    /// (for the largest one if layers may be left out), and fill the groove everywhere.
     ///
     /// Guarantee: at every station the beads' areas sum to that of groove and cap.
     ///
     /// # Errors
-    /// Where there is no groove, and plans that would be too large: found before they are made.
+    /// A station without a groove, and plans that would be too large: found before they are made.
     pub(crate) fn new(seam: &SeamCurve, joint: &SeamJoint, beads: &Beads, runs: &Runs) -> Result<Self, NoPlan> {
         let period = seam.all_round().then(|| seam.length());
         let length = period.unwrap_or_else(|| seam.weld_length());
@@ -173,7 +173,7 @@ impl BeadPlan {
         }
     }
 
-    /// The beads of a section at any place of the seam in the order of welding, without those that are not there.
+    /// The beads of a section at any station of the seam in the order of welding, without absent ones.
     pub fn in_order(&self, section: &Section, s: f64) -> Vec<BeadAt> {
         let mut beads = Vec::new();
         self.lay(section, s, &mut beads);
@@ -187,7 +187,8 @@ impl BeadPlan {
         }
     }
 
-    /// Layers that are left out, with no area, on top of what is below them: a pass that ends is led on smoothly.
+    /// Adds absent layers, without area, on top of those below them: so the line of a pass continues smoothly beyond
+    /// its end.
     fn add_absent(&self, s: f64, out: &mut Vec<BeadAt>) {
         let there = std::mem::replace(out, Vec::with_capacity(self.count()));
         let mut left = there.as_slice();
@@ -240,15 +241,15 @@ impl BeadPlan {
             let there: Vec<bool> = left.iter().map(|left| *left <= rank).collect();
             self.parts[first + fills - 1 - rank] = self.runs_of(&there, shortest);
         }
-        // A layer that is nowhere does not exist.
+        // Layers that are absent everywhere are removed.
         let layers = std::mem::take(&mut self.layers).into_iter().zip(std::mem::take(&mut self.parts));
         (self.layers, self.parts) = layers.filter(|(_, parts)| *parts != [(0.0, 0.0)]).unzip();
         let kept: f64 = self.layers.iter().map(|l| l.share).sum();
         self.layers.iter_mut().for_each(|l| l.share /= kept);
     }
 
-    /// Where a layer is: pieces of the seam, none if it is all along; those too short are made longer, gaps too short
-    /// are closed.
+    /// Pieces of the seam that a layer covers; empty if it covers the whole. Pieces that are too short are made longer,
+    /// gaps that are too short are closed.
     fn runs_of(&self, there: &[bool], shortest: f64) -> Vec<(f64, f64)> {
         if there.iter().all(|t| *t) {
             return Vec::new();
@@ -259,7 +260,7 @@ impl BeadPlan {
         let n = there.len();
         let step = self.stations.get(1).copied().unwrap_or(0.0);
         let end = self.period.unwrap_or_else(|| self.stations[n - 1]);
-        // On a closed seam begin where it is not, so that no piece goes over the start of the list.
+        // On a closed seam start at a gap, so that no piece goes over the start of the list.
         let begin = if self.period.is_some() { there.iter().position(|t| !*t).unwrap_or(0) } else { 0 };
         let at = |k: usize| self.stations[k % n] + if k >= n { end } else { 0.0 };
         let mut runs: Vec<(f64, f64)> = Vec::new();

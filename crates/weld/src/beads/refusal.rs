@@ -3,7 +3,7 @@ use super::plan::{MAX_BEAD_STATIONS, MAX_STATIONS};
 use crate::joint::NoGroove;
 use seamwright_program::Preparation;
 
-/// Why beads cannot be laid out along a seam.
+/// Reason why beads cannot be laid out along a seam.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub(crate) enum NoPlan {
     #[error("at s = {s:.1} mm: {why}")]
@@ -20,8 +20,8 @@ pub(crate) enum NoPlan {
 const SMALL_MM2: f64 = 0.3;
 
 impl NoPlan {
-    /// The key of the job to look at, and what is allowed; `stations` is the key that gives the distance of
-    /// stations, or the table that leaves it at its default.
+    /// The key of the job to look at, and the allowed values; `stations` is the key of the distance of stations, or the
+    /// table that leaves it at its default.
     pub(crate) fn cure(&self, preparation: &Preparation, runs: &Runs, stations: &str) -> (String, String) {
         let groove = format!("joint.preparation.{}", preparation.key());
         match self {

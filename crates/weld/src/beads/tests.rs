@@ -52,7 +52,7 @@ fn shoelace(points: &[glam::DVec2]) -> f64 {
     0.5 * (0..points.len()).map(|i| points[i].perp_dot(points[(i + 1) % points.len()])).sum::<f64>()
 }
 
-/// At the stations and between them the beads fill groove and cap, and are what their outlines enclose.
+/// At the stations and between them the beads fill groove and cap, and have the areas of their outlines.
 fn fills(planned: &Planned) {
     let Planned { seam, joint, plan, .. } = planned;
     for (i, s) in plan.stations.iter().enumerate() {
@@ -128,7 +128,7 @@ fn beads_too_large_or_small_are_findings() {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
-    /// Whatever the groove and the beads: areas sum up, layers go from root to cap, beads lie inside the groove.
+    /// For any groove and beads: areas sum up, layers go from root to cap, beads lie inside the groove.
     #[test]
     fn sections_are_filled_whatever_they_are(
         t in 3.0..60.0f64, degrees in 20.0..90.0f64, gap in 0.0..4.0f64, root in proptest::option::of(4.0..20.0f64),
@@ -162,7 +162,7 @@ proptest! {
             let (left, right) = section.slices.edges(y);
             prop_assert!(x >= left - 1e-6 && x <= right + 1e-6, "{bead:?} {left} {right}");
         }
-        // A groove that the beads divide well is filled by beads near to what is asked.
+        // If the beads divide a groove well, their areas are near to the requested one.
         if section.total() > 8.0 * fill_area {
             let worst = planned.plan.at_station(0).iter().map(|b| {
                 let asked = planned.runs.of(planned.plan.layers[b.layer].role).area;

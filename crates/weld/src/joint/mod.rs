@@ -1,5 +1,5 @@
-//! The joint along the seam: its cross-section at any place, from both faces, the local dihedral angle and how the
-//! parts were fitted up.
+//! The joint along the seam: its cross-section at any station, from both faces, the local dihedral angle and the fit-up
+//! of the parts.
 
 mod outline;
 mod profile;
@@ -27,8 +27,8 @@ impl SeamJoint {
     /// The joint at `joint` of a job or program file along its seam.
     ///
     /// # Errors
-    /// With the key's address: sizes that contradict each other, places that are not on the weld, a groove that
-    /// nowhere along the seam can be: where, and why.
+    /// With the key's address: sizes that contradict each other, positions outside the weld, a groove that is
+    /// impossible all along the seam: with position and reason.
     pub fn new<T>(file: &Document<T>, joint: &Joint, seam: &SeamCurve) -> Result<Self, DocumentError> {
         joint.check(file, "joint")?;
         let end = if seam.all_round() { seam.length() } else { seam.weld_length() };
@@ -86,14 +86,14 @@ impl SeamJoint {
         }
     }
 
-    /// The section at a place of the seam, and why there is none.
+    /// The section at a station of the seam, or the reason for its absence.
     pub(crate) fn try_section(&self, p: &SeamPoint) -> Result<Section, NoGroove> {
         let (gap, mismatch) = self.fit_up(p.s);
         let place = Place { dihedral: p.dihedral, gap, mismatch };
         Section::new(&self.joint.preparation, self.joint.cap_mm.get(), place)
     }
 
-    /// The section at a place of the seam; none where there is no groove.
+    /// The section at a station of the seam; `None` without a groove.
     pub fn section(&self, p: &SeamPoint) -> Option<Section> {
         self.try_section(p).ok()
     }

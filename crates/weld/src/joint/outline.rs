@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 /// Thickness of a part that the preparation does not give, as a part of the groove's size.
 const UNKNOWN: f64 = 0.7;
-/// How far the parts are drawn beyond the groove, as a part of its size.
+/// Extent of the drawn parts beyond the groove, as a part of its size.
 const BEYOND: f64 = 1.0;
 
 impl SeamJoint {
@@ -77,8 +77,8 @@ impl SeamJoint {
         }
     }
 
-    /// How far a section is turned (rad, counter-clockwise) to be drawn as in a handbook: a butt joint with its face
-    /// up, otherwise the second part's face level with its outside up.
+    /// Rotation (rad, counter-clockwise) that draws a section as in a handbook: a butt joint with its face up,
+    /// otherwise the second part's face level with its outside up.
     pub fn upright(&self, section: &Section) -> f64 {
         if self.joint().preparation.is_butt() { 0.0 } else { std::f64::consts::FRAC_PI_2 - 0.5 * section.dihedral }
     }

@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Chords of an arc: its area is short by less than 0.1 % of the radius' square.
 const CHORDS: u32 = 24;
 
-/// How far the straight part of an edge is followed, as a multiple of the depth: it is cut off at the part's surface.
+/// Length of an edge's straight part, as a multiple of the depth: it is cut off at the part's surface.
 const FAR: f64 = 1e3;
 
 /// Shape of one part's edge, from the root out.
@@ -28,7 +28,7 @@ impl Profile {
         Self::Curved { root_face: root_face.get(), angle, radius: radius.get(), land: land.get() }
     }
 
-    /// Angle of its straight part from the depth direction, rad; none on a round part.
+    /// Angle of its straight part from the depth direction, rad; `None` on a round part.
     pub(crate) fn angle(self) -> Option<f64> {
         match self {
             Self::Square => Some(0.0),

@@ -4,10 +4,10 @@ use seamwright_geometry::Slices;
 use seamwright_program::{Fillet, Member, Preparation};
 use std::f64::consts::PI;
 
-/// A fillet needs faces that are not in one plane: largest dihedral angle, rad.
-const MOST_FILLET: f64 = 170.0 * PI / 180.0;
-/// A butt joint needs faces that nearly are: least dihedral angle, rad.
-const LEAST_BUTT: f64 = 120.0 * PI / 180.0;
+/// Maximum dihedral angle of a fillet, rad: its faces are not in one plane.
+const MAX_FILLET: f64 = 170.0 * PI / 180.0;
+/// Minimum dihedral angle of a butt joint, rad: its faces are nearly in one plane.
+const MIN_BUTT: f64 = 120.0 * PI / 180.0;
 
 /// The joint cut square to the seam, mm: `x` is along [`SeamPoint::towards_first`](crate::SeamPoint), `y` along the
 /// bisector, the seam is at the origin.
@@ -29,18 +29,18 @@ pub struct Section {
     pub cap_height: f64,
 }
 
-/// Where the parts lie at one place.
+/// Position of the parts at one station.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place {
     /// Dihedral angle, rad.
     pub(crate) dihedral: f64,
     /// Root gap, mm.
     pub(crate) gap: f64,
-    /// How far the second part stands out, mm.
+    /// Height of the second part over the first, mm.
     pub(crate) mismatch: f64,
 }
 
-/// Why there is no groove at a place.
+/// Reason why a station has no groove.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub(crate) enum NoGroove {
     #[error("faces at {0:.1} degrees to each other make no butt joint")]
@@ -61,14 +61,14 @@ pub(crate) enum NoGroove {
 }
 
 impl NoGroove {
-    /// The key of the preparation to look at, and what is allowed.
+    /// The key of the preparation to look at, and the allowed values.
     pub(crate) fn cure(&self) -> (&'static str, String) {
         match self {
             Self::NoButt(_) => {
-                ("", format!("a dihedral angle of {:.0} degrees or more, or a fillet", LEAST_BUTT.to_degrees()))
+                ("", format!("a dihedral angle of {:.0} degrees or more, or a fillet", MIN_BUTT.to_degrees()))
             }
             Self::NoCorner(_) => {
-                ("", format!("a dihedral angle up to {:.0} degrees, or a butt joint", MOST_FILLET.to_degrees()))
+                ("", format!("a dihedral angle up to {:.0} degrees, or a butt joint", MAX_FILLET.to_degrees()))
             }
             Self::NeverOut { dihedral, .. } => ("angle_deg", format!("less than {dihedral:.1}")),
             Self::Inside(_) => ("cut_deg", "more than 90 - dihedral angle everywhere".to_owned()),
@@ -98,7 +98,7 @@ impl Faces {
 
 /// An edge of a part: a profile seen along a depth direction.
 struct EdgeFrame {
-    /// Where depth and lateral distance are zero.
+    /// Origin of depth and lateral distance.
     origin: DVec2,
     depth: DVec2,
     lateral: DVec2,
@@ -133,10 +133,10 @@ impl Section {
     /// The section of a joint with this preparation and a cap of `cap_height`.
     pub(crate) fn new(preparation: &Preparation, cap_height: f64, place: Place) -> Result<Self, NoGroove> {
         let faces = Faces::new(place.dihedral);
-        if preparation.is_butt() && place.dihedral < LEAST_BUTT {
+        if preparation.is_butt() && place.dihedral < MIN_BUTT {
             return Err(NoGroove::NoButt(place.dihedral.to_degrees()));
         }
-        if !preparation.is_butt() && place.dihedral > MOST_FILLET {
+        if !preparation.is_butt() && place.dihedral > MAX_FILLET {
             return Err(NoGroove::NoCorner(place.dihedral.to_degrees()));
         }
         let [first, second] = match preparation {
@@ -223,7 +223,7 @@ impl Section {
         [&self.first, &self.second].map(|edge| edge.last().copied().unwrap_or_default())
     }
 
-    /// The place at (`across`, `height`) along [`Section::across`] and [`Section::up`], mm.
+    /// The point at (`across`, `height`) along [`Section::across`] and [`Section::up`], mm.
     pub fn place(&self, across: f64, height: f64) -> DVec2 {
         across * self.across() + height * self.up
     }

@@ -87,7 +87,7 @@ proptest! {
         prop_assert!(throat.up.dot(DVec2::Y) > 1.0 - 1e-12);
     }
 
-    /// Points of a grid that are in neither part and inside the line from toe to toe, told by angles only.
+    /// Points of a grid that are in neither part and inside the line from toe to toe, found by angles only.
     #[test]
     fn t_bevels_agree_with_a_grid(
         t in 5.0..30.0f64, share in 0.0..0.5f64, gap in 0.0..4.0f64, degrees in 30.0..60.0f64,

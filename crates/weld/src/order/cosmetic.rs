@@ -31,10 +31,10 @@ pub struct Cosmetic {
 const SHORTEST_MM: f64 = 1.0;
 
 impl Cosmetic {
-    /// Checks what does not depend on the seam; `sequence` and `process` are those of the weld.
+    /// Checks the settings that do not depend on the seam; `sequence` and `process` are those of the weld.
     ///
     /// # Errors
-    /// With the key's address: a process value that the weld has not, or that is a ramp.
+    /// With the key's address: a process value that the weld does not have, or that is a ramp.
     pub(crate) fn check<T>(
         &self,
         file: &Document<T>,
@@ -58,7 +58,7 @@ impl Cosmetic {
     /// The pass on `seam`; `weld` is the pass along the whole of it.
     ///
     /// # Errors
-    /// With the key's address: a begin beyond the end of the weld.
+    /// With the key's address: a start beyond the end of the weld.
     pub(crate) fn pass<T>(&self, file: &Document<T>, seam: &SeamCurve, weld: &Pass) -> Result<Pass, DocumentError> {
         let last = weld.length() - SHORTEST_MM;
         if is_beyond(self.from_mm.get(), last) {

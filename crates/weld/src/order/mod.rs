@@ -1,8 +1,8 @@
-//! Order of welding: copies of a seam, tacks, the parts of each pass, and what comes after what.
+//! Order of welding: copies of a seam, tacks, and the parts of each pass.
 //!
-//! A job's passes are those along one seam. Each is cut into its parts (`parts.rs`), and what is welded on a copy in one
-//! visit is put in order with the other copies by a rule (`tour.rs`). Tacks (`tacks.rs`) come before everything else,
-//! the cosmetic pass (`cosmetic.rs`) is the last of a visit.
+//! A job's passes are those along one seam. Each is cut into its parts (`parts.rs`). A rule puts the welds of one visit
+//! to a copy in order with those of the other copies (`tour.rs`). Tacks (`tacks.rs`) come before all others, the
+//! cosmetic pass (`cosmetic.rs`) is the last of a visit.
 
 mod cosmetic;
 mod file;
@@ -26,14 +26,14 @@ use seamwright_document::{Document, DocumentError, Transform};
 use seamwright_program::{MAX_PASSES, MAX_ROWS, Pass, SeamCopy};
 use tour::{Leg, Stop, in_rows, tour};
 
-/// What is welded on a copy before the torch goes on to the next one: passes, each with its parts.
+/// Passes that are welded on a copy before the torch goes on to the next one, each with its parts.
 type Visit = Vec<Vec<Pass>>;
 
 impl WeldOrder {
     /// Checks the rule against the copies.
     ///
     /// # Errors
-    /// With the key's address: rows to go back and forth between that are not there, a skip over none or all.
+    /// With the key's address: missing rows to go back and forth between, a skip over none or all.
     pub(crate) fn check_rule<T>(&self, file: &Document<T>, copies: &[SeamCopy]) -> Result<(), DocumentError> {
         let rows = in_rows(&copies.iter().map(|copy| Stop { row: row(copy), ways: Vec::new() }).collect::<Vec<_>>());
         match self.rule {
@@ -61,10 +61,10 @@ fn row(copy: &SeamCopy) -> u32 {
     copy.row.map_or(1, std::num::NonZeroU32::get)
 }
 
-/// The copies of a job: listed or in rows; none if the seam is welded at one place.
+/// The copies of a job: listed or in rows; empty if the seam is welded once.
 ///
 /// # Errors
-/// With the key's address: copies given twice, and everything that is wrong with them.
+/// With the key's address: copies given twice, and all faults in them.
 pub(crate) fn copies(job: &Document<Job>) -> Result<Vec<SeamCopy>, DocumentError> {
     let j = &job.value;
     let copies = match &j.rows {
@@ -86,8 +86,8 @@ pub(crate) fn copies(job: &Document<Job>) -> Result<Vec<SeamCopy>, DocumentError
     Ok(copies)
 }
 
-/// The passes of `job` on all its copies in the order of welding, each with the number (from 0) among `passes` (those
-/// along one seam) from which it comes; tacks come from none. `weld` is the pass along the whole seam.
+/// The passes of `job` on all its copies in the order of welding. Each has the index of its origin among `passes`
+/// (those along one seam); tacks have `None`. `weld` is the pass along the whole seam.
 ///
 /// # Errors
 /// With the key's address: parts or tacks that the seam has no room for.
@@ -170,7 +170,7 @@ impl Extent {
     }
 }
 
-/// Row and place of each copy, in the part's frame; one alone where there are no copies.
+/// Row and frame of each copy, in the part's frame; a single one without copies.
 fn places(copies: &[SeamCopy]) -> Vec<(u32, DAffine3)> {
     match copies {
         [] => vec![(1, Transform::default().affine())],
@@ -184,7 +184,7 @@ struct Ordering<'a> {
     order: WeldOrder,
     places: Vec<(u32, DAffine3)>,
     named: Naming<'a>,
-    /// Where the torch is, in the part's frame.
+    /// Position of the torch in the part's frame.
     last: Option<DVec3>,
     done: Vec<(Pass, Option<usize>)>,
 }
@@ -216,14 +216,14 @@ impl Ordering<'_> {
         self.last = legs.last().map(|&(copy, way)| stops[copy].ways[way].1);
     }
 
-    /// Where a visit begins and ends on the seam.
+    /// Start and end of a visit on the seam.
     fn ends(&self, visit: &Visit) -> Option<(DVec3, DVec3)> {
         let (first, last) = (visit.first()?.first()?, visit.last()?.last()?);
         Some((self.seam.at(first.seam_s(0.0)).point, self.seam.at(last.seam_s(last.length())).point))
     }
 }
 
-/// Names of passes: what it is, on which copy, which part.
+/// Names of passes: their kind, copy and part.
 struct Naming<'a> {
     copies: &'a [SeamCopy],
     /// True if a copy has one pass, which the copy's name says.

@@ -8,11 +8,11 @@ use seamwright_program::{Pass, SAME_POSITION_MM, is_before, is_beyond, is_same_p
 const QUARTERS: [usize; 4] = [0, 2, 1, 3];
 /// Parts keep this away from the corners between them, mm: it is not seen, and the torch stands as the part has it.
 const CORNER_MM: f64 = 1e-4;
-/// Parts between corners are longer than this, mm.
-const LEAST_MM: f64 = 10.0 * CORNER_MM;
-/// More pieces of a weld are a slip.
-const MOST_PIECES: usize = 1000;
-/// Cosine of the largest turn of a seam that is no corner: 0.1 degrees.
+/// Minimum length of parts between corners, mm.
+const MIN_PART_MM: f64 = 10.0 * CORNER_MM;
+/// Maximum number of pieces of a weld; more are a mistake.
+const MAX_PIECES: usize = 1000;
+/// Cosine of the maximum turn of a seam that does not count as a corner: 0.1 degrees.
 const STRAIGHT: f64 = 1.0 - 1.5e-6;
 
 impl WeldOrder {
@@ -20,7 +20,7 @@ impl WeldOrder {
     ///
     /// # Errors
     /// With the key's address: quarters of a seam that is not welded all round, pieces longer than the weld, a tie-in
-    /// as long as a part, two ends on a seam that has none.
+    /// as long as a part. Also two ends on a seam without ends.
     pub(crate) fn check_parts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<(), DocumentError> {
         let part = match self.parts {
             Parts::Whole => f64::INFINITY,
@@ -48,8 +48,8 @@ impl WeldOrder {
                 let allowed = format!("less than {}", seam.weld_length());
                 return Err(file.error_at("order.parts.back_step_mm", message, allowed));
             }
-            Parts::BackStepMm(step) if parts_of(seam.weld_length(), step.get()) > MOST_PIECES => {
-                let allowed = format!("at least {:.3}: {MOST_PIECES} pieces", seam.weld_length() / MOST_PIECES as f64);
+            Parts::BackStepMm(step) if parts_of(seam.weld_length(), step.get()) > MAX_PIECES => {
+                let allowed = format!("at least {:.3}: {MAX_PIECES} pieces", seam.weld_length() / MAX_PIECES as f64);
                 return Err(file.error_at("order.parts.back_step_mm", "these are very many pieces", allowed));
             }
             Parts::BackStepMm(step) => seam.weld_length() / parts_of(seam.weld_length(), step.get()) as f64,
@@ -110,7 +110,7 @@ impl WeldOrder {
     }
 }
 
-/// Where the parts of `pass` from corner to corner end, by its own path length, mm; `turn` is the length of a seam that
+/// Ends of the parts of `pass` from corner to corner, by its own path length, mm; `turn` is the length of a seam that
 /// is welded all round.
 fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64> {
     let (from, to) = (pass.seam_s(0.0), pass.seam_s(pass.length()));
@@ -120,12 +120,12 @@ fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64>
     let range = all_round.map_or((low, from.max(to)), |turn| (low - SAME_POSITION_MM, low + turn - SAME_POSITION_MM));
     let mut ends: Vec<f64> = corners(seam, range).iter().map(|s| (s - from).abs()).collect();
     ends.sort_by(f64::total_cmp);
-    ends.dedup_by(|later, earlier| *later - *earlier < LEAST_MM);
+    ends.dedup_by(|later, earlier| *later - *earlier < MIN_PART_MM);
     match all_round.zip(ends.first().copied()) {
         // From a corner on, so that no part begins between two.
         Some((turn, first)) => ends.push(first + turn),
         None => {
-            ends.retain(|end| *end > LEAST_MM && *end < pass.length() - LEAST_MM);
+            ends.retain(|end| *end > MIN_PART_MM && *end < pass.length() - MIN_PART_MM);
             ends.insert(0, -CORNER_MM);
             ends.push(pass.length() + CORNER_MM);
         }
@@ -133,7 +133,7 @@ fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64>
     ends
 }
 
-/// Places inside a range of the seam at which it or the direction between its faces turns, mm.
+/// Positions inside a range of the seam at which it or the direction between its faces turns, mm.
 fn corners(seam: &SeamCurve, range: (f64, f64)) -> Vec<f64> {
     let turns = |s: &f64| {
         let (before, after) = (seam.at(s - SAME_MM), seam.at(s + SAME_MM));

@@ -5,8 +5,8 @@ use seamwright_program::SeamCopy;
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroU32;
 
-/// More copies than this are a slip.
-const MOST: u32 = 1000;
+/// Maximum number of copies; more are a mistake.
+const MAX_COPIES: u32 = 1000;
 
 /// Copies of the seam in parallel rows.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -28,15 +28,15 @@ impl Rows {
     /// Checks the table `rows` of a job whose seam stands at `placement`.
     ///
     /// # Errors
-    /// With the key's address: no copies or very many, copies at one place or out of this world.
+    /// With the key's address: no copies or very many, copies at the same position or too far away.
     pub(crate) fn check<T>(&self, file: &Document<T>, placement: &Transform) -> Result<(), DocumentError> {
         for (key, count) in [("rows.rows", self.rows), ("rows.columns", self.columns)] {
-            if count == 0 || count > MOST {
-                return Err(file.error_at(key, "this gives no copies, or very many", format!("1 to {MOST}")));
+            if count == 0 || count > MAX_COPIES {
+                return Err(file.error_at(key, "this gives no copies, or very many", format!("1 to {MAX_COPIES}")));
             }
         }
-        if u64::from(self.rows) * u64::from(self.columns) > u64::from(MOST) {
-            let allowed = format!("1 to {}: {MOST} copies in all", MOST / self.rows);
+        if u64::from(self.rows) * u64::from(self.columns) > u64::from(MAX_COPIES) {
+            let allowed = format!("1 to {}: {MAX_COPIES} copies in all", MAX_COPIES / self.rows);
             return Err(file.error_at("rows.columns", "these are very many copies", allowed));
         }
         let step = |step: Point| !step.is_zero();

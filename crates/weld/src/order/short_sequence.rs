@@ -3,10 +3,10 @@ use seamwright_document::{Document, DocumentError, NonNegative};
 use seamwright_program::{ProcessValues, Sequence, Slope};
 use serde::{Deserialize, Serialize};
 
-/// Travel delay of a tack or cosmetic pass that gives none, if the weld's is longer, s.
+/// Default travel delay of a tack or cosmetic pass, if the weld's is longer, s.
 const DELAY_S: f64 = 0.1;
-/// Crater fill of a tack or cosmetic pass that gives none, if the weld's is longer, s: the weld melts its crater again,
-/// or it lies on the finished weld.
+/// Default crater fill of a tack or cosmetic pass, if the weld's is longer, s: the weld melts its crater again, or it
+/// lies on the finished weld.
 const CRATER_S: f64 = 0.2;
 
 /// Times before and after the travel of a tack or a cosmetic pass. Gas that is not given flows as in `[sequence]`; the
@@ -44,7 +44,7 @@ impl ShortSequence {
         *self == Self::default()
     }
 
-    /// The sequence of the pass, with what is not given from `weld`.
+    /// The sequence of the pass, with missing values from `weld`.
     pub(crate) fn of(&self, weld: &Sequence) -> Sequence {
         let time = |given: Option<NonNegative>, slope: Option<&Slope>, of_weld: NonNegative, max_s: f64| {
             let of_slope = slope.and_then(|slope| NonNegative::new(slope.time_s.get()));

@@ -7,8 +7,8 @@ use seamwright_program::{
 };
 use serde::{Deserialize, Serialize};
 
-/// More tacks than this on a seam are a slip.
-const MOST: f64 = 1000.0;
+/// Maximum number of tacks on a seam; more are a mistake.
+const MAX_TACKS: f64 = 1000.0;
 
 /// Short welds that hold the parts together before anything else is welded.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -41,10 +41,11 @@ fn clear() -> NonNegative {
 }
 
 impl Tacks {
-    /// Checks what does not depend on the seam; `sequence` and `process` are those of the weld.
+    /// Checks the settings that do not depend on the seam; `sequence` and `process` are those of the weld.
     ///
     /// # Errors
-    /// With the key's address: neither number nor pitch or both, fewer than two, a process value that the weld has not.
+    /// With the key's address: neither number nor pitch or both, fewer than two, a process value that the weld does not
+    /// have.
     pub(crate) fn check<T>(
         &self,
         file: &Document<T>,
@@ -55,8 +56,8 @@ impl Tacks {
             let message = "the number of tacks follows from one of two keys";
             return Err(file.error_at("tacks", message, "either `count` or `pitch_mm`"));
         }
-        if self.count.is_some_and(|count| !(2.0..=MOST).contains(&f64::from(count))) {
-            return Err(file.error_at("tacks.count", "these tacks hold nothing", format!("2 to {MOST}")));
+        if self.count.is_some_and(|count| !(2.0..=MAX_TACKS).contains(&f64::from(count))) {
+            return Err(file.error_at("tacks.count", "these tacks hold nothing", format!("2 to {MAX_TACKS}")));
         }
         check_process(file, "tacks.process", &self.process)?;
         for (key, value) in &self.process {
@@ -72,9 +73,9 @@ impl Tacks {
         Ok(())
     }
 
-    /// The tacks on `seam` that begin at `starts`, in the order of welding: each far from all before it, then the one
-    /// opposite. What is not their own they have from `weld`, the pass along the whole seam; they lie where the `root`
-    /// bead of a groove does.
+    /// The tacks on `seam` that start at `starts`, in the order of welding: each far from all before it, then the one
+    /// opposite. Values without a setting of their own come from `weld`, the pass along the whole seam. They lie on the
+    /// `root` bead of a groove.
     pub(crate) fn passes(&self, starts: &[f64], seam: &SeamCurve, (weld, root): (&Pass, Option<&Bead>)) -> Vec<Pass> {
         // Their metal is not that of the bead, which comes on top.
         let none = |root: &Bead| vec![NonNegative::default(); root.area_mm2.len()];
@@ -109,11 +110,11 @@ impl Tacks {
         opposite_first(starts.len(), seam.all_round()).into_iter().enumerate().map(pass).collect()
     }
 
-    /// Path lengths at which the tacks begin, increasing, mm: evenly, with the start in the middle between two on a seam
+    /// Path lengths of the tacks' starts, increasing, mm: evenly, with the start in the middle between two on a seam
     /// welded all round, else from end to end.
     ///
     /// # Errors
-    /// With the key's address: tacks longer than the pitch or nearer to the start than they may be.
+    /// With the key's address: tacks longer than the pitch or too near to the start.
     pub(crate) fn starts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<Vec<f64>, DocumentError> {
         let (length, clear) = (self.length_mm.get(), self.clear_mm.get());
         let round = seam.all_round();
@@ -124,8 +125,8 @@ impl Tacks {
             (Some(count), _) => f64::from(count),
             (None, pitch) => least(parts_of(way, pitch.map_or(way, Positive::get)) as f64),
         };
-        if count > MOST {
-            let allowed = format!("at least {:.3}: {MOST} tacks", way / MOST);
+        if count > MAX_TACKS {
+            let allowed = format!("at least {:.3}: {MAX_TACKS} tacks", way / MAX_TACKS);
             return Err(file.error_at("tacks.pitch_mm", "these are very many tacks", allowed));
         }
         let pitch = if round { way / count } else { way / (count - 1.0) };
@@ -155,7 +156,7 @@ fn opposite_first(count: usize, ring: bool) -> Vec<usize> {
         if ring { d.min(count - d) } else { d }
     };
     let mut order: Vec<usize> = Vec::with_capacity(count);
-    // Distance of each place from those in order; none of those themselves.
+    // Distance of each tack from those in order; `None` for those in order.
     let mut from_all: Vec<Option<usize>> = vec![Some(count); count];
     while order.len() < count {
         let left = || from_all.iter().enumerate().filter_map(|(i, apart)| Some((i, (*apart)?)));

@@ -114,7 +114,7 @@ proptest! {
     }
 }
 
-/// Where a pass lies on the seam: from the lesser path length to the greater.
+/// Range of a pass on the seam: from the smaller path length to the larger.
 fn range(pass: &Pass) -> (f64, f64) {
     let ends = [pass.seam_s(0.0), pass.seam_s(pass.length())];
     (ends[0].min(ends[1]), ends[0].max(ends[1]))
@@ -142,7 +142,7 @@ fn rows_become_copies_at_their_places() {
     assert!(e.key.ends_with(".copy") && e.allowed.as_deref() == Some("0 to 11, the place in [[copies]]"), "{e}");
     let solids = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap().part;
     assert_eq!((solids.len(), solids[7].name()), (12, "plate of row 2, 2"));
-    // A file of one place has none of the new keys.
+    // A file of a seam without copies has none of the new keys.
     let plain = read(LINE).program.value.to_toml().unwrap();
     assert!(!plain.contains("cop") && !plain.contains("order"), "{plain}");
 }
@@ -221,7 +221,7 @@ fn from_corner_to_corner_no_direction_jumps() {
         }
     }
     assert!(before.distance(after) > 0.1, "{before} {after}");
-    // A start at a corner is one of the corners.
+    // A start at a corner counts as one of the corners.
     let program = whole.program.value.to_toml().unwrap();
     assert!(Welding::read("p.toml", &program).is_ok());
 }
@@ -318,7 +318,7 @@ fn a_cosmetic_pass_is_the_last_on_each_copy() {
     let [weld, pass] = &line.program.value.passes[..] else { panic!() };
     assert_eq!((range(weld), range(pass), pass.role), ((0.0, 100.0), (10.0, 100.0), Some(Role::Cosmetic)));
     assert_eq!((pass.name.as_str(), pass.speeds()), ("cosmetic", (9.0, 9.0)));
-    // What is not its own is that of the weld, there.
+    // Values without a setting of their own are those of the weld there.
     assert_eq!(pass.spans[0].process["current_a"].ends(), (110.0, 200.0));
     let own = read(&format!("{LINE}{cosmetic}process = {{ current_a = 30 }}\n"));
     assert_eq!(own.program.value.passes[1].spans[0].process["current_a"].ends(), (30.0, 30.0));

@@ -1,9 +1,9 @@
-//! Which copy is welded after which.
+//! Order of the copies.
 //!
-//! Under `shortest` a way starts at a copy and goes on to the nearest; windows of it are then reversed, moved on or
-//! swapped at their ends as long as that makes the air way shorter (2-opt and or-opt), from several copies and from the
-//! order of the list. `back_and_forth` is the same where steps within a row count first. Both are
-//! local optima, and never worse than what they start from.
+//! Under `shortest` a way starts at a copy and goes on to the nearest. Windows of it are then reversed, moved on or
+//! swapped at their ends as long as that shortens the transfer moves (2-opt and or-opt). This is repeated from several
+//! copies and from the order of the list. `back_and_forth` is the same, but steps within a row count first. Both are
+//! local optima, and never worse than their starts.
 
 use super::file::Rule;
 use glam::DVec3;
@@ -21,8 +21,8 @@ const LONGEST: usize = 48;
 /// In a window of up to this many stops any number of them is moved on, in a longer one a few.
 const SHORT: usize = 12;
 const MOVED: usize = 3;
-/// A change that wins less, mm and as a part of the way, is rounding.
-const LEAST_GAIN: (f64, f64) = (1e-9, 1e-11);
+/// Minimum gain of a change, mm and as a part of the way; smaller ones are rounding.
+const MIN_GAIN: (f64, f64) = (1e-9, 1e-11);
 
 /// A copy: where its weld begins and ends, mm, welded one way or (if it has two) the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,8 +34,8 @@ pub(crate) struct Stop {
 /// A stop and which way it is welded.
 pub(crate) type Leg = (usize, usize);
 
-/// The stops in the order of `rule`, each with the way in which it is welded; ways and what the rule leaves open are
-/// chosen for a short air way from `from` (if that is known) to the end. Every stop is there once.
+/// The stops in the order of `rule`, each with its way of welding. Ways and the freedom of the rule serve short
+/// transfer moves from `from` (if that is known) to the end. Every stop is there once.
 pub(crate) fn tour(stops: &[Stop], rule: Rule, from: Option<DVec3>) -> Vec<Leg> {
     let search = Search { stops, from, rows_count: rule == Rule::BackAndForth };
     let order: Vec<usize> = match rule {
@@ -55,8 +55,7 @@ pub(crate) fn in_rows(stops: &[Stop]) -> Vec<Vec<usize>> {
     rows.into_iter().map(of_row).collect()
 }
 
-/// A row's stops, every `every`-th and then those between, in such an order that no two neighbours follow each other
-/// if there is one.
+/// A row's stops, every `every`-th and then those between. If possible the order avoids successive neighbours.
 fn skipping(row: &[usize], every: usize) -> Vec<usize> {
     let series: Vec<Vec<usize>> = (0..every.min(row.len())).map(|k| (k..row.len()).step_by(every).collect()).collect();
     let mut chosen = Vec::new();
@@ -66,7 +65,8 @@ fn skipping(row: &[usize], every: usize) -> Vec<usize> {
     chosen.into_iter().flat_map(|k| series[k].iter().map(|i| row[*i])).collect()
 }
 
-/// Adds series to `chosen`, the first one first, so that neighbours do not follow each other; false if there is no way.
+/// Adds series to `chosen`, the first one first, so that neighbours do not follow each other; false if that is
+/// impossible.
 fn choose(series: &[Vec<usize>], chosen: &mut Vec<usize>) -> bool {
     if chosen.len() == series.len() {
         return true;
@@ -86,7 +86,7 @@ fn choose(series: &[Vec<usize>], chosen: &mut Vec<usize>) -> bool {
     false
 }
 
-/// What a way costs: first by its steps within a row, where these count, then by its length.
+/// Cost of a way: first by its steps within a row, where these count, then by its length.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
 struct Cost {
     within: usize,
@@ -104,12 +104,12 @@ impl std::ops::Add for Cost {
 impl Cost {
     /// True if it is less by more than rounding.
     fn wins(self, other: Self) -> bool {
-        let least = LEAST_GAIN.0 + LEAST_GAIN.1 * other.way;
+        let least = MIN_GAIN.0 + MIN_GAIN.1 * other.way;
         self.within < other.within || (self.within == other.within && self.way < other.way - least)
     }
 }
 
-/// Stops, and what a step between two of them costs.
+/// Stops, with the cost of a step between two of them.
 struct Search<'a> {
     stops: &'a [Stop],
     from: Option<DVec3>,
@@ -133,7 +133,7 @@ impl Search<'_> {
         }
     }
 
-    /// What `legs` cost between the legs before and after them.
+    /// Cost of `legs` between the legs before and after them.
     fn cost(&self, before: Option<Leg>, legs: &[Leg], after: Option<Leg>) -> Cost {
         let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return Cost::default() };
         let steps = legs.windows(2).map(|w| self.step(w[0], w[1])).chain(after.map(|after| self.step(*last, after)));
@@ -158,8 +158,8 @@ impl Search<'_> {
         best.map_or_else(Vec::new, |best| best.1)
     }
 
-    /// From leg `first` always to the nearest; where rows must change to one of the row of which most are left, so
-    /// that none is left over that need not be.
+    /// From leg `first` always to the nearest. At a change of rows, to one of the row with the most stops left, so that
+    /// few are left over.
     fn nearest(&self, first: Leg) -> Vec<Leg> {
         let mut left: Vec<usize> = (0..self.stops.len()).filter(|i| *i != first.0).collect();
         let mut legs = vec![first];
@@ -250,9 +250,9 @@ fn changes(length: usize) -> usize {
     5 + if length <= SHORT { length - 1 } else { 2 * MOVED }
 }
 
-/// The `number`-th thing that is tried with a window: reversed as it is, reversed with every stop welded the other way, its
-/// ends swapped, its first or last stop moved to its other end and welded the other way, its first stops moved to its
-/// end (in a long window a few, or the last few to its start).
+/// Applies change `number` to a window. It is reversed, reversed with every stop welded the other way, or its ends are
+/// swapped. Or its first or last stop moves to its other end, welded the other way. Or its first stops move to its end
+/// (in a long window a few, or the last few to its start).
 fn change(window: &mut [Leg], number: usize) {
     let last = window.len() - 1;
     let other_way = |leg: &mut Leg| leg.1 = 1 - leg.1;

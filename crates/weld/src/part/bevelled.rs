@@ -8,7 +8,7 @@ use seamwright_program::{Member, Nozzle, Preparation};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Places around the nozzle: its flat sides are off the round ones by 1e-5 of the radius, outwards.
+/// Number of stations around the nozzle: its flat sides are off the round ones by 1e-5 of the radius, outwards.
 const AROUND: usize = 720;
 
 impl SeamJoint {
@@ -30,7 +30,7 @@ impl Making<'_> {
         let mut rings: Vec<Vec<DVec3>> = Vec::new();
         for i in 0..AROUND {
             let p = self.seam.at(self.seam.length() * i as f64 / AROUND as f64);
-            // Places without a groove were refused when the joint was read.
+            // Stations without a groove were refused when the joint was read.
             let Some(section) = joint.section(&p) else { continue };
             let edge = section.first.iter().rev().map(|c| p.point + c.x * p.towards_first + c.y * p.bisector);
             let mut ring: Vec<DVec3> = edge

@@ -1,4 +1,4 @@
-//! Plates with what stands on them along a circle, an arc or a rectangle.
+//! Plates with parts that stand on them along a circle, an arc or a rectangle.
 
 use super::swept::{Section, WITHIN_MM, sweep_through};
 use super::{Impossible, Making, PLATE_MM, standing};
@@ -59,7 +59,7 @@ impl Making<'_> {
         Ok(vec![plate, along.solid("wall", wall)?])
     }
 
-    /// The plate under a spline that lies in the plane of its one normal; none under others.
+    /// The plate under a spline that lies in the plane of its one normal; empty under others.
     pub(super) fn spline(&self, s: &Spline) -> Result<Vec<Solid>, Impossible> {
         let (Some(first), true) = (s.points_mm.first(), s.first_normals.is_empty()) else { return Ok(Vec::new()) };
         let (first, normal) = (first.get(), s.normal.unwrap_or_else(Direction::z).unit());
@@ -78,7 +78,7 @@ impl Making<'_> {
 }
 
 /// The corners of a polygon around a rectangle with rounded corners, counter-clockwise: its sides touch the arcs, also
-/// where they begin and end.
+/// at their ends.
 fn outline(half: DVec2, radius: f64) -> Vec<DVec2> {
     let count = (0.25 * PI * (radius / (2.0 * WITHIN_MM)).sqrt()).ceil().max(1.0) as usize;
     let step = 0.5 * PI / count as f64;

@@ -5,7 +5,7 @@ use seamwright_geometry::Head;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// How far a head's mesh may lie outside the true surface, mm, by half along the meridian and by half around.
+/// Maximum distance of a head's mesh outside the true surface, mm, by half along the meridian and by half around.
 const HEAD_MM: f64 = 0.1;
 /// The same as a part of the head's radius, if that is more: finer meshes would take millions of triangles.
 const HEAD_PART: f64 = 2e-5;
@@ -20,13 +20,13 @@ impl Making<'_> {
     }
 }
 
-/// How far a head's mesh may be off, mm, along the meridian, and as much around.
+/// Maximum error of a head's mesh, mm, along the meridian, and as much around.
 pub(super) fn head_within(head: &Head) -> f64 {
     0.5 * HEAD_MM.max(HEAD_PART * head.radius())
 }
 
-/// The solid of revolution about z between an outer and an inner line of points (distance from the axis, height), the
-/// inner one going back from the end of the outer one. Around the axis the mesh lies at most `within` mm outside it, and
+/// The solid of revolution about z between an outer and an inner line of points (distance from the axis, height). The
+/// inner one goes back from the end of the outer one. Around the axis the mesh lies at most `within` mm outside it, and
 /// nowhere inside.
 pub(super) fn turned(outer: &[(f64, f64)], inner: &[(f64, f64)], within: f64) -> Result<Shape, ClearanceError> {
     let farthest = outer.iter().fold(0.0, |m: f64, p| m.max(p.0));

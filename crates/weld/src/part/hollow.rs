@@ -13,14 +13,14 @@ use seamwright_geometry::{Curve, Head};
 use seamwright_program::{Body, Mount, Nozzle};
 use std::f64::consts::TAU;
 
-/// Places around a curve that are looked at for its extent.
+/// Number of points around a curve that give its extent.
 const PLACES: u32 = 720;
 
 impl Making<'_> {
-    /// What is around the torch at a nozzle's root.
+    /// Solids around the torch at a nozzle's root.
     ///
-    /// Set on: the nozzle with its bore, and the body as it is from outside. Set in: the nozzle, as far beyond the seam
-    /// inside as it goes on outside, and the body's wall. Cylinders and cones are open at their ends, a sphere is the
+    /// Set on: the nozzle with its bore, and the body with its outside. Set in: the nozzle, as far beyond the seam
+    /// inside as it goes on outside, and the body's wall. Cylinders and cones are open at their ends. A sphere is the
     /// half that the nozzle is in, a head is open at its flange; a pipe bend is left out.
     pub(super) fn root<T>(&self, file: &Document<T>, nozzle: &Nozzle) -> Result<Vec<Solid>, Impossible> {
         let (origin, along, radius) = (nozzle.origin_mm.get(), nozzle.direction.unit(), nozzle.radius_mm.get());

@@ -1,4 +1,4 @@
-//! The part as solids, made from its own seam: what the torch has to keep clear of.
+//! The part as solids, made from its own seam: obstacles of the torch.
 
 mod bevelled;
 mod flat;
@@ -15,15 +15,15 @@ use seamwright_clearance::{Clamped, ClearanceError, Shape, Solid, SolidFile};
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_program::{Part, Seam};
 
-/// How far nozzle, tube or web go on if the job does not say, mm.
+/// Default length of nozzle, tube or web, mm.
 const NOZZLE_MM: f64 = 100.0;
-/// Thickness of plates, mm: nobody comes near their other side.
+/// Thickness of plates, mm: their other side is never approached.
 const PLATE_MM: f64 = 10.0;
 
-/// Places along the seam that are looked at for its extent.
+/// Number of points along the seam that give its extent.
 const PLACES: i32 = 360;
 
-/// Why no part can be made.
+/// Reason why no part can be made.
 #[derive(Debug, thiserror::Error)]
 enum Impossible {
     #[error(transparent)]
@@ -36,10 +36,10 @@ enum Impossible {
     Document(#[from] DocumentError),
 }
 
-/// How the bytes of an STL file are got.
+/// Loads the bytes of an STL file.
 type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
-/// What solids are made from.
+/// Inputs of the solids.
 struct Making<'a> {
     seam: &'a SeamCurve,
     nozzle_mm: f64,
@@ -51,16 +51,16 @@ struct Making<'a> {
 impl Welding {
     /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
     ///
-    /// The part, once at every copy of the seam, is made from the seam, with the solids that are given, unless the job says that these
-    /// replace it. It is made of exact cylinders, spheres, cones and boxes; elliptic tubes and curved T-joints as meshes up to 0.02 mm outside the true surface,
-    /// heads up to 0.1 mm. It is nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of
-    /// the far side of its body. Of the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are
-    /// solid: the torch stays outside; only what is around a root that is welded
-    /// from inside is hollow.
+    /// The part, once at every copy of the seam, is made from the seam, together with the given solids, unless the job
+    /// says that these replace it. It is made of exact cylinders, spheres, cones and boxes. Elliptic tubes and curved
+    /// T-joints are meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It is nowhere smaller than the
+    /// true one, nor larger near the seam. The end of a slanting nozzle may stand out of the far side of its body. Of
+    /// the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are solid, because the torch
+    /// stays outside; only the surroundings of a root that is welded from inside are hollow.
     ///
     /// # Errors
-    /// With the key's address: everything that can be wrong with a solid or an STL file, a body that ends within the
-    /// seam, a part that is replaced by nothing. Of a part that is not watched no solid is made and no file read.
+    /// With the key's address: all faults of a solid or an STL file, a body that ends within the seam, a part that is
+    /// replaced by no solid. For a part that is not watched no solid is made and no file read.
     pub fn clamped(&self, load: Load) -> Result<Clamped, DocumentError> {
         let program = &self.program.value;
         let fixtures = given(&self.program, "fixtures", &program.fixtures, load)?;
@@ -77,7 +77,7 @@ impl Welding {
         self.clamped_as(&part, fixtures)
     }
 
-    /// The solids that are made from the seam; none in a program without one.
+    /// The solids that are made from the seam; empty in a program without one.
     fn made(&self) -> Result<Vec<Solid>, DocumentError> {
         let program = &self.program.value;
         let (Some(curve), Some(seam)) = (&self.seam, &program.seam) else { return Ok(Vec::new()) };
@@ -156,7 +156,7 @@ impl Making<'_> {
         best.0
     }
 
-    /// Least and greatest height of the seam along a direction.
+    /// Minimum and maximum height of the seam along a direction.
     fn heights(&self, from: DVec3, along: DVec3) -> (f64, f64) {
         (self.least(|p| (p - from).dot(along)), -self.least(|p| -(p - from).dot(along)))
     }

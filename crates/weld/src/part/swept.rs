@@ -6,7 +6,7 @@ use seamwright_program::{Ellipse, FilletOrButt, TJoint};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// How far a mesh's flat sides may be from the round ones, mm.
+/// Maximum distance of a mesh's flat sides from the round ones, mm.
 pub(super) const WITHIN_MM: f64 = 0.01;
 
 impl Making<'_> {

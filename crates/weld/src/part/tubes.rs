@@ -9,7 +9,7 @@ use seamwright_program::{Body, Branch, Girth, Helix, Nozzle, NozzleCurve};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// How far a dome's mesh may lie outside the ellipsoid, mm.
+/// Maximum distance of a dome's mesh outside the ellipsoid, mm.
 const DOME_MM: f64 = 0.1;
 /// Larger ellipsoids stay whole, mm: their domes would take millions of triangles.
 const LARGEST_DOME_MM: f64 = 5_000.0;
@@ -74,7 +74,7 @@ impl Making<'_> {
         Ok(vec![tube, self.nozzle_body(file, &nozzle.body, &foot)?])
     }
 
-    /// A branch's tube from the seam's lowest point on, the chord, and the other branch if there is one.
+    /// A branch's tube from the seam's lowest point on, the chord, and the other branch, if any.
     pub(super) fn branch<T>(&self, file: &Document<T>, branch: &Branch) -> Result<Vec<Solid>, Impossible> {
         let Joint { tube, chord, other, .. } = Joint::new(file, branch)?;
         let (origin, along, radius) = (tube.origin(), tube.direction(), tube.radius());

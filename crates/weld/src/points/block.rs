@@ -4,10 +4,10 @@ use seamwright_program::ArcThrough;
 /// The way from one point to the next, over a range of the path's parameter.
 #[derive(Debug, Clone)]
 pub(crate) struct Block {
-    /// Parameter at its begin and end, mm.
+    /// Parameter at its start and end, mm.
     pub(crate) from: f64,
     pub(crate) to: f64,
-    /// Numbers at its begin and end.
+    /// Numbers at its start and end.
     pub(crate) start: Row,
     pub(crate) end: Row,
     pub(crate) shape: Shape,
@@ -17,14 +17,14 @@ pub(crate) struct Block {
     pub(crate) is_continued: bool,
 }
 
-/// How the numbers go from begin to end, by the part of the block that is done.
+/// Change of the numbers from start to end, by the part of the block that is done.
 #[derive(Debug, Clone)]
 pub(crate) enum Shape {
     /// Evenly.
     Line,
     /// Three of them round an arc, the others evenly.
     Arc(ArcThrough, [Option<usize>; 3]),
-    /// By cubics with these slopes by the part done, at begin and end.
+    /// By cubics with these slopes by the part done, at start and end.
     Cubic(Box<[Row; 2]>),
 }
 

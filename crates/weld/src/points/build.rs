@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// Way of the tip in rapid moves of poses, mm/s: the axes' limits bring it down.
 const RAPID_MM_S: f64 = 100.0;
-/// A block that takes less is none, s.
+/// Minimum duration of a block, s; shorter ones are left out.
 const SHORTEST_S: f64 = 1e-9;
 /// Times of a spline's points are found anew by its pieces' lengths, at most so often ...
 const ROUNDS: usize = 30;
@@ -64,15 +64,15 @@ impl PointPath {
 
 /// Turns the numbers of a point into a row.
 struct Reader {
-    /// Where the row's numbers are among the columns, and what they are times.
+    /// Index of the row's numbers among the columns, and their factor.
     from: Vec<(usize, f64)>,
-    /// What numbers are that are not among the columns.
+    /// Values of numbers without a column.
     rest: Row,
     /// Highest speed of each number where it is an axis.
     fastest: Option<Row>,
-    /// Which of the row's numbers are x, y and z.
+    /// Indices of x, y and z among the row's numbers.
     places: [Option<usize>; 3],
-    /// Where in the row each of `from` goes.
+    /// Index in the row of each of `from`.
     to: Vec<usize>,
 }
 
@@ -126,7 +126,7 @@ impl Reader {
         row
     }
 
-    /// Speeds of the row's numbers from those of the columns that say the place.
+    /// Speeds of the row's numbers from those of the position's columns.
     fn speeds(&self, speeds: &[Finite]) -> Row {
         let mut row = Row::default();
         for ((speed, (_, factor)), to) in speeds.iter().zip(&self.from).zip(&self.to) {
@@ -200,7 +200,7 @@ impl Builder<'_> {
         Timed { block, seconds, point: k + 1 }
     }
 
-    /// How long the way to `point` takes, s.
+    /// Duration of the way to `point`, s.
     fn seconds(&self, block: &Block, point: &[Finite], along: Along) -> f64 {
         let last = point[point.len() - 1].get();
         match (along, &self.reader.fastest) {
@@ -250,7 +250,7 @@ impl Builder<'_> {
         pieces
     }
 
-    /// What a span's spline goes through, timed by its chords.
+    /// Knots of a span's spline, timed by its chords.
     fn knots(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Knots {
         let rows: Vec<Row> = std::iter::once(*here).chain(rows.iter().copied()).collect();
         let (mut at, mut ways) = (vec![0.0], vec![0.0]);
@@ -273,8 +273,8 @@ impl Builder<'_> {
         }
     }
 
-    /// How far from a recorded point its numbers may be: half the pass' tolerance, rotary axes and directions as much at
-    /// 100 mm.
+    /// Maximum deviation of numbers from a recorded point: half the pass' tolerance, rotary axes and directions as much
+    /// at 100 mm.
     fn near(&self) -> Row {
         let half = 0.5 * self.pass.tolerance.path_mm.get();
         let linear = |i: usize| match &self.numbers {

@@ -2,23 +2,23 @@ use super::Row;
 use super::block::{Block, Shape};
 use seamwright_geometry::CubicSpline;
 
-/// A block before its place on the path is known.
+/// A block before its position on the path is known.
 pub(super) struct Timed {
     pub(super) block: Block,
-    /// How long it takes, s.
+    /// Duration, s.
     pub(super) seconds: f64,
     /// Index of the point it ends at.
     pub(super) point: usize,
 }
 
-/// What a spline goes through.
+/// Knots of a spline.
 pub(super) struct Knots {
     pub(super) rows: Vec<Row>,
     /// Their numbers among the span's points, 0 where it begins.
     pub(super) points: Vec<usize>,
     /// When each is reached, s.
     pub(super) at: Vec<f64>,
-    /// How long the chords from each to the next take, s, and how long they are, mm.
+    /// Duration, s, and length, mm, of the chords from each knot to the next.
     pub(super) chords: Vec<(f64, f64)>,
     /// The torch stops at each.
     pub(super) stops: bool,
@@ -40,7 +40,7 @@ impl Knots {
         (0..rows.len() - 1).map(piece).collect()
     }
 
-    /// Times each piece by its length, `ways` in mm, at the speed of its chords; the greatest change, as a part.
+    /// Times each piece by its length, `ways` in mm, at the speed of its chords. Returns the maximum change, as a part.
     pub(super) fn retime(&mut self, ways: &[f64]) -> f64 {
         let (mut now, mut change) = (0.0, 0.0f64);
         for (k, ((seconds, chord), way)) in self.chords.iter().zip(ways).enumerate() {

@@ -34,7 +34,7 @@ pub struct MachineAxis {
     pub max_speed: f64,
 }
 
-/// What a number at a point is: axis positions (mm or rad), or tip (mm) and direction.
+/// Numbers at a point: axis positions (mm or rad), or tip (mm) and direction.
 pub(crate) type Row = AxisPositions;
 
 /// The path of a pass through points. Its parameter counts the planned time, times the mean speed of the tip over the
@@ -126,7 +126,7 @@ impl TorchPath for PointPath {
         matches!(self.numbers, Numbers::Axes(_)).then(|| self.row(s))
     }
 
-    /// Where the tip stands still, the torch's direction: there is no better one.
+    /// At a standstill of the tip this is the torch's direction, for lack of a tangent.
     fn tangent(&self, s: f64) -> DVec3 {
         let h = HALF * self.length();
         let (a, b) = ((s - h).max(0.0), (s + h).min(self.length()));
@@ -145,7 +145,7 @@ impl TorchPath for PointPath {
         self.blocks.iter().skip(1).map(|b| b.from).collect()
     }
 
-    /// Inside a spline there are none.
+    /// A spline has no bends inside.
     fn bends(&self) -> Vec<f64> {
         self.blocks.windows(2).filter(|w| !w[1].is_continued).map(|w| w[1].from).collect()
     }

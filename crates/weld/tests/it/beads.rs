@@ -1,4 +1,5 @@
-//! Jobs with beads as programs: what the passes deposit, from their speeds and wire feeds alone, fills the joint.
+//! Jobs with beads as programs: the metal deposited by the passes, from their speeds and wire feeds alone, fills the
+//! joint.
 
 use seamwright_program::{Pass, Program, Role};
 use seamwright_weld::Welding;
@@ -29,7 +30,7 @@ fn deposited(pass: &Pass, seam_s: f64, turn: f64) -> Option<f64> {
     Some(FRAC_PI_4 * 1.2 * 1.2 * feed * 0.95 / pass.speed_at(own))
 }
 
-/// The greatest part by which what the passes deposit is off groove and cap, along the seam.
+/// Maximum relative difference of the deposited metal from groove and cap, along the seam.
 fn off(welding: &Welding) -> f64 {
     let joint = welding.joint.as_ref().unwrap();
     let turn = welding.seam.as_ref().unwrap().length();

@@ -43,7 +43,7 @@ fn slips_of_the_trial_are_refused_at_their_key() {
 fn a_groove_of_too_many_beads_is_refused_before_they_are_made() {
     let e = refused(&with(&[("thickness_mm = 8 ", "thickness_mm = 8000 ")]));
     assert_eq!((e.key.as_str(), e.value.as_str()), ("joint.preparation.t_bevel.thickness_mm", "8000"));
-    // Where the bead is the slip, its run is named.
+    // If the bead is the mistake, its run is named.
     let e = refused(&with(&[("fill = { layer_mm = 3 }", "fill = { layer_mm = 3, area_mm2 = 1e-9 }")]));
     assert_eq!(e.key, "beads.fill");
     let e = refused(&with(&[("wire_mm = 1.2", "wire_mm = 1e-6")]));

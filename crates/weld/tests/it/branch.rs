@@ -93,7 +93,7 @@ fn the_dihedral_of_a_y_joint_is_theta_at_the_heel() {
     }
 }
 
-/// A K-joint by random numbers: the keys, and the other branch's place for an offset.
+/// A K-joint by random numbers: the keys, and the other branch's position for an offset.
 struct Pair {
     keys: String,
     first: (DVec3, DVec3, f64),

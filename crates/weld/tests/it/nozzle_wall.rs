@@ -44,7 +44,7 @@ fn document(seam: &str) -> Document<Job> {
     Job::read("job.toml", &job(seam)).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// A random nozzle with a wall on a body, and what is known of it without the library.
+/// A random nozzle with a wall on a body, and its properties computed without the library.
 struct Case {
     /// Keys of the nozzle but mount and curve, and the body's table.
     nozzle: String,
@@ -167,7 +167,7 @@ fn on(case: &Case, edge: &dyn Edge, phi: f64, radius: f64, depth: f64) {
     let out = (e.point - case.origin).reject_from_normalized(case.direction).normalize();
     let angle = case.direction.dot(case.zero.cross(out)).atan2(case.zero.dot(out));
     assert!(((angle - phi).sin()).abs() < 1e-12 && (angle - phi).cos() > 0.0);
-    // It is the way out along the nozzle: beyond it there is no more of the body down to this depth.
+    // It is the way out along the nozzle: beyond it the body is below this depth.
     for i in 1..60 {
         let beyond = e.point + 0.05 * radius * f64::from(i) * case.direction;
         assert!((case.level)(beyond) > -depth - 1e-9, "{}", case.body);
@@ -196,7 +196,7 @@ fn toe_and_root_lie_on_their_surfaces_and_face_the_air() {
                     if set_in { (away, -case.gradient(root.point)) } else { (-away, case.gradient(root.point)) };
                 assert!((root.n1 - n1).length() < 1e-8 && (root.n2 - n2).length() < 1e-7, "{}", case.body);
                 assert!((toe.n1 - away).length() < 1e-8 && (toe.n2 - case.gradient(toe.point)).length() < 1e-7);
-                // Just before the joint there is air, just behind it none.
+                // Just before the joint there is air, just behind it metal.
                 let bisector = (root.n1 + root.n2).normalize();
                 let step = 1e-4 * (case.radius - case.wall) * (root.n1 + root.n2).length();
                 assert!(case.air(set_in, root.point + step * bisector), "{}", case.body);
@@ -359,7 +359,7 @@ fn unrolled_ends_roll_back_onto_the_seam() {
     assert!(made > cases(60), "{made}");
 }
 
-/// The error of a nozzle with these keys: its key, and what it allows.
+/// The error of a nozzle with these keys: its key, and the allowed values.
 fn error(keys: &str, body: &str) -> (String, String, String) {
     let text = job(&format!("[seam.nozzle]\nradius_mm = 50\n{keys}[seam.nozzle.body.{body}"));
     let e = Welding::read("job.toml", &text).unwrap_err();
@@ -410,7 +410,7 @@ fn mistakes_have_an_address_and_a_cure() {
             format!("[seam.nozzle]\nradius_mm = 50\nwall_mm = 5\ncurve = \"inner_root\"\n[seam.nozzle.body.{body}");
         assert!(edges(&text).is_ok());
     }
-    // Keys that a body always needs say what they take, too.
+    // Errors of required keys list the allowed values, too.
     check(
         "",
         "flat_head]\nouter_diameter_mm = 400\nknuckle_radius_mm = 30\n",

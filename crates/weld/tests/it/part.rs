@@ -27,12 +27,12 @@ fn distance(part: &[Solid], at: DVec3) -> f64 {
     part.iter().map(one).fold(f64::INFINITY, f64::min) + 1e-3
 }
 
-/// Checks the part along the seam. `within` is what its meshes may be off, mm.
+/// Checks the part along the seam. `within` is the maximum error of its meshes, mm.
 fn check(welding: &Welding, within: f64) {
     let clamped = welding.clamped(NO_STL).unwrap();
     let placement = welding.path(0).along_seam().unwrap().placement;
     for i in 0..24 {
-        // Not at the very ends of an open seam, where the part ends too.
+        // Except at the very ends of an open seam, where the part ends too.
         let p = welding
             .seam
             .as_ref()

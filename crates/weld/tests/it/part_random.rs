@@ -13,7 +13,7 @@ const NO_STL: &dyn Fn(&str) -> std::io::Result<Vec<u8>> = &|_| Err(std::io::Erro
 
 /// Radius of the ball that stands for a point, mm.
 const BALL_MM: f64 = 1e-6;
-/// What the proven distance may be less than the true one near round solids, as a share of the seam's length.
+/// Permitted shortfall of the proven distance below the true one near round solids, as a share of the seam's length.
 const SLACK: f64 = 1e-5;
 
 struct Random(TestRng);
@@ -83,7 +83,7 @@ fn true_distance(bodies: &[&dyn SignedDistance], at: DVec3) -> f64 {
     bodies.iter().map(|b| b.foot(at).distance).fold(f64::INFINITY, f64::min).max(0.0)
 }
 
-/// Places before the joint, on its faces, and behind it; `along` is where the first part goes.
+/// Points before the joint, on its faces, and behind it; `along` is the direction of the first part.
 fn places(p: &SeamPoint, along: DVec3, random: &mut Random) -> Vec<DVec3> {
     // Not through a plate.
     let d = random.scaled(1e-3, 8.0);
@@ -95,7 +95,7 @@ fn places(p: &SeamPoint, along: DVec3, random: &mut Random) -> Vec<DVec3> {
     }]
 }
 
-/// Checks the part along the seam: nowhere farther than it is, and at most `outside` mm nearer.
+/// Checks the part along the seam: distances are never too large, and at most `outside` mm too small.
 fn check(welding: &Welding, bodies: &[&dyn SignedDistance], along: DVec3, outside: f64, random: &mut Random) {
     let (solids, slack) = (part(welding), 1e-3 + SLACK * welding.seam.as_ref().unwrap().length());
     for _ in 0..10 {
@@ -288,7 +288,7 @@ impl Tee {
         DQuat::from_axis_angle(self.axis, u * self.sweep) * at_start
     }
 
-    /// How far the cross-section's point is from the axis, negative beyond it.
+    /// Distance of the cross-section's point from the axis, negative beyond it.
     fn off_axis(&self, left: f64, out: f64) -> f64 {
         let along = self.axis.cross(self.start).normalize();
         (self.start + left * self.skin.cross(along) + out * self.skin).dot(self.start.normalize())
@@ -318,7 +318,7 @@ fn curved_t_joints_are_enclosed_and_hardly_larger() {
             if reaches {
                 let found = distance(&solids, tee.at(u, side * beside, 0.0));
                 assert!(found < 1e-6, "skin's face: {found} {}", text());
-                // In the corner both faces are as far as the coordinates say, where neither bends towards the place.
+                // In the corner both faces have the distances of the coordinates, if neither bends towards the point.
                 let d = random.scaled(1e-3, 1.0);
                 let found = distance(&solids, tee.at(u, side * (half + d), d));
                 assert!(

@@ -1,4 +1,4 @@
-//! Passes that begin elsewhere, run back, go round more than once or lie beside the seam: against formulas of their own.
+//! Passes that start elsewhere, run back, go round more than once or lie beside the seam: against independent formulas.
 
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
@@ -103,7 +103,7 @@ fn eliminate(mut m: Vec<Vec<f64>>) -> Vec<f64> {
     (0..n).map(|i| m[i][n] / m[i][i]).collect()
 }
 
-/// Where a random pass runs on a seam, and where its bead lies.
+/// Range of a random pass on a seam, and the position of its bead.
 #[derive(Debug, Clone)]
 struct Case {
     seam: usize,
@@ -171,7 +171,7 @@ proptest! {
         for s in parts.iter().map(|part| part * path.length()) {
             let there = if case.reverse { case.begin - s } else { case.begin + s };
             prop_assert!((pass.seam_s(s) - there).abs() < 1e-12);
-            // On a closed seam the same place a turn on or back.
+            // On a closed seam the same position a turn on or back.
             let p = welding.seam.as_ref().unwrap().at(period.map_or(there, |turn| there.rem_euclid(turn)));
             let tip = p.point + row(1, there) * p.towards_first + row(2, there) * p.bisector;
             let (work, travel) = path.attitude.angles(p.s);
@@ -233,7 +233,7 @@ proptest! {
         prop_assert_eq!(welding_of(&again).program.value, there.program.value);
     }
 
-    /// Every row and every break of the seam inside the pass is a knot, in every turn; nothing else is one.
+    /// The knots are exactly the rows and the breaks of the seam inside the pass, in every turn.
     #[test]
     fn knots_are_the_rows_and_breaks_passed(case in case()) {
         let welding = welding_of(&case);
@@ -323,7 +323,7 @@ fn new_keys_come_back_as_they_were() {
     assert!((pass.speeds().0 - 4.0).abs() < 1e-15 && (pass.speeds().1 - 6.5).abs() < 1e-15);
 }
 
-/// What a change of the written program brings: key, message, allowed.
+/// Error after a change of the written program: key, message, allowed.
 fn wrong(text: &str, change: impl FnOnce(&mut Pass), edit: impl FnOnce(String) -> String) -> (String, String, String) {
     let mut program = read(text).program.value;
     change(&mut program.passes[0]);
@@ -430,7 +430,7 @@ fn findings_look_at_the_pass_as_it_is() {
     assert!(findings[0].message.contains(&format!("tip would jump by {:.3} mm", 8f64.sqrt())), "{findings:?}");
     let above = changed(square, |pass| pass.bead = Some(bead(&[[0.0, 0.0, 1.0, 0.0]]))).unwrap();
     assert!(kinds(&above).is_empty());
-    // The part before the corner has none; and where it is counts along the pass.
+    // The part before the corner has no finding; its position counts along the pass.
     let part = |begin: f64, length: f64, reverse: bool| {
         let change = |pass: &mut Pass| {
             run(pass, begin, length, reverse);

@@ -1,4 +1,4 @@
-//! Passes through points: what the tip does between them.
+//! Passes through points: the motion of the tip between them.
 
 use glam::DVec3;
 use proptest::prelude::*;
@@ -30,7 +30,7 @@ proptest! {
     /// From point to point of a spline the tip is as fast on the mean as the point says, within 0.1 %.
     #[test]
     fn a_spline_is_as_fast_as_asked(
-        // It bends at each point: none is left out where it is taught.
+        // It bends at each point, so none is left out of a taught run.
         steps in prop::collection::vec((10.0..30.0, any::<bool>(), 0.3..0.7, -0.4..0.4), 3..10),
         speeds in prop::collection::vec(4.0..10.0, 9),
         taught in any::<bool>(),

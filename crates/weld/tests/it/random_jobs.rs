@@ -22,7 +22,7 @@ impl Random {
         low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// As a person writes it mostly, with a digit after the point; else with all digits.
+    /// Mostly as a person writes it, with a digit after the point; else with all digits.
     fn written(&mut self, low: f64, high: f64) -> f64 {
         let value = self.within(low, high);
         let rounded = (value * 10.0).round() / 10.0;
@@ -38,7 +38,7 @@ impl Random {
     }
 }
 
-/// What is welded on a seam.
+/// Kind of joint on a seam.
 #[derive(Clone, Copy, PartialEq)]
 enum Faces {
     Corner,
@@ -361,8 +361,8 @@ fn job(case: usize) -> String {
         _ => start(&mut random, angles, closed, 300.0),
     };
     text.push_str(&begin);
-    // With stations of the weld there are no beads, but now and then by mistake. Rarely there are so many of them, and of
-    // copies, that these are too many rows.
+    // With stations of the weld there are no beads, except by an intended mistake. Rarely there are too many rows of
+    // them, and of copies.
     let (with_stations, many) = (random.one_in(6), random.one_in(32));
     if !with_stations || random.one_in(8) {
         text.push_str(&joint(&mut random, faces));
@@ -442,7 +442,7 @@ fn jobs_on_every_kind_of_seam_are_planned_or_refused_with_a_key_of_their_file() 
         println!("{count:6} {key}");
     }
     println!("planned {planned:?}\nrefused {refused:?}");
-    // Most jobs are sensible: what is refused is the exception on every kind of seam.
+    // Most jobs are sensible: refusals are the exception on every kind of seam.
     for kind in 0..KINDS {
         assert!(planned[kind] > refused[kind] / 2, "kind {kind}: planned {planned:?}, refused {refused:?}");
     }

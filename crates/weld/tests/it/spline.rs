@@ -96,7 +96,7 @@ proptest! {
                 prop_assert!(p.n1.distance(p.n2.cross(p.along)) < 1e-9);
             }
         }
-        // No second derivative of point or faces jumps.
+        // The second derivatives of point and faces are continuous.
         for s in knots.into_iter().filter(|s| *s > 2.0 && *s < length - 2.0) {
             let jump = |h: f64| {
                 let at = |k: f64| { let p = w.seam.as_ref().unwrap().at(s + k * h); [p.point, p.bisector, p.towards_first] };

@@ -15,7 +15,7 @@ fn rows(text: &str) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// What stands between rows, told by walking along them.
+/// Value between rows, found by walking along them.
 fn walked(rows: &[(f64, f64)], s: f64) -> f64 {
     let mut value = rows[0].1;
     for pair in rows.windows(2) {

@@ -1,4 +1,4 @@
-//! T-joints: both fillets lie beside the web, whatever the middle line; mistakes have an address.
+//! T-joints: both fillets lie beside the web, for any middle line; mistakes have an address.
 
 use glam::DVec3;
 use seamwright_program::TorchPath;

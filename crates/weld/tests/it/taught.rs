@@ -42,7 +42,7 @@ fn span(nominal: &Welding, (from, to): (f64, f64), off: &[(f64, f64)]) -> (Strin
     (format!("[[taught]]\nfrom_mm = {from:?}\nto_mm = {to:?}\npoints_mm = [{}]\n", list.join(", ")), points)
 }
 
-/// What an axis follows: the point and both normals.
+/// Vectors that an axis follows: the point and both normals.
 fn frame(p: &SeamPoint) -> [DVec3; 3] {
     [p.point, p.n1, p.bisector]
 }
@@ -108,7 +108,8 @@ proptest! {
                 prop_assert!(slope.distance(p.tangent) < 1e-6, "{} {}", slope, p.tangent);
             }
         }
-        // No second derivative of the point or the faces jumps at a knot: one-sided differences meet as the step shrinks.
+        // The second derivatives of point and faces are continuous at knots: one-sided differences meet as the step
+        // shrinks.
         for s in w.seam.as_ref().unwrap().knots() {
             let jump = |h: f64| {
                 let at = |k: f64| frame(&w.seam.as_ref().unwrap().at(s + k * h));

@@ -1,4 +1,4 @@
-//! Woven passes against formulas of their own, and what is wrong with weaves in jobs.
+//! Woven passes against independent formulas, and faults of weaves in jobs.
 
 #![allow(clippy::float_cmp, reason = "what is copied is the same to the last digit")]
 
@@ -53,7 +53,7 @@ fn weave(figure: Figure, width: f64, pitch: f64, fade: f64) -> Weave {
     }
 }
 
-/// Where the figure is, in parts, by formulas of its own.
+/// Offset of the figure, in parts, by independent formulas.
 fn figure(figure: Figure, phase: f64) -> (f64, f64) {
     let angle = TAU * phase;
     match figure {
@@ -66,8 +66,8 @@ fn figure(figure: Figure, phase: f64) -> (f64, f64) {
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// The pose is the unwoven one, moved in the plane square to the seam and to the torch and along the seam; the
-    /// line, its tangent and its rate are those of the unwoven path; the foot of a place beside it is found.
+    /// The pose is the unwoven one, moved in the plane square to the seam and to the torch and along the seam. The
+    /// line, its tangent and its rate are those of the unwoven path; the foot of a point beside it is found.
     #[test]
     fn poses_are_those_of_a_formula(
         job in 0..2usize,
@@ -139,8 +139,8 @@ fn jobs_put_the_weave_into_their_passes() {
     }
 }
 
-/// With `adapt = "weave_width"` weaves are as wide as the groove is there but for the walls, up to their own width; what is
-/// deposited is as without.
+/// With `adapt = "weave_width"` weaves are as wide as the groove less the walls, up to their own width. The deposited
+/// metal is as without.
 #[test]
 fn weaves_are_as_wide_as_the_groove() {
     let weave = "\n[weld.weave]\nwidth_mm = 9\npitch_mm = 3\nfade_mm = 0\n";
@@ -151,12 +151,12 @@ fn weaves_are_as_wide_as_the_groove() {
     for (k, pass) in job.program.value.passes.iter().enumerate() {
         let path = job.path(k);
         let path = path.along_seam().unwrap();
-        // Where it is farthest out to a side: a quarter of a period on.
+        // Extreme of the weave to a side: a quarter of a period on.
         for s in (0..200).map(|i| f64::from(i) * 3.0 + 0.75).filter(|s| *s < pass.length()) {
             let at = pass.seam_s(s).rem_euclid(job.seam.as_ref().unwrap().length());
             let section = joint.section(&job.seam.as_ref().unwrap().at(at)).unwrap();
             let bead = plan.in_order(&section, at)[k];
-            // The tip by place in the groove and height, and the walls there.
+            // The tip by position in the groove and height, and the walls there.
             let origin = section.place(0.0, 0.0);
             let (aside, up) = (section.place(1.0, 0.0) - origin, section.place(0.0, 1.0) - origin);
             let of = |v: glam::DVec2| (v.dot(aside), v.dot(up));

@@ -1,4 +1,4 @@
-//! Who looks after HAL: a thread that starts it again when it has ended.
+//! Supervision of HAL: a thread that restarts it after it has ended.
 
 use super::LinuxCncError;
 use super::engine::{Engine, Link, Plan};
@@ -8,29 +8,29 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{JoinHandle, park_timeout};
 use std::time::{Duration, Instant};
 
-/// How often it looks.
+/// Interval between checks of HAL.
 const LOOK: Duration = Duration::from_millis(50);
-/// From a start that failed to the next one.
+/// Delay from a failed start to the next one.
 const AGAIN: Duration = Duration::from_secs(5);
-/// Links that wait to be dropped, or for the cycle.
+/// Capacity of the queues of links, to and from the cycle.
 const LINKS: usize = 4;
 
-/// The cycle's end of the attendant.
+/// The cycle's side of the supervision.
 #[derive(Debug)]
 pub(super) struct Attendant {
-    /// The streams of HAL that was started again.
+    /// The streams of the restarted HAL.
     pub(super) started: Consumer<Link>,
-    /// Streams that have ended: closing them is not for the cycle.
+    /// Ended streams: the thread closes them, outside of the cycle.
     pub(super) ended: Producer<Link>,
     ends: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Attendant {
-    /// Starts HAL, and whoever looks after it: what happens to it is told through `tell`.
+    /// Starts HAL and its supervision, which reports events to the callback.
     ///
     /// # Errors
-    /// Why HAL does not run.
+    /// The reason why HAL does not run.
     pub(super) fn start(plan: Plan, tell: impl Fn(&str) + Send + 'static) -> Result<(Self, Link), LinuxCncError> {
         let (engine, link) = Engine::start(&plan)?;
         let (to_cycle, started) = RingBuffer::new(LINKS);
@@ -43,18 +43,18 @@ impl Attendant {
 
     /// Ends HAL, and closes the streams.
     pub(super) fn end(&mut self, link: Option<Link>) {
-        // Told first: streams that are closed are taken for HAL's end.
+        // Set first: closed streams look like HAL's end.
         self.ends.store(true, Ordering::SeqCst);
         drop(link);
         if let Some(thread) = self.thread.take() {
             thread.thread().unpark();
-            // Its end in panic is told by the panic itself.
+            // A panic of the thread has reported itself.
             let _ = thread.join();
         }
     }
 }
 
-/// What the thread has.
+/// State of the thread.
 struct Work {
     plan: Plan,
     to_cycle: Producer<Link>,
@@ -75,7 +75,7 @@ impl Work {
         engine.end(true);
     }
 
-    /// Looks at HAL until it has ended, and says by what; none if it is not wanted any more.
+    /// Watches HAL until it ends; returns the reason, or `None` at shutdown.
     fn watch(&mut self, engine: &mut Engine) -> Option<&'static str> {
         loop {
             while self.from_cycle.pop().is_ok() {}
@@ -90,14 +90,14 @@ impl Work {
         }
     }
 
-    /// Starts HAL until it runs; none if it is not wanted any more.
+    /// Starts HAL until it runs; `None` at shutdown.
     fn again(&mut self, tell: &dyn Fn(&str)) -> Option<Engine> {
         let mut told = None;
         while !self.ends.load(Ordering::SeqCst) {
             match Engine::start(&self.plan) {
                 Ok((engine, link)) => {
                     tell("LinuxCNC's HAL runs again: acknowledge, reset, switch on, home");
-                    // There is room for it: the cycle has taken the one before, or will pass it over.
+                    // There is room: the cycle has taken the earlier link, or will skip it.
                     let _ = self.to_cycle.push(link);
                     return Some(engine);
                 }

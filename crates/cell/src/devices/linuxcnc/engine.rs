@@ -1,4 +1,4 @@
-//! HAL as it runs: with our streams and with the hardware.
+//! Running HAL, with our streams and the hardware.
 
 use super::line::{self, Sample};
 use super::programs::{self, Commands, Keeper, Program, User};
@@ -14,14 +14,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// Samples that fit between the reader and the cycle.
+/// Capacity of the queue between the reader and the cycle, samples.
 const SAMPLES: usize = 1024;
-/// Longest time until the first sample.
+/// Maximum time until the first sample.
 const FIRST: Duration = Duration::from_secs(3);
-/// HAL that says nothing for so long has ended, whatever its programs do.
+/// HAL counts as ended after this time without a sample, even if its programs run.
 const SILENT: Duration = Duration::from_secs(2);
 
-/// What HAL is started with.
+/// Start parameters of HAL.
 #[derive(Debug)]
 pub(super) struct Plan {
     user: User,
@@ -35,15 +35,15 @@ pub(super) struct Plan {
 enum Hardware {
     /// The user's HAL file.
     File(PathBuf),
-    /// Commands that make axes without any.
+    /// Commands for axes without hardware.
     None(String),
 }
 
 impl Plan {
-    /// With the hardware of the user's HAL file, looked for in `folder`, or axes without any.
+    /// Plans with the hardware of the user's HAL file, found in `folder`, or with axes without hardware.
     ///
     /// # Errors
-    /// There is nobody who may run HAL, or no folder.
+    /// No user may run HAL, or the folder is missing.
     pub(super) fn new(machine: &Machine, device: &LinuxCnc, folder: &Path) -> Result<Self, LinuxCncError> {
         let before = script::before(machine, device, &programs::owner(std::process::id()));
         let hardware = match &device.hal {
@@ -54,16 +54,16 @@ impl Plan {
     }
 }
 
-/// The cycle's ends of the streams.
+/// The cycle's side of the streams.
 #[derive(Debug)]
 pub(super) struct Link {
-    /// Set-points go in here; a pipe that never blocks.
+    /// Set-points go in here; the pipe never blocks.
     pub(super) stream: ChildStdin,
-    /// What HAL says.
+    /// Samples from HAL.
     pub(super) samples: Consumer<Sample>,
 }
 
-/// When HAL was last heard, ms after a moment.
+/// Time of HAL's last sample, ms after `begun`.
 #[derive(Debug, Clone)]
 struct Heard {
     begun: Instant,
@@ -94,7 +94,7 @@ impl Engine {
     /// Starts HAL, without power. Takes about a second.
     ///
     /// # Errors
-    /// LinuxCNC is not installed, runs already, does not take the file, or does not run; all says what is allowed.
+    /// LinuxCNC is not installed, runs already, rejects the file, or does not run; each error names the cure.
     pub(super) fn start(plan: &Plan) -> Result<(Self, Link), LinuxCncError> {
         let user = &plan.user;
         programs::alone(user)?;
@@ -106,7 +106,7 @@ impl Engine {
         }
         programs::take(user, Commands::Ours(script::AFTER))?;
         let mut streamer = programs::start(user, "halstreamer", &[], true)?;
-        // It would keep what it says until there are 4 KB of it.
+        // Line buffering: by default it holds its output back until there are 4 KB.
         let mut sampler = programs::start(user, "stdbuf", &["-oL", "halsampler"], true)?;
         let (Some(stream), Some(stdout)) = (streamer.stdin(), sampler.stdout()) else {
             return Err(LinuxCncError::System("its streams have no pipes".to_owned()));
@@ -137,7 +137,7 @@ impl Engine {
         Ok(())
     }
 
-    /// What of it has ended, if anything that axes need has. Without its keeper HAL goes on.
+    /// Returns which part has ended, among those that axes need. Without its keeper HAL goes on.
     pub(super) fn ended(&mut self) -> Option<&'static str> {
         if self.streamer.has_ended() {
             Some("halstreamer is no more")
@@ -150,7 +150,8 @@ impl Engine {
         }
     }
 
-    /// Ends everything and clears it up; `gently` lets what is in store count first, for which the stream must be closed.
+    /// Ends everything and clears it up. If `gently`, stored set-points are executed first, which needs a closed
+    /// stream.
     pub(super) fn end(mut self, gently: bool) {
         self.streamer.end(if gently { Duration::from_secs(1) } else { Duration::ZERO });
         self.keeper.end();
@@ -159,7 +160,7 @@ impl Engine {
     }
 }
 
-/// Reads what HAL says until it ends.
+/// Reads HAL's samples until it ends.
 fn listen(from: ChildStdout, axes: &[Axis], heard: &Heard, mut to: Producer<Sample>) {
     Footing::ask_below_cycle();
     let mut from = BufReader::new(from);
@@ -170,7 +171,7 @@ fn listen(from: ChildStdout, axes: &[Axis], heard: &Heard, mut to: Producer<Samp
             Ok(1..) => {
                 if let Some(sample) = line::read(&text, axes, Instant::now()) {
                     heard.now();
-                    // Nobody took the last second of them: a newer one comes.
+                    // If the queue is full the sample is dropped; a newer one comes.
                     let _ = to.push(sample);
                 }
             }

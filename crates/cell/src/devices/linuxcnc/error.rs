@@ -1,35 +1,35 @@
 use thiserror::Error;
 
-/// Why LinuxCNC's HAL does not run.
+/// Reasons why LinuxCNC's HAL does not run.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum LinuxCncError {
-    /// A program that is needed is not there.
+    /// A required program is missing.
     #[error(
         "LinuxCNC is not installed: there is no program `{0}`\n   allowed: Debian's package linuxcnc-uspace (apt install linuxcnc-uspace)"
     )]
     NotInstalled(String),
-    /// There can be only one on a computer.
+    /// Another HAL runs; a computer can run only one.
     #[error(
         "LinuxCNC's HAL runs already, {0}\n   allowed: one at a time; end the other, or clear it away with `halrun -U`"
     )]
     Running(String),
-    /// HAL did not take a file.
+    /// HAL rejected a file.
     #[error("LinuxCNC does not take {file}: {said}")]
     Refused {
-        /// Which file, or our own part.
+        /// The file, or our own commands.
         file: String,
-        /// What it said.
+        /// HAL's message.
         said: String,
     },
-    /// It does not do what it should.
+    /// HAL does not work.
     #[error("LinuxCNC's HAL {what}: {said}")]
     Failed {
-        /// What happened.
+        /// The symptom.
         what: &'static str,
-        /// What it said.
+        /// HAL's message.
         said: String,
     },
-    /// Something else.
+    /// Any other failure.
     #[error("LinuxCNC's HAL cannot be run: {0}")]
     System(String),
 }

@@ -1,16 +1,17 @@
-//! A line of each stream.
+//! Lines of the streams.
 
 use crate::executive::Orders;
 use seamwright_machine::{Axis, Joints, MAX_AXES};
 use std::io::Write as _;
 use std::time::Instant;
 
-/// Longest line: numbers have up to 25 characters.
+/// Maximum line length: numbers have up to 25 characters.
 pub(super) const LONGEST: usize = 512;
 
-/// Set-points of all axes as `halstreamer` wants them: number, power, home, watchdog, positions in mm and degrees.
+/// Writes the set-points of all axes in `halstreamer`'s form: number, power, home, watchdog, positions in mm and
+/// degrees.
 ///
-/// Neither allocates nor fails: every line is shorter than the longest.
+/// Neither allocates nor fails: every line is shorter than the maximum.
 pub(super) fn write<'a>(
     buffer: &'a mut [u8; LONGEST],
     axes: &[Axis],
@@ -23,43 +24,43 @@ pub(super) fn write<'a>(
     let (power, home, alive) = (bit(orders.power), bit(orders.home), bit(orders.watchdog));
     let mut written = write!(rest, "{number} {power} {home} {alive}").is_ok();
     for (axis, position) in axes.iter().zip(positions) {
-        // Exponents keep a number short whatever its size.
+        // Exponents keep every number short.
         written &= write!(rest, " {:e}", axis.to_file(*position)).is_ok();
     }
     written &= rest.write_all(b"\n").is_ok();
     let left = rest.len();
-    // A line that was cut off is none.
+    // Discard a truncated line.
     if written { &buffer[..LONGEST - left] } else { &[] }
 }
 
-/// What HAL did in a period, as `halsampler` tells it.
+/// HAL's state in a period, as `halsampler` reports it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
-    /// When we read it.
+    /// Time of reading.
     pub read: Instant,
-    /// Number of the set-point that counted.
+    /// Number of the active set-point.
     pub number: u32,
-    /// How often there was none.
+    /// Number of periods without a set-point.
     pub underruns: u32,
-    /// Set-points in store after it.
+    /// Stored set-points after it.
     pub level: u32,
     /// The drives have power.
     pub powered: bool,
-    /// Axes with a fault, a bit each.
+    /// Axes with a fault, one bit each.
     pub fault: u16,
     /// Axes on a limit switch.
     pub limit: u16,
-    /// Axes whose reference is known.
+    /// Axes with a known reference.
     pub homed: u16,
     /// Measured positions, mm and rad.
     pub position: Joints,
 }
 
-/// Reads a line; none if it is no sample.
+/// Parses a line; `None` if it is not a sample.
 pub(super) fn read(text: &str, axes: &[Axis], read: Instant) -> Option<Sample> {
     let mut words = text.split_ascii_whitespace();
     let number = words.next()?.parse().ok()?;
-    // The count is a signed one.
+    // HAL's count is signed.
     let underruns = words.next()?.parse::<i32>().ok()? as u32;
     let level = words.next()?.parse::<i32>().ok()?.max(0) as u32;
     let powered = words.next()? == "1";

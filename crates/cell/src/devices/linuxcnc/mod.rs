@@ -1,8 +1,8 @@
-//! LinuxCNC's HAL as the real-time engine of the drives: its `streamer` takes our set-points from a store, its `sampler` says
-//! what became of them.
+//! LinuxCNC's HAL as the real-time engine of the drives. Its `streamer` takes our set-points from a store, its
+//! `sampler` reports the result.
 //!
-//! LinuxCNC is run as a set of programs and talked to through pipes. What HAL does, and which of its signals the hardware is
-//! connected to, is in `docs/linuxcnc.md`.
+//! LinuxCNC runs as a set of programs, connected through pipes. `docs/linuxcnc.md` describes HAL's task and the signals
+//! for the hardware.
 
 mod attendant;
 mod engine;
@@ -27,32 +27,32 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use store::Store;
 
-/// Positions that are remembered until their sample comes.
+/// Number of sent positions that wait for their sample.
 const SENT: usize = 1024;
-/// Age of a report that is still fresh, s, as with other devices beside the cycle: they come every 10 ms, and when HAL, which may
-/// have no real-time priority, and the reader get round to it.
+/// Maximum age of a fresh report, s, as with other devices beside the cycle. Reports come every 10 ms, plus the delays
+/// of HAL, which may have no real-time priority, and of the reader.
 const LATE_S: f64 = 0.1;
-/// What HAL did in a period.
+/// HAL's state in a period, with its set-point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taken {
-    /// What it said.
+    /// The sample from HAL.
     pub sample: Sample,
-    /// The positions that counted, mm and rad.
+    /// The active set-point positions, mm and rad.
     pub set: Joints,
-    /// When they were ordered.
+    /// Time of the order.
     pub ordered: Instant,
 }
 
-/// What was ordered under a number.
+/// Order with a given number.
 #[derive(Debug, Clone, Copy)]
 struct Sent {
     positions: Joints,
     ordered: Instant,
-    /// The positions count: with power, and not while references are looked for.
+    /// The drives follow the positions: with power, and not during homing.
     counts: bool,
 }
 
-/// The drives of a machine, by LinuxCNC's HAL. They wait for nothing: whoever exchanges keeps the period.
+/// The drives of a machine, by LinuxCNC's HAL. An exchange does not wait: the caller keeps the period.
 #[derive(Debug)]
 pub struct LinuxCncDrives {
     axes: Vec<Axis>,
@@ -60,25 +60,25 @@ pub struct LinuxCncDrives {
     level: u32,
     store: Store,
     buffer: [u8; LONGEST],
-    /// What was ordered, by its number: to compare with what was measured.
+    /// Orders by number, to compare with the measured positions.
     sent: Box<[Sent; SENT]>,
     tap: Option<Producer<Taken>>,
     link: Option<Link>,
-    /// Set-points find nobody any more.
+    /// The stream of set-points has no reader.
     broken: bool,
-    /// Starvations before the first set-point count for nothing.
+    /// Underruns before the first set-point, which are not reported.
     underruns: Option<u32>,
-    /// How often HAL was started.
+    /// Number of starts of HAL.
     starts: u32,
     attendant: Attendant,
 }
 
 impl LinuxCncDrives {
-    /// Starts HAL with the streams, and with the hardware of the user's HAL file, looked for in `folder`, or axes without any.
-    /// Takes about a second. If it ends, by whatever, it is started again, without power; `tell` is told in words.
+    /// Starts HAL with the streams and the hardware of the user's HAL file, found in `folder`, or axes without
+    /// hardware. Takes about a second. After any end HAL is restarted without power; the callback receives a message.
     ///
     /// # Errors
-    /// LinuxCNC is not installed, runs already, does not take the file, or does not run; all says what is allowed.
+    /// LinuxCNC is not installed, runs already, rejects the file, or does not run; each error names the cure.
     pub fn start(
         machine: &Machine,
         device: &LinuxCnc,
@@ -102,21 +102,21 @@ impl LinuxCncDrives {
         })
     }
 
-    /// Everything that HAL did from now on, period by period; lost if nobody takes it while there is no room for `room` of it.
+    /// Returns a stream of all later periods of HAL; periods that do not fit in `room` unread ones are lost.
     pub fn tap(&mut self, room: usize) -> Consumer<Taken> {
         let (to, taken) = RingBuffer::new(room);
         self.tap = Some(to);
         taken
     }
 
-    /// HAL that was started again counts as soon as nobody wants power: nothing comes on by itself.
+    /// Connects to a restarted HAL once power is ordered off: nothing switches on by itself.
     fn take_started(&mut self, power: bool) {
         if power {
             return;
         }
         while let Ok(link) = self.attendant.started.pop() {
             if let Some(old) = self.link.replace(link) {
-                // They are dropped as soon as they come: there is room.
+                // There is room: the thread drops them as soon as they come.
                 let _ = self.attendant.ended.push(old);
             }
             self.store = Store::new(self.level, self.period_s);
@@ -124,15 +124,15 @@ impl LinuxCncDrives {
         }
     }
 
-    /// Gives the orders of a period.
+    /// Sends the orders of a period.
     fn order(&mut self, orders: &Orders) {
         let Self { store, buffer, sent, link, axes, broken, .. } = self;
         store.feed(&orders.set, |number, positions| {
             let counts = orders.power && !orders.home;
             sent[number as usize % SENT] = Sent { positions: *positions, ordered: Instant::now(), counts };
             let line = line::write(buffer, axes, number, orders, positions);
-            // All of it or nothing: it is shorter than what a pipe takes at once. One that does not fit is missing in store,
-            // which is noticed there; a pipe without a reader is the end.
+            // Written whole or not at all: a line is shorter than the pipe's atomic write. The store detects a line
+            // that did not fit. A pipe without a reader marks the link as broken.
             let written = link.as_mut().filter(|_| !*broken).map_or(Ok(0), |link| link.stream.write(line));
             *broken |= written.is_err_and(|error| error.kind() != std::io::ErrorKind::WouldBlock);
         });
@@ -146,11 +146,11 @@ impl LinuxCncDrives {
             newest = Some(sample);
             if let Some(tap) = &mut self.tap {
                 let Sent { positions: set, ordered, .. } = self.sent[sample.number as usize % SENT];
-                // Without room it is lost, as said.
+                // Lost if there is no room, as documented.
                 let _ = tap.push(Taken { sample, set, ordered });
             }
         }
-        // Drives that take no orders are none.
+        // A broken link counts as silent drives.
         let Some(sample) = newest.filter(|_| !self.broken) else { return };
         report.age_s = sample.read.elapsed().as_secs_f64();
         report.powered = sample.powered;
@@ -158,7 +158,7 @@ impl LinuxCncDrives {
         report.position = sample.position;
         let sent = &self.sent[sample.number as usize % SENT];
         for i in 0..self.axes.len() {
-            // Without power, and while references are looked for, nobody follows.
+            // Without power, and during homing, there is no following error.
             report.following_error[i] =
                 if sent.counts && sample.powered { sent.positions[i] - sample.position[i] } else { 0.0 };
         }
@@ -177,7 +177,7 @@ impl Drives for LinuxCncDrives {
         self.report(report);
     }
 
-    /// What is in store, but for the one that counts and the one on its way.
+    /// The stored set-points, except the active one and the one in transit.
     fn rides_out(&self) -> Slack {
         Slack::stored(self.level - 1)
     }
@@ -188,9 +188,9 @@ impl Drives for LinuxCncDrives {
 }
 
 impl Drop for LinuxCncDrives {
-    /// Without power, then everything stopped and cleared up.
+    /// Switches the power off, then stops and clears up everything.
     fn drop(&mut self) {
-        // Nobody can be told if it fails; HAL's watchdog takes the power then.
+        // A failure cannot be reported here; HAL's watchdog then switches the power off.
         self.order(&Orders { set: self.store.last(), ..Orders::default() });
         if self.link.is_some() && !self.broken {
             std::thread::sleep(Duration::from_secs_f64(f64::from(self.level + 5) * self.period_s));

@@ -1,4 +1,4 @@
-//! LinuxCNC's programs: started, listened to, ended.
+//! LinuxCNC's programs: start, output, end.
 
 use super::LinuxCncError;
 use crate::realtime::Footing;
@@ -10,26 +10,26 @@ use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// What is kept of what a program says, bytes.
+/// Size limit of a program's kept output, bytes.
 const KEPT: usize = 4000;
-/// How often an end is looked for.
+/// Interval between checks for an end.
 const LOOK: Duration = Duration::from_millis(5);
-/// Longest time that a HAL file may take.
+/// Maximum time to execute a HAL file.
 const TAKES: Duration = Duration::from_secs(30);
-/// Longest time in which HAL begins.
+/// Maximum time until HAL starts.
 const BEGINS: Duration = Duration::from_secs(5);
-/// Longest time for an orderly end.
+/// Maximum time for an orderly end.
 const ENDS: Duration = Duration::from_secs(10);
 
-/// The user that HAL runs as: it refuses root.
+/// The user that runs HAL: HAL refuses root.
 #[derive(Debug, Clone)]
 pub(super) struct User {
-    /// Another one than ours: user, group, and where the real-time program listens for it.
+    /// A different user: user, group, and the socket of the real-time program.
     other: Option<(u32, u32, PathBuf)>,
 }
 
 impl User {
-    /// Ourselves, or `nobody` if we are root.
+    /// Returns our own user, or `nobody` if we are root.
     pub(super) fn find() -> Result<Self, LinuxCncError> {
         if !rustix::process::geteuid().is_root() {
             return Ok(Self { other: None });
@@ -51,7 +51,7 @@ impl User {
 
     fn command(&self, program: &str, args: &[&str]) -> Command {
         let mut command = Command::new(program);
-        // Numbers and messages as programs expect them; not ended by the terminal's interrupt, but by us.
+        // C number format and messages; a process group of its own, so that the terminal's interrupt does not end it.
         command.args(args).env("LC_ALL", "C").process_group(0);
         if let Some((user, group, socket)) = &self.other {
             command.uid(*user).gid(*group).env("RTAPI_FIFO_PATH", socket).current_dir("/");
@@ -60,7 +60,7 @@ impl User {
     }
 }
 
-/// The last of what a program says on its standard error.
+/// Output of a program on its standard error.
 #[derive(Debug, Clone, Default)]
 struct Said(Arc<Mutex<String>>);
 
@@ -79,7 +79,7 @@ impl Said {
     }
 
     fn text(&self) -> String {
-        // What was written just before an end takes a moment to come.
+        // Output written just before an end takes a moment to arrive.
         std::thread::sleep(Duration::from_millis(30));
         let said = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let said = said.trim_end();
@@ -87,7 +87,7 @@ impl Said {
     }
 }
 
-/// A program that runs.
+/// A running program.
 #[derive(Debug)]
 pub(super) struct Program {
     child: Child,
@@ -102,7 +102,7 @@ pub(super) fn start(user: &User, program: &str, args: &[&str], urgent: bool) -> 
 }
 
 fn spawn(mut command: Command, program: &str, urgent: bool) -> Result<Program, LinuxCncError> {
-    // Priority is inherited from the thread that starts a program: one of its own, so that ours keeps its own.
+    // A child inherits the priority of its parent thread: use a separate thread, so that ours keeps its priority.
     let started = std::thread::scope(|scope| {
         let starts = scope.spawn(|| {
             if urgent {
@@ -132,12 +132,12 @@ impl Program {
         self.child.stdout.take()
     }
 
-    /// What it said on its standard error.
+    /// Returns its output on standard error.
     pub(super) fn said(&self) -> String {
         self.said.text()
     }
 
-    /// Waits for its end; none if it takes longer.
+    /// Waits for its end; returns whether it succeeded, or `None` if it takes longer.
     fn ends_within(&mut self, most: Duration) -> Option<bool> {
         let begun = Instant::now();
         loop {
@@ -163,7 +163,7 @@ impl Program {
     }
 }
 
-/// HAL's keeper: as long as its standard input is open HAL runs; when that closes, also because we are no more, it stops
+/// HAL's keeper: HAL runs as long as its standard input is open. When that closes, also by a crash of ours, it stops
 /// everything and clears up.
 #[derive(Debug)]
 pub(super) struct Keeper {
@@ -173,7 +173,7 @@ pub(super) struct Keeper {
 }
 
 impl Keeper {
-    /// Starts it.
+    /// Starts the keeper.
     pub(super) fn start(user: &User) -> Result<Self, LinuxCncError> {
         if !is_in_path("halrun") {
             return Err(LinuxCncError::NotInstalled("halrun".to_owned()));
@@ -185,14 +185,14 @@ impl Keeper {
         std::thread::spawn(move || {
             let mut lines = stdout.into_iter().flat_map(|stdout| BufReader::new(stdout).lines().map_while(Result::ok));
             if let Some(line) = lines.next() {
-                // Nobody may be there any more.
+                // The receiver may have gone.
                 let _ = to.send(line);
             }
-            // What it says later is of no use, but must not block it.
+            // Drain the rest, so that the keeper does not block.
             lines.for_each(drop);
         });
         if let Some(open) = &mut keeper.open {
-            // It answers once it is ready; if it has gone already there is no answer.
+            // It answers once it is ready; an ended keeper does not answer.
             let _ = open.write_all(b"show thread\n");
         }
         if from.recv_timeout(BEGINS).is_err() {
@@ -201,7 +201,7 @@ impl Keeper {
         Ok(keeper)
     }
 
-    /// What it said on its standard error.
+    /// Returns its output on standard error.
     pub(super) fn said(&self) -> String {
         self.program.said.text()
     }
@@ -211,7 +211,7 @@ impl Keeper {
         self.open = None;
         self.program.end(ENDS);
         if let Some((_, _, socket)) = &self.user.other {
-            // It may be gone already.
+            // The socket may be gone already.
             let _ = std::fs::remove_file(socket);
         }
     }
@@ -228,7 +228,7 @@ fn is_in_path(program: &str) -> bool {
     std::env::split_paths(&path).any(|folder| folder.join(program).is_file())
 }
 
-/// HAL takes commands: our own, or those of a file in its folder.
+/// Has HAL execute commands: our own, or those of a file in its folder.
 pub(super) fn take(user: &User, commands: Commands<'_>) -> Result<(), LinuxCncError> {
     let (mut command, file, text) = match commands {
         Commands::Ours(text) => (user.command("halcmd", &["-f"]), "our own commands".to_owned(), text),
@@ -255,21 +255,21 @@ pub(super) fn take(user: &User, commands: Commands<'_>) -> Result<(), LinuxCncEr
     }
 }
 
-/// What HAL is to do.
+/// Commands for HAL.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Commands<'a> {
     Ours(&'a str),
     File(&'a Path),
 }
 
-/// Name of the signal that says whose HAL it is.
+/// Name of the signal that names HAL's owner.
 pub(super) fn owner(process: u32) -> String {
     format!("{OWNER}{process}")
 }
 
 const OWNER: &str = "seamwright.pid.";
 
-/// Refuses if another HAL runs. One of ours whose owner is no more clears itself up, or is cleared away.
+/// Fails if another HAL runs. One of ours without a living owner ends itself, or is removed.
 pub(super) fn alone(user: &User) -> Result<(), LinuxCncError> {
     let begun = Instant::now();
     let mut cleared = false;
@@ -279,11 +279,11 @@ pub(super) fn alone(user: &User) -> Result<(), LinuxCncError> {
         let text = String::from_utf8_lossy(&listed.stdout).into_owned();
         let owner = text.split_whitespace().find_map(|name| name.strip_prefix(OWNER)?.parse::<u32>().ok());
         match owner {
-            // One of our own has been ended.
+            // The owner, another process of ours, still runs.
             Some(process) if process != std::process::id() && Path::new(&format!("/proc/{process}")).exists() => {
                 return Err(LinuxCncError::Running(format!("that of Seamwright, process {process}")));
             }
-            // The keeper is at it, or it is no more either.
+            // Its keeper is clearing up, or has ended too.
             Some(_) if begun.elapsed() > BEGINS && !cleared => {
                 cleared = true;
                 force_out(user);
@@ -294,15 +294,15 @@ pub(super) fn alone(user: &User) -> Result<(), LinuxCncError> {
             _ => std::thread::sleep(10 * LOOK),
         }
     }
-    // One that was killed leaves the memory of its streams, in which another number of axes has no room.
+    // A killed HAL leaves its stream memory behind, whose size does not fit another number of axes.
     free_streams(user);
     Ok(())
 }
 
-/// Keys of the memory of `streamer` and `sampler`, which outlives a real-time program that was killed.
+/// Shared memory keys of `streamer` and `sampler`, whose memory outlives a killed real-time program.
 const STREAMS: [&str; 2] = ["0x48535430", "0x48534130"];
 
-/// Clears away what is left of HAL when its keeper has ended: all of it if somebody has killed the keeper.
+/// Removes the rest of HAL after its keeper has ended, or all of it if the keeper was killed.
 pub(super) fn clear(user: &User) {
     if is_running() {
         force_out(user);
@@ -311,12 +311,12 @@ pub(super) fn clear(user: &User) {
 }
 
 fn free_streams(user: &User) {
-    // Mostly there is none, and without the program there is nothing that could be done.
+    // Usually there is no memory left; without the program no clean-up is possible.
     let mut command = user.command("ipcrm", &["-M", STREAMS[0], "-M", STREAMS[1]]);
     let _ = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
 }
 
-/// Has LinuxCNC take HAL down, whoever started it.
+/// Has LinuxCNC take HAL down, independent of its owner.
 fn force_out(user: &User) {
     let mut command = user.command("halrun", &["-U"]);
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
@@ -325,7 +325,7 @@ fn force_out(user: &User) {
     }
 }
 
-/// HAL's real-time program runs.
+/// Returns true if HAL's real-time program runs.
 fn is_running() -> bool {
     let Ok(processes) = std::fs::read_dir("/proc") else { return false };
     processes.flatten().any(|process| {

@@ -1,4 +1,4 @@
-//! HAL's part: the stream in, the stream out, what watches, and axes without hardware.
+//! HAL commands: the streams in and out, the watchdog, and axes without hardware.
 
 use seamwright_machine::{LinuxCnc, Machine};
 use std::fmt::Write as _;
@@ -7,16 +7,16 @@ use std::fmt::Write as _;
 const ORDERS: usize = 4;
 /// Columns of the stream of reports before those of the axes.
 const REPORTS: usize = 7;
-/// Most samples that wait for us; more are lost.
+/// Capacity of the sampler, samples; later ones are lost.
 const SAMPLES: usize = 4000;
-/// Periods without a set-point, beyond those in store, after which HAL takes the power.
+/// Periods without a set-point, after the stored ones, until HAL switches the power off.
 pub(super) const WATCHED: u32 = 20;
 
-/// Commands before those of the hardware: two threads at most, the streams, the watchdog, the names for everything.
+/// Commands before those of the hardware: one or two threads, the streams, the watchdog, the signal names.
 pub(super) fn before(machine: &Machine, device: &LinuxCnc, owner: &str) -> String {
     let n = machine.axes.len();
     let period_ns = (machine.servo_period_s * 1e9).round() as u64;
-    // Its own reader sleeps for 10 ms if it finds no room: there is always some.
+    // Its own reader sleeps for 10 ms on a full queue: keep spare room.
     let room = 2 * device.store + 100;
     let watched_s = f64::from(device.store + WATCHED) * machine.servo_period_s;
     let base = device.base_period_us.map(|us| format!("name1=cell-base period1={} fp1=0 ", 1000 * us));
@@ -58,13 +58,14 @@ pub(super) fn before(machine: &Machine, device: &LinuxCnc, owner: &str) -> Strin
              net seamwright.{name}.homed wsum.2.bit.{i}.in\n"
         );
     }
-    // The watchdog's own output stays on when its enable goes: the gate heeds both, `lut5` because few else load it.
+    // The watchdog's own output stays on without its enable, so the gate checks both; `lut5` because few others load
+    // it.
     hal += "addf streamer.0 cell\naddf watchdog.process cell\naddf watchdog.set-timeouts cell\naddf seamwright.gate cell\n";
     hal
 }
 
-/// Axes without hardware: they follow at once with power, stay where they are without, and are at their home
-/// positions when they look for their references.
+/// Axes without hardware: with power they follow at once, without power they stay. During homing they are at their home
+/// positions.
 pub(super) fn simulated(machine: &Machine) -> String {
     let names = |kind: &str| {
         let names: Vec<String> = machine.axes.iter().map(|a| format!("simulated.{}{kind}", a.name)).collect();
@@ -106,7 +107,7 @@ mod tests {
     use super::*;
     use seamwright_machine::SHIPPED;
 
-    /// Every pin is connected once, and HAL's names are not too long.
+    /// Every pin is connected once, and HAL's names are within the length limit.
     #[test]
     fn every_pin_is_connected_once() {
         for shipped in SHIPPED {

@@ -1,68 +1,68 @@
-//! The drives' store of set-points, kept at its level.
+//! Store of set-points in the drives, controlled to a constant level.
 
 use seamwright_machine::MAX_AXES;
 use seamwright_servo::SetPoint;
 use std::f64::consts::TAU;
 
-/// Cycles in which a missing set-point is made up for while axes move: as slowly as supervision forgets a missed one. At most
-/// a fiftieth of the speed is lost meanwhile.
+/// Cycles to replace a missing set-point during motion: as slowly as supervision forgets a missed one. Meanwhile the
+/// speed drops by at most a fiftieth.
 const REFILLS: u32 = 100;
-/// Samples of the level that are judged together.
+/// Level samples per decision.
 const JUDGED: u32 = 8;
 
 /// Positions of all axes.
 pub(super) type Positions = [f64; MAX_AXES];
 
-/// Decides in each cycle which positions go to the drives: one, none or more, so that they have `level` in store.
+/// Decides in each cycle how many positions go to the drives: zero, one or more, so that they have `level` in store.
 ///
-/// While axes move, a position that is missing comes from slowing down: what goes out lies on the path between the last two
-/// set-points, later and later by up to a period, and then there is one more. At rest the same position goes out again.
+/// During motion slowing down yields a missing position. The positions sent lie on the path between the last two
+/// set-points, delayed by up to one period. Then one more is sent. At rest the same position is sent again.
 #[derive(Debug, Clone)]
 pub(super) struct Store {
     level: u32,
     period_s: f64,
-    /// What was last asked for; none before the first cycle.
+    /// Last set-points; `None` before the first cycle.
     last: Option<[SetPoint; MAX_AXES]>,
-    /// Cycles for which a missing one has been made up for.
+    /// Cycles elapsed in the current replacement.
     refills: u32,
-    /// Sum and number of the samples of the level since the last judgement.
+    /// Sum and number of the level samples since the last decision.
     seen: (u32, u32),
-    /// Number of the last position that went out, and that at the last change of the level.
+    /// Number of the last position sent, and that at the last change of the level.
     sent: u32,
     changed: u32,
 }
 
 impl Store {
-    /// A period is `period_s`.
+    /// Creates the store; the period is `period_s`.
     pub(super) fn new(level: u32, period_s: f64) -> Self {
         Self { level, period_s, last: None, refills: 0, seen: (0, 0), sent: 0, changed: 0 }
     }
 
-    /// What was last asked for.
+    /// Returns the last set-points.
     pub(super) fn last(&self) -> [SetPoint; MAX_AXES] {
         self.last.unwrap_or_default()
     }
 
-    /// So many were in store when the position with this number counted.
+    /// Reports the level at the time when the position with this number became active.
     pub(super) fn seen(&mut self, number: u32, level: u32) {
-        // What was in store before it was changed says nothing.
+        // Samples from before the last change of the level are outdated.
         if number.wrapping_sub(self.changed) as i32 >= 0 {
             self.seen = (self.seen.0 + level, self.seen.1 + 1);
         }
     }
 
-    /// Set-points missing in store (negative: too many), once enough is known.
+    /// Returns the number of set-points missing in store (negative: too many), or 0 until there are enough samples.
     fn missing(&mut self) -> i32 {
         let (sum, count) = self.seen;
         if count < JUDGED {
             return 0;
         }
         self.seen = (0, 0);
-        // A quarter is how long a line takes, more or less.
+        // A quarter of a period is about the transfer time of a line.
         (f64::from(self.level) - f64::from(sum) / f64::from(count) + 0.25).floor() as i32
     }
 
-    /// What goes out in this cycle: `send` gets each position with its number.
+    /// Sends the positions of this cycle: `send` gets each position with its number.
     pub(super) fn feed(&mut self, set: &[SetPoint; MAX_AXES], mut send: impl FnMut(u32, &Positions)) {
         let here = set.map(|set| set.position);
         let last = self.last.replace(*set);
@@ -76,7 +76,7 @@ impl Store {
                 let missing = self.refills == 0 && self.missing() > 0;
                 self.refills += u32::from(missing || self.refills > 0);
                 let part = f64::from(self.refills) / f64::from(REFILLS);
-                // Its rate begins and ends at zero.
+                // The rate of the delay starts and ends at zero.
                 let late = part - (TAU * part).sin() / TAU;
                 let full = self.refills == REFILLS;
                 self.refills = if full { 0 } else { self.refills };
@@ -99,7 +99,7 @@ impl Store {
     }
 }
 
-/// Positions at a part of a period of `t` s between two set-points: the cubic with their speeds.
+/// Positions at the fraction `u` of a period of `t` s between two set-points: the cubic with their velocities.
 fn between(t: f64, a: &[SetPoint; MAX_AXES], b: &[SetPoint; MAX_AXES], u: f64) -> Positions {
     let mut positions = Positions::default();
     for (p, (a, b)) in positions.iter_mut().zip(a.iter().zip(b)) {
@@ -129,7 +129,7 @@ mod tests {
         SetPoint { position: turn(t), velocity, acceleration: 50.0 * w * w * (w * t).sin() }
     }
 
-    /// HAL beside it: takes one position a period, some periods twice or not at all; the store is looked at late.
+    /// HAL model: takes one position a period, in some periods two or none; the store sees its level late.
     struct Drives {
         queue: VecDeque<(u32, f64)>,
         taken: Vec<f64>,
@@ -149,7 +149,7 @@ mod tests {
         }
     }
 
-    /// Cycles from rest over the path to rest; `misses` says in which the executive is not there.
+    /// Runs from rest over the path to rest; `misses` marks the missed cycles.
     fn run(level: u32, cycles: u32, misses: impl Fn(u32) -> bool) -> (Store, Drives) {
         let mut store = Store::new(level, T);
         let mut drives = Drives { queue: VecDeque::new(), taken: Vec::new(), samples: VecDeque::new(), underruns: 0 };
@@ -162,7 +162,7 @@ mod tests {
                 store.feed(&set, |number, positions| drives.queue.push_back((number, positions[0])));
             }
             drives.period();
-            // They come in tens.
+            // Samples come in batches of ten.
             if cycle % 10 == 9 {
                 drives.samples.drain(..).for_each(|(number, level)| store.seen(number, level));
             }
@@ -182,7 +182,7 @@ mod tests {
         }
     }
 
-    /// Missed cycles cost store, which comes back on the path, at hardly less than the speed, and never a step.
+    /// Missed cycles empty the store, which refills on the path at nearly full speed and without a step.
     #[test]
     fn missed_cycles_are_made_up_for() {
         let mut state = 3u64;
@@ -200,7 +200,7 @@ mod tests {
             assert!(stock.abs() <= 1, "case {case}: {stock}");
             let steps: Vec<f64> = drives.taken.windows(2).map(|w| w[1] - w[0]).collect();
             let bends: Vec<f64> = steps.windows(2).map(|w| w[1] - w[0]).collect();
-            // 200 mm/s at most, and 200 mm/s^2 of the path with what slowing down adds.
+            // At most 200 mm/s, and 200 mm/s² of the path plus the part from slowing down.
             let extremes =
                 |all: &[f64]| all.iter().fold((0.0f64, 0.0f64), |(low, high), x| (low.min(*x), high.max(*x)));
             let (low, high) = extremes(&steps);
@@ -211,7 +211,7 @@ mod tests {
         }
     }
 
-    /// What is too much in store goes at rest.
+    /// Surplus set-points are removed at rest.
     #[test]
     fn too_many_go_at_rest() {
         let mut store = Store::new(10, T);
@@ -219,7 +219,7 @@ mod tests {
         let (mut queue, mut counts) = (VecDeque::new(), Vec::new());
         for cycle in 0..3000 {
             store.feed(&set, |number, _| queue.push_back(number));
-            // For a while HAL does not run.
+            // HAL stops for a while.
             if !(100..107).contains(&cycle) {
                 let number: u32 = queue.pop_front().unwrap();
                 store.seen(number, queue.len() as u32);

@@ -1,30 +1,30 @@
 use seamwright_machine::{Register, Table};
 
-/// Most registers in a request to read (specification of the protocol, function 3 and 4).
-const MOST_REGISTERS: u16 = 125;
-/// Most bits in a request to read (function 1 and 2).
-const MOST_BITS: u16 = 2000;
-/// Registers that are read for nothing rather than asked for in another request: their 64 bytes are fewer than those of the
-/// headers of a request and its answer.
+/// Maximum number of registers in a read request (Modbus specification, functions 3 and 4).
+const MAX_READ_REGISTERS: u16 = 125;
+/// Maximum number of bits in a read request (functions 1 and 2).
+const MAX_READ_BITS: u16 = 2000;
+/// Maximum gap that a request reads across, registers: its 64 bytes are fewer than the headers of another request and
+/// its answer.
 const BRIDGED_REGISTERS: u16 = 32;
-/// The same of bits.
+/// Maximum gap that a request reads across, bits.
 const BRIDGED_BITS: u16 = 512;
 
 /// A request that reads the cells of several registers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Batch {
-    /// Which table.
+    /// Register table.
     pub(super) table: Table,
     /// Address of the first cell.
     pub(super) at: u16,
-    /// Cells.
+    /// Number of cells.
     pub(super) count: u16,
-    /// Registers by their place in the list, and where their cells begin in the answer.
+    /// Indices of the registers in the list, and the offset of their cells in the answer.
     pub(super) registers: Vec<(usize, usize)>,
 }
 
-/// Requests that read those of `registers` that are `wanted`; with gaps between them `bridged` where that is cheaper than another
-/// request. Some devices refuse a request that touches an address they do not have.
+/// Returns requests that read the `wanted` ones of `registers`. If `bridged`, a request reads across gaps where that is
+/// cheaper than another request. Some devices refuse requests that touch missing addresses.
 pub(super) fn batches(registers: &[Register], wanted: impl Fn(&Register) -> bool, bridged: bool) -> Vec<Batch> {
     let mut order: Vec<usize> = (0..registers.len()).filter(|i| wanted(&registers[*i])).collect();
     order.sort_by_key(|i| (registers[*i].place.table, registers[*i].place.at));
@@ -32,12 +32,12 @@ pub(super) fn batches(registers: &[Register], wanted: impl Fn(&Register) -> bool
     for i in order {
         let place = registers[i].place;
         let (most, gap) = match (place.table.has_bits(), bridged) {
-            (true, true) => (MOST_BITS, BRIDGED_BITS),
-            (true, false) => (MOST_BITS, 0),
-            (false, true) => (MOST_REGISTERS, BRIDGED_REGISTERS),
-            (false, false) => (MOST_REGISTERS, 0),
+            (true, true) => (MAX_READ_BITS, BRIDGED_BITS),
+            (true, false) => (MAX_READ_BITS, 0),
+            (false, true) => (MAX_READ_REGISTERS, BRIDGED_REGISTERS),
+            (false, false) => (MAX_READ_REGISTERS, 0),
         };
-        // In u32: the last cell may be the last of the table.
+        // In u32, because the last cell may be the last of the table.
         let first = u32::from(place.at);
         let end = first + u32::from(place.cells());
         if let Some(batch) = batches.last_mut().filter(|b| b.table == place.table) {
@@ -62,7 +62,8 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
     use rand_pcg::rand_core::SeedableRng;
 
-    /// Batches of random maps give exactly what single reads would, ask for nothing twice, and keep to the protocol's limits.
+    /// Batches of random maps give the same values as single reads, read no register twice, and keep the protocol's
+    /// limits.
     #[test]
     fn batches_give_what_single_reads_would() {
         let mut random = Pcg64Mcg::seed_from_u64(5);
@@ -102,7 +103,7 @@ mod tests {
         assert!(requests * 2 < singles, "{requests} requests instead of {singles}");
     }
 
-    /// Cells of a batch that some register of it has.
+    /// Cells of a batch that belong to its registers.
     fn covered(registers: &[Register], batch: &Batch) -> u16 {
         let has = |cell: u32| {
             batch.registers.iter().any(|(i, _)| {

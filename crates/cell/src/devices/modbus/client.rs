@@ -14,19 +14,19 @@ use std::time::Instant;
 use tokio::runtime::Runtime;
 use triple_buffer::{Input, Output};
 
-/// Signs of life between the cycle and the client.
+/// Shared state of the cycle and the client.
 #[derive(Debug, Default)]
 pub(super) struct Life {
-    /// Cycles so far.
+    /// Number of cycles so far.
     pub(super) cycles: AtomicU64,
-    /// Nobody needs the client any more.
+    /// The client is to end.
     pub(super) ended: AtomicBool,
 }
 
-/// What was read, and when.
+/// A report with its time of reading.
 pub(super) type Stamped<T> = Option<(T, Instant)>;
 
-/// The client's ends of what it shares with the cycle.
+/// The client's side of the data shared with the cycle.
 #[derive(Debug)]
 pub(super) struct Ends {
     pub(super) orders: Output<Ordered>,
@@ -36,8 +36,8 @@ pub(super) struct Ends {
     pub(super) traffic: TrafficLog,
 }
 
-/// What talks to the device, in a thread of its own: orders on one connection and reports on another, so that an order never
-/// waits for an answer to a question. On a device that takes one connection only they take turns, request by request.
+/// Modbus client in a thread of its own: orders on one connection, reports on another, so that orders never wait for
+/// reports. On a device with only one connection they alternate, request by request.
 #[derive(Debug)]
 pub(super) struct Client {
     runtime: Runtime,
@@ -47,7 +47,7 @@ pub(super) struct Client {
 }
 
 impl Client {
-    /// Not connected yet; `values` are the names of the job's process values.
+    /// Creates an unconnected client; `values` are the names of the job's process values.
     pub(super) fn new(device: &ModbusDevice, values: &[String], ends: Ends) -> Result<Self, Trouble> {
         let Ends { orders, source, inputs, life, traffic } = ends;
         let line = Line::default();
@@ -60,10 +60,10 @@ impl Client {
         })
     }
 
-    /// Connects, brings all outputs to what they shall be, reads everything once.
+    /// Connects, brings all outputs to their safe states, reads everything once.
     ///
     /// # Errors
-    /// What went wrong; nothing is connected then.
+    /// The trouble; the client is not connected then.
     pub(super) fn connect(&mut self) -> Result<(), Trouble> {
         let Self { runtime, link, orders, reports } = self;
         runtime.block_on(async {
@@ -80,14 +80,14 @@ impl Client {
         })
     }
 
-    /// Polls until nobody needs it any more; leaves the outputs safe.
+    /// Polls until the cell ends; leaves the outputs safe.
     pub(super) fn run(self) {
         Footing::ask_below_cycle();
         let Self { runtime, link, mut orders, mut reports } = self;
         runtime.block_on(async {
             tokio::select! {
                 () = orders.run(&link) => {}
-                // It goes on until orders have come to their end.
+                // Reports run until the orders end.
                 () = reports.run(&link) => {}
             }
             drop(reports);

@@ -1,6 +1,6 @@
 use seamwright_machine::{NumberType, Scaled, Word, WordOrder};
 
-/// The number that `cells` hold, before its scale; a bit is 0 or 1. `cells` begin at the place and have all of it.
+/// Returns the unscaled number in `cells`; a bit is 0 or 1. `cells` start at the register and contain all of it.
 pub(super) fn raw(word: Word, cells: &[u16]) -> f64 {
     match word {
         Word::Single => f64::from(u8::from(cells[0] != 0)),
@@ -15,13 +15,13 @@ pub(super) fn raw(word: Word, cells: &[u16]) -> f64 {
     }
 }
 
-/// The value that `cells` hold.
+/// Returns the scaled value in `cells`.
 pub(super) fn value(word: Word, cells: &[u16]) -> f64 {
     let raw = raw(word, cells);
     if let Word::Number(number) = word { raw * number.scale + number.offset } else { raw }
 }
 
-/// Puts `value` into `cells`: the nearest that they can hold; of a register with bits only that bit changes.
+/// Writes the nearest value that `cells` can hold; in a register with bits only that bit changes.
 pub(super) fn put(word: Word, value: f64, cells: &mut [u16]) {
     match word {
         Word::Single => cells[0] = u16::from(value > 0.5),
@@ -33,7 +33,7 @@ pub(super) fn put(word: Word, value: f64, cells: &mut [u16]) {
 fn put_number(number: Scaled, value: f64, cells: &mut [u16]) {
     let (low, high) = number.kind.range();
     let raw = ((value - number.offset) / number.scale).clamp(low, high);
-    // Within the range of the type by the line before, so that no cast cuts anything off.
+    // The line above clamps to the range of the type, so that the casts are exact.
     let whole = raw.round() as i64;
     match number.kind {
         NumberType::U16 | NumberType::I16 => cells[0] = whole as u16,
@@ -87,7 +87,8 @@ mod tests {
         assert_eq!(read(NumberType::I32, WordOrder::HighFirst, [0xffff, 0xfffd]).to_bits(), (-3f64).to_bits());
     }
 
-    /// What was read is written as it was, in every type, word order and scale: every u16, and 32 bits by chance.
+    /// Values are written as they were read, in every type, word order and scale: every u16, and random 32-bit
+    /// patterns.
     #[test]
     fn what_is_read_is_written_alike() {
         let mut random = Pcg64Mcg::seed_from_u64(3);
@@ -96,7 +97,7 @@ mod tests {
                 for case in 0..70_000u32 {
                     let scale = 10f64.powf(6.0 * uniform(&mut random) - 3.0) * if case % 2 == 0 { 1.0 } else { -1.0 };
                     let offset = 2000.0 * (uniform(&mut random) - 0.5) * scale;
-                    // A sum with an offset keeps fewer digits of a float than it has.
+                    // Adding an offset rounds off digits of a float.
                     let offset = if kind == NumberType::F32 { 0.0 } else { offset };
                     let word = number(kind, order, scale, offset);
                     let cells = if kind.registers() == 1 {
@@ -109,7 +110,7 @@ mod tests {
                     }
                     let mut back = [0, 0];
                     put(word, value(word, &cells), &mut back);
-                    // Both zeros of a float are the same number.
+                    // Both zeros of a float are equal.
                     let zero = raw(word, &cells).abs() <= 0.0 && raw(word, &back).abs() <= 0.0;
                     assert!(back == cells || zero, "{word:?} {cells:x?} {back:x?}");
                 }
@@ -117,7 +118,7 @@ mod tests {
         }
     }
 
-    /// Any value comes back within half a step, or as the nearest that the register can hold.
+    /// Every value comes back within half a step, or as the nearest that the register can hold.
     #[test]
     fn values_come_back_within_half_a_step() {
         let mut random = Pcg64Mcg::seed_from_u64(4);

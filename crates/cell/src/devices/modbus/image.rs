@@ -2,32 +2,32 @@ use super::coding;
 use crate::executive::ProcessOrders;
 use seamwright_machine::{Place, Register, Role, Table, Word};
 
-/// Most cells in a request to write: 123 registers, 1968 bits (functions 15 and 16).
-const MOST: [usize; 2] = [123, 1968];
+/// Maximum number of cells in a write request: 123 registers, 1968 bits (functions 15 and 16).
+const MAX_WRITE_CELLS: [usize; 2] = [123, 1968];
 
-/// What the cycle orders.
+/// Orders of the cycle.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Ordered {
     pub(super) process: ProcessOrders,
-    /// Cycles so far in which arc or beam was ordered off: none is missed by who looks less often.
+    /// Number of cycles so far with arc or beam off, so that a slower reader misses no off order.
     pub(super) offs: u64,
 }
 
-/// What the outputs of a device shall be, and what was written there.
+/// Required and written outputs of a device.
 #[derive(Debug)]
 pub(super) struct Image {
     units: Vec<Unit>,
     outputs: Vec<Output>,
     /// The watchdog's count.
     count: u16,
-    /// Arc or beam must be ordered off before it may be on, after this many orders to be off: since the start, or a loss of the
-    /// cycle or of the connection.
+    /// Arc or beam is locked until this count of off orders is exceeded. Set at the start and at a loss of the cycle or
+    /// of the connection.
     locked: Option<u64>,
-    /// Arc or beam is to be on.
+    /// Arc or beam is ordered on.
     on: bool,
 }
 
-/// Cells that are written at once: one, or the two of 32 bits.
+/// Cells of one write: one, or the two of a 32-bit number.
 #[derive(Debug)]
 struct Unit {
     table: Table,
@@ -35,24 +35,24 @@ struct Unit {
     cells: [u16; 2],
     len: usize,
     written: Option<[u16; 2]>,
-    /// What the device refused to take last.
+    /// The cells that the device refused last.
     refused: Option<[u16; 2]>,
-    /// Arc or beam is in it.
+    /// Contains the arc or beam output.
     has_on: bool,
 }
 
-/// An output, and the unit that it is in.
+/// An output and the unit that contains it.
 #[derive(Debug)]
 struct Output {
     role: Role,
     word: Word,
     safe: f64,
     unit: usize,
-    /// Place among the job's process values.
+    /// Index among the job's process values.
     value: Option<usize>,
 }
 
-/// A request to write, and the units in it.
+/// A write request and its units.
 #[derive(Debug, PartialEq)]
 pub(super) struct Run {
     pub(super) table: Table,
@@ -62,7 +62,8 @@ pub(super) struct Run {
 }
 
 impl Image {
-    /// Of the outputs among `registers`, all safe and none written; `values` are the names of the job's process values.
+    /// Creates the image of the outputs among `registers`: all safe, none written; `values` are the names of the job's
+    /// process values.
     pub(super) fn new(registers: &[Register], values: &[String]) -> Self {
         let mut outputs: Vec<&Register> = registers.iter().filter(|r| r.role.is_output()).collect();
         outputs.sort_by_key(|r| (r.place.table, r.place.at));
@@ -86,7 +87,7 @@ impl Image {
         image
     }
 
-    /// All outputs to their safe states; the watchdog stays as it is. `offs` are the orders to be off so far.
+    /// Sets all outputs except the watchdog to their safe states. `offs` is the count of off orders so far.
     pub(super) fn make_safe(&mut self, offs: u64) {
         (self.locked, self.on) = (Some(offs), false);
         for i in 0..self.outputs.len() {
@@ -96,7 +97,8 @@ impl Image {
         }
     }
 
-    /// All outputs as they are ordered. Arc or beam stays off until it was ordered off once: it never comes on by itself.
+    /// Sets all outputs to their orders. Arc or beam stays off until one off order has come: it never comes on by
+    /// itself.
     pub(super) fn order(&mut self, ordered: &Ordered) {
         let orders = &ordered.process;
         self.locked = self.locked.filter(|offs| *offs == ordered.offs);
@@ -117,7 +119,7 @@ impl Image {
         }
     }
 
-    /// The watchdog changes.
+    /// Advances the watchdog.
     pub(super) fn beat(&mut self) {
         self.count = self.count.wrapping_add(1);
         for i in 0..self.outputs.len() {
@@ -133,24 +135,24 @@ impl Image {
         coding::put(output.word, value, &mut self.units[output.unit].cells);
     }
 
-    /// Nothing is known of what the device has: everything is written again, arc or beam as off.
+    /// Marks the device's state as unknown: everything is written again, with arc or beam off.
     pub(super) fn forget(&mut self, offs: u64) {
         self.make_safe(offs);
         self.rewrite();
     }
 
-    /// The device may have lost what was written: everything is written again, as it is ordered.
+    /// Marks everything as unwritten, because the device may have lost it; orders stay as they are.
     pub(super) fn rewrite(&mut self) {
         self.units.iter_mut().for_each(|unit| unit.written = None);
     }
 
-    /// Requests that write what changed, neighbours together. What switches arc or beam off comes first, alone: no neighbour that
-    /// the device refuses keeps it from being written. What switches it on comes last.
+    /// Returns write requests for the changes, neighbours together. The request that switches arc or beam off comes
+    /// first and alone, so that a refused neighbour cannot block it. The request that switches it on comes last.
     pub(super) fn changes(&self) -> Vec<Run> {
         let mut runs: Vec<Run> = Vec::new();
         for (i, unit) in self.units.iter().enumerate().filter(|(_, unit)| unit.written != Some(unit.cells)) {
             let cells = &unit.cells[..unit.len];
-            let most = MOST[usize::from(unit.table.has_bits())];
+            let most = MAX_WRITE_CELLS[usize::from(unit.table.has_bits())];
             let apart = |unit: &Unit| unit.has_on && !self.on;
             let last = runs.last_mut().filter(|_| !apart(unit)).filter(|run| {
                 if apart(&self.units[run.units.start]) {
@@ -171,7 +173,7 @@ impl Image {
         runs
     }
 
-    /// The request that switches arc or beam off, if that is to be written and the device has not just refused it.
+    /// Returns the request that switches arc or beam off, if it is pending and the device has not just refused it.
     pub(super) fn off(&self) -> Option<Run> {
         if self.on {
             return None;
@@ -181,14 +183,14 @@ impl Image {
         Some(Run { table: unit.table, at: unit.at, cells: unit.cells[..unit.len].to_vec(), units: i..i + 1 })
     }
 
-    /// The device has taken `run`.
+    /// Marks `run` as written.
     pub(super) fn written(&mut self, run: &Run) {
         for unit in &mut self.units[run.units.clone()] {
             (unit.written, unit.refused) = (Some(unit.cells), None);
         }
     }
 
-    /// The device has refused `run`.
+    /// Marks `run` as refused.
     pub(super) fn refused(&mut self, run: &Run) {
         for unit in &mut self.units[run.units.clone()] {
             unit.refused = Some(unit.cells);
@@ -215,7 +217,7 @@ mod tests {
         Ordered { process, offs }
     }
 
-    /// Gas and watchdog beside it may be refused: off is a request of its own, the first, and on goes with its neighbours.
+    /// The device may refuse gas and watchdog: off is a separate request and the first, while on joins its neighbours.
     #[test]
     fn off_is_written_apart_from_its_neighbours() {
         let mut image = image();

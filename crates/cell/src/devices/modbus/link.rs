@@ -8,20 +8,20 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 use tokio::sync::Mutex;
 
-/// How often the client looks for changed orders between polls.
+/// Interval at which the client checks for changed orders between polls.
 pub(super) const LOOK: Duration = Duration::from_millis(1);
 
-/// What orders and reports of a device tell each other; both are in one thread.
+/// Shared state of a device's orders and reports; both run in one thread.
 #[derive(Debug)]
 pub(super) struct Link {
     pub(super) device: ModbusDevice,
     pub(super) life: Arc<Life>,
     pub(super) traffic: TrafficLog,
-    /// Connections for orders so far: how often the device has started, as far as anybody can tell.
+    /// Connections for orders so far: the best estimate of the device's starts.
     pub(super) starts: Cell<u32>,
-    /// Why the device has not got what was ordered: what it reports would not be what was ordered.
+    /// Reason why orders are not written; reports do not reflect the orders then.
     pub(super) unordered: RefCell<Option<Trouble>>,
-    /// Connections for reports that were lost, and for how many of them orders were written anew since.
+    /// Lost report connections, and how many of them were followed by a rewrite of the orders.
     pub(super) lost: Cell<u32>,
     pub(super) rewritten: Cell<u32>,
 }
@@ -39,12 +39,12 @@ impl Link {
         }
     }
 
-    /// Nobody needs the client any more.
+    /// Returns true if the client is to end.
     pub(super) fn ended(&self) -> bool {
         self.life.ended.load(Ordering::Acquire)
     }
 
-    /// Notes what went wrong.
+    /// Records trouble.
     pub(super) fn failed(&self, trouble: &Trouble) {
         self.traffic.change(|t| {
             t.failed += 1;
@@ -52,7 +52,7 @@ impl Link {
         });
     }
 
-    /// Waits, unless it is to end.
+    /// Waits for `pause`, or until the end.
     pub(super) async fn rest(&self, pause: Duration) {
         let until = Instant::now() + pause;
         while Instant::now() < until && !self.ended() {
@@ -61,7 +61,8 @@ impl Link {
     }
 }
 
-/// A connection that may be lost, and that orders and reports may share: who asks first is served first, request by request.
+/// A connection that may be lost and that orders and reports may share, served in the order of arrival, request by
+/// request.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Line(Arc<Mutex<Option<Wire>>>);
 
@@ -73,12 +74,12 @@ impl Line {
         Ok(())
     }
 
-    /// True also while a request waits for its answer.
+    /// Also true while a request waits for its answer.
     pub(super) fn is_connected(&self) -> bool {
         self.0.try_lock().map_or(true, |wire| wire.is_some())
     }
 
-    /// See [`Wire::read`]. A connection that cannot be used any more is dropped.
+    /// See [`Wire::read`]. Drops a broken connection.
     pub(super) async fn read(
         &self,
         (table, at, count): (Table, u16, u16),
@@ -93,7 +94,7 @@ impl Line {
         done
     }
 
-    /// See [`Wire::write`]. A connection that cannot be used any more is dropped.
+    /// See [`Wire::write`]. Drops a broken connection.
     pub(super) async fn write(&self, table: Table, at: u16, cells: &[u16]) -> Result<(), Trouble> {
         let mut wire = self.0.lock().await;
         let Some(open) = wire.as_mut() else { return Err(unconnected()) };

@@ -6,7 +6,7 @@ use seamwright_machine::{ModbusDevice, Register};
 use std::time::Instant;
 use tokio::runtime::Runtime;
 
-/// Reads every register of a device, outputs too, and writes nothing: to look at a device without a cell.
+/// Reads every register of a device, outputs too, and writes nothing: inspects a device without a cell.
 #[derive(Debug)]
 pub struct Looker {
     device: ModbusDevice,
@@ -15,18 +15,18 @@ pub struct Looker {
     seen: Vec<Seen>,
 }
 
-/// A register as it was looked at.
+/// A register with its last reading.
 #[derive(Debug)]
 pub struct Looked<'a> {
     /// The register.
     pub register: &'a Register,
-    /// The number before its scale; a bit is 0 or 1. None if it was never read.
+    /// The unscaled number; a bit is 0 or 1. `None` if it was never read.
     pub raw: Option<f64>,
     /// The value in the register's unit.
     pub value: Option<f64>,
-    /// Time since it was read, s; infinite if it never was.
+    /// Time since it was read, s; infinite if never.
     pub age_s: f64,
-    /// Why it was not read this time.
+    /// Reason why it was not read this time.
     pub trouble: Option<&'a str>,
 }
 
@@ -37,17 +37,17 @@ struct Seen {
 }
 
 impl Looker {
-    /// Not connected yet.
+    /// Creates an unconnected reader.
     pub fn new(device: &ModbusDevice) -> Self {
         let batches = batches(&device.registers, |_| true, true);
         let seen = vec![Seen::default(); device.registers.len()];
         Self { device: device.clone(), wire: None, batches, seen }
     }
 
-    /// Reads everything; what the device refuses is told register by register.
+    /// Reads everything; refusals are reported register by register.
     ///
     /// # Errors
-    /// If it cannot be reached or does not answer.
+    /// If the device cannot be reached or does not answer.
     pub fn look(&mut self) -> Result<(), ModbusError> {
         let result = self.read();
         result.map_err(|trouble| {
@@ -72,7 +72,7 @@ impl Looker {
         runtime.block_on(read(wire, (&self.device, &self.batches), &mut self.seen))
     }
 
-    /// All registers, as they were last seen.
+    /// Returns all registers with their last readings.
     pub fn rows(&self) -> impl Iterator<Item = Looked<'_>> {
         self.device.registers.iter().zip(&self.seen).map(|(register, seen)| Looked {
             register,
@@ -84,7 +84,7 @@ impl Looker {
     }
 }
 
-/// Reads all batches; where one is refused, each of its registers alone.
+/// Reads all batches; after a refusal, each register of the batch alone.
 async fn read(wire: &mut Wire, (device, batches): (&ModbusDevice, &[Batch]), seen: &mut [Seen]) -> Result<(), Trouble> {
     let mut cells = Vec::new();
     for batch in batches {
@@ -94,7 +94,7 @@ async fn read(wire: &mut Wire, (device, batches): (&ModbusDevice, &[Batch]), see
                     seen[*i].take(&device.registers[*i], &cells[*from..]);
                 }
             }
-            // One of them, or a gap between them: which?
+            // Find the refused register; it may also be a gap between registers.
             Err(Trouble::Refused { .. }) => {
                 for (i, _) in &batch.registers {
                     let register = &device.registers[*i];

@@ -1,9 +1,9 @@
 //! Process source, inputs and outputs over Modbus TCP.
 //!
-//! A client in a thread of its own polls the device and writes what changed, on a connection each; the cycle exchanges orders and
-//! reports with it through buffers that neither lock nor allocate. Reports age while the device is silent, and say with `starts` how often it
-//! was connected. When the cycle stops for longer than the watchdog's time, or the devices are dropped, the outputs go to their
-//! safe states; arc or beam comes on again only after it was ordered off.
+//! A client in a thread of its own polls the device and writes changes, on one connection each. The cycle exchanges
+//! orders and reports with it through buffers that neither lock nor allocate. Reports age while the device is silent;
+//! `starts` counts its connections. When the cycle stops for longer than the watchdog's time, or the devices are
+//! dropped, the outputs go to their safe states. Arc or beam comes on again only after it was ordered off.
 
 mod batches;
 mod client;
@@ -32,20 +32,20 @@ use std::thread::JoinHandle;
 use traffic::TrafficLog;
 use triple_buffer::{Input, Output, triple_buffer};
 
-/// Why a device cannot be used.
+/// Reasons why a device cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ModbusError {
-    /// It cannot be reached, or does not answer as its registers ask for.
+    /// The device cannot be reached, or does not answer as its registers require.
     #[error("device `{device}` at {address}: {why}")]
     Unreachable {
         /// Its name in the machine file.
         device: String,
         /// Host and port.
         address: String,
-        /// What went wrong.
+        /// The reason.
         why: String,
     },
-    /// A process value of the job that nothing would set.
+    /// A process value of the job has no register.
     #[error("device `{device}` has no register that sets the job's process value `{value}`")]
     NoRegister {
         /// Its name in the machine file.
@@ -55,14 +55,14 @@ pub enum ModbusError {
     },
 }
 
-/// What a connected device is to a cell.
+/// A connected device, as parts of a cell.
 #[derive(Debug)]
 pub struct ModbusParts {
     /// The process source, if the device is one.
     pub source: Option<ModbusSource>,
     /// The inputs, if it has them.
     pub inputs: Option<ModbusInputs>,
-    /// What goes over the line.
+    /// Traffic on the connections.
     pub traffic: TrafficView,
 }
 
@@ -72,7 +72,7 @@ pub struct ModbusSource {
     orders: Input<Ordered>,
     offs: u64,
     known: Output<Stamped<SourceReport>>,
-    /// The cycle shows by this that it goes on, where no inputs show it.
+    /// The source counts the cycles, because there are no inputs to do so.
     beats: bool,
     thread: Arc<ClientThread>,
 }
@@ -85,7 +85,7 @@ pub struct ModbusInputs {
     thread: Arc<ClientThread>,
 }
 
-/// The client's thread; the last one who needs it ends it.
+/// The client's thread; dropping the last reference ends it.
 #[derive(Debug)]
 struct ClientThread {
     life: Arc<Life>,
@@ -93,21 +93,21 @@ struct ClientThread {
 }
 
 impl Drop for ClientThread {
-    /// Waits until the outputs are safe, or cannot be reached.
+    /// Waits until the outputs are safe or the device is unreachable.
     fn drop(&mut self) {
         self.life.ended.store(true, Ordering::Release);
         if let Some(handle) = self.handle.take() {
-            // A client that panicked has dropped its connection: the device's own watchdog is what is left.
+            // A panicked client has dropped its connection: the device's own watchdog remains.
             let _ = handle.join();
         }
     }
 }
 
-/// Connects `device`, brings its outputs to their safe states and reads it once. `values` are the names of the job's process
-/// values in the order of [`crate::executive::Work::values`].
+/// Connects `device`, brings its outputs to their safe states and reads it once. `values` are the names of the job's
+/// process values in the order of [`crate::executive::Work::values`].
 ///
 /// # Errors
-/// If it cannot be reached, refuses a register, or has no register for a value.
+/// If the device cannot be reached, refuses a register, or has no register for a value.
 pub fn connect(device: &ModbusDevice, values: &[String]) -> Result<ModbusParts, ModbusError> {
     let has = |wanted: &dyn Fn(&Role) -> bool| device.registers.iter().any(|r| wanted(&r.role));
     let (is_source, has_inputs) = (has(&Role::is_source), has(&|role| matches!(role, Role::Input(_))));
@@ -148,7 +148,7 @@ impl Source for ModbusSource {
         if self.beats {
             self.thread.life.cycles.fetch_add(1, Ordering::Release);
         }
-        // Ages are by the clock: a cycle that stands still grows no younger.
+        // Ages follow the wall clock, so that they grow while the cycle stands still.
         if let Some((known, read)) = self.known.read() {
             *report = SourceReport { age_s: read.elapsed().as_secs_f64(), ..*known };
         }

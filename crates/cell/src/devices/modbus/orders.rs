@@ -1,4 +1,4 @@
-//! Orders to a device: what the cycle wants, and safe states where it wants nothing any more.
+//! Orders to a device: those of the cycle, and safe states when the cycle stops.
 
 use super::image::{Image, Ordered};
 use super::link::{LOOK, Line, Link};
@@ -8,20 +8,20 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 use triple_buffer::Output;
 
-/// Time between tries to connect: the first, doubled each time up to the last.
+/// First and last delay between attempts to connect; it doubles each time.
 pub(super) const BACK_OFF: (Duration, Duration) = (Duration::from_millis(50), Duration::from_secs(1));
-/// At the end outputs are brought to their safe states within this time, or it is said that they were not.
+/// Time limit for safe outputs at the end; a failure is reported.
 const END: Duration = Duration::from_secs(3);
 
-/// Writes what is ordered.
+/// Writes orders to the device.
 #[derive(Debug)]
 pub(super) struct OrderWriter {
     line: Line,
     ordered: Output<Ordered>,
     image: Image,
-    /// The cycle's count when it was last seen to change, and when that was.
+    /// The cycle count at its last change, and the time of that change.
     cycle: (u64, Option<Instant>),
-    /// When refused outputs are tried again and the watchdog changes.
+    /// Next time to retry refused outputs and to advance the watchdog.
     next: Instant,
 }
 
@@ -41,7 +41,7 @@ impl OrderWriter {
         self.write(link).await
     }
 
-    /// Until nobody needs it any more.
+    /// Writes orders until the end.
     pub(super) async fn run(&mut self, link: &Link) {
         let period = Duration::from_secs_f64(link.device.poll_s);
         let mut pause = BACK_OFF.0;
@@ -68,7 +68,7 @@ impl OrderWriter {
         }
     }
 
-    /// Passes changed orders on.
+    /// Writes changed orders.
     async fn look(&mut self, link: &Link, period: Duration) -> Result<(), Trouble> {
         let due = Instant::now() >= self.next;
         if due {
@@ -77,13 +77,13 @@ impl OrderWriter {
                 self.image.beat();
             }
         }
-        // What the device refused is tried again with the next poll, not a thousand times a second.
+        // Retry refused outputs with the next poll, not a thousand times a second.
         if !due && link.unordered.borrow().is_some() {
             return self.switch_off(link).await;
         }
         let lost = link.lost.get();
         if lost != link.rewritten.get() {
-            // The device may have started anew; where it has, this connection is dead, which shows now.
+            // The device may have restarted; in that case this write shows that the connection is dead.
             self.image.rewrite();
         }
         self.write(link).await?;
@@ -91,7 +91,7 @@ impl OrderWriter {
         Ok(())
     }
 
-    /// Switches arc or beam off at once where that is ordered, while outputs that the device refuses wait for the next poll.
+    /// Switches arc or beam off at once if ordered, while refused outputs wait for the next poll.
     async fn switch_off(&mut self, link: &Link) -> Result<(), Trouble> {
         self.order(link);
         let Some(run) = self.image.off() else { return Ok(()) };
@@ -106,7 +106,7 @@ impl OrderWriter {
         Ok(())
     }
 
-    /// Takes the newest orders; without a cycle those of safe states.
+    /// Takes the newest orders, or safe states if the cycle has stopped.
     fn order(&mut self, link: &Link) {
         let alive = self.cycle_lives(link);
         let ordered = self.ordered.read();
@@ -117,7 +117,7 @@ impl OrderWriter {
         }
     }
 
-    /// True while the cycle was seen to go on within the watchdog's time.
+    /// Returns true if the cycle count changed within the watchdog's time.
     fn cycle_lives(&mut self, link: &Link) -> bool {
         let count = link.life.cycles.load(Ordering::Acquire);
         if count != self.cycle.0 {
@@ -126,8 +126,8 @@ impl OrderWriter {
         self.cycle.1.is_some_and(|seen| seen.elapsed().as_secs_f64() <= link.device.watchdog_s)
     }
 
-    /// Writes what changed, each output once, the newest orders before each request: what switches arc or beam off waits for no more
-    /// than the answer to one request. What the device refuses does not keep the rest from being written.
+    /// Writes changes, each output once, with the newest orders before each request, so that an off order waits for at
+    /// most one answer. Refused outputs do not block the rest.
     async fn write(&mut self, link: &Link) -> Result<(), Trouble> {
         let (mut tried, mut refused) = (Vec::new(), None);
         loop {
@@ -148,7 +148,7 @@ impl OrderWriter {
         Ok(())
     }
 
-    /// Leaves all outputs safe, if the device can be reached, and says whether they are.
+    /// Sets all outputs to their safe states, if the device can be reached, and reports the result.
     pub(super) async fn end(&mut self, link: &Link) {
         let safe = tokio::time::timeout(END, self.make_safe(link)).await;
         let safe = safe.unwrap_or_else(|_| Err(Trouble::Gone(format!("no answer within {} s", END.as_secs()))));
@@ -163,7 +163,7 @@ impl OrderWriter {
     }
 
     async fn make_safe(&mut self, link: &Link) -> Result<(), Trouble> {
-        // From here on no cycle is alive: orders are those of safe states.
+        // From here on the cycle counts as stopped: orders are those of safe states.
         self.cycle = (link.life.cycles.load(Ordering::Acquire), None);
         if !self.line.is_connected() {
             self.line.connect(&link.device).await?;
@@ -171,7 +171,7 @@ impl OrderWriter {
         // Everything once more: only an answer from now on is a confirmation.
         self.image.forget(self.ordered.read().offs);
         match self.write(link).await {
-            // It was lost unseen: once more on a new one.
+            // The connection was lost unnoticed: try once more on a new one.
             Err(Trouble::Gone(_)) => {
                 self.line.connect(&link.device).await?;
                 self.image.forget(self.ordered.read().offs);

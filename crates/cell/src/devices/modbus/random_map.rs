@@ -1,11 +1,11 @@
-//! Register maps and contents by chance, for tests.
+//! Random register maps and contents, for tests.
 
 use crate::disturbance::uniform;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng as _;
 use seamwright_machine::{NumberType, Place, Register, Role, Scaled, Table, Word, WordOrder};
 
-/// Contents of all four tables, each cell worked out from its address.
+/// Contents of all four tables, each cell computed from its address.
 pub(super) struct Bank(u64);
 
 impl Bank {
@@ -25,7 +25,7 @@ impl Bank {
     }
 }
 
-/// Up to 120 registers in clusters, sometimes at the end of a table, none on another.
+/// Returns up to 120 registers in clusters without overlap, sometimes at the end of a table.
 pub(super) fn random_registers(random: &mut Pcg64Mcg) -> Vec<Register> {
     let below = |random: &mut Pcg64Mcg, n: u32| random.next_u32() % n;
     let mut registers = Vec::new();
@@ -51,7 +51,7 @@ pub(super) fn random_registers(random: &mut Pcg64Mcg) -> Vec<Register> {
             next += cells;
         }
     }
-    // Their order in the file says nothing about their addresses.
+    // Shuffle, so that the order in the file is independent of the addresses.
     for i in (1..registers.len()).rev() {
         registers.swap(i, random.next_u32() as usize % (i + 1));
     }

@@ -1,4 +1,4 @@
-//! Reports of a device: polled, checked for its heart-beat, handed to the cycle with the time at which they came.
+//! Reports of a device: polled, checked for the heart-beat, passed to the cycle with their time.
 
 use super::batches::{Batch, batches};
 use super::client::Stamped;
@@ -13,21 +13,21 @@ use std::time::{Duration, Instant};
 use tokio_modbus::ExceptionCode;
 use triple_buffer::Input;
 
-/// Reads everything, again and again.
+/// Polls all registers.
 #[derive(Debug)]
 pub(super) struct ReportReader {
     line: Line,
-    /// The connection is that of the orders, which make it.
+    /// The connection is shared with the orders, which open it.
     shared: bool,
     source: Input<Stamped<SourceReport>>,
     inputs: Input<Stamped<InputBits>>,
     batches: Vec<Batch>,
     bridged: bool,
-    /// Of each register that is read, its value.
+    /// Value of each register that is read.
     values: Vec<f64>,
-    /// Of each register of a measured process value, its place among the job's.
+    /// Index among the job's process values, for each register of a measured one.
     slots: Vec<Option<usize>>,
-    /// When the device's heart-beat was last seen to change.
+    /// Time of the last change of the device's heart-beat.
     heartbeat: Instant,
 }
 
@@ -63,7 +63,7 @@ impl ReportReader {
         self.poll(link).await
     }
 
-    /// For ever.
+    /// Polls for ever.
     pub(super) async fn run(&mut self, link: &Link) {
         let period = Duration::from_secs_f64(link.device.poll_s);
         let mut next = Instant::now() + period;
@@ -91,7 +91,7 @@ impl ReportReader {
         }
     }
 
-    /// True if the connection can be used; one that was lost is told to who gives orders.
+    /// Returns true if the connection works; a lost one is counted for the order writer.
     fn outcome(&self, done: Result<(), Trouble>, link: &Link) -> bool {
         let Err(trouble) = done else { return true };
         link.failed(&trouble);
@@ -102,12 +102,12 @@ impl ReportReader {
         !gone
     }
 
-    /// Reads everything, and tells the cycle if all of it is to be believed.
+    /// Reads everything, and passes it to the cycle if all of it is trustworthy.
     async fn poll(&mut self, link: &Link) -> Result<(), Trouble> {
         let begun = Instant::now();
         let beat = self.heartbeat_value(link);
         match self.read(link).await {
-            // A request that goes over a gap may touch what is not there.
+            // A request across a gap may touch missing addresses.
             Err(Trouble::Refused { code: ExceptionCode::IllegalDataAddress, .. }) if self.bridged => {
                 self.bridged = false;
                 self.batches = batches(&link.device.registers, |r| !r.role.is_output(), false);
@@ -129,7 +129,7 @@ impl ReportReader {
             t.polls += 1;
             t.round.add(took, 0);
         });
-        // What the device does is not what was ordered until orders were written anew.
+        // After trouble with orders, reports do not reflect them until they are written anew.
         if link.unordered.borrow().is_none() && link.lost.get() == link.rewritten.get() {
             self.tell(link);
         }
@@ -154,7 +154,7 @@ impl ReportReader {
         Some(self.values[i])
     }
 
-    /// What was read, for the cycle.
+    /// Passes the values read to the cycle.
     fn tell(&mut self, link: &Link) {
         let starts = link.starts.get();
         let mut inputs = InputBits { bits: 0, starts, age_s: 0.0 };
@@ -181,7 +181,7 @@ impl ReportReader {
     }
 }
 
-/// The next time on the grid of polls; those that have passed are missed.
+/// Returns the next time on the grid of polls; counts those that have passed as missed.
 fn after(next: Instant, period: Duration, link: &Link) -> Instant {
     let late = next.elapsed().as_nanos() / period.as_nanos().max(1);
     let late = u32::try_from(late).unwrap_or(u32::MAX);

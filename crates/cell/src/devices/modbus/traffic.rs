@@ -3,28 +3,28 @@ use std::cell::RefCell;
 use std::sync::{Arc, Mutex, PoisonError};
 use triple_buffer::{Input, Output, triple_buffer};
 
-/// What went over the line to a device since it was connected.
+/// Traffic with a device since the connection.
 #[derive(Debug, Clone, Default)]
 pub struct Traffic {
-    /// Polls that were answered.
+    /// Answered polls.
     pub polls: u64,
-    /// Polls left out while there was a connection, because the one before took too long.
+    /// Polls skipped in spite of a connection, because the previous one took too long.
     pub missed: u64,
-    /// Polls that were refused or not answered.
+    /// Refused or unanswered polls.
     pub failed: u64,
     /// Connections made.
     pub connections: u32,
     /// Time without a connection, s.
     pub away_s: f64,
-    /// How long a poll took, from its first request to its last answer.
+    /// Duration of a poll, from its first request to its last answer.
     pub round: Latency,
-    /// What went wrong last.
+    /// Last trouble.
     pub trouble: Option<String>,
-    /// At the end: whether the device has taken the safe states of its outputs, or why not.
+    /// At the end: whether the device has accepted the safe states of its outputs, or why not.
     pub safe: Option<Result<(), String>>,
 }
 
-/// A view of the traffic, for whoever is not the cycle. Readers take a lock among themselves; the client never waits for it.
+/// A view of the traffic for threads other than the cycle. Readers lock among themselves; the client never waits.
 #[derive(Debug, Clone)]
 pub struct TrafficView(Arc<Mutex<Output<Traffic>>>);
 
@@ -35,12 +35,12 @@ impl TrafficView {
     }
 }
 
-/// The client's end: it has a real-time priority, so it publishes without a lock.
+/// The client's end: it has real-time priority, so it publishes without a lock.
 #[derive(Debug)]
 pub(super) struct TrafficLog(RefCell<(Traffic, Input<Traffic>)>);
 
 impl TrafficLog {
-    /// Nothing yet, and a view of it.
+    /// Creates an empty log and its view.
     pub(super) fn new() -> (Self, TrafficView) {
         let (input, output) = triple_buffer(&Traffic::default());
         (Self(RefCell::new((Traffic::default(), input))), TrafficView(Arc::new(Mutex::new(output))))
@@ -58,7 +58,7 @@ impl TrafficLog {
 mod tests {
     use super::*;
 
-    /// Somebody reads and is slow at it: the client goes on, and what it noted is seen afterwards.
+    /// A slow reader does not block the client, and sees its records afterwards.
     #[test]
     fn the_client_does_not_wait_for_readers() {
         let (log, view) = TrafficLog::new();

@@ -6,30 +6,30 @@ use tokio::runtime::{Builder, Runtime};
 use tokio_modbus::client::{Client as _, Context, tcp};
 use tokio_modbus::{ExceptionCode, Request, Response, Slave};
 
-/// Longest time to make a connection.
+/// Maximum time to open a connection.
 const CONNECT: Duration = Duration::from_secs(1);
 
-/// Why a request was not answered as it should be.
+/// Reasons for a failed request.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub(super) enum Trouble {
-    /// The device is there and does not want to: the connection goes on.
+    /// The device answers with a refusal; the connection stays open.
     #[error("the device refuses {what} ({code})")]
     Refused {
         /// The device's reason.
         code: ExceptionCode,
-        /// Which registers.
+        /// The affected registers.
         what: String,
     },
-    /// It answers, but does not work: its heart-beat stands still.
+    /// The device answers, but its heart-beat stands still.
     #[error("{0}")]
     Lifeless(String),
-    /// The connection cannot be used any more.
+    /// The connection is lost.
     #[error("{0}")]
     Gone(String),
 }
 
 impl Trouble {
-    /// The same with the names of the registers that it is about.
+    /// Adds the names of the affected registers to a refusal.
     pub(super) fn about(self, device: &ModbusDevice, registers: impl Iterator<Item = usize>) -> Self {
         let Self::Refused { code, what } = self else { return self };
         let names: Vec<&str> = registers.map(|i| device.registers[i].name.as_str()).collect();
@@ -37,7 +37,7 @@ impl Trouble {
     }
 }
 
-/// A connection to a device. Calls wait for the answer, as long as the device's time-out allows.
+/// A connection to a device. Calls wait for the answer up to the device's time-out.
 pub(super) struct Wire {
     context: Context,
     timeout: Duration,
@@ -49,24 +49,24 @@ impl std::fmt::Debug for Wire {
     }
 }
 
-/// What connections of one thread run on.
+/// Creates the asynchronous runtime of one thread's connections.
 pub(super) fn runtime() -> Result<Runtime, Trouble> {
     Builder::new_current_thread().enable_io().enable_time().build().map_err(|e| Trouble::Gone(e.to_string()))
 }
 
 impl Wire {
-    /// Connects.
+    /// Opens a connection.
     pub(super) async fn connect(device: &ModbusDevice) -> Result<Self, Trouble> {
         let gone = |e: std::io::Error| Trouble::Gone(e.to_string());
         let stream = tokio::time::timeout(CONNECT, TcpStream::connect(device.address.as_str())).await;
         let stream = stream.map_err(|_| Trouble::Gone("no connection within 1 s".to_owned()))?.map_err(gone)?;
-        // Requests are small and wait for each other.
+        // Requests are small and sequential: send at once.
         stream.set_nodelay(true).map_err(gone)?;
         let context = tcp::attach_slave(stream, Slave(device.unit));
         Ok(Self { context, timeout: Duration::from_secs_f64(device.timeout_s) })
     }
 
-    /// Reads `count` cells from `at` on into `cells`; a bit is 0 or 1.
+    /// Reads `count` cells starting at `at` into `cells`; a bit is 0 or 1.
     pub(super) async fn read(
         &mut self,
         table: Table,
@@ -95,7 +95,7 @@ impl Wire {
         Err(Trouble::Gone(format!("{} {at}: {count} cells asked for, {} answered", table.name(), cells.len())))
     }
 
-    /// Writes `cells` from `at` on.
+    /// Writes `cells` starting at `at`.
     pub(super) async fn write(&mut self, table: Table, at: u16, cells: &[u16]) -> Result<(), Trouble> {
         let request = match (table.has_bits(), cells) {
             (true, [bit]) => Request::WriteSingleCoil(at, *bit != 0),
@@ -115,7 +115,7 @@ impl Wire {
         let answer = tokio::time::timeout(timeout, self.context.call(request)).await;
         match answer {
             Err(_) => Err(Trouble::Gone(format!("no answer within {} ms", timeout.as_millis()))),
-            // The library has no word for a connection that was closed.
+            // The library has no error of its own for a closed connection.
             Ok(Err(e)) if e.to_string().contains("os error 0") => Err(Trouble::Gone("connection closed".to_owned())),
             Ok(Err(e)) => Err(Trouble::Gone(e.to_string())),
             Ok(Ok(Err(code))) => Err(Trouble::Refused {

@@ -1,8 +1,7 @@
-//! Drives by step and direction pulses: set-points become pulses, and their twin, a stepper for each axis, counts them back.
+//! Drives by step and direction pulses: set-points become pulses; a simulated stepper for each axis counts them back.
 //!
-//! Nobody measures where a stepper is. So the positions reported are those of the twin, as of an encoder that steppers in the
-//! field have not: a motor described by its torque curve loses steps where more is asked of it than it has, one that is not
-//! described counts every pulse.
+//! Steppers have no encoder, so the reported positions are those of the simulated steppers. A motor with a torque curve
+//! loses steps when overloaded; a motor without one counts every pulse.
 
 mod rotor;
 
@@ -15,24 +14,24 @@ use rtrb::{Consumer, Producer, RingBuffer};
 use seamwright_machine::{Axis, Joints, Machine, Stepper, Steps};
 use seamwright_motion::pulses::{Edge, Event, Lines, Timing};
 
-/// What the pulses of an axis mean.
+/// Pulse state of an axis.
 #[derive(Debug, Clone)]
 struct Stepped {
     steps_per_unit: f64,
-    /// What the pulses count where the axis is at zero, steps: more than none once steps were lost.
+    /// Pulse count at axis zero, steps: nonzero after lost steps.
     zero: f64,
-    /// Longest way of a period, steps.
+    /// Maximum travel of a period, steps.
     most: f64,
-    /// Longest way of a period in which the direction changes, steps.
+    /// Maximum travel of a period with a change of direction, steps.
     most_turning: f64,
     rotor: Rotor,
 }
 
 /// The drives of a machine, by step and direction pulses.
 ///
-/// Guarantees, tested over random motion within the axes' limits: after every cycle the pulses count the set-point rounded to
-/// whole steps, and no two edges are closer than the driver allows. Set-points beyond the limits are followed as fast as pulses
-/// can be made.
+/// Guarantees, tested over random motion within the axes' limits: after every cycle the pulses count the set-point
+/// rounded to whole steps. No two edges are closer than the driver allows. Set-points beyond the limits are followed at
+/// the maximum pulse rate.
 #[derive(Debug)]
 pub struct StepDrives {
     axes: Vec<Stepped>,
@@ -48,10 +47,10 @@ pub struct StepDrives {
 }
 
 impl StepDrives {
-    /// Without power at the machine's home positions to the nearest step, references unknown.
+    /// Places the axes without power at the machine's home positions, to the nearest step, references unknown.
     ///
     /// # Errors
-    /// Values in the machine file that make no motor.
+    /// Invalid motor values in the machine file.
     pub fn new(machine: &Machine, device: &Steps) -> Result<Self, Error> {
         let bad = |axis: &Axis, reason: String| Error::Drive { axis: axis.name.clone(), reason };
         let (mut axes, mut lines) = (Vec::new(), Vec::new());
@@ -78,20 +77,20 @@ impl StepDrives {
         })
     }
 
-    /// Every change of a line from now on, in the order of time; ticks begin with the first cycle. If nobody takes them while
-    /// there is no room for `room` of them all drives have a fault and stand still: what is played from the stream would lose steps.
+    /// Returns a stream of all later line changes in time order; ticks start with the first cycle. If a change does not
+    /// fit in `room` unread ones, all drives report a fault and stop: playback would lose steps.
     pub fn tap(&mut self, room: usize) -> Consumer<Event> {
         let (to, edges) = RingBuffer::new(room);
         self.tap = Some(to);
         edges
     }
 
-    /// Pulses for a mm or rad of each axis.
+    /// Pulses per mm or rad of each axis.
     pub fn steps_per_unit(&self) -> impl Iterator<Item = f64> {
         self.axes.iter().map(|axis| axis.steps_per_unit)
     }
 
-    /// Makes the pulses of a period, and has the rotors hear them.
+    /// Generates the pulses of a period and passes them to the rotors.
     fn play(&mut self, set: Option<&Joints>) {
         let Self { axes, lines, tap, torn, tick_s, .. } = self;
         let mut to = Joints::default();
@@ -116,7 +115,7 @@ impl StepDrives {
     }
 }
 
-/// An axis at `home`.
+/// Creates the pulse state of an axis at `home`.
 fn stepped(axis: &Axis, stepper: &Stepper, timing: &Timing, home: f64) -> Result<Stepped, Error> {
     let bad = |reason: String| Error::Drive { axis: axis.name.clone(), reason };
     let microsteps = stepper
@@ -137,11 +136,10 @@ fn stepped(axis: &Axis, stepper: &Stepper, timing: &Timing, home: f64) -> Result
 }
 
 impl Stepped {
-    /// Where the pulses are to be at the end of a period, steps: at `set`, or as far on the way there from `at` as pulses can be
-    /// made.
+    /// Pulse target at the end of a period, steps: `set`, limited to the travel that pulses allow from `at`.
     fn target(&self, set: f64, at: f64, positive: Option<bool>) -> f64 {
         let way = set * self.steps_per_unit + self.zero - at;
-        // The direction line is set for the first pulse of all, too.
+        // The first pulse of all also needs a direction change.
         let turns = positive.is_none_or(|positive| positive != (way > 0.0));
         let most = if turns { self.most_turning } else { self.most };
         if way.is_finite() { at + way.clamp(-most, most) } else { at }
@@ -152,7 +150,7 @@ impl Drives for StepDrives {
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
         let (powered, follows) = self.standing.step(orders);
         if follows && !self.holds {
-            // Steps that were lost are no way to go: the axes are where they are.
+            // Shift zero by the lost steps, so that the axes do not jump after power-on.
             self.axes.iter_mut().for_each(|axis| axis.zero = axis.rotor.lost());
         }
         self.holds = follows;
@@ -180,7 +178,7 @@ impl Drives for StepDrives {
         report.starts = report.starts.max(1);
     }
 
-    /// The time of the pulses stands still while nobody asks.
+    /// The time of the pulses stands still between exchanges.
     fn rides_out(&self) -> Slack {
         Slack::standing(self.period_s)
     }
@@ -195,11 +193,11 @@ impl Drives for StepDrives {
 }
 
 impl Drop for StepDrives {
-    /// No step line stays high.
+    /// Ends every step pulse, so that no step line stays high.
     fn drop(&mut self) {
         let Some(tap) = &mut self.tap else { return };
         while let Some(event) = self.lines.last_event() {
-            // Whoever has gone needs none.
+            // The reader may have gone.
             let _ = tap.push(event);
         }
     }

@@ -2,24 +2,24 @@ use seamwright_machine::{Axis, AxisKind, Load, Stepper};
 use seamwright_servo::{StepperMotor, StepperParameters};
 use std::f64::consts::TAU;
 
-/// What the pulses of an axis move: where they brought it, mm or rad.
+/// Rotor of an axis, driven by its pulses; positions in mm or rad.
 #[derive(Debug, Clone)]
 pub(super) struct Rotor {
     per_step: f64,
     microsteps: f64,
-    /// Way of the axis for a rad of the shaft, mm or rad.
+    /// Travel of the axis per rad of the shaft, mm or rad.
     per_rad: f64,
     positive: bool,
-    /// Pulses less those in the other direction, with those before the start.
+    /// Signed pulse count, including the count at the start.
     count: f64,
-    /// The motor, its angle 0 at so many pulses; none if the file does not describe it.
+    /// Pulse count at angle 0, and the motor; `None` if the file does not describe it.
     motor: Option<(f64, StepperMotor)>,
-    /// Time up to which the motor was played, s.
+    /// Time up to which the motor was simulated, s.
     at_s: f64,
 }
 
 impl Rotor {
-    /// At rest at so many steps.
+    /// Creates a rotor at rest at `start` steps.
     pub(super) fn new(
         axis: &Axis,
         stepper: &Stepper,
@@ -28,7 +28,7 @@ impl Rotor {
     ) -> Result<Self, seamwright_servo::Error> {
         let motor = match (&stepper.motor, axis.drive.as_ref().map(|d| d.load)) {
             (Some(motor), Some(Load { inertia, coulomb, viscous, .. })) => {
-                // Way of the axis for a rad of the shaft, m or rad.
+                // Travel of the axis per rad of the shaft, m or rad.
                 let unit = if axis.kind == AxisKind::Linear { 1e-3 } else { 1.0 };
                 let lever = stepper.per_turn * unit / TAU;
                 let parameters = StepperParameters {
@@ -66,7 +66,7 @@ impl Rotor {
         }
     }
 
-    /// Lets the motor be pulled by its field until then, s.
+    /// Simulates the motor up to `until_s`, s.
     pub(super) fn advance(&mut self, until_s: f64) {
         if let Some((_, motor)) = &mut self.motor {
             motor.advance(until_s - self.at_s, 0.0);
@@ -74,12 +74,12 @@ impl Rotor {
         self.at_s = until_s;
     }
 
-    /// Stands until then, s: held by a brake.
+    /// Keeps the rotor at rest up to `until_s`, s: the brake holds it.
     pub(super) fn rest(&mut self, until_s: f64) {
         self.at_s = until_s;
     }
 
-    /// mm or rad.
+    /// Position, mm or rad.
     pub(super) fn position(&self) -> f64 {
         match &self.motor {
             Some((start, motor)) => start * self.per_step + motor.angle() * self.per_rad,
@@ -87,7 +87,7 @@ impl Rotor {
         }
     }
 
-    /// Steps by which the rotor is behind the pulses for good.
+    /// Steps that the rotor has lost.
     pub(super) fn lost(&self) -> f64 {
         self.motor.as_ref().map_or(0.0, |(_, motor)| motor.lost_full_steps() as f64 * self.microsteps)
     }

@@ -3,14 +3,14 @@ use glam::DVec2;
 use seamwright_vision::Image;
 use std::f64::consts::{LN_2, TAU};
 
-/// What is wrong with a frame as a whole. Grey values are of 255.
+/// Disturbances of a whole frame. Grey values are of 255.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Disturbances {
     /// Standard deviation of a pixel's noise.
     pub noise: f64,
-    /// Brightness from the left rim to the right and from the upper to the lower: plus and minus these.
+    /// Change of brightness from the left rim to the right, and from the upper to the lower: plus and minus these.
     pub ramp: [f64; 2],
-    /// How much darker corners are.
+    /// Loss of brightness in the corners.
     pub vignette: f64,
     /// Standard deviation of grinding texture, and the direction it runs in, rad.
     pub texture: (f64, f64),
@@ -18,13 +18,13 @@ pub struct Disturbances {
     pub jitter: f64,
     /// Standard deviation of the brightness of scan lines (charging).
     pub charging: f64,
-    /// Part of pixels that are black or white.
+    /// Share of pixels that are black or white.
     pub salt: f64,
     /// Radius of defocus, pixels (of a box, twice).
     pub defocus: usize,
 }
 
-/// A frame being painted: metal, with what is darker or brighter on it.
+/// A frame being painted: metal with darker or brighter objects on it.
 #[derive(Debug, Clone)]
 pub struct Canvas {
     width: usize,
@@ -34,26 +34,27 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// Metal of brightness `grey` (0 to 255).
+    /// Creates metal of brightness `grey` (0 to 255).
     #[must_use]
     pub fn new(width: usize, height: usize, grey: f64) -> Self {
         Self { width, height, light: vec![grey as f32; width * height] }
     }
 
-    /// Darkens along a polyline by `depth`, a bell across it of full width `width` at half depth, pixels. `part` tells how
-    /// much of the depth is there at each length along it, 0 to 1. It ends square, half a pixel soft.
+    /// Darkens along a polyline by `depth`, with a bell across it of full width `width` at half depth, pixels. `part`
+    /// gives the share of the depth at each length along it, 0 to 1. The ends are square, half a pixel soft.
     pub fn line(&mut self, points: &[DVec2], width: f64, depth: f64, part: impl Fn(f64) -> f64) {
         let dark = self.bell(points, width, part);
         self.light.iter_mut().zip(dark).for_each(|(l, d)| *l -= depth as f32 * d);
     }
 
-    /// A gap along a polyline, painted like [`Self::line`]: as dark as `grey` in its middle whatever light there is beside it.
+    /// Paints a gap along a polyline like [`Self::line`]: as dark as `grey` in its middle, independent of the light
+    /// beside it.
     pub fn gap(&mut self, points: &[DVec2], width: f64, grey: f64) {
         let dark = self.bell(points, width, |_| 1.0);
         self.light.iter_mut().zip(dark).for_each(|(l, d)| *l += (grey as f32 - *l) * d);
     }
 
-    /// Darkens one side of the line through a place with this normal by `depth`, a pixel soft.
+    /// Darkens one side of the line through `place` with this normal by `depth`, a pixel soft.
     pub fn step(&mut self, depth: f64, place: DVec2, normal: DVec2) {
         for (i, light) in self.light.iter_mut().enumerate() {
             let at = DVec2::new((i % self.width) as f64, (i / self.width) as f64);
@@ -61,9 +62,9 @@ impl Canvas {
         }
     }
 
-    /// How much of a line's depth is at each pixel.
+    /// Returns the share of a line's depth at each pixel.
     fn bell(&self, points: &[DVec2], width: f64, part: impl Fn(f64) -> f64) -> Vec<f32> {
-        // The darkest of all pieces counts at a pixel: pieces overlap.
+        // Pieces overlap: the darkest counts at a pixel.
         let mut dark = vec![0.0f32; self.light.len()];
         let mut s = 0.0;
         let reach = 1.4 * width + 1.0;
@@ -96,7 +97,7 @@ impl Canvas {
         dark
     }
 
-    /// Takes away what is painted beyond an end and no farther from it than `reach`.
+    /// Removes the paint beyond an end within `reach` of it.
     fn cut(&self, dark: &mut [f32], end: DVec2, out: DVec2, reach: f64) {
         for (i, dark) in dark.iter_mut().enumerate() {
             let off = DVec2::new((i % self.width) as f64, (i / self.width) as f64) - end;
@@ -106,7 +107,7 @@ impl Canvas {
         }
     }
 
-    /// A weld of radius `radius` over what is there: bright with ripples.
+    /// Paints a weld of radius `radius` on top: bright with ripples.
     pub fn tack(&mut self, at: DVec2, radius: f64, grey: f64, random: &mut Random) {
         let phase = random.within(0.0, TAU);
         for y in 0..self.height {
@@ -121,14 +122,15 @@ impl Canvas {
         }
     }
 
-    /// The frame with its disturbances, 8 bits. It is exposed so that it is nowhere black within `reach` of the places `seen`.
+    /// Returns the frame with its disturbances, 8 bits. The exposure leaves no black within `reach` of the points
+    /// `seen`.
     #[must_use]
     pub fn finish(mut self, d: &Disturbances, (seen, reach): (&[DVec2], f64), random: &mut Random) -> Image {
         self.light_up(d, (seen, reach), random);
         self.take(d, random)
     }
 
-    /// The light that the frame is taken of.
+    /// Prepares the light from which the frame is taken.
     pub(super) fn light_up(&mut self, d: &Disturbances, (seen, reach): (&[DVec2], f64), random: &mut Random) {
         self.shade(d);
         self.expose(seen, reach, 3.0 * d.noise);
@@ -140,8 +142,8 @@ impl Canvas {
         }
     }
 
-    /// How much darker a place is than the lightest within `reach` of it along `normal`, on the side where that is less, but for
-    /// ramps and vignette, as a frame shows it that is white above 255.
+    /// Returns the depth of a point below the lightest one within `reach` along `normal`, on the side where that is
+    /// smaller. Ramps and vignette are excluded; values above 255 count as white.
     pub(super) fn depth(&self, d: &Disturbances, (at, normal): (DVec2, DVec2), reach: f64) -> f64 {
         let most = DVec2::new(self.width as f64 - 1.0, self.height as f64 - 1.0);
         let light = |off: f64| {
@@ -183,13 +185,13 @@ impl Canvas {
         }
     }
 
-    /// How much lighter ramps and vignette make a place.
+    /// Returns the brightness that ramps and vignette add at a point.
     fn shading(&self, d: &Disturbances, at: DVec2) -> f64 {
         let (u, v) = (2.0 * at.x / self.width as f64 - 1.0, 2.0 * at.y / self.height as f64 - 1.0);
         d.ramp[0] * u + d.ramp[1] * v - d.vignette * 0.5 * (u * u + v * v)
     }
 
-    /// Brightens all where something near the places is darker than `least`.
+    /// Brightens the whole frame if a point near `places` is darker than `least`.
     fn expose(&mut self, places: &[DVec2], reach: f64, least: f64) {
         let offsets = [DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y].map(|o| reach * o);
         let near = places.iter().flat_map(|p| offsets.map(|o| *p + o));
@@ -200,7 +202,7 @@ impl Canvas {
         self.light.iter_mut().for_each(|l| *l += lack);
     }
 
-    /// Faint long marks: noise drawn out along a direction.
+    /// Paints faint long marks: noise smeared along a direction.
     fn grind(&mut self, (deviation, direction): (f64, f64), random: &mut Random) {
         const LENGTH: isize = 24;
         let size = self.light.len();

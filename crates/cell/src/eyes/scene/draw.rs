@@ -4,7 +4,7 @@ use seamwright_vision::Image;
 use seamwright_vision::joint::Start;
 use std::f64::consts::{PI, TAU};
 
-/// What a scene shows.
+/// Content of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A bent joint from rim to rim with a tack, all disturbances, contrast to noise at least 2.
@@ -13,7 +13,7 @@ pub enum Kind {
     Faint,
     /// Parallel scratches 5 to 30 pixels beside the joint and some across.
     Scratches,
-    /// One side much darker than the other: a shadow's edge along the joint, which is darker than either side.
+    /// One side much darker than the other: the edge of a shadow along the joint, which is darker than either side.
     Step,
     /// A second joint branches off.
     Branch,
@@ -29,12 +29,12 @@ pub enum Kind {
     Blank,
     /// No joint but scratches.
     OnlyScratches,
-    /// The same as a step, but on the joint too: where the light ends on it, the joint is not darker than both sides.
+    /// As a step, but the shadow also covers the joint. At its edge the joint is not darker than both sides.
     Shadow,
 }
 
 impl Kind {
-    /// All of them, the ones without a joint last.
+    /// All kinds, those without a joint last.
     pub const ALL: [Self; 12] = [
         Self::Clear,
         Self::Faint,
@@ -50,7 +50,7 @@ impl Kind {
         Self::OnlyScratches,
     ];
 
-    /// Its name in tables and file names.
+    /// Returns its name in tables and file names.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -70,44 +70,44 @@ impl Kind {
     }
 }
 
-/// What is hidden in a scene.
+/// Hidden truth of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Truth {
     /// The midline, pixels, half a pixel apart; empty if there is no joint.
     pub midline: Vec<DVec2>,
-    /// Whether the frame shows the joint at each of its places: as deep as twice the noise, or half as deep as the joint is in all if
-    /// that is less. It does not under a tack, and not where an edge of light out of focus lies on it.
+    /// Visibility of each point of the midline. A visible point is as deep as twice the noise, or half as deep as the
+    /// whole joint if that is less. Tacks and out-of-focus edges of light hide the joint.
     pub shown: Vec<bool>,
     /// Full width at half depth, pixels, before defocus.
     pub width: f64,
     /// Contrast to noise, both of the frame: after defocus.
     pub cnr: f64,
-    /// Middles and radii of tacks.
+    /// Centres and radii of tacks.
     pub tacks: Vec<(DVec2, f64)>,
-    /// Where the joint ends, if it does.
+    /// End of the joint, if it ends.
     pub end: Option<DVec2>,
-    /// It comes back to its start.
+    /// The joint returns to its start.
     pub closed: bool,
 }
 
-/// A frame, where to begin, and what is hidden in it.
+/// A frame, a start, and the hidden truth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     /// The frame.
     pub image: Image,
-    /// Near the joint's start, off by up to 1.5 pixels and 6 degrees.
+    /// Start of the search near the joint's start, off by up to 1.5 pixels and 6 degrees.
     pub start: Start,
-    /// What is hidden.
+    /// Hidden truth.
     pub truth: Truth,
 }
 
-/// A place that is so many times the noise deep shows the joint.
+/// Minimum depth of a visible joint, as a multiple of the noise.
 const SHOWN: f64 = 2.0;
 
-/// Distance of the midline's points.
+/// Distance of the midline's points, pixels.
 const SPACING: f64 = 0.5;
 
-/// The scene of a kind and seed, `size` pixels wide and high.
+/// Creates the scene of a kind and seed, `size` pixels wide and high.
 #[must_use]
 pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
     let mut random = Random::new(seed.wrapping_mul(16).wrapping_add(kind as u64));
@@ -115,7 +115,7 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
     let side = size as f64;
     let contrast = if kind == Kind::Faint { r.within(8.0, 40.0) } else { r.within(12.0, 60.0) };
     let cnr = if kind == Kind::Faint { r.within(1.0, 2.0) } else { r.within(2.0, 8.0) };
-    // Even in the logarithm: most joints are narrow.
+    // Uniform in the logarithm: most joints are narrow.
     let width = 2.0 * 20f64.powf(r.within(0.0, 1.0) * if matches!(kind, Kind::UTurn | Kind::Loop) { 0.6 } else { 1.0 });
     let mut midline = midline(kind, side, width, r);
     let metal = r.within(110.0, 170.0);
@@ -168,7 +168,7 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
     Scene { image: canvas.take(&disturbances, r), start, truth }
 }
 
-/// Which places of the midline a frame of this light shows.
+/// Returns the visibility of each point of the midline in a frame of this light.
 fn shown(canvas: &Canvas, d: &Disturbances, truth: &Truth) -> Vec<bool> {
     let noise = d.noise.hypot(d.texture.0).hypot(d.charging);
     let least = (0.5 * truth.cnr).min(SHOWN) * noise;
@@ -184,7 +184,7 @@ fn heading(midline: &[DVec2], i: usize) -> f64 {
     (midline[to] - midline[to.saturating_sub(12)]).to_angle()
 }
 
-/// How much darker the metal is beyond a line through a place with a normal; the line runs along the joint's middle.
+/// Step of brightness: depth, and position and normal of its line, which runs along the joint's middle.
 fn edge_of_light(kind: Kind, midline: &[DVec2], r: &mut Random) -> Option<(f64, DVec2, DVec2)> {
     if !matches!(kind, Kind::Step | Kind::Shadow) {
         return None;
@@ -238,11 +238,11 @@ fn midline(kind: Kind, side: f64, width: f64, r: &mut Random) -> Vec<DVec2> {
     points.skip_while(|p| !inside(p, inset)).take_while(|p| inside(p, -1.5 * width)).collect()
 }
 
-/// `noise` by which a joint of `width` has the asked contrast to noise where it is in focus.
+/// Creates disturbances. A joint of `width` in focus has the required contrast to noise with `noise`.
 fn disturb(noise: f64, width: f64, direction: f64, r: &mut Random) -> Disturbances {
     let mut some = |part: f64, most: f64| if r.chance(part) { r.within(0.0, most) } else { 0.0 };
     let (ramp, vignette) = ([some(0.5, 90.0), some(0.5, 40.0)], some(0.5, 50.0));
-    // The noise is shared out: its deviations add in squares.
+    // The noise is shared out: the squares of its deviations add up.
     let texture = some(0.4, 0.6);
     let charging = some(0.3, 0.3);
     let jitter = some(0.3, 0.4);
@@ -263,7 +263,7 @@ fn disturb(noise: f64, width: f64, direction: f64, r: &mut Random) -> Disturbanc
     }
 }
 
-/// The part of a line's contrast that is left by defocus: its bell and two boxes add their variances.
+/// Share of a line's contrast left by defocus: its bell and two boxes add their variances.
 fn contrast_left(width: f64, defocus: usize) -> f64 {
     let (line, side) = ((width / 2.355).powi(2), (2 * defocus + 1) as f64);
     let boxes = 2.0 * (side * side - 1.0) / 12.0;
@@ -281,7 +281,7 @@ fn other_joint(kind: Kind, midline: &[DVec2], width: f64, contrast: f64, canvas:
     }
 }
 
-/// Thin ones beside the joint, shorter and fainter than it, and some across.
+/// Paints thin scratches beside the joint, shorter and fainter than it, and some across.
 fn scratches(midline: &[DVec2], contrast: f64, canvas: &mut Canvas, r: &mut Random) {
     for _ in 0..8 {
         let i = r.within(0.0, midline.len() as f64 - 1.0) as usize;
@@ -321,7 +321,7 @@ mod tests {
 
     #[test]
     fn a_tack_hides_the_joint_and_a_ramp_does_not() {
-        // Under a tack and beside it: places, and how many are shown.
+        // Numbers of points and of visible points, under a tack and beside it.
         let (mut under, mut beside) = ([0, 0], [0, 0]);
         for seed in 0..40 {
             let Scene { truth, .. } = scene(Kind::Clear, seed, 512);
@@ -337,7 +337,7 @@ mod tests {
         }
         // A tack's ripples may look like a joint here and there.
         assert!(10 * under[1] < under[0] && 100 * (beside[0] - beside[1]) < beside[0], "{under:?} {beside:?}");
-        // A wide, shallow joint on a ramp that alone hides its darker side.
+        // A wide, shallow joint on a ramp that would hide its darker side.
         let Scene { truth, .. } = scene(Kind::Clear, 895, 512);
         let shown = truth.shown.iter().filter(|shown| **shown).count();
         assert!(10 * shown > 9 * truth.shown.len(), "{shown} of {}", truth.shown.len());

@@ -1,4 +1,4 @@
-//! Frames of joints whose midline is known. [`Canvas`] paints, [`Kind`] chooses what.
+//! Frames of joints whose midline is known. [`Canvas`] paints, [`Kind`] selects the content.
 
 mod canvas;
 mod draw;

@@ -1,13 +1,13 @@
-/// What makes images of stripes hard. All of it seeded.
+/// Disturbances of stripe images, all seeded.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StripeDisturbances {
-    /// Peak of the stripe, grey values; what is over 255 is cut off.
+    /// Peak of the stripe, grey values; clipped at 255.
     pub peak: f64,
-    /// Half-width of the stripe as a standard deviation, pixels, and how much it changes along the stripe, part.
+    /// Half-width of the stripe as a standard deviation, pixels, and its relative change along the stripe.
     pub width_px: f64,
     /// See `width_px`.
     pub width_change: f64,
-    /// Speckle: part that grey values of the stripe vary by from pixel to pixel; from column to column it is twice that.
+    /// Speckle: relative variation of the stripe's grey values from pixel to pixel; twice that from column to column.
     pub speckle: f64,
     /// Noise of every pixel, grey values.
     pub noise: f64,
@@ -21,9 +21,9 @@ pub struct StripeDisturbances {
     pub ghost_peak: f64,
     /// Spots and streaks of spatter.
     pub spatter: usize,
-    /// Part of the columns in which the stripe is missing.
+    /// Share of the columns in which the stripe is missing.
     pub missing: f64,
-    /// Part of the columns in which it is seen elsewhere.
+    /// Share of the columns in which it appears elsewhere.
     pub outliers: f64,
 }
 
@@ -47,10 +47,10 @@ impl StripeDisturbances {
     /// A stripe on ground steel: speckle, ambient light.
     pub const USUAL: Self = Self { width_change: 0.3, speckle: 0.2, noise: 4.0, ambient: 20.0, ..Self::CLEAN };
 
-    /// Beside a burning arc on bright steel: glow, saturated places, reflections, spatter.
+    /// Beside a burning arc on bright steel: glow, saturated spots, reflections, spatter.
     pub const ROUGH: Self =
         Self { peak: 420.0, glow: 90.0, ghosts: 3, ghost_peak: 0.7, spatter: 25, width_px: 2.6, ..Self::USUAL };
 
-    /// The usual with 10 % outliers and 20 % of the columns missing.
+    /// The usual disturbances with 10 % outliers and 20 % of the columns missing.
     pub const HOLED: Self = Self { missing: 0.2, outliers: 0.1, ..Self::USUAL };
 }

@@ -1,4 +1,4 @@
-//! What reading stripes must hold, measured on simulated ones whose truth is known.
+//! Acceptance tests of stripe reading, measured on simulated stripes whose truth is known.
 
 use super::{Placement, Section, StripeDisturbances, StripeImage, StripeScene};
 use crate::eyes::random::Random;
@@ -9,14 +9,14 @@ use seamwright_vision::stripe::{Features, JointKind, NoFeatures, Quantity, Strip
 use std::ops::Range;
 use std::time::Instant;
 
-/// Pixels of the scenes, and their scale.
+/// Size of the scenes in pixels, and their scale.
 const SIZE_PX: [usize; 2] = [1024, 512];
 const MM_PER_PX: f64 = 0.05;
 
-/// A joint point that is farther off is wrong, mm.
+/// A joint point farther off than this is wrong, mm.
 const WRONG_MM: f64 = 0.5;
 
-/// The scene of case `seed`: a random section at a random place, every other one mirrored.
+/// Creates the scene of case `seed`: a random section in a random pose, every other one mirrored.
 pub fn stripe_scene(section: Section, seed: u64) -> StripeScene {
     let random = &mut Random::new(seed ^ 0x91ac_e000);
     let at = DVec2::new(random.within(-4.0, 4.0), random.within(-4.0, 0.0));
@@ -24,7 +24,7 @@ pub fn stripe_scene(section: Section, seed: u64) -> StripeScene {
     StripeScene::new(section, placement, SIZE_PX, MM_PER_PX)
 }
 
-/// What is asked of a section: its upper sheet's thickness is known.
+/// Returns the task for a section; the thickness of its upper sheet is known.
 pub fn stripe_task(kind: JointKind, section: &Section) -> StripeTask {
     let task = StripeTask::in_mm(kind);
     if let Section::Lap { thickness, .. } = section { task.with_thickness(*thickness) } else { task }
@@ -78,7 +78,7 @@ impl StripeErrors {
         errors
     }
 
-    /// Rows where the stripe is straight for 8 columns to both sides.
+    /// Adds rows where the stripe is straight for 8 columns to both sides.
     fn centres(&mut self, reader: &StripeReader, lit: &[Option<f64>], rows: &[Option<f64>]) {
         for p in reader.chain() {
             let c = p.at.x as usize;
@@ -91,38 +91,38 @@ impl StripeErrors {
         }
     }
 
-    /// Cases with a confident joint point that is wrong.
+    /// Returns the number of cases with a wrong confident joint point.
     pub fn wrong(&self) -> usize {
         self.joint.iter().filter(|e| **e > WRONG_MM).count()
     }
 
-    /// Part of the cases without a confident result.
+    /// Returns the share of cases without a confident result.
     pub fn silent(&self) -> f64 {
         1.0 - self.joint.len() as f64 / self.cases as f64
     }
 }
 
-/// Root of the mean square; not a number of nothing.
+/// Root of the mean square; NaN for an empty slice.
 fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt()
 }
 
-/// The value below which 95 % lie.
+/// Returns the 95th percentile.
 fn most(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     sorted.get((sorted.len() * 95 / 100).min(sorted.len().saturating_sub(1))).copied().unwrap_or(f64::NAN)
 }
 
-/// Disturbances of cases in which nothing may be found, in turns.
+/// Disturbances of the cases, in turns.
 const LEVELS: [StripeDisturbances; 3] =
     [StripeDisturbances::USUAL, StripeDisturbances::HOLED, StripeDisturbances::ROUGH];
 
-/// How often [`stripe_gates`] calls `done` for every seed.
+/// Number of calls of `done` in [`stripe_gates`] for every seed.
 pub const STEPS_A_SEED: u64 = (LEVELS.len() * JointKind::ALL.len()) as u64 + 1;
 
-/// All gates on the scenes of these seeds of each kind; calls `done` [`STEPS_A_SEED`] times for each seed. Times are those
-/// of this build on this machine.
+/// Runs all acceptance tests on the scenes of these seeds of each kind; calls `done` [`STEPS_A_SEED`] times for each
+/// seed. Times are those of this build on this machine.
 pub fn stripe_gates(seeds: Range<u64>, mut done: impl FnMut()) -> Table {
     let mut rows = Vec::new();
     let mut centres = Vec::new();
@@ -151,8 +151,8 @@ pub fn stripe_gates(seeds: Range<u64>, mut done: impl FnMut()) -> Table {
     Table { title: "The joint in a laser stripe".to_owned(), rows }
 }
 
-/// Confident results on blank frames, plates, outside corners, and joints of other kinds: the case, what was there and
-/// what was found. Calls `done` after each seed.
+/// Returns confident results on blank frames, plates, outside corners, and joints of other kinds: the case, the true
+/// section, and the result. Calls `done` after each seed.
 pub fn confident_nowhere(seeds: Range<u64>, mut done: impl FnMut()) -> Vec<(u64, Section, Features)> {
     let mut reader = StripeReader::new();
     let mut confident = Vec::new();
@@ -167,7 +167,7 @@ pub fn confident_nowhere(seeds: Range<u64>, mut done: impl FnMut()) -> Vec<(u64,
             let image = scene.image(&how, seed);
             for kind in JointKind::ALL.into_iter().filter(|k| Some(*k) != is) {
                 let mut task = scene.clone();
-                // Nothing is known of a sheet that is not there.
+                // The sheet's thickness is unknown for other joints.
                 task.section = Section::Plate;
                 let found = read(&mut reader, &task, &image, kind).ok().filter(Features::is_confident);
                 confident.extend(found.map(|f| (seed, section, f)));
@@ -184,7 +184,7 @@ pub fn confident_nowhere(seeds: Range<u64>, mut done: impl FnMut()) -> Vec<(u64,
     confident
 }
 
-/// Median time of reading a V groove in an image of that size, ms.
+/// Median time to read a V groove in an image of that size, ms.
 fn time_ms(size_px: [usize; 2]) -> f64 {
     let section = Section::V { bevels: [0.5; 2], depth: 0.012 * size_px[1] as f64, gap: 1.5, mismatch: 0.2 };
     let placement = Placement { at: DVec2::new(1.0, -0.006 * size_px[1] as f64), ..Placement::default() };

@@ -1,5 +1,5 @@
-//! Stripe sensors, simulated: what the camera sees of a laser stripe across a joint whose cross-section is known, with
-//! everything that makes such images hard. The truth comes from the cross-section alone.
+//! Simulated stripe sensors: the camera image of a laser stripe across a joint of known cross-section, with
+//! disturbances. The truth comes from the cross-section alone.
 
 mod disturbance;
 mod gates;
@@ -16,41 +16,42 @@ use paint::Painter;
 use seamwright_geometry::Homography;
 use seamwright_vision::Image;
 
-/// A simulated stripe sensor and what is before it.
+/// A simulated stripe sensor and the section before it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StripeScene {
     /// The true cross-section.
     pub section: Section,
-    /// Where it is.
+    /// Pose of the section.
     pub placement: Placement,
     /// Columns and rows of the image.
     pub size_px: [usize; 2],
-    /// From (column, row) to (y, z), mm.
+    /// Map from (column, row) to (y, z), mm.
     pub to_mm: Homography,
     /// Height of the laser over the sensor's origin, mm.
     pub laser_height: f64,
 }
 
-/// What the sensor sees.
+/// Image of the sensor with its truth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StripeImage {
     /// The image.
     pub image: Image,
-    /// True row of the stripe's centre in every column in which it is drawn where it belongs.
+    /// True row of the stripe's centre per column; `None` where the stripe is missing or drawn elsewhere.
     pub rows: Vec<Option<f64>>,
-    /// What is true of the joint.
+    /// Truth of the joint.
     pub truth: Truth,
 }
 
 impl StripeScene {
-    /// A section before a sensor of `size_px` whose pixels are all `mm_per_px` wide and high, the laser 150 mm above.
+    /// Creates a section before a sensor of `size_px` whose pixels are all `mm_per_px` wide and high, the laser 150
+    /// mm above.
     pub fn new(section: Section, placement: Placement, size_px: [usize; 2], mm_per_px: f64) -> Self {
         let [x, y] = size_px.map(|n| mm_per_px * (n as f64 - 1.0) / 2.0);
         let to_mm = Homography::from_eight([mm_per_px, 0.0, -x, 0.0, -mm_per_px, y, 0.0, 0.0]);
         Self { section, placement, size_px, to_mm: to_mm.unwrap_or(Homography::IDENTITY), laser_height: 150.0 }
     }
 
-    /// The image under `disturbances`.
+    /// Returns the image under `disturbances`.
     pub fn image(&self, disturbances: &StripeDisturbances, seed: u64) -> StripeImage {
         let truth = self.section.truth(&self.placement);
         let mut painter = Painter::new(self, disturbances, Random::new(seed));
@@ -58,8 +59,8 @@ impl StripeScene {
         StripeImage { image: painter.finish(), rows, truth }
     }
 
-    /// The profile in mm as a sensor gives it that finds the stripe itself: with noise (mm, standard deviation), a part of
-    /// the columns as outliers and a part missing (not a number).
+    /// Returns the profile in mm, as from a sensor that finds the stripe itself: with noise (mm, standard deviation),
+    /// a share of the columns as outliers and a share missing (NaN).
     pub fn profile(&self, noise: f64, outliers: f64, missing: f64, seed: u64) -> Vec<DVec2> {
         let random = &mut Random::new(seed);
         let lit = self.lit_rows();
@@ -75,12 +76,12 @@ impl StripeScene {
         lit.iter().enumerate().map(&mut place).collect()
     }
 
-    /// The row in which the stripe lies in each column: the highest place there that the laser reaches.
+    /// Returns the row of the stripe in each column: the highest point there that the laser reaches.
     pub fn lit_rows(&self) -> Vec<Option<f64>> {
         self.lit_at(1)
     }
 
-    /// The same at `parts` places of every column, from left to right.
+    /// Returns the same at `parts` positions of every column, from left to right.
     fn lit_at(&self, parts: usize) -> Vec<Option<f64>> {
         let to_px = self.to_mm.inverse();
         let surfaces = self.section.surfaces(&self.placement);
@@ -105,11 +106,11 @@ impl StripeScene {
     }
 }
 
-/// Whether the edge is in the way from the laser to `p`.
+/// Returns true if the edge blocks the laser on its way to `p`.
 fn blocks(edge: &[DVec2; 2], p: DVec2, laser: DVec2) -> bool {
     let (d, e) = (laser - p, edge[1] - edge[0]);
     let cross = d.perp_dot(e);
     let (t, u) = ((edge[0] - p).perp_dot(e) / cross, (edge[0] - p).perp_dot(d) / cross);
-    // Not the edge that p itself is on.
+    // Excludes the edge on which `p` lies.
     t > 1e-6 && t < 1.0 && (0.0..=1.0).contains(&u)
 }

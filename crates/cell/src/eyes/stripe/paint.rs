@@ -3,13 +3,14 @@ use crate::eyes::random::Random;
 use glam::DVec2;
 use seamwright_vision::Image;
 
-/// Standard deviations that a stripe is drawn to.
+/// Range in which a stripe is drawn, standard deviations.
 const DRAWN: f64 = 4.0;
 
-/// Places of a column in which the stripe is drawn, each with its part of the light: edges lie anywhere in a column.
+/// Positions per column at which the stripe is drawn, each with its share of the light: edges lie anywhere in a
+/// column.
 const PARTS: usize = 4;
 
-/// Half-width of the dark line over a closed butt joint, mm, and the light that it takes.
+/// Half-width of the dark line over a closed butt joint, mm, and the share of light that it takes.
 const DARK_MM: f64 = 0.1;
 const DARK_PART: f64 = 0.7;
 
@@ -27,7 +28,7 @@ impl<'a> Painter<'a> {
         Self { scene, how, random, light: vec![0.0; width * height] }
     }
 
-    /// The stripe with its reflections; the true rows.
+    /// Paints the stripe with its reflections; returns the true rows.
     pub(super) fn stripe(&mut self, dark: Option<DVec2>) -> Vec<Option<f64>> {
         let [width, height] = self.scene.size_px;
         let (mut rows, fine) = (self.scene.lit_rows(), self.scene.lit_at(PARTS));
@@ -60,7 +61,7 @@ impl<'a> Painter<'a> {
         rows
     }
 
-    /// One column of a stripe.
+    /// Paints one column of a stripe.
     fn slice(&mut self, column: usize, row: f64, peak: f64, sigma: f64) {
         let [width, height] = self.scene.size_px;
         let from = (row - DRAWN * sigma).ceil().max(0.0) as usize;
@@ -71,14 +72,14 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// Coherent light is grainy.
+    /// Adds the grain of coherent light.
     fn speckle(&mut self) {
         for light in self.light.iter_mut().filter(|v| **v > 0.0) {
             *light *= (1.0 + self.how.speckle * self.random.normal()).max(0.0) as f32;
         }
     }
 
-    /// Pieces of stripes that cross or follow the true one.
+    /// Paints pieces of stripes that cross or follow the true one.
     fn ghosts(&mut self, rows: &[Option<f64>]) {
         let [width, height] = self.scene.size_px;
         for _ in 0..self.how.ghosts {
@@ -95,7 +96,7 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// The lens spreads light a little across the columns (down them the stripe's width has it).
+    /// Spreads light a little across the columns, as the lens does; along them, the stripe's width includes it.
     fn blur(&mut self) {
         let width = self.scene.size_px[0];
         for row in self.light.chunks_exact_mut(width) {
@@ -108,7 +109,7 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// Bright spots and streaks.
+    /// Paints bright spots and streaks.
     fn spatter(&mut self) {
         let [width, height] = self.scene.size_px;
         for _ in 0..self.how.spatter {
@@ -130,7 +131,7 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// Ambient light, glow and noise over all of it, in grey values.
+    /// Adds ambient light, glow and noise to the whole image, in grey values.
     pub(super) fn finish(mut self) -> Image {
         let [width, height] = self.scene.size_px;
         let centre = DVec2::new(self.random.within(0.0, width as f64), self.random.within(0.0, height as f64));

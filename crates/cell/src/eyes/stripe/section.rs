@@ -1,14 +1,14 @@
-//! Cross-sections of joints as they truly are, in the plane of the laser.
+//! True cross-sections of joints in the plane of the laser.
 
 use crate::eyes::random::Random;
 use glam::DVec2;
 use seamwright_vision::stripe::{Feature, JointKind, Quantity};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// How far the parts reach to both sides, mm.
+/// Extent of the parts to both sides, mm.
 const REACH: f64 = 80.0;
 
-/// Pieces of an arc.
+/// Number of pieces of an arc.
 const ARC_PIECES: usize = 40;
 
 /// A joint's cross-section. Lengths in mm, angles in rad. The joint's own frame has its root at the origin and the upper
@@ -71,21 +71,21 @@ pub enum Section {
     },
     /// A plate without a joint.
     Plate,
-    /// Two plates with an edge between them that is no joint to weld here: an outside corner.
+    /// Two plates with an edge between them that is not a joint to weld: an outside corner.
     Ridge {
         /// Angle of the material.
         angle: f64,
     },
 }
 
-/// Where the joint's frame is in the sensor's plane.
+/// Pose of the joint's frame in the sensor's plane.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Placement {
     /// The joint point, mm.
     pub at: DVec2,
     /// Turn, rad.
     pub turn: f64,
-    /// Left and right changed.
+    /// Left and right are exchanged.
     pub mirrored: bool,
 }
 
@@ -96,28 +96,28 @@ impl Placement {
     }
 }
 
-/// What is true of a joint in the sensor's plane.
+/// Truth of a joint in the sensor's plane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Truth {
-    /// The joint; none for sections without one.
+    /// Kind of joint; `None` for sections without one.
     pub kind: Option<JointKind>,
-    /// Its places, mm.
+    /// Its points, mm.
     pub points: Vec<(Feature, DVec2)>,
     /// Its lengths, areas and angles, mm and rad.
     pub values: Vec<(Quantity, f64)>,
-    /// Where a closed butt joint is dark.
+    /// Dark point of a closed butt joint.
     pub dark: Option<DVec2>,
 }
 
 impl Truth {
-    /// The joint point.
+    /// Returns the joint point.
     pub fn joint(&self) -> Option<DVec2> {
         self.points.iter().find(|p| p.0 == Feature::Joint).map(|p| p.1)
     }
 }
 
 impl Section {
-    /// A joint of the kind with random sizes.
+    /// Creates a joint of the kind with random sizes.
     pub fn random(kind: JointKind, seed: u64) -> Self {
         let random = &mut Random::new(seed ^ 0x5ec7_1011);
         let gap = |random: &mut Random, most: f64| if random.chance(0.3) { 0.0 } else { random.within(0.3, most) };
@@ -127,7 +127,7 @@ impl Section {
             JointKind::V => {
                 let (bevels, depth) = ([(); 2].map(|()| degrees(random, 22.0, 35.0)), random.within(4.0, 9.0));
                 let gap = gap(random, 2.5);
-                // Where root faces touch, a mismatch would hide one of the roots.
+                // If root faces touch, a mismatch would hide one of the roots.
                 Self::V { bevels, depth, gap, mismatch: if gap > 0.0 { random.within(-0.8, 0.8) } else { 0.0 } }
             }
             JointKind::U | JointKind::J => {
@@ -147,7 +147,7 @@ impl Section {
         }
     }
 
-    /// The surfaces as lines of points, the laser shining from above.
+    /// Returns the surfaces as lines of points; the laser shines from above.
     pub(super) fn surfaces(&self, placement: &Placement) -> Vec<Vec<DVec2>> {
         let p = DVec2::new;
         let lines = match *self {
@@ -194,7 +194,7 @@ impl Section {
         lines.into_iter().map(place).collect()
     }
 
-    /// What is true of it.
+    /// Returns the truth of the section in this placement.
     pub fn truth(&self, placement: &Placement) -> Truth {
         let p = DVec2::new;
         let mut dark = None;
@@ -209,7 +209,7 @@ impl Section {
                 let [left, right] = [p(-a, 0.0), p(b, mismatch)];
                 let roots = [p(-gap / 2.0, -depth), p(gap / 2.0, mismatch - depth)];
                 let joint = (roots[0] + roots[1]) / 2.0;
-                // Trapezoids between the edges' chord and the walls, summed.
+                // Area of the polygon of edges and roots.
                 let corners = [left, roots[0], roots[1], right];
                 let area: f64 = (0..4).map(|i| corners[i].perp_dot(corners[(i + 1) % 4])).sum::<f64>() / 2.0;
                 let mismatch = if placement.mirrored { -mismatch } else { mismatch };
@@ -293,7 +293,7 @@ impl Section {
     }
 }
 
-/// The right side of a U groove, from below the root to the far end of the surface.
+/// Returns the right side of a U groove, from below the root to the far end of the surface.
 fn curved(bevel: f64, radius: f64, depth: f64, gap: f64) -> Vec<DVec2> {
     let centre = DVec2::new(gap / 2.0, radius - depth);
     let at = |i: usize| {
@@ -305,17 +305,18 @@ fn curved(bevel: f64, radius: f64, depth: f64, gap: f64) -> Vec<DVec2> {
     std::iter::once(below).chain((0..=ARC_PIECES).map(at)).chain([edge, DVec2::new(REACH, 0.0)]).collect()
 }
 
-/// From the root to the edge of a curved side, across.
+/// Distance from the root to the edge of a curved side, across.
 fn curved_width(bevel: f64, radius: f64, depth: f64) -> f64 {
     let (sin, cos) = bevel.sin_cos();
     radius * cos + (depth - radius * (1.0 - sin)) * bevel.tan()
 }
 
-/// Area between root and edge of a curved side: the rectangle about the arc less what is below it, and the wall's part.
+/// Area between root and edge of a curved side: the rectangle about the arc less the area below it, and the wall's
+/// part.
 fn curved_area(bevel: f64, radius: f64, depth: f64) -> f64 {
     let (sin, cos) = bevel.sin_cos();
     let wall = depth - radius * (1.0 - sin);
-    // Below the arc's upper end: sector of pi/2 - bevel, less the triangle below the level of the centre's own height.
+    // Below the arc's upper end: a sector of pi/2 - bevel, less the triangle below the level of the centre.
     let sector = radius * radius * (PI / 2.0 - bevel) / 2.0;
     let triangle = radius * cos * radius * sin / 2.0;
     let arc = sector - triangle;

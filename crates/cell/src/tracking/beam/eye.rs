@@ -9,74 +9,74 @@ use seamwright_tracking::beam::Point;
 use seamwright_tracking::lead::SeamFrame;
 use seamwright_tracking::teach::Aim;
 
-/// From where a frame is taken.
+/// Position from which a frame is taken.
 #[derive(Debug, Clone, Copy)]
 pub struct Glance<'a> {
-    /// When, s.
+    /// Time, s.
     pub t_s: f64,
-    /// Where the axes are.
+    /// Positions of the axes.
     pub axes: &'a Joints,
-    /// The torch's frame: its tip as it is, its directions as they were taught there.
+    /// The torch's frame: true tip, taught directions.
     pub torch: SeamFrame,
     /// Path length of the torch on the taught seam, mm.
     pub s_mm: f64,
-    /// Where the joint is looked for from: ahead of the torch, mm, and how far aside it should be, if that is known.
+    /// Start of the search for the joint: ahead of the torch, mm, and the expected distance aside, if known.
     pub from: (f64, Option<f64>),
 }
 
-/// What a frame shows.
+/// Content of a frame.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Shown {
     /// Points of the joint's midline in the torch's frame, from the nearest on.
     pub points: Vec<Point>,
-    /// How much higher the work lies on the beam's axis than it was taught, mm.
+    /// Height of the work on the beam's axis above the taught one, mm.
     pub height_mm: f64,
 }
 
-/// What shows the joint ahead of the beam.
+/// Shows the joint ahead of the beam.
 pub trait BeamEye {
-    /// A frame, into `shown`, which shows nothing yet.
+    /// Takes a frame into `shown`, which is empty before.
     ///
     /// # Errors
-    /// A frame that cannot be had.
+    /// A frame that is not available.
     fn glance(&mut self, glance: &Glance<'_>, shown: &mut Shown) -> Result<(), Error>;
 }
 
-/// Where a seam truly is, hidden from what tracks it.
+/// True position of a seam, hidden from tracking.
 pub(crate) trait Hidden {
-    /// Where it goes through the plane square to the torch's way, `along_mm` ahead of the tip: lateral and height from there,
-    /// mm, and whether a joint is to be seen. None where it does not within reach.
+    /// Intersects the seam with the plane square to the torch's way, `along_mm` ahead of the tip. Returns lateral and
+    /// height from there, mm, and whether a joint is visible; `None` without an intersection within reach.
     fn crossing(&self, glance: &Glance<'_>, along_mm: f64) -> Option<(DVec2, bool)>;
 }
 
-/// Seeded errors of what is seen.
+/// Seeded measurement errors.
 #[derive(Debug, Clone)]
 pub struct Noise {
     random: Random,
-    /// Standard deviation of a point, mm, and of what all points of a frame share.
+    /// Standard deviations, mm: of a point, and of the error that all points of a frame share.
     pub noise_mm: [f64; 2],
-    /// Part of all points that lies anywhere within 3 mm.
+    /// Share of points that lie anywhere within 3 mm.
     pub outliers: f64,
 }
 
-/// Greatest error of a height that focus finds, mm.
+/// Maximum error of a height found by focus, mm.
 const HEIGHT_MM: f64 = 0.03;
-/// Points of a frame: how far apart, and to where to both sides, mm.
+/// Spacing of the points of a frame, and their reach to both sides, mm.
 const EVERY_MM: f64 = 1.0;
 const REACH: i32 = 24;
-/// Most points of a frame.
+/// Maximum number of points of a frame.
 pub(super) const POINTS: usize = 2 * REACH as usize + 1;
-/// What all points of a frame share, as a part of a point's own noise.
+/// Error that all points of a frame share, relative to a point's own noise.
 const SHARED: f64 = 1.0 / 3.0;
 
 impl Noise {
-    /// So much of each point (mm), a third as much that a frame's points share, 2 % outliers.
+    /// Creates noise of each point (mm), a third as much that a frame's points share, and 2 % outliers.
     pub(crate) fn new(noise_mm: f64, seed: u64) -> Self {
         let random = Random::new(seed ^ 0x0ff5_e700_0000_0001);
         Self { random, noise_mm: [noise_mm, SHARED * noise_mm], outliers: 0.02 }
     }
 
-    /// Puts into `shown` what a frame of a hidden seam shows.
+    /// Writes a frame of a hidden seam into `shown`.
     pub(crate) fn show(&mut self, seam: &dyn Hidden, glance: &Glance<'_>, shown: &mut Shown) {
         let shared = self.noise_mm[1] * self.random.normal();
         let height = HEIGHT_MM * self.random.within(-1.0, 1.0);
@@ -91,17 +91,17 @@ impl Noise {
     }
 }
 
-/// Points with noise, straight from where the seam is: for many welds.
+/// Points with noise, directly from the true seam: for many welds.
 pub struct Offsets<'a> {
     actual: &'a SeamLine,
     /// Stretches of the seam that tacks hide, mm.
     pub tacks: Vec<(f64, f64)>,
-    /// What is wrong with the points.
+    /// Errors of the points.
     pub noise: Noise,
 }
 
 impl<'a> Offsets<'a> {
-    /// Of the `actual` seam: 0.03 mm of noise, 0.01 mm more that a frame's points share, 2 % outliers.
+    /// Creates points of the `actual` seam: 0.03 mm of noise, 0.01 mm more that a frame's points share, 2 % outliers.
     #[must_use]
     pub fn new(actual: &'a SeamLine, seed: u64) -> Self {
         Self { actual, tacks: Vec::new(), noise: Noise::new(0.03, seed) }
@@ -116,7 +116,7 @@ impl BeamEye for Offsets<'_> {
     }
 }
 
-/// A seam by its stations.
+/// A seam given by its stations.
 struct Line<'a> {
     actual: &'a SeamLine,
     tacks: &'a [(f64, f64)],
@@ -136,7 +136,7 @@ impl Hidden for Line<'_> {
     }
 }
 
-/// The world's seam as it is while the pool is where the torch is.
+/// The world's seam while the pool is at the torch.
 impl Hidden for World<'_> {
     fn crossing(&self, glance: &Glance<'_>, along_mm: f64) -> Option<(DVec2, bool)> {
         let taught = (self.taught)(glance.s_mm);
@@ -156,13 +156,13 @@ pub struct Pixels<'a, M> {
     midline: M,
 }
 
-/// How far to each side the joint is looked for where nothing is known, and in what steps, mm.
+/// Number of search steps to each side if the position is unknown, and their length, mm.
 const SEARCH: (i32, f64) = (5, 1.0);
-/// Rows of a midline that make a point: neighbours see the same pixels.
+/// Rows of a midline per point: neighbours see the same pixels.
 const ROWS: usize = 10;
 
 impl<'a, M: Midline> Pixels<'a, M> {
-    /// The machine's first camera over the `actual` seam, and what finds the joint in its frames.
+    /// Creates the machine's first camera over the `actual` seam, and the finder of the joint in its frames.
     ///
     /// # Errors
     /// [`Error::NoEye`] without a camera.
@@ -182,7 +182,7 @@ impl<'a, M: Midline> Pixels<'a, M> {
         Ok(Self { machine, sensor, table, eye, midline })
     }
 
-    /// The torch's place `along` mm ahead and `aside` mm to the side, in pixels.
+    /// Returns the point `along` mm ahead of the torch and `aside` mm to the side, in pixels.
     fn px(&self, camera: &DAffine3, torch: &SeamFrame, height: f64, [along, aside]: [f64; 2]) -> Option<DVec2> {
         let point = torch.point + along * torch.along + aside * torch.lateral;
         let in_camera = camera.inverse().transform_point3(point);
@@ -220,7 +220,7 @@ impl<M: Midline> BeamEye for Pixels<'_, M> {
             Some(Point { along_mm, lateral_mm, confidence: row.confidence.clamp(0.0, 1.0) })
         };
         shown.points.extend(rows.iter().filter(|row| row.seen).step_by(ROWS).filter_map(point));
-        // The camera's z goes away from it, and begins at the torch's tip.
+        // The camera's z points away from it and starts at the torch's tip.
         let on_axis = camera.transform_point3(DVec3::Z * height) - torch.point;
         shown.height_mm = on_axis.dot(torch.height);
         Ok(())

@@ -6,16 +6,16 @@ use seamwright_tracking::beam::{BeamReplay, BeamTracking, Orders, Picture, Point
 use seamwright_tracking::lead::Moment;
 use std::collections::VecDeque;
 
-/// What gives the orders.
+/// Source of the orders.
 pub enum BeamHead<'a> {
-    /// What the beam sees.
+    /// The beam's own view.
     Tracking(Box<BeamTracking<'a>>),
-    /// What an earlier pass has found.
+    /// The record of an earlier pass.
     Replay(Box<BeamReplay<'a>>),
 }
 
 impl BeamHead<'_> {
-    /// A cycle, as that of [`BeamTracking::cycle`].
+    /// Runs a cycle, as [`BeamTracking::cycle`].
     pub(crate) fn cycle(&mut self, now: Moment, speed: f64, welds: bool) -> Orders {
         match self {
             Self::Tracking(head) => head.cycle(now, speed, welds),
@@ -23,8 +23,8 @@ impl BeamHead<'_> {
         }
     }
 
-    /// Where the joint is looked for in a frame that is taken at `s_mm`: how far ahead (mm), and how far aside of the taught
-    /// seam it should be there, if that is known.
+    /// Returns the start of the search for the joint in a frame taken at `s_mm`: distance ahead (mm), and the
+    /// expected distance aside of the taught seam, if known.
     pub(crate) fn looks_for(&self, s_mm: f64, speed: f64) -> (f64, Option<f64>) {
         match self {
             Self::Tracking(head) => {
@@ -36,31 +36,31 @@ impl BeamHead<'_> {
     }
 }
 
-/// Time at rest before the weld, s: the joint is looked at from its start on.
+/// Time at rest before the weld, s: the beam looks at the joint from its start on.
 pub(crate) const LOOK_S: f64 = 1.5;
-/// Way before the end of the seam in which nothing is said of what is not seen ahead, mm.
+/// Distance before the end of the seam in which an unseen joint ahead raises no alarm, mm.
 pub(crate) const END_MM: f64 = 1.0;
-/// A row of the record every so often, mm.
+/// Spacing of the record's rows, mm.
 pub(crate) const STEP_MM: f64 = 0.1;
-/// By how much pictures are there sooner or later than usual, at most, s.
+/// Maximum variation of the pictures' latency, s.
 const LATE_S: f64 = 0.01;
 
-/// Pictures on their way from the eye. Room is made once.
+/// Pictures in transit from the camera. Memory is allocated once.
 pub(crate) struct UnderWay {
     pictures: VecDeque<(f64, f64, Shown)>,
-    /// The one that arrived last, and when it was exposed.
+    /// The last picture that arrived, and its exposure time.
     now: Option<(f64, Shown)>,
-    /// Room for pictures to come.
+    /// Buffers for further pictures.
     free: Vec<Shown>,
     random: Random,
     latency_s: f64,
 }
 
-/// Pictures that are under way at once, at most.
+/// Maximum number of pictures in transit.
 const PICTURES: usize = 8;
 
 impl UnderWay {
-    /// None yet; they are `latency_s` late, give or take 10 ms.
+    /// Creates an empty queue; pictures are `latency_s` late, give or take 10 ms.
     pub(crate) fn new(latency_s: f64, seed: u64) -> Self {
         let empty = || Shown { points: Vec::with_capacity(POINTS), height_mm: 0.0 };
         let free = std::iter::repeat_with(empty).take(PICTURES).collect();
@@ -68,12 +68,12 @@ impl UnderWay {
         Self { pictures, now: None, free, random: Random::new(seed ^ 0xbea3), latency_s }
     }
 
-    /// The oldest that a picture can be when it arrives, s.
+    /// Returns the maximum age of a picture at its arrival, s.
     pub(crate) fn oldest_s(latency_s: f64) -> f64 {
         latency_s + 1.5 * LATE_S
     }
 
-    /// A frame is taken; it is lost if there is no room.
+    /// Takes a frame; it is lost if there is no room.
     pub(crate) fn look(&mut self, eye: &mut dyn BeamEye, glance: &Glance<'_>) -> Result<(), Error> {
         let Some(mut shown) = self.free.pop() else { return Ok(()) };
         (shown.height_mm, shown.points) = (0.0, cleared(shown.points));
@@ -83,7 +83,7 @@ impl UnderWay {
         Ok(())
     }
 
-    /// Takes in the next picture that has arrived by `t`; false if there is none. The one before is gone then.
+    /// Takes in the next picture that has arrived by `t` and drops the one before; false without one.
     pub(crate) fn arrive(&mut self, t: f64) -> bool {
         self.free.extend(self.now.take().map(|(_, shown)| shown));
         if self.pictures.front().is_some_and(|(due, ..)| *due <= t) {
@@ -92,13 +92,13 @@ impl UnderWay {
         self.now.is_some()
     }
 
-    /// What has been taken in last.
+    /// Returns the picture taken in last.
     pub(crate) fn picture(&self) -> Option<Picture<'_>> {
         let (exposed_s, shown) = self.now.as_ref()?;
         Some(Picture { exposed_s: *exposed_s, height_mm: shown.height_mm, points: &shown.points })
     }
 
-    /// What has arrived by `t`.
+    /// Delivers the pictures that have arrived by `t`.
     pub(crate) fn deliver(&mut self, head: &mut BeamHead<'_>, t: f64) {
         while self.arrive(t) {
             let Some(picture) = self.picture() else { return };

@@ -1,5 +1,5 @@
-//! Beam mode in simulation (EBW-2004): the beam looks ahead in short interruptions of the weld, machine axes and deflection
-//! correct, and later passes replay what was found.
+//! Beam mode in simulation (EBW-2004): the beam looks ahead in short interruptions of the weld, machine axes and
+//! deflection correct, and later passes replay the deviations found.
 
 mod eye;
 mod head;

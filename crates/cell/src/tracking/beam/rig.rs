@@ -11,42 +11,43 @@ use seamwright_tracking::beam::{Beam, DeviationRecord, Fit, Misfit, Orders, Reco
 use seamwright_tracking::lead::{Moment, SeamFrame};
 use std::collections::VecDeque;
 
-/// What became of a pass.
+/// Result of a pass.
 #[derive(Debug, Clone)]
 pub struct BeamOutcome {
     /// 99 % of the weld lie within this distance of the seam, across, mm.
     pub p99_mm: f64,
-    /// All of it does.
+    /// Maximum distance, across, mm.
     pub most_mm: f64,
     /// 99 % of the weld lie within this distance out of the surface, mm: the beam does not see it.
     pub height_p99_mm: f64,
-    /// Way that was welded, mm.
+    /// Welded distance, mm.
     pub welded_mm: f64,
-    /// Part of the time that the beam was away from the weld, and for how long at most, s.
+    /// Share of the time that the beam was away from the weld, and the maximum duration, s.
     pub away: (f64, f64),
-    /// Greatest deflection, and the farthest that the axes carried the gun, mm.
+    /// Maximum deflection, and maximum distance by which the axes carried the gun, mm.
     pub used_mm: [f64; 2],
-    /// Where the weld was stopped before its end, mm.
+    /// Position at which the weld was stopped before its end, mm.
     pub stopped_mm: Option<f64>,
-    /// The worst alarm.
+    /// Most severe alarm.
     pub alarm: Option<Alarm>,
-    /// What was found of the seam.
+    /// Deviations found of the seam.
     pub record: Option<DeviationRecord>,
-    /// Where the weld lies, lateral from the taught seam, by path length, mm.
+    /// Lateral offset of the weld from the taught seam, by path length, mm.
     pub places: Vec<(f64, f64)>,
-    /// How a replay fitted.
+    /// Fit of a replay.
     pub fit: Option<Result<Fit, Misfit>>,
 }
 
-/// From an exposure to the arrival of what was found, usually, s.
+/// Usual time from an exposure to the arrival of its result, s.
 const LATENCY_S: f64 = 0.045;
 /// Cycles from one measurement of the weld to the next.
 const MEASURED: u32 = 5;
 
-/// Welds a pass on the machine's drives as `head` orders, with what `eye` sees. The same seed gives the same weld.
+/// Welds a pass on the machine's drives with the orders of `head` and the view of `eye`. The same seed gives the same
+/// weld.
 ///
 /// # Errors
-/// Drives that are none, axes that cannot carry the gun, frames that cannot be had.
+/// Invalid drives, axes that cannot carry the gun, frames that are not available.
 pub fn weld(
     scene: &BeamScene<'_>,
     eye: &mut dyn BeamEye,
@@ -87,7 +88,7 @@ pub fn weld(
             pictures.look(eye, &Glance { t_s: exposed_s, axes: &at.axes, torch, s_mm: at.s, from })?;
         }
         if welds {
-            // At its very end nothing of the seam lies ahead any more.
+            // At the very end no part of the seam lies ahead.
             if now.s_mm < scene.taught.length_mm - END_MM {
                 alarm = alarm.max(next.alarm);
             }
@@ -124,7 +125,7 @@ pub fn weld(
     })
 }
 
-/// Where the gun truly was in a cycle.
+/// True position of the gun in a cycle.
 #[derive(Debug, Clone, Copy)]
 struct At {
     t: f64,
@@ -137,13 +138,13 @@ struct At {
 struct Gun<'a> {
     scene: &'a BeamScene<'a>,
     drives: Drives,
-    /// Place of the set-point, mm.
+    /// Position of the set-point, mm.
     s: f64,
     set: [Joints; 3],
     recent: VecDeque<At>,
 }
 
-/// Cycles that are remembered for exposures.
+/// Number of recent cycles kept for exposures.
 const RECENT: usize = 12;
 
 impl<'a> Gun<'a> {
@@ -156,7 +157,7 @@ impl<'a> Gun<'a> {
         Ok(Self { scene, drives, s: 0.0, set: [start; 3], recent })
     }
 
-    /// One cycle: the axes go to where the planned torch is at `s`, carried aside.
+    /// Runs one cycle: moves the axes to the planned torch at `s`, carried aside.
     fn go(&mut self, s: f64, carried: f64, t: f64) -> Result<(), Error> {
         let Self { scene, set, .. } = self;
         let machine = scene.machine;
@@ -188,25 +189,25 @@ impl<'a> Gun<'a> {
         &self.recent[self.recent.len() - 1]
     }
 
-    /// By how much the tip is beside the taught torch, mm: along, lateral, height.
+    /// Returns the offset of the tip from the taught torch, mm: along, lateral, height.
     fn off(&self) -> DVec3 {
         let frame = (self.scene.taught.frame)(self.s);
         let off = self.now().tip - frame.point;
         DVec3::new(off.dot(frame.along), off.dot(frame.lateral), off.dot(frame.height))
     }
 
-    /// Path length at which the torch truly is.
+    /// Returns the true path length of the torch.
     fn along(&self) -> f64 {
         self.s + self.off().x
     }
 
-    /// How far the gun is truly carried aside, lateral and height.
+    /// Returns the true offset of the gun, lateral and height.
     fn carried(&self) -> DVec2 {
         let off = self.off();
         DVec2::new(off.y, off.z)
     }
 
-    /// Where everything was at `t_s`, the nearest cycle's axes moved on to it.
+    /// Interpolates the true state at `t_s` between the nearest cycles.
     fn at(&self, t_s: f64) -> At {
         let after = self.recent.iter().position(|at| at.t >= t_s).unwrap_or(self.recent.len() - 1).max(1);
         let (a, b) = (&self.recent[after - 1], &self.recent[after]);
@@ -215,8 +216,8 @@ impl<'a> Gun<'a> {
         At { t: t_s, s: a.s + part * (b.s - a.s), axes, tip: a.tip.lerp(b.tip, part) }
     }
 
-    /// How far the weld is from the seam, across and out of the surface, mm. The beam goes on to the surface where that truly
-    /// is, at the angle to which it is deflected.
+    /// Returns the distance of the weld from the seam, across and out of the surface, mm. The beam continues to the
+    /// true surface, at the angle to which it is deflected.
     fn miss(&self, deflection: f64) -> Option<DVec2> {
         let frame = (self.scene.taught.frame)(self.s);
         let tip = self.now().tip + deflection * frame.lateral;

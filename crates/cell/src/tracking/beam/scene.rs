@@ -11,25 +11,25 @@ use std::f64::consts::TAU;
 
 /// A pass to be welded by beam.
 pub struct BeamScene<'a> {
-    /// Its axes carry the gun.
+    /// Machine whose axes carry the gun.
     pub machine: &'a Machine,
     /// The planned pass.
     pub motion: &'a PassMotion,
     /// The taught seam by the pass's path length.
     pub taught: Seam,
-    /// Where the seam is.
+    /// True position of the seam.
     pub actual: SeamLine,
-    /// How far and fast the beam may be deflected.
+    /// Limits of the beam's deflection.
     pub deflection: DeflectionLimits,
-    /// From the work to the point about which the beam is deflected, mm.
+    /// Distance from the work to the pivot of the beam's deflection, mm.
     pub pivot_mm: f64,
-    /// How far and fast the axes may carry the gun aside, in the torch's frame.
+    /// Limits of the gun's offset by the axes, in the torch's frame.
     pub axes: SlideLimits,
 }
 
 impl<'a> BeamScene<'a> {
-    /// Of a planned pass on its torch's path; the beam is deflected by up to 2 mm, the axes carry the gun by up to 5 mm more,
-    /// slowly.
+    /// Creates the scene of a planned pass on its torch's path. The beam is deflected by up to 2 mm; the axes carry
+    /// the gun by up to 5 mm more, slowly.
     #[must_use]
     pub fn new(machine: &'a Machine, path: &dyn TorchPath, motion: &'a PassMotion, actual: SeamLine) -> Self {
         Self {
@@ -43,8 +43,8 @@ impl<'a> BeamScene<'a> {
         }
     }
 
-    /// Lateral distances of the taught seam from the actual one, mm, every half millimetre: what is missed without any
-    /// correction by a machine without errors.
+    /// Returns the lateral distances of the taught seam from the actual one, mm, every half millimetre. A machine
+    /// without errors would miss by these without correction.
     #[must_use]
     pub fn uncorrected(&self) -> Vec<f64> {
         let count = (2.0 * self.taught.length_mm).floor() as u32;
@@ -57,11 +57,12 @@ impl<'a> BeamScene<'a> {
     }
 }
 
-/// Shift (mm), turn (degrees) and ovality (mm, over the diameter) of a part that is placed wrong.
+/// Shift (mm), turn (degrees) and ovality (mm, over the diameter) of a misplaced part.
 pub const PLACED_WRONG: [f64; 3] = [2.0, 0.5, 1.0];
 
-/// A seam whose part is shifted, turned about the middle of the seam and out of round by [`PLACED_WRONG`]; the seed decides
-/// which way, the shift mostly across the seam. The ovality moves the seam across and out of the surface, a wave every `wave_mm`.
+/// Creates a seam whose part is shifted, turned about the middle of the seam and out of round by [`PLACED_WRONG`].
+/// The seed determines the directions; the shift is mostly across the seam. The ovality moves the seam across and out
+/// of the surface, a wave every `wave_mm`.
 #[must_use]
 pub fn placed_wrong(nominal: &SeamLine, wave_mm: f64, seed: u64) -> SeamLine {
     let [shift_mm, turn_deg, oval_mm] = PLACED_WRONG;

@@ -13,26 +13,26 @@ use seamwright_tracking::beam::{
     Allowed, BeamReplay, BeamTracking, DeviationRecord, Misfit, Replay, ReplaySettings, Settings,
 };
 
-/// A pass to be welded by beam, and the same seam begun elsewhere.
+/// A pass to be welded by beam, and the same seam started elsewhere.
 pub struct BeamJob<'a> {
-    /// Its axes carry the gun.
+    /// Machine whose axes carry the gun.
     pub machine: &'a Machine,
-    /// The whole seam, where it was taught.
+    /// The whole taught seam.
     pub nominal: &'a SeamLine,
     /// Path and motion of the first pass.
     pub first: (&'a dyn TorchPath, &'a PassMotion),
-    /// Those of a later pass over the same seam, which begins at another place.
+    /// Path and motion of a later pass over the same seam, which starts at another position.
     pub later: (&'a dyn TorchPath, &'a PassMotion),
-    /// mm/s.
+    /// Speed, mm/s.
     pub speed_mm_s: f64,
 }
 
-/// What is compared with its limit.
+/// Limits of the distance from the seam, and of a replay from the tracked pass.
 const TRACKED_MM: f64 = 0.05;
 const REPLAYED_MM: f64 = 0.02;
-/// By how much a part is moved between passes so that what is stored fits no more, mm.
+/// Displacement of a part between passes so that the stored deviations no longer fit, mm.
 pub const MOVED_MM: f64 = 0.4;
-/// Longest tack, pixels.
+/// Maximum length of a tack, pixels.
 const GAP_PX: f64 = 60.0;
 
 fn most(what: &'static str, weld: &str, value: f64, limit: f64, unit: &'static str) -> Gate {
@@ -45,13 +45,13 @@ impl BeamJob<'_> {
         BeamScene::new(self.machine, path, motion, actual.clone())
     }
 
-    /// A seam out of place: shifted, turned, oval over its length.
+    /// Returns a misplaced seam: shifted, turned, oval over its length.
     #[must_use]
     pub fn placed_wrong(&self, seed: u64) -> SeamLine {
         placed_wrong(self.nominal, self.nominal.length(), seed)
     }
 
-    /// The first pass, tracked; its distances without correction too.
+    /// Welds the first pass with tracking; also returns its distances without correction.
     ///
     /// # Errors
     /// Those of [`weld`].
@@ -70,7 +70,8 @@ impl BeamJob<'_> {
         Ok((outcome, uncorrected))
     }
 
-    /// The later pass by what the first one has found, and by how many mm of the first one's path length it begins later.
+    /// Welds the later pass with the deviations that the first one found. Also returns its start on the first one's
+    /// path length, mm.
     ///
     /// # Errors
     /// Those of [`weld`]; a record that does not cover the pass.
@@ -92,7 +93,7 @@ impl BeamJob<'_> {
     }
 }
 
-/// Path length of the place of `seam` that is nearest to `point`, to 0.1 um.
+/// Path length of the position of `seam` nearest to `point`, to 0.1 um.
 fn foot(seam: &Seam, point: DVec3) -> f64 {
     let away = |s: f64| (seam.frame)(s).point.distance_squared(point);
     let places = (0..=seam.length_mm as u32).map(f64::from);
@@ -104,8 +105,8 @@ fn foot(seam: &Seam, point: DVec3) -> f64 {
     s
 }
 
-/// Greatest lateral distance between two welds of one seam, mm, where both went; the second one's path length begins at
-/// `shift` of the first one's.
+/// Maximum lateral distance between two welds of one seam, mm, where both exist; the second one's path length starts
+/// at `shift` of the first one's.
 fn apart(first: &[(f64, f64)], second: &[(f64, f64)], shift: f64) -> f64 {
     let at = |s: f64| {
         let after = first.partition_point(|p| p.0 < s).clamp(1, first.len().max(2) - 1);
@@ -117,7 +118,7 @@ fn apart(first: &[(f64, f64)], second: &[(f64, f64)], shift: f64) -> f64 {
     apart.fold(0.0, f64::max)
 }
 
-/// A part that is placed wrong, welded by a beam that tracks, and once more by what that has found: with real pixels once, with
+/// Welds a misplaced part with a tracking beam, then again with the deviations found: with real pixels once, and with
 /// points and noise for `seeds` seeds, of which the worst counts.
 ///
 /// # Errors
@@ -190,8 +191,8 @@ fn pass_rows(
     Ok(rows)
 }
 
-/// What a replay says of a part that has been moved since: it is refused and tells by how much, mm; infinite if it is not
-/// refused.
+/// Replays deviations on a part that has moved since. Returns the displacement that the refused replay reports, mm;
+/// infinite if it is not refused.
 ///
 /// # Errors
 /// Those of [`weld`].

@@ -1,4 +1,4 @@
-//! Random solids, and distances by another way: projections onto each body in closed form, in turns.
+//! Random solids, and distances by an independent method: alternating closed-form projections onto each body.
 
 #![allow(dead_code, reason = "each test file uses some of it")]
 
@@ -30,7 +30,7 @@ impl Uniform {
     }
     pub(crate) fn pose(&mut self, size: f64) -> DAffine3 {
         let turn = match (self.in_range(0.0, 4.0)) as u32 {
-            // Parallel and square bodies are where iterations stumble.
+            // Parallel and square bodies are difficult for iterations.
             0 => DQuat::from_axis_angle(
                 DVec3::X,
                 f64::from(self.in_range(0.0, 4.0) as u32) * std::f64::consts::FRAC_PI_2,
@@ -205,8 +205,8 @@ fn project_on_triangle(t: &[DVec3; 3], p: DVec3) -> DVec3 {
     edges.iter().map(on_edge).min_by(|a, b| a.distance(p).total_cmp(&b.distance(p))).unwrap()
 }
 
-/// A distance that is never below the true one, and near it if `steps` is large: projections in turns, which bring two
-/// convex bodies' points ever nearer.
+/// Upper bound of the distance, tight if `steps` is large: alternating projections, which bring the points of two
+/// convex bodies closer.
 pub(crate) fn in_turns(a: &Piece, b: &Piece, steps: usize) -> f64 {
     let mut p = a.project(b.start());
     let mut distance = f64::INFINITY;

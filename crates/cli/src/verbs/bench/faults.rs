@@ -12,7 +12,7 @@ use std::path::Path;
 
 const JOB: &str = include_str!("../../../../../examples/saddle.toml");
 const MISPLACED: &str = include_str!("../../../../../examples/distortions/misplaced.toml");
-/// How far before its end the weld begins in which the crater is filled, mm.
+/// Distance of the start from the end of the weld in which the crater is filled, mm.
 const LAST_MM: f64 = 5.0;
 
 pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {

@@ -92,7 +92,7 @@ pub(super) fn run(args: &BenchTrackingArgs) -> Result<(), Failure> {
     print_text(&texts.join("\n"))
 }
 
-/// What one head corrects, in the other's weld, on the T-joint that ships.
+/// Correction by one head in the other's weld, on the T-joint that ships.
 fn crossed(machine: &Machine) -> Result<Gate, Failure> {
     let loaded = load_text("t-joint", T_JOINT, Path::new("."))?;
     let motion = loaded.plan_on(&machine.with_reserve(RESERVE))?;

@@ -5,14 +5,14 @@ use crate::files;
 use seamwright_program::edit::{Editor, History};
 use std::path::{Path, PathBuf};
 
-/// Where the history of `file` is.
+/// Path of the history of `file`.
 pub(super) fn path(file: &Path) -> PathBuf {
     let mut name = file.as_os_str().to_owned();
     name.push(".edits");
     name.into()
 }
 
-/// The history of `file`, which now has `text`, and whether it is that of this text; an empty one if there is none.
+/// The history of `file`, and whether it belongs to `text`, the file's present text; empty if it is missing.
 pub(super) fn read(file: &Path, text: &str) -> Result<(History, bool), Failure> {
     let path = path(file);
     if !path.exists() {

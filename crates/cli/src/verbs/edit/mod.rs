@@ -34,7 +34,7 @@ fn edit(args: &EditArgs, operations: &[Operation]) -> Result<(), Failure> {
     let text = read_program(&args.file)?;
     let (history, is_same) = journal::read(&args.file, &text)?;
     if !is_same {
-        // Nothing can be done if standard error is closed.
+        // Errors are ignored: standard error may be closed.
         let _ = writeln!(io::stderr(), "note: {name} was changed by hand since its last edit: a new history begins");
     }
     let mut editor = Editor::with_history(&name, &text, if is_same { history } else { History::default() })?;
@@ -80,7 +80,7 @@ fn back(
     finish(args, &text, &editor, &[report])
 }
 
-/// Writes and tells what was done.
+/// Writes the text and reports the edits.
 fn finish(args: &EditArgs, before: &str, editor: &Editor, reports: &[Report]) -> Result<(), Failure> {
     match &args.output {
         _ if args.dry_run => {}

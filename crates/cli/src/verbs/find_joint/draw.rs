@@ -1,4 +1,4 @@
-//! What was found, drawn over the frame as in Fig. 4 of EBW-2004: midline, cross, motion vector, detection zone.
+//! Drawing of the result over the frame as in Fig. 4 of EBW-2004: midline, cross, motion vector, detection zone.
 
 use crate::failure::Failure;
 use crate::overlay::{COASTED, CROSS, Colour, MOTION, Overlay, sureness};

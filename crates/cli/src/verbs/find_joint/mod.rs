@@ -12,8 +12,8 @@ use seamwright_vision::{Frame, Pixels};
 use serde_json::{Value, json};
 use std::io::{self, Write as _};
 
-/// Least side of an image in which a joint can be followed, pixels.
-const LEAST_SIDE: usize = 16;
+/// Minimum side of an image in which a joint can be followed, pixels.
+const MIN_SIDE: usize = 16;
 /// Widths that the follower takes, pixels.
 const WIDTHS: (f64, f64) = (1.0, 400.0);
 
@@ -36,7 +36,7 @@ pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
     } else {
         rows(joint)?;
     }
-    // Nothing can be done if standard error is closed.
+    // Errors are ignored: standard error may be closed.
     let mut err = io::stderr();
     let nothing = joint.rows.is_empty();
     if nothing {
@@ -49,8 +49,8 @@ pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
 /// Refuses images that cannot show a joint.
 fn check_frame(frame: &Frame, source: &str) -> Result<(), Failure> {
     let (width, height) = (frame.width(), frame.height());
-    if width.min(height) < LEAST_SIDE {
-        let allowed = format!("at least {LEAST_SIDE} pixels to a side");
+    if width.min(height) < MIN_SIDE {
+        let allowed = format!("at least {MIN_SIDE} pixels to a side");
         return Err(Failure::Input(format!("{source}: {width} x {height} pixels\n   allowed: {allowed}")));
     }
     let white = match frame.pixels() {
@@ -74,7 +74,7 @@ fn numbers<const N: usize>(name: &str, found: &[f64]) -> Result<[f64; N], Failur
     })
 }
 
-/// Where the joint is looked for: the image, or the part of it that the zone covers.
+/// Detection zone of the joint: the image, or the part of it that the zone covers.
 fn zone(args: &FindJointArgs, frame: &Frame) -> Result<Zone, Failure> {
     let (right, bottom) = ((frame.width() - 1) as f64, (frame.height() - 1) as f64);
     let [left, top, zone_right, zone_bottom] = match &args.zone_px {

@@ -9,8 +9,8 @@ use seamwright_report::{Axis, Chart, Series, Style, sheet};
 
 /// Pulses shown on each side of the middle of the path in the close view.
 const CLOSE_PULSES: f64 = 12.0;
-/// Most points of one method in a drawing.
-const MOST_POINTS: usize = 4_000_000;
+/// Maximum number of points of one method in a drawing.
+const MAX_POINTS: usize = 4_000_000;
 /// Points of the true curve.
 const CURVE: u32 = 2000;
 
@@ -19,9 +19,9 @@ pub(super) fn draw(requests: &[Named]) -> Result<String, Failure> {
     let path = requests[0].request.shape.path()?;
     let mut charts = [paths(&path), close(&path, requests), speed(), deviation()];
     for (place, Named { name, request }) in requests.iter().enumerate() {
-        let points: Vec<Point> = request.interpolate()?.take(MOST_POINTS + 1).collect();
-        if points.len() > MOST_POINTS {
-            let message = format!("--svg: {name} has more than {MOST_POINTS} points to draw");
+        let points: Vec<Point> = request.interpolate()?.take(MAX_POINTS + 1).collect();
+        if points.len() > MAX_POINTS {
+            let message = format!("--svg: {name} has more than {MAX_POINTS} points to draw");
             return Err(Failure::Input(message + "\n   allowed: a coarser pulse or period, or no drawing"));
         }
         // Each method has one colour in all charts; the true curve has the first.

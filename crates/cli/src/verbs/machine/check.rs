@@ -8,12 +8,12 @@ use crate::rows::{print_json, print_text};
 use seamwright_machine::check::{Check, CheckOptions};
 use seamwright_report::{MachineDrawing, check_page, check_text};
 
-/// Most positions of a round trip: ten million take minutes, more is a slip.
-const MOST_POSES: u32 = 10_000_000;
+/// Maximum number of positions of a round trip: ten million take minutes.
+const MAX_POSES: u32 = 10_000_000;
 
 pub(crate) fn run(args: &CheckMachineArgs) -> Result<(), Failure> {
-    if !(1..=MOST_POSES).contains(&args.poses) {
-        return Err(Failure::Input(format!("--poses {}: not allowed\n   allowed: 1 to {MOST_POSES}", args.poses)));
+    if !(1..=MAX_POSES).contains(&args.poses) {
+        return Err(Failure::Input(format!("--poses {}: not allowed\n   allowed: 1 to {MAX_POSES}", args.poses)));
     }
     let (machine, file) = machine_and_file(&args.machine)?;
     let mut output = args.output.as_deref().map(Output::new).transpose()?;

@@ -1,4 +1,4 @@
-//! What a placement says: text and JSON.
+//! Report of a placement: text and JSON.
 
 use super::touched::Touched;
 use crate::args::machine::{PlaceArgs, PlaceMethod};
@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::fmt::Write;
 use std::path::Path;
 
-/// What a method found.
+/// Result of a method.
 pub(super) struct Fitted {
     /// Maps the part's frame to the work frame.
     pub(super) offset: DAffine3,
@@ -36,7 +36,7 @@ impl Fitted {
 pub(super) struct Axis {
     eccentricity_mm: f64,
     eccentricity_xyz_mm: [f64; 3],
-    /// Place on the nominal axis where the eccentricity is told: the middle of the seam.
+    /// Position on the nominal axis to which the eccentricity refers: the middle of the seam.
     at_mm: [f64; 3],
     tilt_deg: f64,
     leans_to: [f64; 3],
@@ -78,7 +78,7 @@ pub(super) struct Placed {
     name: String,
     offset: Transform,
     pub(super) accepted: bool,
-    /// What to do if the placement is not accepted.
+    /// Operator action if the placement is not accepted.
     cure: Option<String>,
     rms_mm: f64,
     largest_mm: f64,

@@ -14,13 +14,13 @@ pub(super) struct Touched {
     pub(super) line: usize,
     /// In the work frame, mm.
     pub(super) point: DVec3,
-    /// What was touched; empty if the file has no such column.
+    /// Feature that was touched; empty if the file has no such column.
     pub(super) feature: String,
-    /// Where the point nominally is, mm; zero if the method does not want it.
+    /// Nominal position of the point, mm; zero if the method does not need it.
     pub(super) nominal: DVec3,
 }
 
-/// What a method wants to know beside the points.
+/// Inputs of a method beside the points.
 pub(super) struct Wanted {
     /// Names in the column `feature`; none if the column is not looked at.
     pub(super) features: &'static [&'static str],
@@ -32,8 +32,8 @@ pub(super) struct Wanted {
 
 const POINT: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 const NOMINAL: [&str; 3] = ["nx_mm", "ny_mm", "nz_mm"];
-/// Most points of one table.
-const MOST: usize = 10_000;
+/// Maximum number of points of one table.
+const MAX_POINTS: usize = 10_000;
 /// Farthest coordinate, mm, as in job files.
 const FARTHEST_MM: f64 = 1e7;
 
@@ -54,8 +54,8 @@ fn parse(file: &str, text: &str, machine: &Machine, wanted: &Wanted) -> Result<V
     let places = table.places()?;
     let mut touched = Vec::new();
     for (line, fields) in lines.filter(|(_, fields)| fields.iter().any(|f| !f.is_empty())) {
-        if touched.len() == MOST {
-            return Err(table.wrong(line, "more points than anyone touches", &format!("up to {MOST}")));
+        if touched.len() == MAX_POINTS {
+            return Err(table.wrong(line, "more points than anyone touches", &format!("up to {MAX_POINTS}")));
         }
         touched.push(table.row(line, &fields, &places)?);
     }

@@ -1,4 +1,4 @@
-//! What a tuning says: table, JSON, Bode plot and lines to paste.
+//! Report of a tuning: table, JSON, Bode plot and lines to paste.
 
 use seamwright_cell::Error;
 use seamwright_machine::{Axis, AxisKind};

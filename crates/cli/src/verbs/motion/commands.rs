@@ -9,10 +9,10 @@ use std::path::Path;
 /// Latest command, s: a day.
 const LATEST_S: f64 = 86_400.0;
 const COLUMNS: [&str; 3] = ["t_s", "command", "value"];
-/// Overrides below it hold, percent.
-pub(super) const LEAST_OVERRIDE: f64 = 0.1;
+/// Minimum feed override, percent; lower ones hold.
+pub(super) const MIN_OVERRIDE: f64 = 0.1;
 
-/// What an operator may command.
+/// Commands of an operator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Command {
     /// Percent of the planned speed.
@@ -58,9 +58,9 @@ fn parse(source: &str, input: impl BufRead) -> Result<Vec<Timed>, Failure> {
             Wrong::Value(allowed) => reader.error("value", value, &format!("does not go with {name}"), allowed),
         })?;
         match command {
-            Command::Override(percent) => stopped = percent < LEAST_OVERRIDE,
+            Command::Override(percent) => stopped = percent < MIN_OVERRIDE,
             Command::Resume | Command::Step(_) if stopped => {
-                let allowed = format!("an override of at least {LEAST_OVERRIDE} percent before it");
+                let allowed = format!("an override of at least {MIN_OVERRIDE} percent before it");
                 return Err(reader.error("command", name, "cannot go on at an override of 0", &allowed));
             }
             _ => {}
@@ -70,7 +70,7 @@ fn parse(source: &str, input: impl BufRead) -> Result<Vec<Timed>, Failure> {
     Ok(all)
 }
 
-/// What is wrong with a row: the command, or its value (with what is allowed).
+/// Fault of a row: its command, or its value (with the allowed values).
 enum Wrong {
     Command,
     Value(&'static str),

@@ -1,6 +1,6 @@
 //! The motion as it runs under an operator's commands.
 
-use super::commands::{Command, LEAST_OVERRIDE, Timed};
+use super::commands::{Command, MIN_OVERRIDE, Timed};
 use crate::args::MotionArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
@@ -82,11 +82,11 @@ struct Player<'a> {
     count: u64,
     /// Part of the planned speed.
     pace: f64,
-    /// What starts the next pass, if that does not wait.
+    /// Command that starts the next pass, if that does not wait.
     first: Option<Command>,
-    /// Nothing comes after this stage.
+    /// This stage is the last.
     over: bool,
-    /// How long the arc has been on, s.
+    /// Time since the arc went on, s.
     burning: f64,
     process: ProcessColumns<'a>,
     rows: Rows,
@@ -129,7 +129,7 @@ impl<'a> Player<'a> {
         Some(first.command)
     }
 
-    /// Commands in the air: the move goes on to its end, the next pass waits or starts as told.
+    /// Commands during a transfer move: the move goes on to its end, the next pass waits or starts as commanded.
     fn wait_in_air(&mut self) {
         while let Some(command) = self.due() {
             match command {
@@ -155,7 +155,7 @@ impl<'a> Player<'a> {
         let mut run = Run::new(pace, motion.sequence.clone(), &[]);
         run.order(Order::Override(self.pace)).map_err(stuck)?;
         let first = self.first.replace(Command::Resume);
-        if let Some(first) = first.filter(|_| self.pace * 100.0 >= LEAST_OVERRIDE) {
+        if let Some(first) = first.filter(|_| self.pace * 100.0 >= MIN_OVERRIDE) {
             run.order(order(first, 0.0, motion.path.length())).map_err(stuck)?;
         }
         loop {

@@ -98,8 +98,8 @@ impl<'a> TwoLevel<'a> {
     }
 }
 
-/// Path length and speed at a part of the period: the cubic with those of both ends; at rest between two passes. What
-/// the arc does is that of the coarse point before, but its clock goes on.
+/// Path length and speed at a part of the period: the cubic with those of both ends; at rest between two passes. The
+/// arc has the state of the coarse point before, but its clock goes on.
 fn between(from: &Along, to: &Along, period: f64, part: f64) -> Along {
     let later = |(since_on, until_off)| (since_on + part * period, until_off - part * period);
     let from = &Along { arc: from.arc.map(later), ..*from };

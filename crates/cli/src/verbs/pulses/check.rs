@@ -5,14 +5,14 @@ use crate::failure::Failure;
 use seamwright_motion::pulses::{Edge, Error, Generator};
 use seamwright_program::Finding;
 
-/// What the pulses are, found without writing them.
+/// Figures of the pulses, found without writing them.
 pub(super) struct Checked {
     pub(super) periods: u64,
-    /// What each direction line says at the start: the direction of the first pulse.
+    /// Level of each direction line at the start: the direction of the first pulse.
     pub(super) positive: Vec<bool>,
     /// The generators as they are at the end.
     pub(super) generators: Vec<Generator>,
-    /// What each motor lost, if it was asked for and the file has the motor.
+    /// Loss of each motor, if it was asked for and the file has the motor.
     pub(super) motors: Vec<Option<Loss>>,
 }
 
@@ -67,7 +67,7 @@ impl Checked {
     }
 }
 
-/// Pulses that cannot be made, as a finding with axis, time and cure.
+/// Pulses too close to each other, as a finding with axis, time and operator action.
 pub(super) fn crowded(
     stepped: &[Stepped],
     clock: &Clock,
@@ -99,7 +99,7 @@ pub(super) fn crowded(
 }
 
 impl Place {
-    /// What stands against the pulses here; air moves count to the start of the first pass.
+    /// A finding against the pulses here; transfer moves count to the start of the first pass.
     fn finding(&self, kind: &'static str, message: String, cure: &str) -> Finding {
         let s = if self.s_mm.is_finite() { self.s_mm } else { 0.0 };
         Finding { kind, message, pass: self.pass.max(1), from_mm: s, to_mm: s, cure: cure.to_owned(), allowed: false }

@@ -54,7 +54,7 @@ pub(super) struct Stepped {
 }
 
 impl Stepped {
-    /// All axes of the machine with steppers; none if there are none.
+    /// All axes of the machine with steppers; `None` without any.
     pub(super) fn all(machine: &Machine, clock: &Clock) -> Result<Option<Vec<Self>>, Failure> {
         let mut all = Vec::new();
         for (index, axis) in machine.axes.iter().enumerate() {

@@ -4,7 +4,7 @@ use crate::load::Loaded;
 use seamwright_motion::pulses::Bound;
 use serde::Serialize;
 
-/// What is to be known of the pulses.
+/// Summary of the pulses.
 #[derive(Debug, Serialize)]
 pub(super) struct Summary {
     job: String,

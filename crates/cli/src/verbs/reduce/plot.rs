@@ -18,7 +18,7 @@ pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
     sheet("Points as lines and arcs", &charts(points, &lines_and_arcs(points, spans), &ends))
 }
 
-/// Where spans begin and end.
+/// Starts and ends of spans.
 pub(in crate::verbs) fn ends(points: &[DVec3], spans: &[Span]) -> Vec<DVec3> {
     spans.iter().map(|s| points[s.first]).chain(points.last().copied()).collect()
 }

@@ -20,7 +20,7 @@ use serde_json::{Value, json};
 use std::collections::VecDeque;
 use std::io::{IsTerminal as _, Write as _};
 
-/// What a person types that must not wait.
+/// Typed order that must not wait.
 pub(in crate::verbs) fn is_urgent(text: &str) -> Option<Ask> {
     match text.trim() {
         "stop" => Some(Ask::Stop),
@@ -29,7 +29,7 @@ pub(in crate::verbs) fn is_urgent(text: &str) -> Option<Ask> {
     }
 }
 
-/// Where orders come from, what they led to.
+/// Source of the orders, and record of their results.
 pub(in crate::verbs) struct Desk {
     axes: Vec<String>,
     conditions: Vec<String>,
@@ -47,13 +47,13 @@ pub(in crate::verbs) struct Desk {
     table: Option<Table>,
     record: Option<Failure>,
     json: bool,
-    /// What happens is not printed.
+    /// Events are not printed.
     quiet: bool,
     events: Vec<Value>,
     refused: Option<String>,
     /// The first alarm that held the program or took the cell down.
     stopped: Option<String>,
-    /// What ended the program from outside.
+    /// External cause that ended the program.
     ended_by: Option<ShutdownCause>,
     passes: Vec<Place>,
     alarms: Vec<library::Alarm>,
@@ -94,17 +94,17 @@ impl Desk {
         Self { quiet: true, ..self }
     }
 
-    /// Something that cannot be gone on with: everything comes to an end.
+    /// Ends everything after an unrecoverable fault.
     pub(in crate::verbs) fn give_up(&mut self, why: &str) {
         self.refused.get_or_insert(why.to_owned());
     }
 
-    /// What the system grants to the cycle: what is missing stands in the record and is told at once.
+    /// Rights that the system grants to the cycle: missing ones are recorded and reported at once.
     pub(in crate::verbs) fn granted(&mut self, footing: &Footing) {
         if footing.is_whole() {
             return;
         }
-        // Nothing can be done if standard error is closed.
+        // Errors are ignored: standard error may be closed.
         let _ = writeln!(std::io::stderr(), "note: the cycle runs without real-time rights: {footing}");
         let missing: Vec<&str> = footing.missing().collect();
         let text = format!("without real-time rights: {}", missing.join(", "));
@@ -124,7 +124,7 @@ impl Desk {
 
     /// A line that the operator typed.
     pub(in crate::verbs) fn typed(&mut self, text: &str) {
-        // What stops has been sent already, past everything that waits.
+        // Orders that stop have been sent already, past everything that waits.
         if self.terminal && is_urgent(text).is_some() {
             self.lines.clear();
             self.waits = None;
@@ -153,7 +153,7 @@ impl Desk {
     pub(in crate::verbs) fn shown(&mut self, shown: &Shown) {
         self.now = Some(*shown);
         self.pending &= !self.answered;
-        // What cannot be written is lost and counted; when there is room again the trace goes on.
+        // Rows that fail to be written are lost and counted; when there is room again the trace goes on.
         if let Some(table) = &mut self.table
             && let Err(failure) = table.row(shown)
         {
@@ -222,7 +222,7 @@ impl Desk {
         self.tell("state", &text, json!({ "mode": now.mode.name(), "pass": now.place.pass, "s_mm": now.place.s_mm }));
     }
 
-    /// Nothing is left to be done but to come to an end.
+    /// Only the shutdown is left.
     fn ends_now(&self) -> bool {
         self.ended && self.lines.is_empty()
     }
@@ -270,7 +270,7 @@ impl Desk {
     }
 
     fn refuse(&mut self, t: f64, command: Command, missing: Missing) {
-        // What only takes a moment is asked for again.
+        // An order that is refused for a moment is repeated.
         if matches!(missing, Missing::Power | Missing::Moving) && !self.ends_now() {
             self.lines.push_front(Line::Ask(command.ask));
             return;
@@ -285,7 +285,7 @@ impl Desk {
         self.event(t, "refused", &text, json!({ "order": command.ask.name(), "why": why }));
     }
 
-    /// What is missing, in words.
+    /// Description of the missing permissive.
     fn why(&self, missing: Missing) -> String {
         let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
         let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
@@ -356,7 +356,7 @@ impl Desk {
             return;
         }
         let mut out = std::io::stdout().lock();
-        // Whoever reads may have gone; the cell goes on.
+        // Errors are ignored: the reader may have gone, but the cell goes on.
         let _ = writeln!(out, "{line}").and_then(|()| out.flush());
     }
 
@@ -365,13 +365,13 @@ impl Desk {
         self.table.as_ref().map_or(Ok(None), Table::journal)
     }
 
-    /// Where the weld is, if that is to be kept now.
+    /// Position of the weld, if it is due to be recorded.
     pub(super) fn position(&mut self) -> Option<Position> {
         let weld = self.table.as_ref().and_then(Table::weld)?;
         self.places.position(&self.now?, weld)
     }
 
-    /// What happened, a line each, and how it ended.
+    /// Log of the events, a line each, and the end of the run.
     pub(in crate::verbs) fn files(&self, title: &str, ended: &Ended) -> [(&'static str, String); 2] {
         let mut lines = String::new();
         for event in &self.events {

@@ -30,12 +30,12 @@ use std::thread::ScopedJoinHandle;
 use std::time::{Duration, Instant};
 use table::Table;
 
-/// How often the desk looks at what the cycle has sent.
+/// Period at which the desk reads the cycle's data.
 const LOOK: Duration = Duration::from_millis(5);
 /// After a signal the cycle has this long to bring everything to rest and its devices to their safe states.
 const SHUTDOWN: Duration = Duration::from_secs(15);
 
-/// What a cell ran on, and how it ended.
+/// Footing of a cell, and its end.
 pub(super) struct Ended {
     pub(super) left: Option<Place>,
     pub(super) timing: Option<(Footing, Latency)>,
@@ -64,7 +64,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     with_cell(&loaded, &motion, &around, &cell, asked)
 }
 
-/// Where a run begins and what it leaves.
+/// Start and outputs of a run.
 #[derive(Clone, Copy)]
 struct Asked<'a> {
     output: &'a std::path::Path,
@@ -81,7 +81,7 @@ fn tell_missed(ended: &Ended, period_s: f64) {
     let Some((_, latency)) = ended.timing.as_ref().filter(|(_, latency)| latency.missed() > 0) else { return };
     let (missed, all) = (latency.missed(), latency.missed() + latency.count());
     let (period, most) = (1e3 * period_s, 1e-3 * latency.most_us());
-    // Nothing can be done if standard error is closed.
+    // Errors are ignored: standard error may be closed.
     let _ = writeln!(
         std::io::stderr(),
         "note: {missed} of {all} cycles of {period} ms were missed: the worst began {most:.2} ms late\n   \
@@ -126,7 +126,7 @@ fn with_cell(
     let shutdown = Shutdown::default();
     shutdown.on_signals()?;
     shutdown.on_panic();
-    // Nothing is written before they answer.
+    // The devices must answer before files are written.
     let (devices, lines) = devices(loaded, cell, &work, asked)?;
     let mut output = Output::new(asked.output)?;
     let kept = (work.values(), tracking.is_some(), asked.from);
@@ -134,7 +134,7 @@ fn with_cell(
     let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
     let ended = real(work, machine, (devices, lines, tracking), (asked.cpu, &shutdown), &mut desk)?;
     let closed = desk.close(&mut output, &loaded.welding.program.value.title, &ended);
-    // Outputs that may be on come before files that cannot be written.
+    // Outputs that may be on are reported before unwritable files.
     check_safe(&ended.lines)?;
     output.finish()?;
     tell_missed(&ended, machine.servo_period_s);
@@ -172,7 +172,7 @@ fn devices<'a>(
     Ok((Box::new(devices), lines))
 }
 
-/// What cannot be simulated.
+/// Failure of a simulation.
 pub(in crate::verbs) fn bad(error: &seamwright_cell::Error) -> Failure {
     Failure::Input(error.to_string())
 }
@@ -255,7 +255,7 @@ fn give_up_late(shutdown: &Shutdown, waits: &mut Option<Instant>) {
     if waits.get_or_insert_with(Instant::now).elapsed() < SHUTDOWN {
         return;
     }
-    // Nothing can be done if standard error is closed.
+    // Errors are ignored: standard error may be closed.
     let _ = writeln!(
         std::io::stderr(),
         "error: ended by {cause}, but the cycle does not come to its end within {} s: check that arc, gas and drives are off\n   \

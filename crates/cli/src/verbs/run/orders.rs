@@ -5,11 +5,11 @@ use seamwright_cell::executive::{Ask, Mode};
 pub(in crate::verbs) enum Line {
     /// Something that the cell is asked.
     Ask(Ask),
-    /// Nothing more before the cell is in this mode.
+    /// Waits until the cell is in this mode.
     Mode(Mode),
-    /// Nothing more for so long, s.
+    /// Waits for this time, s.
     Seconds(f64),
-    /// Nothing more before the torch is there, mm along the pass.
+    /// Waits until the torch is there, mm along the pass.
     Place(f64),
     /// Where is the cell?
     State,

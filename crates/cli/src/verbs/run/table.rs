@@ -20,7 +20,7 @@ pub(in crate::verbs) struct Table {
     machine: Machine,
     tips: run_rows::Tips,
     values: usize,
-    /// What ends the names of the columns of each head that is tracked.
+    /// Suffixes of the columns of each head that is tracked.
     heads: Vec<String>,
 }
 

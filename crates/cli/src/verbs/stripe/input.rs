@@ -8,10 +8,10 @@ use seamwright_cell::frames::decode;
 use seamwright_vision::Image;
 use std::path::Path;
 
-/// Most points of a profile: more is no stripe.
-const MOST_POINTS: usize = 1_000_000;
+/// Maximum number of points of a profile.
+const MAX_POINTS: usize = 1_000_000;
 
-/// What was read.
+/// Data read.
 pub(super) enum Input {
     Image(Image),
     /// y and z, mm; not a number where it is missing.
@@ -55,8 +55,8 @@ fn profile(text: &str, source: &str) -> Result<Vec<DVec2>, Failure> {
             })?;
         }
         points.push(DVec2::from_array(point));
-        if points.len() > MOST_POINTS {
-            return Err(Failure::Input(format!("{source}: too many points\n   allowed: up to {MOST_POINTS}")));
+        if points.len() > MAX_POINTS {
+            return Err(Failure::Input(format!("{source}: too many points\n   allowed: up to {MAX_POINTS}")));
         }
     }
     Ok(points)

@@ -18,7 +18,7 @@ use seamwright_vision::stripe::{Features, JointKind, NoFeatures, Quantity, Strip
 use serde_json::{Map, Value, json};
 use std::io::{self, Write as _};
 
-/// Where places are: in mm or pixels, and how pixels become mm.
+/// Unit of positions, mm or pixels, and the map from pixels to mm.
 struct Scale {
     to_mm: Option<Homography>,
     /// The sensor's columns and rows, if it is known.
@@ -106,7 +106,7 @@ fn task(args: &StripeArgs, in_mm: bool) -> Result<StripeTask, Failure> {
     }
 }
 
-/// What to do if the joint is there when everything is turned upside down.
+/// Operator action if the joint is found with everything turned upside down.
 fn hint(turned: Result<Features, NoFeatures>) -> Option<&'static str> {
     turned.ok().filter(Features::is_confident)?;
     Some(
@@ -136,8 +136,8 @@ fn upside_down(image: &Image) -> Image {
     }
 }
 
-/// Writes what was found; `image` has the map of an image, if it has one. Where it may not be followed, what `hint` says
-/// follows the reason.
+/// Writes the result; `image` has the map of an image, if it has one. If the joint must not be followed, the text of
+/// `hint` follows the reason.
 fn write(
     args: &StripeArgs,
     found: &Result<Features, NoFeatures>,
@@ -150,7 +150,7 @@ fn write(
     } else {
         place.rows(found.as_ref().ok())?;
     }
-    // Nothing can be done if standard error is closed.
+    // Errors are ignored: standard error may be closed.
     let mut err = io::stderr();
     let why = match found {
         Err(why) => format!("no joint: {why}"),
@@ -171,7 +171,7 @@ fn write(
     Err(Failure::Printed)
 }
 
-/// How places are written.
+/// Format of positions.
 struct Place<'a> {
     image: Option<Option<&'a Homography>>,
 }

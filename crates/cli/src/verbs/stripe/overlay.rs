@@ -1,4 +1,4 @@
-//! What was seen, drawn over the image.
+//! Drawing of the result over the image.
 
 use crate::failure::Failure;
 use crate::overlay::{Colour, Overlay};

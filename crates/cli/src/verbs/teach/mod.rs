@@ -26,7 +26,7 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-/// Shortest and longest step from frame to frame, mm: shorter ones are none, longer ones leave the frame.
+/// Minimum and maximum step from frame to frame, mm: longer ones leave the frame.
 const STEPS_MM: (f64, f64) = (1.0, 100.0);
 /// Endings of the files beside the program.
 const BESIDE: [&str; 3] = ["report.json", "svg", "png"];
@@ -71,7 +71,7 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
     }
 }
 
-/// Where the line comes from.
+/// Source of the line.
 enum Source<'a> {
     /// Points jogged to by hand.
     Points(&'a Path),
@@ -83,7 +83,7 @@ enum Source<'a> {
 }
 
 impl<'a> Source<'a> {
-    /// What the command line asks for; refuses options that another source has.
+    /// Options of the command line; refuses those that another source has.
     fn read(args: &'a TeachArgs) -> Result<Self, Failure> {
         let source = match (&args.semi_manual, args.frames.as_deref()) {
             (Some(points), _) => Self::Points(points),
@@ -168,7 +168,7 @@ fn camera<'a>(args: &TeachArgs, machine: &'a Machine) -> Result<(&'a Sensor, &'a
     }
 }
 
-/// How the crawl goes along this seam.
+/// Settings of the joint following along this seam.
 fn settings(args: &TeachArgs, nominal: &SeamLine) -> Result<Settings, Failure> {
     Ok(teaching::settings(nominal, within("--step-mm", args.step_mm, STEPS_MM)?))
 }
@@ -177,7 +177,8 @@ fn follower(args: &TeachArgs, table: &HeightTable) -> Result<JointFollower, Fail
     teaching::follower(table, positive("--longest-tack-mm", args.longest_tack_mm)?)
 }
 
-/// Where the crawl begins: at `point`, as the nominal seam runs nearby unless the command line says otherwise.
+/// Start of the joint following: at `point`, in the direction of the nominal seam nearby unless the command line gives
+/// another.
 fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<EyePose, Failure> {
     let vector = |name: &str, given: &Option<Vec<f64>>| match given.as_deref() {
         None => Ok(None),

@@ -16,19 +16,19 @@ use std::path::PathBuf;
 const ALLOWED: &str = "X,Y,Z (mm, work frame) or X,Y,Z,DX,DY,DZ to go on there, in that direction; end: the joint ends \
     here; stop: give up";
 
-/// Who answers on standard input, or nobody.
+/// Operator who answers on standard input, if there is one.
 pub(super) struct Terminal<'a> {
     nominal: &'a SeamLine,
     progress: &'a Progress,
     /// The last frame.
     picture: &'a RefCell<Option<Picture>>,
-    /// Where it is drawn for the operator to look at.
+    /// File of the picture for the operator.
     png: PathBuf,
     asks: bool,
     ended: bool,
 }
 
-/// What the operator may say.
+/// Answers of the operator.
 enum Said {
     On(DVec3, Option<DVec3>),
     End,
@@ -66,7 +66,7 @@ impl<'a> Terminal<'a> {
             let mut line = String::new();
             match io::stdin().lock().read_line(&mut line) {
                 Ok(read) if read > 0 => {}
-                // Nobody answers any more.
+                // Standard input has ended.
                 _ => return Said::Stop,
             }
             match self.said(line.trim()) {

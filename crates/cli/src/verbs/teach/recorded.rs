@@ -26,7 +26,7 @@ pub(super) fn play(session: &Session, mut frames: impl FrameSource, what: &str) 
     session.crawl(begin, &mut Played(Box::new(Again { first: Some(first), rest: frames })))
 }
 
-/// Where the eye looks in a frame.
+/// Point at which the camera looks in a frame.
 pub(super) fn middle(session: &Session, frame: &TimedFrame) -> DVec3 {
     let axes = joints(session.machine, frame.axes.as_deref().unwrap_or_default());
     let camera = session.machine.camera_frame(session.sensor, &axes);

@@ -8,7 +8,7 @@ use seamwright_tracking::teach::{Curves, Reduced};
 use serde_json::{Value, json};
 use std::io::{self, Write as _};
 
-/// All that is told of a taught line.
+/// Report of a taught line.
 pub(super) struct Report<'a> {
     args: &'a TeachArgs,
     machine: &'a Machine,

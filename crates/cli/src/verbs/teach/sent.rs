@@ -35,7 +35,7 @@ pub(super) fn teach(args: &TeachArgs, address: &str, loaded: &Loaded, nominal: &
     let ground = Ground::new(loaded, nominal)?;
     let guide = |point: DVec3| ground.guide(point);
     let mut stream = connect()?;
-    // Nobody has asked for the first one: it tells where the eye is.
+    // The first frame comes unasked: it shows the camera's position.
     let first = stream.next()?.ok_or_else(|| Failure::Input(format!("{address}: no frames")))?;
     let begin = start(args, nominal, middle(&session, &first))?;
     let axes = joints(session.machine, first.axes.as_deref().unwrap_or_default());

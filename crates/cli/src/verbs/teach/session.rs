@@ -15,7 +15,7 @@ use seamwright_project::teaching::{Outcome, Picture};
 use seamwright_tracking::teach::{Crawl, EyePose};
 use std::cell::RefCell;
 
-/// What a crawl is along, and with which eye.
+/// Seam and camera of a joint following.
 pub(super) struct Session<'a> {
     pub(super) args: &'a TeachArgs,
     pub(super) nominal: &'a SeamLine,

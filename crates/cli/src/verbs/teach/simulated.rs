@@ -10,7 +10,7 @@ use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine};
 use seamwright_cell::teach::{SimulatedRig, truth};
 use seamwright_project::teaching::{Ground, Outcome};
 
-/// How far beside the joint the operator of the simulation puts the cross, mm.
+/// Distance from the joint at which the simulated operator puts the cross, mm.
 const BESIDE_MM: f64 = 0.3;
 /// Usual seed, and how far parts are shifted (mm), turned (degrees) and bent (mm).
 const SEED: u64 = 1;

@@ -1,16 +1,15 @@
-//! A checker of certificates that knows only what a stranger does: the rows of `motion`, the machine file's limits, and
-//! the tip's place by `kinematics`. Nothing of the planner is called.
+//! An independent checker of certificates. Its only inputs are the rows of `motion`, the machine file's limits, and the
+//! tip's position by `kinematics`; it calls no code of the planner.
 //!
-//! What differences can and cannot say, over a period T:
+//! Bounds by differences over a period T:
 //! - A first, second or third difference by T, T^2 or T^3 is a weighted mean (weights of a B-spline, none negative) of
-//!   the speed, acceleration or jerk over one, two or three periods. So it never exceeds the greatest of them, nor the
+//!   the speed, acceleration or jerk over one, two or three periods. So it never exceeds the maximum of them, nor the
 //!   limit: the only allowance upwards is rounding.
-//! - A number q in the table is off by a few units in its last place and by how far the axis moves within the rounding
-//!   of the time: `e`. Differences of order n then are off by `2^n e / T^n`.
-//! - Downwards, the greatest speed by differences falls short of the true one by at most `T/2` times the greatest
-//!   acceleration, the greatest acceleration by `T` times the greatest jerk. Jerk may jump, but in a weld it lasts for
-//!   many periods, and over one it changes little: [`jerk_short`] is what its means over three periods may fall short
-//!   of it.
+//! - A number q in the table is off by a few units in its last place and by the axis motion within the rounding of the
+//!   time: `e`. Differences of order n then are off by `2^n e / T^n`.
+//! - Downwards, the maximum speed by differences falls short of the true one by at most `T/2` times the maximum
+//!   acceleration, the maximum acceleration by `T` times the maximum jerk. Jerk may jump, but in a weld it lasts for
+//!   many periods, and over one it changes little: [`jerk_short`] bounds the shortfall of its means over three periods.
 
 use super::{column, good, run_with, table};
 use serde_json::Value;
@@ -64,7 +63,7 @@ pub struct Motion {
     /// Torch tip in the work frame.
     pub tip: Vec<[f64; 3]>,
     pub limits: Limits,
-    /// What is claimed: the first pass of the certificate.
+    /// Claim: the first pass of the certificate.
     pub claim: Value,
 }
 
@@ -89,7 +88,7 @@ pub fn motion(job: &str, machine: &str, machine_text: &str, period_ms: &str) -> 
     }
 }
 
-/// What the check found.
+/// Result of the check.
 #[derive(Default, Debug)]
 pub struct Checked {
     /// Everything that does not hold.
@@ -132,7 +131,7 @@ pub fn check(m: &Motion) -> Checked {
     found
 }
 
-/// How far a position in the table may be off.
+/// Maximum error of a position in the table.
 fn rounding(m: &Motion, name: &str) -> f64 {
     let q = &m.axes[name];
     // The position is a series of some ten terms in a path length, in other units: some ulps of each.

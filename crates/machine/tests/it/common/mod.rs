@@ -39,8 +39,8 @@ pub fn random_joints(machine: &Machine, random: &mut Uniform) -> Joints {
     q
 }
 
-/// How far the pose is from a singular one: the volume that the decided axes' columns span, each of length 1, over
-/// all of point and direction (as many as there are axes for).
+/// Distance of the pose from a singular one: the volume spanned by the decided axes' unit columns over all of point and
+/// direction, as far as the number of axes allows.
 pub fn conditioning(machine: &Machine, q: &Joints) -> f64 {
     let columns = machine.jacobian(q);
     let head = &machine.heads[0];
@@ -63,12 +63,12 @@ pub fn conditioning(machine: &Machine, q: &Joints) -> f64 {
     volume
 }
 
-/// The text of a machine file with `count` axes of random kind, side, sense, direction and place.
+/// The text of a machine file with `count` axes of random kind, side, sense, direction and position.
 pub fn random_chain(random: &mut Uniform, count: u32) -> String {
     let mut text = String::from("schema = 1\nname = \"random\"\ntitle = \"random\"\n");
     for k in 0..count {
         let side = if random.below(2) == 0 { "tool" } else { "work" };
-        // Some along the frame's axes, as machines are built; some anywhere.
+        // Some along the frame's axes, as on real machines; some in any direction.
         let direction = if random.below(2) == 0 {
             let mut v = [0.0; 3];
             v[random.below(3) as usize] = if random.below(2) == 0 { 1.0 } else { -1.0 };
@@ -93,7 +93,7 @@ pub fn random_chain(random: &mut Uniform, count: u32) -> String {
     text + &format!("[torch]\ndirection = {:?}\n", random.vector(1.0).to_array())
 }
 
-/// True if two sets of positions are the same but for whole turns.
+/// True if two sets of positions are equal up to whole turns.
 pub fn same(machine: &Machine, a: &Joints, b: &Joints, within: f64) -> bool {
     machine.axes.iter().zip(a.iter().zip(b)).all(|(axis, (a, b))| {
         let d = match axis.kind {

@@ -1,27 +1,27 @@
-//! The search for a course, in each period in which the pace is not the wanted one.
+//! Search for a course, in each period in which the override is not the wanted one.
 
 use super::{BOLDEST, Pace, Stop};
 use crate::pace::course::{Course, State};
 use crate::pace::shield::Breach;
 use crate::pace::timed::{Pacing, Rates, Timed};
 
-/// Courses tried in a period; if none holds, the one before goes on.
+/// Maximum number of courses tried in a period; if none holds, the previous one continues.
 const ATTEMPTS: usize = 10;
-/// Periods before looking again when none held.
+/// Periods until the next search if no course held.
 const PAUSE: u32 = 2;
-/// A stop that may take this much longer than the axes need at least is not looked at yet.
+/// Ratio of available to minimum stopping time above which a stop is not considered yet.
 const FAR: f64 = 3.0;
-/// Paces this near to each other are the same.
+/// Overrides closer than this are equal.
 const NEAR: f64 = 1e-15;
-/// A border this near in the law's time is passed, s.
+/// Distance in profile time within which a border counts as passed, s.
 const BEYOND: f64 = 1e-9;
-/// Longest time to wait for a border, s.
+/// Maximum time to wait for a border, s.
 const LONGEST_DELAY: f64 = 0.2;
-/// Durations of a hop that are tried, each twice the one before.
+/// Number of durations of a hop that are tried, each twice the previous one.
 const HOPS: u32 = 12;
 
 impl<L: Timed + ?Sized> Pace<'_, L> {
-    /// Looks for a better course than the one that is followed.
+    /// Searches a better course than the followed one.
     pub(super) fn decide(&mut self, now: State, goal: f64) {
         if self.stop.is_some_and(|s| s.begun) {
             return;
@@ -45,7 +45,7 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
                     self.boldness = (self.boldness * 1.25).min(BOLDEST);
                     return;
                 }
-                // The law's own jerk leaves no room for the way back: that can wait until the jerk jumps.
+                // The profile's own jerk leaves no room for the return: it waits until the jerk jumps.
                 Err(breach) if breach.jerk && breach.segment > 0 && delay <= 0.0 => {
                     delay = self.delay(&course, breach.t);
                 }
@@ -53,30 +53,30 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
                     self.boldness = (self.boldness * 0.6).max(1e-3);
                     (part, delay) = (part * 0.8, 0.0);
                 }
-                // Near the begin of a law its rates grow within the period: a little less may hold.
+                // Near the start of a profile its rates grow within the period: slightly less may hold.
                 Err(_) => part *= if part > 0.6 { 0.8 } else { 0.4 },
             }
         }
-        // Nothing holds just now: looks again a little later.
+        // No course holds now: the search pauses.
         self.pause = PAUSE;
         if let Some(place) = place {
             self.wait_or_stop(place);
         }
     }
 
-    /// How long after its first period a course must go straight on to be past the border after its time `t`, s.
+    /// Delay after its first period that takes a course past the border after its time `t`, s.
     fn delay(&self, course: &Course, t: f64) -> f64 {
         let at = course.at(t);
         let forward = at.pace.phi > 0.0;
-        // A border that it is at already is not the next one.
+        // Skips a border at the current time.
         let past = at.theta + if forward { BEYOND } else { -BEYOND };
         let border = self.law().next_border(past, forward);
         let wait = t - self.period + (border - at.theta) / at.pace.phi;
-        // Beyond all sense it is better to try less.
+        // For an unreasonable delay a smaller step is tried instead.
         if wait.is_finite() && wait > 0.0 && wait < LONGEST_DELAY { wait + 0.5 * self.period } else { self.period }
     }
 
-    /// True if the course followed already ends at the goal, and heading there again would hardly be quicker.
+    /// True if the followed course already ends at the goal, and a new one would hardly be quicker.
     fn follows(&self, now: State, goal: f64) -> bool {
         let ends = (self.course.steady - goal).abs() <= 0.0;
         let left = self.course.duration() - self.elapsed;
@@ -84,12 +84,12 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
         ends && left <= now.pace.d1.abs() / (self.shield.strength(&rates) * self.boldness) + 2.0 * self.period
     }
 
-    /// The course that heads for the goal for one period, as fast as the axes allow here (or `part` of that), and then
-    /// back to steady `home` (after a delay, and how strongly), so that it does not end beyond the goal.
+    /// Builds the course that approaches the goal for one period, as fast as the axes allow here (or `part` of that),
+    /// and then returns to steady by `home` (delay, strength), so that it does not end beyond the goal.
     fn candidate(&self, now: State, goal: f64, rates: &Rates, home: (f64, f64), part: f64) -> Option<Course> {
         let (delay, back) = home;
         let (period, Pacing { phi, d1, .. }) = (self.period, now.pace);
-        // Where d1 must be at the end of the period to come out at the goal exactly.
+        // Computes the d1 at the end of the period that leads exactly to the goal.
         let way = goal - phi - 0.5 * period * d1;
         let straight = 0.5 * period + delay;
         let root = (straight * straight + 2.0 * way.abs() / back).sqrt() - straight;
@@ -101,15 +101,15 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
         let d2 = wanted.clamp(range.0.min(0.0), range.1.max(0.0));
         let d2 = (d1 + d2 * period).clamp(steepest.0.min(0.0), steepest.1.max(0.0)) / period - d1 / period;
         let cut = (d2 - wanted).abs() > 1e-9 * back || part < 1.0;
-        // A part of the way from going back to steady at once.
+        // Scaled from the immediate return to steady.
         let straight_home = -back.min(d1.abs() / period).copysign(d1);
         let d2 = if part < 1.0 { straight_home + part * (d2 - straight_home) } else { d2 };
         let course = Course::heading(now, d2, period, home, (!cut).then_some(goal));
         (course.steady.abs() <= 1.0 && self.better(&course, phi, goal)).then_some(course)
     }
 
-    /// True if a course from pace `phi` comes out nearer to the goal than the one followed, or as near and sooner; not
-    /// beyond the goal if that can be helped: a hold does not go back.
+    /// True if a course from the override `phi` ends nearer to the goal than the followed one, or as near and sooner.
+    /// Courses that end beyond the goal are avoided: a hold does not reverse.
     fn better(&self, course: &Course, phi: f64, goal: f64) -> bool {
         let beyond = |end: f64| (end - goal) * (phi - goal) < 0.0;
         if beyond(course.steady) && !beyond(self.course.cruise()) {
@@ -120,13 +120,13 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
         }
         let gained = (self.course.steady - goal).abs() - (course.steady - goal).abs();
         let sooner = course.duration() < self.course.duration() - self.elapsed;
-        // The one followed may come nearer to the goal only because its way back to steady is slow.
+        // The followed course may end nearer to the goal only because its return to steady is slow.
         let after = |course: &Course, t: f64| (course.at(t + self.period).pace.phi - goal).abs();
         let ahead = after(course, 0.0) < after(&self.course, self.elapsed) - NEAR;
         gained > NEAR || (gained > -NEAR && sooner) || ahead
     }
 
-    /// The course if it holds; with a stop at `place` added if that is not far.
+    /// Returns the course if it holds, with a stop at `place` added if that is near.
     fn check(&self, course: &Course, place: Option<f64>) -> Result<Course, Breach> {
         let mut course = course.clone();
         if let Some(place) = place {
@@ -139,8 +139,8 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
         self.shield.check(self.law(), &course).map(|()| course)
     }
 
-    /// No quicker course can stop at `place`: waits a period at a steady pace if it can stop after that, else stops
-    /// now; a place that cannot be stopped at any more is given up.
+    /// Handles a stop at `place` that no quicker course can make: waits a period at a steady override if a stop is
+    /// possible after that, else stops now. An unreachable stop is dropped.
     fn wait_or_stop(&mut self, place: f64) {
         if let Some(rest) = self.course.rest_before_stop(self.elapsed)
             && let Ok(course) = self.check(&rest.then_steady(self.period), Some(place))
@@ -155,7 +155,7 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
         }
     }
 
-    /// From standing to a place so near that there is no steady pace between: up and down, as quickly as holds.
+    /// Moves from rest to a stop so near that no steady override fits between, by the quickest valid hop.
     fn hop(&mut self, place: f64) {
         let here = self.now().theta;
         for doublings in 0..HOPS {

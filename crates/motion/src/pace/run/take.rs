@@ -1,21 +1,21 @@
-//! What orders do, by the phase in which they come.
+//! Effects of orders, by the current phase.
 
 use super::{Goal, Run, Then};
 use crate::pace::{Command, Order, PaceError, RunPhase, Timed};
 use seamwright_program::is_beyond;
 
-/// Overrides below it hold.
-const LEAST: f64 = 0.001;
+/// Minimum override; below it the run holds.
+const MIN_OVERRIDE: f64 = 0.001;
 
 impl<L: Timed + ?Sized> Run<'_, L> {
-    /// Takes an order; it works from the next period on. Orders after the end, or while the end of the pass is being
-    /// filled, have no effect; after an abort only its completion follows.
+    /// Takes an order for the next period and later. Orders after the end, or while the end crater is filled, have no
+    /// effect; an abort is completed first.
     ///
     /// # Errors
-    /// An override that is not allowed; going on at an override of 0. Then everything goes on as before.
+    /// An override that is not allowed; resuming at an override of 0. The state is then unchanged.
     pub fn order(&mut self, order: Order) -> Result<(), PaceError> {
         match order {
-            Order::Override(value) if (0.0..LEAST).contains(&value) => {
+            Order::Override(value) if (0.0..MIN_OVERRIDE).contains(&value) => {
                 self.zero = true;
                 self.stop_for(Then::Wait);
                 return Ok(());
@@ -47,7 +47,7 @@ impl<L: Timed + ?Sized> Run<'_, L> {
         self.pass_over()
     }
 
-    /// True if no order can change what comes any more.
+    /// True if orders have no effect any more.
     fn closed(&self) -> bool {
         self.phase == RunPhase::Ended || self.then == Then::End
     }

@@ -23,7 +23,7 @@ impl Builder<'_> {
             Path::Arc(_) => Along::Arc,
             Path::Hermite(_) | Path::Spline | Path::Curve(_) => Along::Cubic,
         };
-        // Arcs of more than half a turn are told by several.
+        // Arcs of more than half a turn are split.
         let ends = match arc {
             Some(arc) => {
                 let parts = (arc.sweep / (PI * (1.0 + 1e-9))).ceil().max(1.0) as u32;
@@ -64,7 +64,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Whether an arc also goes along its axis: whatever else, its places do not tell its plane.
+    /// Whether an arc also goes along its axis: then its points do not define its plane.
     fn climbs(&self, segment: &Segment) -> bool {
         let Some(arc) = self.arc_of(segment) else { return false };
         let [start, end] = [segment.start(), segment.end()].map(|row| self.read.xyz().of(row));
@@ -78,13 +78,13 @@ impl Builder<'_> {
         }
     }
 
-    /// A cubic or a curve as cubics of the columns that say the place.
+    /// A cubic or a curve as cubics of the position's columns.
     fn cubics<'s>(&'s self, segment: &'s Segment, level: Level) -> Cubics<'s> {
         let xyz = (level == Level::Tip).then(|| self.read.xyz());
         Cubics { segment, xyz, place: Box::new(move |row| self.place(row, level)) }
     }
 
-    /// The columns of a row that say the place.
+    /// The position's columns of a row.
     fn place(&self, row: &[f64], level: Level) -> Vec<f64> {
         match level {
             Level::Joint => row[..self.read.axes()].to_vec(),
@@ -103,7 +103,7 @@ impl Builder<'_> {
         numbers.into_iter().map(finite).collect()
     }
 
-    /// Tip and direction where X, Y and Z of a row are the tip's place.
+    /// Tip and direction if X, Y and Z of a row are the tip's position.
     fn pose(&self, row: &[f64]) -> Vec<f64> {
         let mut q = Joints::default();
         for ((q, axis), value) in q.iter_mut().zip(&self.machine.axes).zip(row) {

@@ -1,4 +1,4 @@
-//! What the codes of a line mean, and the order in which the line's words are done.
+//! Meaning of the codes of a line, and the order in which the line's words are executed.
 
 use super::{E, F, L, Line, P, Q, R, S};
 use crate::read::Flow;
@@ -256,7 +256,7 @@ impl Line {
         }
     }
 
-    /// M66: L0 is only a point to wait at for what went before.
+    /// M66: L0 only waits for the motion before.
     fn wait(&mut self, span: Span, state: &mut State) -> Read {
         let (digital, analogue) = (self.values[P].take(), self.values[E].take());
         let (how, _) = (self.values[L].take().map_or(0.0, |l| l.0), self.values[Q].take());

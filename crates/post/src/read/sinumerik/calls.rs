@@ -46,7 +46,7 @@ pub(super) fn channel(state: &State, c: &mut Cursor) -> Read<(usize, Span)> {
     if name.is_empty() {
         return Err(Fault::new(c.here(), "an axis is missing here"));
     }
-    // Who names what there is not means something else by what follows: this is not left out.
+    // An unknown axis changes the meaning of the rest, so even a lenient reader does not leave it out.
     let mut fault = match state.addresses.name(name) {
         Some(channel) => return Ok((channel, span)),
         None => no_address(state.control, span, name),
@@ -55,7 +55,7 @@ pub(super) fn channel(state: &State, c: &mut Cursor) -> Read<(usize, Span)> {
     Err(fault)
 }
 
-/// FGROUP(X, Y, ..): whose way the feed counts; none: the usual ones.
+/// FGROUP(X, Y, ..): axes whose way the feed counts; without axes the usual ones.
 fn feed_group(state: &mut State, c: &mut Cursor) -> Read {
     c.need(b'(')?;
     if c.take(b')') {
@@ -228,7 +228,7 @@ impl Line {
         Ok(())
     }
 
-    /// WHEN TRUE DO $A_OUT[1]=1: with the begin of the next move.
+    /// WHEN TRUE DO $A_OUT[1]=1: with the start of the next move.
     pub(super) fn when(&mut self, state: &mut State, c: &mut Cursor, span: Span) -> Read {
         let condition = c.name();
         c.blanks();

@@ -1,4 +1,4 @@
-//! What the codes of a line mean, and what is done at its end.
+//! Meaning of the codes of a line, and the actions at its end.
 
 use super::Line;
 use crate::Event;
@@ -89,7 +89,7 @@ impl Line {
         Ok(())
     }
 
-    /// Does what the line says.
+    /// Executes the line.
     #[inline]
     pub(super) fn finish(self, state: &mut State) -> Read<Flow> {
         let moves = state.target.count > 0 || self.block.has_arc_word();

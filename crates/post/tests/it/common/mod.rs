@@ -49,7 +49,7 @@ impl Planned {
     }
 }
 
-/// The steps of each pass, from its begin to the next one's.
+/// The steps of each pass, from its start to the next one's.
 pub(crate) fn passes(program: &PartProgram) -> Vec<std::ops::Range<usize>> {
     let mut begins: Vec<usize> =
         (0..program.steps.len()).filter(|i| matches!(program.steps[*i].what, What::Pass(_))).collect();
@@ -77,8 +77,8 @@ enum Shape<'a> {
     Curve(&'a [f64], &'a [f64], Vec<f64>),
 }
 
-/// All ways of the moves in a range of steps, in order; of splines each segment is one, also the two that the control
-/// adds to a run.
+/// All ways of the moves in a range of steps, in order. Each segment of a spline is a way, also the two that the
+/// control adds to a run.
 pub(crate) fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) -> Vec<(usize, Way<'a>)> {
     let xyz = ["x", "y", "z"].map(|name| program.channels.iter().position(|c| c.name == name));
     let mut all: Vec<(usize, Way)> = Vec::new();

@@ -7,7 +7,7 @@ use glam::DVec3;
 use seamwright_post::{Control, Dialect};
 use std::f64::consts::TAU;
 
-/// What was read of a text.
+/// Content read from a text.
 #[derive(Default)]
 pub(crate) struct Read {
     /// The row after each line of motion.
@@ -59,7 +59,7 @@ fn bare(dialect: Dialect, line: &str) -> &str {
     .trim()
 }
 
-/// Lines that are no words.
+/// Lines that hold no words.
 fn is_other(dialect: Dialect, line: &str) -> bool {
     let starts: &[&str] = match dialect {
         Dialect::Sinumerik => &[

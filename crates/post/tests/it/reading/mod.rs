@@ -77,7 +77,7 @@ pub fn good(dialect: Dialect, text: &str) -> PartProgram {
     try_read(dialect, text).unwrap_or_else(|e| panic!("{text}\n{e}")).program
 }
 
-/// The error's place and message; checks that it prints whole.
+/// The error's position and message; checks that it prints whole.
 pub fn bad(dialect: Dialect, text: &str) -> (usize, usize, String) {
     let error = try_read(dialect, text).expect_err(text);
     let shown = error.to_string();
@@ -87,7 +87,7 @@ pub fn bad(dialect: Dialect, text: &str) -> (usize, usize, String) {
     (error.line, error.column, error.message)
 }
 
-/// Checks an error's place and a part of its message.
+/// Checks an error's position and a part of its message.
 pub fn refused(dialect: Dialect, text: &str, line: usize, column: usize, part: &str) {
     let (at_line, at_column, message) = bad(dialect, text);
     assert!(message.contains(part), "{text:?}: {message}");

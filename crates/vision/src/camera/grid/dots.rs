@@ -1,24 +1,24 @@
-//! Dark dots in a picture.
+//! Detection of dark dots in a picture.
 
 use super::GridError;
 use crate::{Frame, Pixels};
 use glam::DVec2;
 
-/// Darkness of the darkest dots over the brightness about them below which a picture counts as plain.
-const LEAST_CONTRAST: f64 = 0.05;
-/// A dot's area over the median one.
+/// Minimum relative darkness of the darkest dots against their surroundings; below it the picture counts as plain.
+const MIN_CONTRAST: f64 = 0.05;
+/// Accepted area of a dot relative to the median.
 const AREAS: std::ops::RangeInclusive<f64> = 0.3..=3.0;
-/// Fewest pixels of a dot.
+/// Minimum pixels of a dot.
 const FEWEST_PIXELS: usize = 6;
 
-/// Centres of dark dots, pixels.
+/// Finds the centres of dark dots, pixels.
 pub(super) fn find(frame: &Frame) -> Result<Vec<DVec2>, GridError> {
     let (width, height) = (frame.width(), frame.height());
     let darkness = darkness(&values(frame), (width, height));
     let mut sorted: Vec<f32> = darkness.iter().step_by(3).copied().collect();
     sorted.sort_unstable_by(f32::total_cmp);
     let dark = f64::from(sorted[(sorted.len() - 1) * 99 / 100]);
-    if dark < LEAST_CONTRAST {
+    if dark < MIN_CONTRAST {
         return Err(GridError::Plain(100.0 * dark.max(0.0)));
     }
     let spots = spots(&darkness, (width, height), (0.5 * dark) as f32);
@@ -36,14 +36,14 @@ fn values(frame: &Frame) -> Vec<f32> {
     }
 }
 
-/// By which part each pixel is darker than the mean of a box about it; a little smoothed against noise.
+/// Relative darkness of each pixel against the mean of a box about it, slightly smoothed against noise.
 fn darkness(values: &[f32], (width, height): (usize, usize)) -> Vec<f32> {
     let near = boxed(values, (width, height), 1);
     let about = boxed(values, (width, height), (width.max(height) / 10).max(4));
     near.iter().zip(&about).map(|(v, mean)| if *mean > 0.0 { 1.0 - v / mean } else { 0.0 }).collect()
 }
 
-/// Means over boxes of `reach` to each side, cut off at the frame's rim.
+/// Means over boxes of `reach` to each side, cut off at the frame's border.
 fn boxed(values: &[f32], (width, height): (usize, usize), reach: usize) -> Vec<f32> {
     let mut sums = vec![0.0f64; (width + 1) * (height + 1)];
     for y in 0..height {
@@ -66,11 +66,11 @@ fn boxed(values: &[f32], (width, height): (usize, usize), reach: usize) -> Vec<f
     out
 }
 
-/// Pixels that hang together and are darker than the threshold.
+/// Connected pixels that are darker than the threshold.
 struct Spot {
     centre: DVec2,
     area: usize,
-    /// Touches the frame's rim.
+    /// Touches the frame's border.
     cut: bool,
 }
 
@@ -89,7 +89,8 @@ fn spots(darkness: &[f32], (width, height): (usize, usize), threshold: f32) -> V
             let (x, y) = (i % width, i / width);
             area += 1;
             cut |= x == 0 || y == 0 || x + 1 == width || y + 1 == height;
-            // Full weight from some way above the threshold on, so that the rim counts by how much of it is the dot's.
+            // Weights start below the threshold, so that pixels at the edge count in proportion to the dot's share of
+            // them.
             let w = f64::from(darkness[i] - 0.5 * threshold).max(0.0);
             sum += w * DVec2::new(x as f64, y as f64);
             weight += w;

@@ -1,4 +1,4 @@
-//! The map that has the dots nearest to where they are seen.
+//! Least-squares fit of the map to the dots.
 
 use super::order::Crossing;
 use super::{Dot, Grid, GridError, Identified};
@@ -6,16 +6,16 @@ use crate::camera::{MapParameters, PlaneMap};
 use glam::{DMat2, DVec2};
 use nalgebra::{SMatrix, SVector};
 
-/// Pixels a mm (four numbers, by columns), offset in undistorted pixels, barrel.
+/// Pixels per mm (four numbers, by columns), offset in undistorted pixels, barrel distortion.
 const UNKNOWNS: usize = 7;
 
-/// Most steps; from the start of the search a handful is enough.
+/// Maximum iterations; a few are enough from the linear start.
 const STEPS: usize = 50;
 
 pub(super) fn fit(crossings: &[Crossing], size: (usize, usize), grid: &Grid) -> Result<Identified, GridError> {
     let centre = grid.centre_px.unwrap_or(0.5 * DVec2::new(size.0 as f64 - 1.0, size.1 as f64 - 1.0));
     let radius = 0.5 * size.0 as f64;
-    // In units of pitches and radii, so that all unknowns are about 1.
+    // Scaled to pitches and radii, so that all unknowns are about 1.
     let model = Model { centre, radius, crossings };
     let unknowns = model.solve();
     let dots: Vec<Dot> = crossings.iter().map(|c| Dot { px: c.px, off_px: model.at(&unknowns, c).0 - c.px }).collect();
@@ -32,7 +32,7 @@ pub(super) fn fit(crossings: &[Crossing], size: (usize, usize), grid: &Grid) -> 
     Ok(Identified { map, dots, rms_px: rms, max_px: max })
 }
 
-/// Scale, rotation and shear of a matrix of mm a pixel.
+/// Decomposes a matrix of mm per pixel into scale, rotation and shear.
 fn parameters(to_mm: DMat2, barrel: f64, size_px: (usize, usize), centre_px: DVec2) -> MapParameters {
     let rotation = to_mm.x_axis.y.atan2(to_mm.x_axis.x);
     let square = DMat2::from_angle(-rotation) * to_mm;
@@ -55,7 +55,7 @@ struct Model<'a> {
 type Unknowns = SVector<f64, UNKNOWNS>;
 
 impl Model<'_> {
-    /// Where the map has a crossing, in pixels, and the derivatives of that.
+    /// Returns a crossing's position by the map, in pixels, and its derivatives.
     fn at(&self, u: &Unknowns, crossing: &Crossing) -> (DVec2, [DVec2; UNKNOWNS]) {
         let g = crossing.place.as_dvec2();
         let n = DVec2::new(u[0], u[1]) * g.x + DVec2::new(u[2], u[3]) * g.y + DVec2::new(u[4], u[5]);
@@ -73,11 +73,11 @@ impl Model<'_> {
         (self.centre + self.radius * (1.0 + u[6] * r2) * n, derivatives)
     }
 
-    /// Gauss and Newton's method from the map without distortion, which is a linear problem.
+    /// Gauss-Newton iteration from the map without distortion, which is a linear problem.
     fn solve(&self) -> Unknowns {
         let mut u = Unknowns::zeros();
         for step in 0..STEPS {
-            // The first step is the linear problem: with no barrel, and none asked for, it is solved at once.
+            // The first step solves the linear problem, without barrel distortion.
             let unknowns = if step == 0 { UNKNOWNS - 1 } else { UNKNOWNS };
             let mut normal = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::zeros();
             let mut right = Unknowns::zeros();

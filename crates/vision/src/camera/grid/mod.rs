@@ -1,4 +1,4 @@
-//! The map of a plane from one picture of a known grid of dots.
+//! Identification of the map of a plane from one picture of a known grid of dots.
 
 mod dots;
 mod fit;
@@ -9,63 +9,63 @@ use crate::Frame;
 use glam::DVec2;
 use thiserror::Error;
 
-/// Fewest dots that are believed.
+/// Minimum dots of a usable picture.
 pub(crate) const FEWEST_DOTS: usize = 25;
 
-/// A grid of dark dots on a lighter plate, square to the optical axis: rows and columns at right angles.
+/// A grid of dark dots on a lighter plate, perpendicular to the optical axis, with rows and columns at right angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {
-    /// Distance of two dots next to each other, mm.
+    /// Distance between neighbouring dots, mm.
     pub pitch_mm: f64,
-    /// The pixel where the optical axis meets the plate; the frame's middle if not given.
+    /// Pixel where the optical axis meets the plate; the frame's middle if `None`.
     pub centre_px: Option<DVec2>,
-    /// Greatest RMS distance of the dots from where the map has them, pixels: above it the picture is none of the grid.
+    /// Maximum RMS distance of the dots from the map, pixels; above it the picture is rejected.
     pub limit_px: f64,
 }
 
-/// A map, and how well the picture fits it.
+/// A map and how well it fits the picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Identified {
     /// The map.
     pub map: PlaneMap,
     /// The dots that were found.
     pub dots: Vec<Dot>,
-    /// RMS distance of the dots from where the map has them, pixels.
+    /// RMS distance of the dots from their positions by the map, pixels.
     pub rms_px: f64,
-    /// The greatest such distance, pixels.
+    /// Maximum of these distances, pixels.
     pub max_px: f64,
 }
 
 /// A dot of the grid in the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dot {
-    /// Where it is seen.
+    /// Detected position, pixels.
     pub px: DVec2,
-    /// Where the map has it, from there, pixels.
+    /// Offset from the detected position to the position by the map, pixels.
     pub off_px: DVec2,
 }
 
-/// Why a picture gives no map.
+/// Reason why a picture gives no map.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum GridError {
-    /// Not a pitch.
+    /// Invalid pitch.
     #[error("a pitch of {0} mm: a finite number greater than 0")]
     Pitch(f64),
-    /// Hardly any difference between dark and light.
+    /// Too little contrast.
     #[error("no dark dots: the picture is nearly plain (the darkest places are {0:.1} % darker than those about them)")]
     Plain(f64),
-    /// Too few dots that hang together.
+    /// Too few connected dots.
     #[error("{found} dots of a grid: at least {FEWEST_DOTS} are needed, all over the picture")]
     Few {
-        /// How many.
+        /// Number of dots found.
         found: usize,
     },
-    /// Two ways around the grid lead to different places.
+    /// Two paths through the grid assign different crossings to one dot.
     #[error("the dots are not the crossings of one grid: near ({x:.0}, {y:.0}) rows and columns do not meet")]
     Tangled {
-        /// Pixels to the right.
+        /// Pixels to the right, in the picture.
         x: f64,
-        /// Pixels down.
+        /// Pixels down, in the picture.
         y: f64,
     },
     /// The dots cover only a part of the frame.
@@ -76,25 +76,25 @@ pub enum GridError {
         "the dots are {rms:.2} px RMS from any map, at most {max:.2}: the picture is not of this grid, or not sharp"
     )]
     Residual {
-        /// RMS, pixels.
+        /// RMS distance, pixels.
         rms: f64,
-        /// Greatest, pixels.
+        /// Maximum distance, pixels.
         max: f64,
     },
-    /// What was found is no map.
+    /// The fitted parameters form an invalid map.
     #[error("what fits the dots is no map: {0}")]
     Map(#[from] MapError),
 }
 
-/// Finds the map of a plane from one picture of a grid of dots on it.
+/// Identifies the map of a plane from one picture of a grid of dots on it.
 ///
-/// Dots are found as dark spots against the mean about them, to a fraction of a pixel by their centroids; they are put in
-/// order from the middle outwards; then scale, rotation, shear, offset and barrel follow by Gauss and Newton's method from
-/// the squared distances in pixels. A grid does not tell quarter turns: the rotation is taken within 45 degrees of
-/// upright, and the picture as not mirrored.
+/// Dots are dark spots against the mean of their surroundings; their centroids locate them to a fraction of a pixel.
+/// They are ordered from the middle outwards. Scale, rotation, shear, offset and barrel distortion follow by the
+/// Gauss-Newton method from the squared distances in pixels. A grid is the same after quarter turns: the rotation is
+/// taken within 45 degrees of upright, and the picture as not mirrored.
 ///
 /// # Errors
-/// A picture that does not show such a grid well, and why.
+/// A [`GridError`] if the picture does not show such a grid well.
 pub fn identify(frame: &Frame, grid: &Grid) -> Result<Identified, GridError> {
     if !grid.pitch_mm.is_finite() || grid.pitch_mm <= 0.0 {
         return Err(GridError::Pitch(grid.pitch_mm));

@@ -1,10 +1,10 @@
-//! Which crossing of the grid each dot is.
+//! Assignment of the dots to crossings of the grid.
 
 use super::{FEWEST_DOTS, GridError};
 use glam::{DVec2, IVec2};
 use std::collections::{BTreeMap, VecDeque};
 
-/// How far a dot may be from where its neighbours have it, over their distance.
+/// Maximum distance of a dot from the position predicted by its neighbour, as a part of their distance.
 const OFF: f64 = 0.25;
 
 /// A dot and its crossing.
@@ -14,7 +14,7 @@ pub(super) struct Crossing {
     pub(super) px: DVec2,
 }
 
-/// Dots by their crossings, from the one nearest to the frame's middle outwards; x grows to the right, y down.
+/// Orders dots by their crossings, from the one nearest to the frame's middle outwards; x grows to the right, y down.
 pub(super) fn ordered(dots: &[DVec2], size: (usize, usize)) -> Result<Vec<Crossing>, GridError> {
     let few = |found| GridError::Few { found };
     let size = DVec2::new(size.0 as f64, size.1 as f64);
@@ -24,7 +24,7 @@ pub(super) fn ordered(dots: &[DVec2], size: (usize, usize)) -> Result<Vec<Crossi
     };
     let middle = near(0.5 * size).ok_or(few(dots.len()))?;
     let first = dots[near(dots[middle]).ok_or(few(dots.len()))?] - dots[middle];
-    // The nearest neighbour is to the right, below, to the left or above: turned to the right by quarter turns.
+    // The nearest neighbour may lie in any of four directions: quarter turns bring it to the right.
     let across = [first, first.perp(), -first, -first.perp()].into_iter().max_by(|a, b| a.x.total_cmp(&b.x));
     let across = across.unwrap_or(first);
     let cells = Cells::new(dots, across.length());
@@ -47,7 +47,7 @@ pub(super) fn ordered(dots: &[DVec2], size: (usize, usize)) -> Result<Vec<Crossi
             }
             found.insert(there.to_array(), next);
             places.insert(next, there);
-            // What was met last is the best guess of what comes next.
+            // The last step predicts the next one best.
             let met = dots[next] - dots[dot];
             let (right, down) = match (step.x, step.y) {
                 (0, y) => (right, f64::from(y) * met),
@@ -72,7 +72,7 @@ pub(super) fn ordered(dots: &[DVec2], size: (usize, usize)) -> Result<Vec<Crossi
     if covered < 0.5 { Err(GridError::Corner(100.0 * covered)) } else { Ok(crossings) }
 }
 
-/// Dots by squares of the picture.
+/// Dots indexed by squares of the picture.
 struct Cells<'a> {
     dots: &'a [DVec2],
     side: f64,
@@ -88,7 +88,7 @@ impl<'a> Cells<'a> {
         Self { dots, side, cells }
     }
 
-    /// The dot nearest to `p` within `reach`, which is at most a square's side.
+    /// Returns the dot nearest to `p` within `reach`, which is at most a square's side.
     fn nearest(&self, p: DVec2, reach: f64) -> Option<usize> {
         let [x, y] = (p / self.side).floor().as_i64vec2().to_array();
         let near = (-1..=1).flat_map(|i| (-1..=1).filter_map(move |j| self.cells.get(&[x + i, y + j]))).flatten();

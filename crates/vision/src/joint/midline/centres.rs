@@ -1,4 +1,4 @@
-//! The middle of each row between columns.
+//! The middle of each row, between columns.
 
 use super::{AROUND, Midline, SLOWLY};
 use crate::joint::axis::Station;
@@ -9,27 +9,27 @@ use crate::joint::profile::Profile;
 use crate::joint::strip::MID;
 use crate::wide::{LANES, Simd, Work, wide};
 
-/// Rows before and after that the step and the rims are means over where light steps.
+/// Rows before and after over which step and rims are averaged where the light steps.
 const STEPPED_AROUND: usize = 4;
-/// A profile is like the joint's if what differs is no more than this much of what usually does ...
+/// Tolerances of a profile that is like the joint's: a multiple of the median difference ...
 const USUAL: f32 = 1.6;
-/// ... and this part of the depth.
+/// ... plus this part of the depth.
 const LIKE: f32 = 0.06;
-/// Rows before and after that a parabola through the middles is fitted to, least and most.
-const LINE: (usize, usize) = (6, even::MOST);
-/// Longer lines than this part of the picture's shorter side are no parabolas where a joint bends to and fro.
+/// Minimum and maximum rows before and after for the parabola through the middles.
+const LINE: (usize, usize) = (6, even::MAX_REACH);
+/// Maximum length of a parabola as a part of the picture's shorter side: longer ones do not follow a winding joint.
 const LONGEST: f32 = 0.14;
-/// What the midline's standard error should be, pixels of the frame.
+/// Target for the midline's standard error, pixels of the frame.
 const ERROR: f32 = 0.15;
-/// On levels where noise is little, rims that tell another middle than the rest of the profile by more than this part of the width
-/// are right: something beside the joint weighs on the rest.
+/// On coarse levels noise is small: rims whose middle differs from the profile's by more than this part of the width
+/// are right. Something beside the joint distorts the profile.
 const OTHER: f32 = 0.2;
-/// Rows between those that a smooth line goes through: bumps are as short as the one and as long as the other.
+/// Rows between the supports of a smooth line, for short and for long bumps.
 const BUMP: [usize; 2] = [10, 20];
-/// Light steps if it does by more than this part of the depth and so many standard errors.
+/// A light step exceeds this part of the depth and this many standard errors.
 const STEP: f32 = 0.3;
 const STEP_ERRORS: f32 = 3.5;
-/// How a parabola is held to a line: where all rows are on one side of its end, noise would bend it.
+/// Stiffness that holds a parabola to a line: with all rows on one side, noise would bend it.
 const STIFF: f32 = 100.0;
 
 /// See [`Midline::centres`].
@@ -48,8 +48,8 @@ impl Work for Centres<'_> {
 }
 
 impl Midline {
-    /// Finds the middle of each row between columns, for a joint of `width` columns of `scale` pixels of the frame, in a picture
-    /// with this shorter side.
+    /// Finds the middle of each row between columns, for a joint of `width` columns of `scale` pixels of the frame.
+    /// `side` is the picture's shorter side.
     pub(super) fn centres(&mut self, width: f32, scale: f32, side: usize) {
         wide(Centres { midline: self, width, scale, side });
     }
@@ -84,7 +84,7 @@ impl Midline {
         self.find_bumps();
     }
 
-    /// The middle of each row by the row itself, or by the rims of those about it.
+    /// Measures the middle of each row from the row itself, or from the rims of the rows about it.
     #[inline(always)]
     fn read_middles(&mut self, profile: &Profile, width: f32, scale: f32) {
         let most = 0.4 * width + 0.5;
@@ -107,8 +107,8 @@ impl Midline {
         }
     }
 
-    /// How far each row is off the cubic through two rows before it and two after, at equal distances: what a joint's bend does
-    /// not explain. A second joint or a scratch pulls the middle aside so.
+    /// Measures each row's distance from the cubic through four rows, two before and two after at equal distances. The
+    /// rest is not explained by the joint's bend: a second joint or a scratch pulls the middle aside.
     #[inline(always)]
     fn find_bumps(&mut self) {
         for apart in BUMP {
@@ -132,7 +132,7 @@ impl Midline {
         self.places.put(middles.map(|((station, middle), seen)| (station.beside(middle - MID as f32), *seen)));
     }
 
-    /// How little the rows about each look like the joint.
+    /// Measures the dissimilarity of the rows about each row to the joint.
     #[inline(always)]
     fn compare(&mut self, simd: impl Simd, reach: usize) {
         const ROWS: usize = 3;
@@ -149,13 +149,13 @@ impl Midline {
         }
     }
 
-    /// Rows that a parabola must have so that its error is small enough, by how centres scatter, in a picture with this shorter
-    /// side.
+    /// Returns the rows that a parabola needs for the target error, by the scatter of the centres. `side` is the
+    /// picture's shorter side.
     #[inline(always)]
     fn line_length(&self, scale: f32, side: usize) -> usize {
         let (mut sum, mut count) = (0.0, 0);
         for i in (2..self.single.len().saturating_sub(2)).filter(|i| self.rows[*i].seen) {
-            // The second difference over two rows each: 6 variances.
+            // Second difference over two rows each: its variance is 6 times that of a row.
             let bend = self.single[i - 2] - 2.0 * self.single[i] + self.single[i + 2];
             sum += bend * bend;
             count += 1;
@@ -165,7 +165,7 @@ impl Midline {
         ((variance / (ERROR * ERROR)) as usize).clamp(LINE.0, most)
     }
 
-    /// Centres by parabolas through the middles about them, no more than `most` columns from the path.
+    /// Fits the centres by parabolas through the middles about them, within `most` columns of the path.
     #[inline(always)]
     fn fit_all(&mut self, most: f32) {
         let (count, reach) = (self.path.len(), self.line);
@@ -192,14 +192,14 @@ impl Midline {
         }
     }
 
-    /// The parabola through the middles of seen rows about row `i` and before row `end`: where it crosses that row's line.
+    /// Returns the crossing of row `i`'s line with the parabola through the seen rows about it and before row `end`.
     #[inline(always)]
     pub(super) fn fit(&self, i: usize, reach: usize, end: usize) -> f32 {
         let near = i.saturating_sub(reach)..(i + reach + 1).min(end);
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
-        // First all, several at a time, then those that are seen.
+        // Computes all rows, several at a time, then selects the seen ones.
         let (scale, first) = (1.0 / (reach + 1) as f32, near.start as i32 - i as i32);
-        let mut local = [[0.0f32; 2 * even::MOST + 1]; 3];
+        let mut local = [[0.0f32; 2 * even::MAX_REACH + 1]; 3];
         let [us, vs, weights] = &mut local;
         let places = self.places.places(near.clone());
         for (k, (((u, v), weight), [x, y])) in us.iter_mut().zip(vs).zip(weights).zip(places).enumerate() {

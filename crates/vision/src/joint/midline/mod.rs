@@ -11,13 +11,13 @@ use super::strip::{COLS, MID, Strip, lesser};
 use super::trail::{Look, Place, Trail};
 use crate::wide::Scalar;
 
-/// Places before and after that a station is the mean of.
+/// Points before and after over which a station is averaged.
 const SMOOTH: usize = 8;
-/// Rows before and after that depth, step and width are means over.
+/// Rows before and after over which depth, step and width are averaged.
 const AROUND: usize = 12;
-/// Depth, asymmetry and width change slowly: they are found once for so many rows.
+/// Depth, asymmetry and width change slowly: they are computed once per this many rows.
 const SLOWLY: usize = 4;
-/// Metal is even if boxes beside each other differ by less than this part of the joint's depth.
+/// Metal is uniform if boxes beside each other differ by less than this part of the joint's depth.
 const PLAIN: f32 = 0.4;
 
 /// A row of the midline, in pixels of the level.
@@ -30,23 +30,23 @@ pub(super) struct Found {
     pub(super) depth: f32,
     /// Standard error across, pixels.
     pub(super) error: f32,
-    /// How much likelier the path here is than the best one elsewhere, nats.
+    /// Log likelihood ratio of the path here to the best one elsewhere, nats.
     pub(super) margin: f32,
-    /// How much likelier a joint in the rows about is than none, nats.
+    /// Log likelihood ratio of a joint to no joint in the rows about, nats.
     pub(super) strength: f32,
-    /// Light steps across the joint.
+    /// The light steps across the joint.
     pub(super) stepped: bool,
-    /// Depth of the row alone, by its own two sides.
+    /// Depth of this row alone.
     pub(super) own_depth: f32,
-    /// How far apart middles between the rims are that are found in other ways, pixels.
+    /// Spread of the middles between the rims by different measures, pixels.
     pub(super) asymmetry: f32,
-    /// How much less the rows about look like the joint than most do: 1 at the limit.
+    /// Dissimilarity of the rows about to the joint; 1 at the limit.
     pub(super) unlike: f32,
-    /// How far the middle stands off the smooth line through others before and after, pixels.
+    /// Distance of the middle from the smooth line through rows before and after, pixels.
     pub(super) bump: f32,
 }
 
-/// The whole way once more along the trail: the best path, by all that is seen of it, and the middle between pixels.
+/// The second pass along the whole trail: the best path by all evidence, and the middle between pixels.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Midline {
     pub(super) rows: Vec<Found>,
@@ -61,19 +61,19 @@ pub(super) struct Midline {
     centre: Vec<f32>,
     single: Vec<f32>,
     readings: Readings,
-    /// Middles of the rows in the picture.
+    /// Middles of the rows, in the picture.
     places: Rows,
     even: Even,
-    /// Rows before and after that a parabola is fitted to.
+    /// Rows before and after for a parabola.
     line: usize,
-    /// How many of the rows before each are seen.
+    /// Number of seen rows before each row.
     seen_before: Vec<usize>,
     rests: Vec<f32>,
     sorted: Vec<f32>,
 }
 
 impl Midline {
-    /// Room for so many rows.
+    /// Reserves capacity for this many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
         make_room(&mut self.rows, rows);
         make_room(&mut self.stations, rows);
@@ -96,7 +96,7 @@ impl Midline {
         self.places.make_room(rows);
     }
 
-    /// Finds it along `trail`.
+    /// Finds the midline along `trail`.
     pub(super) fn find(&mut self, picture: &Picture, trail: &Trail, look: &Look) {
         self.stand(&trail.places);
         self.strip.unroll(picture, self.stations.iter().copied());
@@ -104,10 +104,10 @@ impl Midline {
         self.strip.measure(look.width, look.most(deepest));
         self.contrast.clear();
         self.contrast.extend(trail.places.iter().map(|p| p.contrast));
-        // The joint lies about along the stations.
+        // The joint lies near the stations.
         self.path.clear();
         self.path.resize(self.stations.len(), MID);
-        // A few rows tell none.
+        // Default for strips with too few rows to measure the noise.
         self.strip.noise = look.noise;
         self.strip.noise = self.strip.noise_beside(&self.path, (look.width, look.contrast));
         self.lattice.best(&self.strip, |i| self.contrast[i], |_| 0.0, &mut self.path);
@@ -121,11 +121,11 @@ impl Midline {
         self.centres(look.width, scale, picture.width.min(picture.height));
     }
 
-    /// Smooth stations along the places.
+    /// Places smooth stations along the points.
     fn stand(&mut self, places: &[Place]) {
         let count = places.len();
         self.stations.clear();
-        // The sums over those before each.
+        // Cumulative sums, before each point.
         self.before.clear();
         self.before.push([0.0; 2]);
         let mut sum = [0.0; 2];
@@ -150,11 +150,11 @@ impl Midline {
         }
     }
 
-    /// The joint's depth near each row, from rows where there is much of it.
+    /// Updates the joint's depth near each row from rows that clearly show it.
     fn follow_contrast(&mut self, places: &[Place]) {
         const REACH: usize = 40;
         let count = self.path.len();
-        // Depths along the path, one after the other, where middles are put later.
+        // Depths along the path, stored in the buffer for the middles.
         self.single.clear();
         self.single.extend(self.path.iter().zip(&self.strip.depth).map(|(j, row)| row[*j]));
         for (i, place) in places.iter().enumerate() {
@@ -197,8 +197,8 @@ impl Midline {
         }));
     }
 
-    /// Finds the last rows of a joint of `width` that ends before row `end` once more, without what is behind it. The last row is
-    /// in part behind it.
+    /// Finds the last rows of a joint of `width` that ends before row `end` again, without the rows behind the end. The
+    /// last row lies partly behind it.
     pub(super) fn end_before(&mut self, end: usize, width: f32) {
         let (from, whole) = (end.saturating_sub(self.line), end.saturating_sub(1));
         let profile = Profile::new(width);
@@ -210,7 +210,7 @@ impl Midline {
             }
             self.place_middles();
             for i in from..end {
-                // Next to the end all rows are on one side: more of them hold it.
+                // Next to the end all rows are on one side, so more rows are used.
                 self.centre[i] = self.fit(i, self.line + 2 * (i - from) / 3, whole);
             }
         }
@@ -219,7 +219,8 @@ impl Midline {
         }
     }
 
-    /// True if there is nothing but even metal behind row `end` of a joint so many grey values deep: no edge, no line, no tack.
+    /// Returns true if only uniform metal, without edge, line or tack, follows row `end` of a joint of this depth, grey
+    /// values.
     pub(super) fn is_plain_behind(&self, end: usize, depth: f32) -> bool {
         const ROWS: usize = 16;
         const BOX: usize = 4;
@@ -234,7 +235,7 @@ impl Midline {
         })
     }
 
-    /// True where both sides of the joint are in the picture.
+    /// Returns true if both sides of the joint are in the picture.
     pub(super) fn is_whole(&self, i: usize, picture: &Picture) -> bool {
         let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
         [-1.0, 1.0].iter().all(|side| {

@@ -3,23 +3,23 @@ use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
 use crate::joint::strip::{GROUP, LIT, SEEN_AROUND};
 
-/// Chords this many places long ...
+/// Length of the chords, points ...
 pub(super) const CHORD: usize = 14;
-/// ... do not turn by more than this, rad.
+/// ... and the maximum turn between two of them, rad.
 const CORNER: f32 = 0.6;
-/// How a joint may bend below what hides it, rad/px.
+/// Curvatures of the joint tried below the object that hides it, rad/px.
 const BENDS: [f32; 5] = [0.0, 0.006, -0.006, 0.012, -0.012];
-/// Rows of a strip behind a corner that show the joint.
+/// Minimum rows of a strip behind a corner that show the joint.
 const SHOWN: usize = (9 * ROWS).div_ceil(10);
-/// Rows of half of a strip, and of those that are the same as in the whole one.
+/// Rows of half a strip, and those of them measured as in the whole strip.
 const HALF: usize = ROWS / 2;
 const KNOWN: usize = HALF - GROUP - SEEN_AROUND;
 const _: () = assert!(HALF.is_multiple_of(LIT), "the light of half a strip is levelled as in the whole one");
-/// Places leapt over at a time behind a corner.
+/// Points per leap behind a corner.
 const LEAP: usize = 12;
 
 impl Trail {
-    /// The place before a turn that is sharper than a joint's, among the last places and after those that were checked.
+    /// Returns the point before a turn too sharp for a joint, among the last points and after the `checked` ones.
     pub(super) fn corner(&self, checked: usize) -> Option<usize> {
         let (places, most) = (&self.places, CORNER.tan());
         let from = places.len().saturating_sub(TAKEN_CLEAR + CHORD).max(CHORD).max(checked);
@@ -31,12 +31,12 @@ impl Trail {
         })
     }
 
-    /// Goes on over what hides the joint, without looking at it: the axis where the joint is seen again, if it is.
+    /// Leaps over an object that hides the joint; returns the axis where the joint is seen again, if it is.
     pub(super) fn leap(&mut self, picture: &Picture, look: &mut Look, limits: &Limits) -> Option<Axis> {
         let [.., before, last] = self.places[..] else { return None };
         let heading = (last.at[1] - before.at[1]).atan2(last.at[0] - before.at[0]);
         let axis = self.way_on(&Axis { at: last.at, heading, curvature: 0.0 }, 1.0, 2 * FITTED);
-        // Where something is known to hide the joint it may bend below.
+        // Behind a known obstacle the joint may bend unseen.
         let bends = if limits.hidden.is_some() { &BENDS[..] } else { &BENDS[..1] };
         let straight = Axis { curvature: 0.0, ..axis };
         let mut gone = 0;
@@ -49,7 +49,7 @@ impl Trail {
             let axes = bends.iter().map(|bend| Axis { curvature: *bend, ..axis });
             for axis in axes.filter(|axis| (limits.inside)(axis.station(gone as f32).at)) {
                 let beyond = beyond(&axis, gone);
-                // Half of a strip tells most that show nothing.
+                // Half a strip is enough to exclude most places without a joint.
                 self.unroll(picture, &beyond, (BACK as f32, HALF), look);
                 if !self.may_show(look, (KNOWN - (ROWS - SHOWN), KNOWN)) {
                     continue;
@@ -72,7 +72,7 @@ impl Trail {
     }
 }
 
-/// Straight on from where an axis has gone so far.
+/// Returns the straight axis from `gone` pixels along an axis on.
 fn beyond(axis: &Axis, gone: usize) -> Axis {
     let Station { at, tangent } = axis.station(gone as f32);
     Axis { at, heading: tangent[1].atan2(tangent[0]), curvature: 0.0 }

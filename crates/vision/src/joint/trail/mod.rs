@@ -9,45 +9,45 @@ use crate::joint::parabola::Parabola;
 use crate::joint::profile::{Around, Profile, about};
 use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
 
-/// Rows of a strip that is looked at ...
+/// Rows of a strip, ...
 pub(super) const ROWS: usize = 48;
-/// ... from this many before the last place ...
+/// ... its first row, counted back from the last point, ...
 const BACK: usize = 10;
-/// ... of which this many places are taken, ...
+/// ... the number of its points that are taken, ...
 const TAKEN: usize = 20;
-/// ... and up to so many on the finest level, where there are most of them, if all of it shows a joint so many times as deep as the
-/// noise, ...
+/// ... and the number on the finest level, which has the most points. It applies if the whole strip shows a joint this
+/// many times as deep as the noise, ...
 const TAKEN_CLEAR: usize = 36;
 const CLEAR: f32 = 5.5;
-/// ... as long as it is this near to where it is predicted, columns.
+/// ... while the joint is this near to the predicted axis, columns.
 const NEAR: f32 = 2.0;
-/// What turns more often than this like none of a joint is chance finds of texture; twice as often may be on each coarser level: a
-/// burn hole has many corners to a joint that is a few pixels wide there.
-const MOST_CORNERS: usize = 3;
-/// Places that the way on is fitted to.
+/// Maximum number of turns too sharp for a joint; more are chance detections in texture. The number doubles with each
+/// coarser level: a burn hole has many corners for a joint a few pixels wide there.
+const MAX_CORNERS: usize = 3;
+/// Points that the continuation is fitted to.
 const FITTED: usize = 44;
-/// Joints bend no more sharply than this, rad/px of their level.
-const MOST_BENT: f32 = 0.03;
-/// A joint that has just begun to be followed bends about this much, rad/px.
+/// Maximum curvature of a joint, rad/px of its level.
+const MAX_CURVATURE: f32 = 0.03;
+/// Typical curvature of a joint at its start, rad/px.
 const BENT: f32 = 0.004;
-/// Gaps longer than this, pixels, are looked beyond as if the joint bent on unseen ...
+/// Length of gaps, pixels, above which the joint is searched as if it bent on unseen ...
 const WIDER: usize = 12;
-/// Part of the curvature that is left after each strip of a gap.
+/// Part of the curvature that is kept after each strip of a gap.
 const STRAIGHTER: f32 = 0.75;
-/// Columns from the axis at which the way on is predicted anew.
+/// Distance from the axis at which the continuation is predicted anew, columns.
 const BESIDE: f32 = 2.5;
-/// A start is this near to the joint or on it, pixels of the frame.
+/// Maximum distance of a start from the joint, pixels of the frame.
 const START_OFF: f32 = 2.0;
-/// A pixel counts for at most this many times the joint's depth (salt, sparks) ...
+/// Maximum weight of a pixel (salt noise, sparks), in depths of the joint ...
 const SPIKE: f32 = 1.25;
-/// ... at a start, where the depth is not sure yet, this many times ...
+/// ... at a start, where the depth is still uncertain ...
 const START_SPIKE: f32 = 2.0;
-/// ... up to this level: on coarser ones it is one of many.
+/// ... up to this level: on coarser ones it is averaged with many pixels.
 const SPIKY: usize = 1;
-/// Part of the first rows that show a joint if there is one.
+/// Minimum part of the first rows that show the joint at a start.
 const START_SEEN: f32 = 0.6;
 
-/// A place on the way.
+/// A point of the trail.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub(super) at: [f32; 2],
@@ -56,92 +56,92 @@ pub(super) struct Place {
     pub(super) contrast: f32,
 }
 
-/// Why the trail ends.
+/// Reason why the trail ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stop {
-    /// At the rim of the frame or zone, or at the longest length.
+    /// The border of the frame or zone, or the maximum length.
     Rim,
-    /// At its begin.
+    /// The trail's own start.
     Closed,
-    /// Nothing was seen for as long as the longest gap.
+    /// Longest gap without a visible joint.
     Gap,
 }
 
-/// Where a joint goes, to a pixel or two: strip after strip along the way that is predicted.
+/// The path of a joint, to a pixel or two: strip after strip along the predicted axis.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Trail {
     pub(super) places: Vec<Place>,
-    /// Places up to which the joint is sure to go: from there on less is seen than not.
+    /// Number of points up to which the joint is certain: behind them more points are unseen than seen.
     pub(super) solid: usize,
     strip: Strip,
     lattice: Lattice,
     path: Vec<usize>,
     seen: Vec<bool>,
-    /// Path and rows seen in the light as it was.
+    /// Path and seen rows in the unchanged light.
     usual: (Vec<usize>, Vec<bool>),
-    /// The greatest depth of each row of the strip, once it is asked for.
+    /// Maximum depth of each row of the strip, computed on demand.
     deepest: Vec<f32>,
-    /// Places behind a corner.
+    /// Points behind a corner.
     aside: Vec<Place>,
 }
 
-/// What is known of a joint as it is followed, in pixels of its level.
+/// Appearance of a joint as it is followed, in pixels of its level.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Look {
     pub(super) level: usize,
     pub(super) width: f32,
     /// Depth, grey values.
     pub(super) contrast: f32,
-    /// Grey value in its middle; none on a top-hat, where it tells the depth alone.
+    /// Grey value in its middle; `None` on a top-hat, which only has depths.
     pub(super) floor: Option<f32>,
     /// Standard deviation of a depth.
     pub(super) noise: f32,
-    /// It is learned from every other strip that shows the joint: not from the last one.
+    /// The noise was measured in the last strip that shows the joint; it is measured in every other one.
     pub(super) noise_was_learned: bool,
     pub(super) axis: Axis,
-    /// How much speaks for this width: depth by the root of the width in pixels of the frame.
+    /// Evidence for this width: depth times the root of the width in pixels of the frame.
     pub(super) strength: f32,
 }
 
 impl Look {
-    /// Its width, pixels of the frame.
+    /// Returns the width, pixels of the frame.
     pub(super) fn width_in_frame(&self) -> f32 {
         self.width * (1 << self.level) as f32
     }
 
-    /// What a pixel counts at most where the joint has this depth, grey values.
+    /// Returns the clipping limit of a pixel for a joint of this depth, grey values.
     pub(super) fn most(&self, contrast: f32) -> f32 {
         if self.level > SPIKY { f32::INFINITY } else { SPIKE * contrast }
     }
 }
 
-/// How far a trail may go, pixels of its level.
+/// Limits of a trail, pixels of its level.
 pub(super) struct Limits<'a> {
-    /// True in the zone.
+    /// Returns true in the zone.
     pub(super) inside: &'a dyn Fn([f32; 2]) -> bool,
-    /// True on the way that is to be left where something hides the joint.
+    /// Returns true on the path to be left at a known obstacle.
     pub(super) aside: &'a dyn Fn([f32; 2]) -> bool,
     pub(super) gap: f32,
     pub(super) length: f32,
-    /// Place at which something is known to hide the joint.
+    /// Number of points before a known obstacle.
     pub(super) hidden: Option<usize>,
 }
 
 impl Trail {
-    /// Room for so many places.
+    /// Reserves capacity for this many points.
     pub(in crate::joint) fn make_room(&mut self, places: usize) {
         make_room(&mut self.places, places);
         make_room(&mut self.aside, TAKEN_CLEAR + 2 * leap::CHORD);
         self.make_room_to_see();
     }
 
-    /// What a strip from the start shows, for a joint of `width` at `level`.
+    /// Looks for a joint of `width` at `level` in a strip from the start.
     pub(super) fn look(&mut self, picture: &Picture, axis: Axis, width: f32, level: usize) -> Option<Look> {
         self.strip.unroll(picture, axis.stations(0.0, ROWS));
         self.strip.measure(width, f32::INFINITY);
         self.strip.noise = self.strip.noise_everywhere();
         let free = 2.0 + 0.25 * width;
-        // On coarse levels a tack that lies ahead may hide much of a whole strip.
+        // On coarse levels a tack ahead may hide much of a whole strip.
         let rows = if level > SPIKY { ROWS / 2 } else { ROWS };
         let mut contrast = self.depth_at_start(free).max(3.5 * self.strip.noise);
         for round in 0..2 {
@@ -169,14 +169,14 @@ impl Trail {
         (part >= START_SEEN).then_some(look)
     }
 
-    /// The greatest mean depth of the first rows in columns near the axis.
+    /// Returns the maximum mean depth of the first rows in columns near the axis.
     fn depth_at_start(&self, free: f32) -> f32 {
         const FIRST: usize = 12;
         let mean = |j: usize| self.strip.depth[..FIRST].iter().map(|row| row[j]).sum::<f32>() / FIRST as f32;
         (MID - free as usize..=MID + free as usize).map(mean).fold(0.0, f32::max)
     }
 
-    /// Full width at half depth of what a look was at, pixels of its level.
+    /// Measures the full width at half depth of the joint of a look, pixels of its level.
     pub(super) fn measure_width(&mut self, picture: &Picture, look: &Look) -> Option<f32> {
         self.strip.unroll(picture, look.axis.stations(0.0, ROWS));
         self.strip.measure(look.width, look.most(look.contrast));
@@ -191,14 +191,15 @@ impl Trail {
         profile.rims(&sum).map(|[left, right]| right - left)
     }
 
-    /// Follows from where a look was.
+    /// Follows a joint from its look at the start.
     pub(super) fn follow(&mut self, picture: &Picture, look: &mut Look, limits: &Limits) -> Stop {
         self.places.clear();
         self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked, mut corners) = (look.axis, 0usize, 0usize, 0usize, 0usize);
-        // Rows at the rims of a gap are not seen to be the joint's. On coarse levels those that groups blur are much of a gap.
+        // Rows at the rims of a gap are not seen as joint. On coarse levels the rows blurred by groups are much of a
+        // gap.
         let rims = SEEN_AROUND + if look.level > SPIKY { GROUP } else { 0 };
-        // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
+        // Unseen points less seen-again ones, so that gaps with chance detections in texture add up.
         let mut unseen = 0usize;
         let (mut known, mut known_to) = (axis, 0);
         loop {
@@ -208,7 +209,7 @@ impl Trail {
                 axis = self.see_across(picture, (&known, gone), from, look, gap);
             } else {
                 if unseen <= WIDER || 4 * self.count() >= 3 * ROWS {
-                    // What is seen for a short while within a gap is chance.
+                    // A short visible stretch within a gap is a chance detection.
                     (known, known_to) = (axis, self.places.len());
                 }
                 self.see(picture, &axis, from, look, gap);
@@ -239,14 +240,14 @@ impl Trail {
                 }
             }
             if limits.hidden.is_some_and(|hidden| self.goes_aside(hidden, limits)) {
-                // The way that it was to leave is nothing new.
+                // The path to be left is no new result.
                 self.places.clear();
                 return Stop::Gap;
             }
             let told = limits.hidden.filter(|hidden| checked < *hidden && *hidden < self.places.len());
             if let Some(corner) = told.or_else(|| self.corner(checked)) {
                 checked = self.places.len();
-                // A joint does not turn so sharply: it may go on straight, and what was followed is something else.
+                // A joint does not turn so sharply: it may continue straight, and the path aside is another line.
                 self.aside.clear();
                 self.aside.extend_from_slice(&self.places[corner..]);
                 self.places.truncate(corner);
@@ -258,7 +259,7 @@ impl Trail {
                 self.places.truncate(corner);
                 self.places.extend_from_slice(&self.aside);
                 corners += 1;
-                if corners > MOST_CORNERS << look.level {
+                if corners > MAX_CORNERS << look.level {
                     return Stop::Gap;
                 }
                 self.see(picture, &axis, from, look, gap);
@@ -269,18 +270,18 @@ impl Trail {
         }
     }
 
-    /// True if the trail goes on aside well behind where something hides the joint.
+    /// Returns true if the trail follows the path aside well behind the obstacle.
     fn goes_aside(&self, hidden: usize, limits: &Limits) -> bool {
         let behind = self.places.get(hidden + ROWS..).unwrap_or_default();
         behind.len() >= TAKEN && behind[behind.len() - TAKEN..].iter().step_by(TAKEN - 1).all(|p| (limits.aside)(p.at))
     }
 
-    /// True if the strip shows a narrow joint so well that more of its places than usual are sure.
+    /// Returns true if the strip shows a narrow joint so clearly that more points than usual can be taken.
     fn is_clear(&self, look: &Look) -> bool {
         look.level == 0 && look.contrast > CLEAR * look.noise && self.seen.iter().all(|seen| *seen)
     }
 
-    /// The joint's depth follows what is seen.
+    /// Adapts the joint's depth to the strip.
     fn learn(&self, look: &mut Look) {
         let seen = (BACK..ROWS - BACK).filter(|i| self.seen[*i]);
         let count = seen.clone().count();
@@ -291,7 +292,7 @@ impl Trail {
         }
     }
 
-    /// The axis from the last place on: a parabola through the last places that were seen.
+    /// Predicts the axis from the last point on by a parabola through the last seen points.
     fn way_on(&self, axis: &Axis, gone: f32, fitted: usize) -> Axis {
         let last = &self.places[self.places.len().saturating_sub(fitted)..];
         let count = last.iter().filter(|p| p.seen).count();
@@ -309,11 +310,11 @@ impl Trail {
         });
         let Some(found) = Parabola::through(local, 1.0 / (0.5 * BENT).powi(2)) else { return straight };
         let [offset, slope, bend] = found.terms;
-        let curvature = (axis.curvature + 2.0 * bend).clamp(-MOST_BENT, MOST_BENT);
+        let curvature = (axis.curvature + 2.0 * bend).clamp(-MAX_CURVATURE, MAX_CURVATURE);
         Axis { at: there.station(0.0).beside(offset), heading: heading + slope.atan(), curvature }
     }
 
-    /// How far it is to place `last`, pixels of its level.
+    /// Returns the length of the trail to point `last`, pixels of its level.
     pub(in crate::joint) fn way(&self, last: usize) -> f32 {
         let step = |pair: &[Place]| length([0, 1].map(|k| pair[1].at[k] - pair[0].at[k]));
         self.places[..=last].windows(2).map(step).sum()

@@ -1,4 +1,4 @@
-//! What a strip shows, in the light as it is and in another, straight on and aside.
+//! Detection of the joint in a strip: in the present light and in another, straight on and aside.
 
 use super::{Look, ROWS, SPIKY, Trail};
 use crate::joint::axis::{Axis, Station};
@@ -6,34 +6,34 @@ use crate::joint::levels::Picture;
 use crate::joint::make_room;
 use crate::joint::strip::{MID, box_columns};
 
-/// What each pixel of distance from where the path is expected costs, beyond the free ones, nats.
+/// Cost per pixel of distance from the expected column, beyond the free ones, nats.
 const AWAY: f32 = 1.5;
-/// Behind a long gap the joint is looked for as if it bent on unseen by up to this much more, rad/px, ...
+/// Maximum additional curvature of an unseen joint behind a long gap, rad/px; it is searched ...
 const BENT_UNSEEN: f32 = 0.006;
-/// ... in strips so many pixels apart and so many to either side at most, ...
+/// ... in strips this many pixels apart, at most this many to either side, ...
 const APART: f32 = 18.0;
-const MOST_SIDES: f32 = 3.0;
-/// ... which have to be this much likelier than straight on, nats ...
+const MAX_SIDES: f32 = 3.0;
+/// ... whose score must exceed that straight on by this, nats ...
 const ASIDE: f32 = 6.0;
-/// ... and show the joint in so many rows.
+/// ... and which must show the joint in this many rows.
 const FOUND: usize = 8;
-/// Where the light steps, so does the joint's depth, by so many times.
-const OTHER_LIGHT: [f32; 4] = [0.5, 2.0, LEAST_LIGHT, 4.0];
-const LEAST_LIGHT: f32 = 0.25;
-/// A joint whose depth changes is no lighter in its middle than it was by more than this part of its depth.
+/// Factors of the joint's depth tried after a step of the light.
+const OTHER_LIGHT: [f32; 4] = [0.5, 2.0, MIN_LIGHT, 4.0];
+const MIN_LIGHT: f32 = 0.25;
+/// Maximum increase of the grey value in the middle of a joint whose depth changes, as a part of its depth.
 const LIKE_FLOOR: f32 = 0.4;
 
-/// Rows of a strip in which a joint whose depth changes is seen: a tack may hide the others, which is much of a strip on coarse
-/// levels.
+/// Minimum rows of a strip that show a joint whose depth changes. A tack may hide the others, which is much of a strip
+/// on coarse levels.
 fn least(level: usize) -> usize {
     if level > SPIKY { ROWS / 2 } else { 3 * ROWS / 4 }
 }
 
-/// What is seen anew behind a gap or in another light moves by a column in so many rows at most.
+/// Rows per column of sideways movement, at least, of a joint detected anew behind a gap or in another light.
 const STEADY: usize = 6;
 
 impl Trail {
-    /// The strip about a place of the trail and what it shows; how likely its best path is.
+    /// Detects the joint in the strip about a point of the trail; returns the score of its best path.
     pub(super) fn see(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &mut Look, gap: usize) -> f32 {
         self.unroll(picture, axis, (from, ROWS), look);
         self.see_unrolled(look, gap)
@@ -59,8 +59,8 @@ impl Trail {
         self.see_in_other_light(look, 1.5 + 0.15 * gap as f32, score)
     }
 
-    /// Where the light steps, so does the joint's depth: what is as dark as the joint was but not as deep is the joint too.
-    /// `score` is that of the path in the light as it was.
+    /// Detects the joint at another depth, as its depth steps with the light: a line as dark as the joint but less deep
+    /// is the joint too. `score` is that of the path in the unchanged light.
     fn see_in_other_light(&mut self, look: &mut Look, free: f32, score: f32) -> f32 {
         self.usual.0.clone_from(&self.path);
         self.usual.1.clone_from(&self.seen);
@@ -84,31 +84,31 @@ impl Trail {
         score
     }
 
-    /// True if no path of the strip shows the joint in so many rows as are worth going aside for, in any light.
+    /// Returns true if no path of the strip can show the joint, in any light, in enough rows to go aside for.
     fn is_empty(&mut self, look: &Look) -> bool {
         !self.may_show(look, (least(look.level), ROWS))
             && self.strip.shows_at_most(&self.deepest, look.contrast, ROWS) < FOUND
     }
 
-    /// False if no path of the strip shows the joint in so many of the first rows, in any light.
+    /// Returns false if no path of the strip shows the joint in `rows` of the `first` rows, in any light.
     pub(super) fn may_show(&mut self, look: &Look, (rows, first): (usize, usize)) -> bool {
         self.find_deepest();
-        // The less deep a joint is, the more rows may show it.
-        self.strip.shows_at_most(&self.deepest, LEAST_LIGHT * look.contrast, first) >= rows
+        // Rows that show a deep joint also show a less deep one.
+        self.strip.shows_at_most(&self.deepest, MIN_LIGHT * look.contrast, first) >= rows
     }
 
     fn find_deepest(&mut self) {
         self.strip.find_deepest(&mut self.deepest);
     }
 
-    /// Whatever a later frame shows, it is not to allocate.
+    /// Reserves capacity, so that later frames do not allocate.
     pub(super) fn make_room_to_see(&mut self) {
         make_room(&mut self.usual.0, ROWS);
         make_room(&mut self.usual.1, ROWS);
         make_room(&mut self.deepest, ROWS);
     }
 
-    /// The mean grey value along the path where the joint is seen.
+    /// Returns the mean grey value along the path where the joint is seen.
     pub(super) fn floor(&self, width: f32) -> f32 {
         let (columns, half) = (box_columns(width) as f32, box_columns(width) / 2);
         let seen = self.path.iter().zip(&self.strip.grey).zip(&self.seen).filter(|(_, seen)| **seen);
@@ -118,13 +118,13 @@ impl Trail {
         sum / count
     }
 
-    /// True if the path moves aside no more than a joint's.
+    /// Returns true if the path moves sideways no more than a joint does.
     pub(super) fn is_steady(&self) -> bool {
         STEADY * self.path.windows(2).map(|p| p[0].abs_diff(p[1])).sum::<usize>() <= ROWS
     }
 
-    /// Sees on the axis on which the joint is most likely after a gap, `gone` pixels from where it was last `known`: it may
-    /// have bent on the way.
+    /// Detects the joint after a gap on the most likely of several axes, `gone` pixels from where it was last `known`:
+    /// it may have bent unseen. Returns that axis.
     pub(super) fn see_across(
         &mut self,
         picture: &Picture,
@@ -134,7 +134,7 @@ impl Trail {
         gap: usize,
     ) -> Axis {
         let most = known.curvature.abs() + BENT_UNSEEN;
-        let sides = (0.5 * most * gone * gone / APART).ceil().min(MOST_SIDES);
+        let sides = (0.5 * most * gone * gone / APART).ceil().min(MAX_SIDES);
         let bent = |number: f32| {
             let curvature = if sides > 0.0 { most * number / sides } else { 0.0 };
             let Station { at, tangent } = Axis { curvature, ..*known }.station(gone);
@@ -142,7 +142,7 @@ impl Trail {
         };
         let mut best = (f32::MIN, *known);
         for side in 1..=2 * sides as usize {
-            // From the middle outwards.
+            // Order from the middle outwards.
             let axis = bent((side as f32 / 2.0).ceil() * if side % 2 == 0 { 1.0 } else { -1.0 });
             self.unroll(picture, &axis, (from, ROWS), look);
             if self.is_empty(look) {
@@ -162,7 +162,7 @@ impl Trail {
         best.1
     }
 
-    /// How many rows of the strip show the joint.
+    /// Returns the number of rows of the strip that show the joint.
     pub(super) fn count(&self) -> usize {
         self.seen.iter().filter(|s| **s).count()
     }
@@ -172,7 +172,7 @@ impl Trail {
         self.lattice.best(&self.strip, |_| contrast, cost, &mut self.path)
     }
 
-    /// Which rows of the strip show the joint.
+    /// Determines which rows of the strip show the joint.
     pub(super) fn judge(&mut self, contrast: f32) {
         self.strip.shows(&self.path, |_| contrast, &mut self.seen);
     }

@@ -1,8 +1,9 @@
 //! Bright blobs of every column of an image.
 //!
-//! Sums of [`BLOCK`] rows, pairs of them against a background that is an opening of coarse means along the column: what
-//! is narrower than about 80 rows is no background. Local maxima of a column that stand out of the noise are looked at
-//! pixel by pixel. Work is linear in the pixels, and all passes over whole rows are sums and comparisons of 16 bits.
+//! Rows are summed in blocks of [`BLOCK`], and pairs of sums are compared with a background. The background is an
+//! opening of coarse means along the column: structures narrower than about 80 rows do not belong to it. Local maxima
+//! of a column above the noise are refined pixel by pixel. Work is linear in the pixels, and all passes over whole rows
+//! are 16-bit sums and comparisons.
 
 mod sums;
 
@@ -10,75 +11,75 @@ use self::sums::{CellMeans, FourRows, Grey, Pairs};
 use crate::wide::wide;
 use crate::{Frame, Pixels};
 
-/// Most blobs of a column.
-pub(super) const MOST: usize = 5;
+/// Maximum blobs per column.
+pub(super) const MAX_BLOBS: usize = 5;
 
-/// Rows of a sum.
+/// Rows per sum.
 const BLOCK: usize = 4;
 
-/// Columns of a cell of the background, and sums in its height.
+/// Columns per cell of the background, and sums in its height.
 const CELL: usize = 16;
 const CELL_SUMS: usize = 4;
 
-/// Cells of the window of the opening.
+/// Cells in the window of the opening.
 const OPENING: usize = 6;
 
-/// What a pair of sums must stand out by, in standard deviations of its noise, and at least, grey values.
+/// Minimum contrast of a pair of sums, in standard deviations of its noise and in grey values.
 const STANDS_OUT: f32 = 6.0;
-const LEAST_CONTRAST: f32 = 24.0;
+const MIN_CONTRAST: f32 = 24.0;
 
-/// Most rows of sums that tell the noise, and columns of them from one to the next.
+/// Maximum rows of sums sampled for the noise, and the column step within them.
 const NOISE_ROWS: usize = 24;
 const NOISE_COLUMNS: usize = 5;
 
-/// Level of a blob's border between background and peak.
+/// Level of a blob's border between background (0) and peak (1).
 const BORDER: f32 = 0.2;
 
-/// Farthest border from the peak, pixels.
+/// Maximum distance of a border from the peak, pixels.
 const FARTHEST: usize = 60;
 
-/// A pixel from this grey value on is saturated.
+/// Minimum grey value of a saturated pixel.
 const SATURATED: f32 = 250.0;
 
-/// A bright place in a column.
+/// A bright section of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Blob {
-    /// Row of its centre.
+    /// Row of the centre.
     pub(super) row: f32,
-    /// Grey values above the background, summed.
+    /// Sum of the grey values above the background.
     pub(super) strength: f32,
     /// Rows from border to border.
     pub(super) width: f32,
-    /// Whether some of its pixels are saturated.
+    /// True if some of its pixels are saturated.
     pub(super) saturated: bool,
 }
 
-/// Finds blobs; its buffers are kept from image to image.
+/// Finds blobs; reuses its buffers from image to image.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Blobs {
     /// Blobs of each column, the strongest first.
-    columns: Vec<[Blob; MOST]>,
+    columns: Vec<[Blob; MAX_BLOBS]>,
     counts: Vec<u8>,
-    /// Sums of rows, block after block.
+    /// Sums of rows, block by block.
     sums: Vec<i16>,
-    /// Background of sums, and the scratch to open it.
+    /// Background of sums, and the buffer to open it.
     cells: Vec<f32>,
     opened: Vec<f32>,
-    /// Sum for one grey value.
+    /// Value of a sum for one grey value.
     a_grey: f32,
-    /// Pairs of sums above their background: the row before the last, the last one, this one.
+    /// Pairs of sums above their background: of the row before the last, the last one and this one.
     pairs: [Vec<i16>; 3],
     floor: Vec<i16>,
     /// Block and contrast of the best pairs of each column.
-    candidates: Vec<[(u16, i16); MOST]>,
+    candidates: Vec<[(u16, i16); MAX_BLOBS]>,
 }
 
 impl Blobs {
-    /// Looks at `frame`. False if nearly all of it is saturated.
+    /// Finds the blobs of `frame`. Returns false if more than half of its background is saturated.
     pub(super) fn find(&mut self, frame: &Frame) -> bool {
         let width = frame.width();
         self.columns.clear();
-        self.columns.resize(width, [Blob::default(); MOST]);
+        self.columns.resize(width, [Blob::default(); MAX_BLOBS]);
         self.counts.clear();
         self.counts.resize(width, 0);
         match frame.pixels() {
@@ -87,17 +88,17 @@ impl Blobs {
         }
     }
 
-    /// Number of columns.
+    /// Returns the number of columns.
     pub(super) fn width(&self) -> usize {
         self.columns.len()
     }
 
-    /// Blobs of a column, the strongest first.
+    /// Returns the blobs of a column, the strongest first.
     pub(super) fn of(&self, column: usize) -> &[Blob] {
         &self.columns[column][..usize::from(self.counts[column])]
     }
 
-    /// The background about a pixel, grey values.
+    /// Returns the background about a pixel, grey values.
     pub(super) fn background_at(&self, column: usize, row: usize) -> f64 {
         let across = self.columns.len().div_ceil(CELL);
         let cell = self.opened.get(row / (CELL_SUMS * BLOCK) * across + column / CELL);
@@ -117,7 +118,7 @@ impl Blobs {
         if 2 * bright > self.opened.len() {
             return false;
         }
-        let threshold = (STANDS_OUT * self.noise(width, blocks)).max(LEAST_CONTRAST * G::A_GREY).min(32000.0) as i16;
+        let threshold = (STANDS_OUT * self.noise(width, blocks)).max(MIN_CONTRAST * G::A_GREY).min(32000.0) as i16;
         self.maxima(width, blocks, threshold);
         for column in 0..width {
             self.refine(pixels, width, height, column);
@@ -125,7 +126,7 @@ impl Blobs {
         true
     }
 
-    /// Sums of blocks of rows; the last block ends with the last row.
+    /// Sums blocks of rows; the last block ends with the last row.
     fn sum<G: Grey>(&mut self, pixels: &[G], width: usize, height: usize, blocks: usize) {
         self.sums.clear();
         self.sums.resize(width * blocks, 0);
@@ -136,7 +137,7 @@ impl Blobs {
         }
     }
 
-    /// The background of sums in cells: the opening of their means along the columns.
+    /// Computes the background of sums in cells: the opening of their means along the columns.
     fn background(&mut self, width: usize, blocks: usize) {
         let (across, down) = (width.div_ceil(CELL), blocks.div_ceil(CELL_SUMS));
         self.cells.clear();
@@ -155,9 +156,9 @@ impl Blobs {
         std::mem::swap(&mut self.cells, &mut self.opened);
     }
 
-    /// Standard deviation of a pair of sums, from the median difference of sums that are neighbours in a column.
+    /// Returns the standard deviation of a pair of sums, from the median difference of neighbouring sums in a column.
     fn noise(&self, width: usize, blocks: usize) -> f32 {
-        // Two counts in turns: one that was just raised is not at hand yet.
+        // Two alternating histograms, since a count just raised is not available at once.
         let mut counts = [[0u32; 512]; 2];
         let mut total = 0;
         for b in (0..blocks - 1).step_by(blocks.div_ceil(NOISE_ROWS)) {
@@ -175,10 +176,10 @@ impl Blobs {
         (median.unwrap_or(0) as f32 + 0.5) / 0.6745
     }
 
-    /// Notes the best local maxima of pairs of sums in every column.
+    /// Collects the best local maxima of pairs of sums in every column.
     fn maxima(&mut self, width: usize, blocks: usize, threshold: i16) {
         self.candidates.clear();
-        self.candidates.resize(width, [(0, 0); MOST]);
+        self.candidates.resize(width, [(0, 0); MAX_BLOBS]);
         for pair in self.pairs.iter_mut().chain([&mut self.floor]) {
             pair.clear();
             pair.resize(width, 0);
@@ -205,7 +206,7 @@ impl Blobs {
             let hit = |c: usize| here[c] > threshold && here[c] >= before[c] && here[c] > after[c];
             for first in (0..width).step_by(64) {
                 let columns = first..(first + 64).min(width);
-                // One comparison for all of them: mostly there is nothing.
+                // One comparison for all 64 columns: most have no maximum.
                 if here[columns.clone()].iter().fold(i16::MIN, |m, &v| m.max(v)) <= threshold {
                     continue;
                 }
@@ -216,10 +217,10 @@ impl Blobs {
         }
     }
 
-    /// Looks at the candidates of a column pixel by pixel.
+    /// Refines the candidates of a column pixel by pixel.
     fn refine<G: Grey>(&mut self, pixels: &[G], width: usize, height: usize, column: usize) {
         let across = width.div_ceil(CELL);
-        let mut spans = [(usize::MAX, 0usize); MOST];
+        let mut spans = [(usize::MAX, 0usize); MAX_BLOBS];
         let mut count = 0;
         for (block, contrast) in self.candidates[column] {
             if contrast == 0 {
@@ -241,7 +242,7 @@ impl Blobs {
     }
 }
 
-/// The blob whose peak is among `rows`, and its first and last row.
+/// Returns the blob whose peak is among `rows`, and its first and last row.
 fn blob(
     at: impl Fn(usize) -> f32,
     rows: std::ops::Range<usize>,
@@ -256,7 +257,7 @@ fn blob(
         }
     }
     let level = background + BORDER * (top - background);
-    // A border is where two pixels in a row are below the level: speckle makes single dark ones.
+    // A border needs two consecutive pixels below the level: speckle makes single dark ones.
     let (mut first, mut last) = (peak, peak);
     while first > 0 && peak - first < FARTHEST && (at(first - 1) > level || (first > 1 && at(first - 2) > level)) {
         first -= 1;
@@ -282,7 +283,7 @@ fn blob(
     (Blob { row, strength, width, saturated: saturated > 0 }, (first, last))
 }
 
-/// The middle between the places where a blob without a peak rises above `level` and falls below it.
+/// Returns the middle between the flanks of a blob with a clipped peak, at `level`.
 fn between_flanks(at: &impl Fn(usize) -> f32, first: usize, last: usize, level: f32) -> f32 {
     let crossing = |below: usize, above: usize| {
         let (low, high) = (at(below), at(above));
@@ -296,15 +297,15 @@ fn between_flanks(at: &impl Fn(usize) -> f32, first: usize, last: usize, level: 
     (upper + lower) / 2.0
 }
 
-/// Takes a candidate among the best of its column, by contrast.
-fn note(best: &mut [(u16, i16); MOST], new: (u16, i16)) {
+/// Inserts a candidate into the best of its column, by contrast.
+fn note(best: &mut [(u16, i16); MAX_BLOBS], new: (u16, i16)) {
     if let Some(place) = best.iter().position(|old| old.1 < new.1) {
         best[place..].rotate_right(1);
         best[place] = new;
     }
 }
 
-/// Least or greatest of a window of rows of cells: `reach` rows before and after, as many as there are.
+/// Minimum or maximum over a window of rows of cells: up to `reach` rows before and after.
 fn slide(from: &[f32], to: &mut [f32], across: usize, reach: (usize, usize), better: fn(f32, f32) -> f32) {
     let down = from.len() / across;
     for (i, row) in to.chunks_exact_mut(across).enumerate() {
@@ -322,7 +323,7 @@ fn slide(from: &[f32], to: &mut [f32], across: usize, reach: (usize, usize), bet
 mod tests {
     use super::*;
 
-    /// A column with a Gaussian of the given centre and height over a background.
+    /// A column with a Gaussian of the given centre and height on a background.
     fn image(centre: f64, height: f64, width: usize) -> Vec<u8> {
         let grey = |row: usize| {
             let d = row as f64 - centre;

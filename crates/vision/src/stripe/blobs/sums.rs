@@ -1,15 +1,15 @@
-//! Passes over whole rows: sums of rows, their means in cells, and pairs of them above a floor.
+//! Passes over whole rows: sums of rows, their means in cells, and pairs of sums above a floor.
 
 use super::CELL;
 use crate::wide::{Simd, Work};
 
 /// Pixels of 8 or 16 bits.
 pub(super) trait Grey: Copy {
-    /// Such numbers for one grey value.
+    /// Value of [`Grey::part`] for one grey value.
     const A_GREY: f32;
-    /// For sums: eight of them fit 16 bits.
+    /// Value for sums: eight of them fit into 16 bits.
     fn part(self) -> i16;
-    /// The grey value, 0 to 255.
+    /// Grey value, 0 to 255.
     fn grey(self) -> f32;
 }
 
@@ -53,7 +53,7 @@ impl<G: Grey> Work for FourRows<'_, G> {
     }
 }
 
-/// Adds the means of a row of sums, of which a cell has `count`, to cells.
+/// Adds the means of a row of sums to cells of `count` rows.
 pub(super) struct CellMeans<'a> {
     pub(super) sums: &'a [i16],
     pub(super) count: usize,

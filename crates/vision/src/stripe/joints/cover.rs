@@ -1,40 +1,40 @@
-//! Whether a joint that was found is all there: lit from end to end, and dark where it says that it ends.
+//! Completeness of a detected joint: lit from end to end, and dark beyond its ends.
 //!
-//! Reflections are as bright as the stripe, and no shape is proof. But a reflection is short, and it does not begin and
-//! end where a joint's parts do: a joint made of one has dark places on its parts, or parts that go on beyond their ends.
+//! Reflections are as bright as the stripe, so shape alone is no proof. But a reflection is short, and its ends differ
+//! from those of a joint's parts. A false joint made of one has dark columns on its parts, or light beyond their ends.
 
 use super::{View, ramp};
 use crate::stripe::edges::{LIT, Usual};
 use crate::stripe::light::Course;
 
-/// Columns beyond an end that must be dark, and part of them that may be lit for no, and for full confidence.
+/// Columns beyond an end that must be dark, and the lit part of them for no and for full confidence.
 const BEYOND: i32 = 10;
 const LIT_BEYOND: [f64; 2] = [0.7, 0.4];
 
-/// Part of the columns beyond an end that must not be hidden by something else for no, and for full confidence.
+/// Part of the columns beyond an end not hidden by another object, for no and for full confidence.
 const KNOWN: [f64; 2] = [0.4, 0.7];
 
-/// Columns before an end, and part of them that must be lit by the stripe alone for no, and for full confidence.
+/// Columns before an end, and the part of them lit by the stripe alone, for no and for full confidence.
 const BEFORE: i32 = 24;
 const LIT_BEFORE: [f64; 2] = [0.25, 0.45];
 
-/// Part of the columns in which the joint is out of the image, and something is seen, for no, and for full confidence.
+/// Part of the columns with a point but with the joint outside the image, for no and for full confidence.
 const ELSEWHERE: [f64; 2] = [0.25, 0.15];
 
-/// Dark columns in a row on a part for no, and for full confidence: of [`Usual::least_gap`].
+/// Consecutive dark columns on a part for no and for full confidence, in units of [`Usual::least_gap`].
 const HOLE: [f64; 2] = [3.5, 2.2];
 
 /// A part of a joint.
 pub(super) struct Part {
     pub(super) course: Course,
-    /// Its first and last column.
+    /// First and last column.
     pub(super) columns: (i32, i32),
-    /// Columns beyond its first and last column from which on it must be dark; none if it may go on there.
+    /// Distance beyond its first and last column from which it must be dark, columns; `None` if it may continue there.
     pub(super) dark_after: [Option<i32>; 2],
 }
 
 impl View<'_> {
-    /// 0 to 1: how sure it is that the parts are there and end where they should.
+    /// Returns the confidence, 0 to 1, that the parts are complete and end as they should.
     pub(super) fn cover(&mut self, parts: &[Part]) -> f64 {
         let longest = parts.iter().max_by_key(|p| p.columns.1 - p.columns.0);
         let Some(longest) = longest else { return 0.0 };
@@ -63,7 +63,7 @@ impl View<'_> {
         sure * ramp(elsewhere as f64 / self.samples().len() as f64, ELSEWHERE[0], ELSEWHERE[1])
     }
 
-    /// 0 to 1: how sure it is that a part is lit in the columns before one of its ends, and not under something else.
+    /// Returns the confidence, 0 to 1, that a part is lit before one of its ends and not hidden.
     fn lit_before(&mut self, part: &Part, end: i32, step: i32, usual: &Usual) -> f64 {
         let length = part.columns.1 - part.columns.0;
         self.look_along(&part.course, (end, end - step * BEFORE.min(length)));
@@ -72,7 +72,8 @@ impl View<'_> {
         ramp(lit / (self.strip.len() - out).max(1) as f64, LIT_BEFORE[0], LIT_BEFORE[1])
     }
 
-    /// The longest run of dark columns on a part, and the number of places in columns in which it is out of the image.
+    /// Returns the longest run of dark columns on a part, and the number of points in columns where it is outside the
+    /// image.
     fn dark_and_out(&mut self, part: &Part, usual: &Usual) -> (f64, usize) {
         self.look_along(&part.course, part.columns);
         let (mut run, mut longest) = (0, 0);
@@ -94,7 +95,7 @@ mod tests {
     use crate::stripe::{JointKind, StripeTask};
     use glam::DVec2;
 
-    /// Cover of the columns `columns` of a level line of points, of which those are missing that `missing` says.
+    /// Cover of `columns` on a level line of points, without the columns for which `missing` is true.
     fn cover(missing: impl Fn(i32) -> bool, columns: (i32, i32), dark_after: [Option<i32>; 2]) -> f64 {
         let points: Vec<DVec2> = (0..400).filter(|c| !missing(*c)).map(|c| DVec2::new(f64::from(c), 5.0)).collect();
         let mut profile = Profile::default();
@@ -108,21 +109,22 @@ mod tests {
 
     #[test]
     fn dark_runs_on_a_part_take_its_cover() {
-        // Three and more dark columns in a row: the next is as likely dark as not, so a gap has ln(e^5) / ln 2 columns.
+        // In runs of three or more dark columns, the next is as likely dark as not. So a gap has ln(e^5) / ln 2
+        // columns.
         let gap = 5.0 / 2f64.ln();
         for run in 3..40 {
             let wanted = ((HOLE[0] * gap - f64::from(run)) / ((HOLE[0] - HOLE[1]) * gap)).clamp(0.0, 1.0);
             let found = cover(|c| (150..150 + run).contains(&c), (0, 399), [None; 2]);
             assert!((found - wanted).abs() < 1e-9, "{run}: {found} {wanted}");
         }
-        // As many that are not in a row do no harm.
+        // The same number of separate dark columns does not matter.
         assert!((cover(|c| c % 10 == 5, (0, 399), [None; 2]) - 1.0).abs() < 1e-9);
     }
 
     #[test]
     fn a_part_is_dark_beyond_its_ends() {
         for beyond in 0..=BEYOND + 4 {
-            // The line goes on for so many columns beyond column 200, or 100 on the other side.
+            // The line continues for this many columns beyond column 200, or 100 on the other side.
             let on = f64::from(beyond.min(BEYOND + 1)) / f64::from(BEYOND + 1);
             let wanted = ((LIT_BEYOND[0] - on) / (LIT_BEYOND[0] - LIT_BEYOND[1])).clamp(0.0, 1.0);
             let gone = |c: i32| (201 + beyond..300).contains(&c);
@@ -131,7 +133,7 @@ mod tests {
             let gone = |c: i32| (30..100 - beyond).contains(&c);
             let found = cover(gone, (100, 399), [Some(1), None]);
             assert!((found - wanted).abs() < 1e-9, "before, {beyond}: {found} {wanted}");
-            // Where it may go on there nothing is asked.
+            // Ends that may continue are not checked.
             assert!((cover(gone, (100, 399), [None; 2]) - 1.0).abs() < 1e-9);
         }
     }

@@ -6,18 +6,18 @@ use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 use glam::DVec2;
 use std::f64::consts::PI;
 
-/// Angles between the faces, degrees; half the confidence at these, none [`MARGIN_DEG`] beyond.
+/// Limits of the angle between the faces, degrees; the confidence falls to 0 [`MARGIN_DEG`] beyond.
 const ANGLES_DEG: [f64; 2] = [60.0, 120.0];
 const MARGIN_DEG: f64 = 6.0;
 
-/// Columns or rows that an end may be off the corner without being a gap: the stripe's width rounds it.
+/// Maximum distance of an end from the corner without a gap, columns or rows: the stripe's width rounds the corner.
 const ROUNDED: f64 = 3.0;
 
-/// Part of the columns that each face must have for no, and for full confidence.
+/// Minimum part of the columns on each face for no and for full confidence.
 const FACE: [f64; 2] = [0.04, 0.1];
 
 impl View<'_> {
-    /// Two faces that meet in a valley and are all there is.
+    /// Detects two faces that meet in a valley and make up the whole profile.
     pub(super) fn fillet(&mut self) -> Result<Features, NoFeatures> {
         let (a, b) = self.faces().ok_or(NoFeatures::NoCorner)?;
         let angle = PI - turn(&a.line, &b.line);
@@ -29,7 +29,7 @@ impl View<'_> {
         }
         let corner = self.profile.column_at(at.x);
         let change = self.change(&a, &b, corner).ok_or(NoFeatures::NoCorner)?;
-        // All of it lies on the two: shoulders would make it a groove.
+        // All points must lie on the two faces: shoulders would make it a groove.
         let (clear, last) = (Some(self.clear_of(&a.line, &b.line)), self.profile.columns() as i32 - 1);
         let parts = [
             Part { course: Course::Line(a.line), columns: (0, change - 1), dark_after: [None, clear] },
@@ -46,7 +46,7 @@ impl View<'_> {
         Ok(self.features(&[(Feature::Joint, at)], &[(Quantity::Gap, gap), (Quantity::Angle, angle)], &support))
     }
 
-    /// The longest lines that meet in a valley.
+    /// Returns the longest lines that meet in a valley.
     fn faces(&self) -> Option<(Segment, Segment)> {
         let (s, lengths) = (self.segments, self.lengths());
         let pairs = (0..s.len()).flat_map(|i| (i + 1..s.len()).map(move |j| (i, j)));
@@ -55,15 +55,15 @@ impl View<'_> {
         valleys.max_by(|a, b| length(a).total_cmp(&length(b))).map(|(i, j)| (s[i], s[j]))
     }
 
-    /// Distance of the end of one face from the other face: 0 if both reach the corner. The face that does not end goes on
-    /// past the corner to where the other one's shadow begins.
+    /// Returns the distance of one face's end from the other face: 0 if both reach the corner. The face that does not
+    /// end continues past the corner to the other one's shadow.
     fn fillet_gap(&mut self, (a, b): (&Segment, &Segment), at: DVec2, change: i32) -> f64 {
         let corner = self.profile.column_at(at.x);
         let (ends, sign) = if f64::from(change) < corner { (a, 1.0) } else { (b, -1.0) };
         if sign * (corner - f64::from(change)) < ROUNDED {
             return 0.0;
         }
-        // Near the corner the other face brings light.
+        // Near the corner the other face adds light.
         let clear = (corner - sign * f64::from(self.clear_of(&a.line, &b.line))).round() as i32;
         let inner = if sign > 0.0 { change - 1 } else { change };
         let end = self.end_at(ends, inner, clear + if sign > 0.0 { -1 } else { 1 });
@@ -71,8 +71,8 @@ impl View<'_> {
         end.map_or(0.0, |e| (sign * (at - e.at).dot(ends.line.along)).max(0.0) * sine)
     }
 
-    /// The first column in which the stripe is on the right face instead of the left one; among equals that nearest to the
-    /// corner.
+    /// Returns the first column with the stripe on the right face instead of the left one; among equals the nearest to
+    /// the corner.
     fn change(&mut self, a: &Segment, b: &Segment, corner: f64) -> Option<i32> {
         let (from, to) = ((a.columns.0 + a.columns.1) / 2, (b.columns.0 + b.columns.1) / 2);
         let [left, right] = [(a, from), (b, to)].map(|(s, middle)| {

@@ -9,20 +9,21 @@ use std::f64::consts::PI;
 /// Included angles of a V groove, degrees.
 const INCLUDED_DEG: [f64; 2] = [30.0, 130.0];
 
-/// Most angle between the shoulders, rad.
+/// Maximum angle between the shoulders, rad.
 pub(super) const SHOULDERS: f64 = 0.3;
 
-/// Part of the usual strength from which on a column between two roots counts as lit.
+/// Minimum strength of a lit column between two roots, as a part of the usual strength.
 const LIT: f64 = 0.4;
 
-/// Part of the columns between two roots that may be lit of a closed root, and of an open one; the least slope of the faces below them.
+/// Maximum lit part of the columns between two roots, for a closed root and for an open one. Then the minimum slope of
+/// the faces below them.
 const LIT_ROOT: [f64; 2] = [0.5, 0.25];
 const FACE: f64 = 4.0;
 
-/// How far from a wall's line a closed root may be: the stripe's width rounds it, columns.
+/// Maximum distance of a closed root from a wall's line, columns or rows: the stripe's width rounds it.
 const ROUNDED: f64 = 6.0;
 
-/// How far the ends of the walls may be from a closed root, columns.
+/// Maximum distance of the walls' ends from a closed root, columns or rows.
 const CLOSED: f64 = 16.0;
 
 /// The four segments of a V groove.
@@ -32,7 +33,7 @@ struct V {
 }
 
 impl V {
-    /// Whether the walls fall from parallel shoulders and rise again.
+    /// Returns true if the walls fall from parallel shoulders and rise again.
     fn is_one(&self) -> bool {
         let [left, right] = &self.shoulders;
         let [down, up] = &self.walls;
@@ -50,7 +51,7 @@ impl V {
 }
 
 impl View<'_> {
-    /// Shoulder, wall, wall, shoulder; between the walls a gap, a short root or nothing.
+    /// Detects shoulder, wall, wall, shoulder, with a gap, a short root or nothing between the walls.
     pub(super) fn v_groove(&mut self) -> Result<Features, NoFeatures> {
         let v = self.find_v().ok_or(NoFeatures::NoGroove)?;
         let [left, right] = v.shoulders;
@@ -94,11 +95,11 @@ impl View<'_> {
         Ok(self.features(&points, &values, &Support { share, segments: &all, margin, cover, covered: true }))
     }
 
-    /// Shoulder, wall, wall, shoulder of the longest lines that make a groove.
+    /// Returns the shoulder, wall, wall and shoulder on the longest lines that make a groove.
     fn find_v(&self) -> Option<V> {
         let (s, lengths) = (self.segments, self.lengths());
         let mut best: Option<(f64, V)> = None;
-        // A line may be cut in several, and a short root or reflections may be between.
+        // A line may be cut into several segments, with a short root or reflections between them.
         for i in 0..s.len() {
             for j in i + 3..s.len() {
                 for (a, b) in (i + 1..j).flat_map(|a| (a + 1..j).map(move |b| (a, b))) {
@@ -113,7 +114,7 @@ impl View<'_> {
         best.map(|(_, v)| v)
     }
 
-    /// All of it, between edges and roots.
+    /// Returns the parts of the groove between its edges and roots.
     fn v_parts(&self, v: &V, corners: [DVec2; 4]) -> [Part; 4] {
         let [left, right] = v.shoulders.map(|s| s.line);
         let [down, up] = v.walls.map(|s| s.line);
@@ -134,15 +135,15 @@ impl View<'_> {
         ]
     }
 
-    /// Both roots: the ends of the walls if nothing is lit between them, else where the walls meet. And whether
-    /// something hides them.
+    /// Returns both roots: the walls' ends if no light is between them, else the intersection of the walls. Also
+    /// returns true if another object hides them.
     fn roots(&mut self, v: &V, closed: DVec2, along: DVec2) -> ([DVec2; 2], bool) {
         let [down, up] = v.walls;
-        // A wall's line goes on to the other wall: that one's places are no end of it.
+        // A wall's line continues to the other wall, whose points do not extend it.
         let middle = self.profile.column_at(closed.x).round() as i32;
         let ends = (self.edge(&down, middle), self.edge(&up, middle));
         let (Some(a), Some(b)) = ends else { return ([closed; 2], true) };
-        // A closed root is where the walls end.
+        // The walls end at a closed root.
         let (far, hidden) = (CLOSED * self.grain(), a.hidden || b.hidden);
         let ends_there = a.at.distance(closed).max(b.at.distance(closed)) < far;
         if a.dark + b.dark < a.least_gap.max(b.least_gap) || (b.at - a.at).dot(along) <= 0.0 {
@@ -155,7 +156,7 @@ impl View<'_> {
         ([a.at, b.at], hidden || on + elsewhere > LIT_ROOT[1])
     }
 
-    /// Parts of the columns between two edges in which the stripe is seen on the walls, and off them but not far below.
+    /// Returns the parts of the columns between two edges with the stripe on the walls, and off them but not far below.
     fn lit(&mut self, walls: &[Segment; 2], closed: DVec2, a: Edge, b: Edge) -> (f64, f64) {
         let (from, to, grain) = (a.column.ceil() as i32, b.column.floor() as i32, self.grain());
         let far = (12.0 + b.column - a.column) * grain;
@@ -176,11 +177,11 @@ impl View<'_> {
     }
 }
 
-/// Height of the right shoulder's line over the left one's at `at`, square to `along`.
+/// Returns the height of the right shoulder's line above the left one's at `at`, perpendicular to `along`.
 pub(super) fn mismatch(left: &Segment, right: &Segment, at: DVec2, along: DVec2) -> f64 {
     let height = |s: &Segment| {
         let to = s.line.at - at;
-        // From `at` along the normal to the line.
+        // Distance from `at` along the normal to the line.
         to.perp_dot(s.line.along) / along.perp().perp_dot(s.line.along)
     };
     height(right) - height(left)

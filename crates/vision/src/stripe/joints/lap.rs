@@ -1,4 +1,4 @@
-//! The end of an upper sheet on a lower one.
+//! Lap joints: the end of an upper sheet on a lower one.
 
 use super::cover::Part;
 use super::groove::SHOULDERS;
@@ -6,14 +6,14 @@ use super::{Support, View, ramp, turn};
 use crate::stripe::light::Course;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity};
 
-/// How far the sheets of a lap joint may seem to overlap, columns.
+/// Maximum apparent overlap of the sheets of a lap joint, columns.
 const OVERLAP: f64 = 8.0;
 
-/// Columns beyond the end of the upper sheet from which on its line must be dark.
+/// Distance beyond the end of the upper sheet from which its line must be dark, columns.
 const AFTER_EDGE: i32 = 2;
 
 impl View<'_> {
-    /// Two parallel sheets, one higher than the other by a step.
+    /// Detects two parallel sheets, one higher than the other by a step.
     pub(super) fn lap(&mut self) -> Result<Features, NoFeatures> {
         let (Some(&first), Some(&last)) = (self.segments.first(), self.segments.last()) else {
             return Err(NoFeatures::NoStep);
@@ -23,7 +23,7 @@ impl View<'_> {
         }
         let left = self.edge(&first, last.columns.0).ok_or(NoFeatures::NoStep)?;
         let right = self.edge(&last, first.columns.1).ok_or(NoFeatures::NoStep)?;
-        // The upper sheet is the one whose end is above the other's line.
+        // The end of the upper sheet is above the other sheet's line.
         let (upper, lower) = if last.line.off(left.at) > 0.0 { (left, last) } else { (right, first) };
         let height = lower.line.off(upper.at);
         let share = self.share(self.samples(), &[first, last]);

@@ -1,5 +1,5 @@
-//! What a profile must look like for each joint. A joint that was not asked for is not looked for: what does not fit has
-//! no features.
+//! Required shape and measurements of each joint type. Only the task's joint type is searched; another shape gives no
+//! features.
 
 mod butt;
 mod cover;
@@ -14,75 +14,75 @@ use super::features::{Doubt, Features, JointKind, NoFeatures, Quantity, StripeTa
 use super::fit::StripeLine;
 use super::light::{Course, Light};
 use super::profile::{Profile, Sample};
-use super::segments::{MOST, Segment};
+use super::segments::{MAX_SEGMENTS, Segment};
 use arrayvec::ArrayVec;
 use glam::DVec2;
 
-/// A profile, cut into segments, and what is looked for in it.
+/// A profile, cut into segments, and the task for it.
 pub(super) struct View<'a> {
     pub(super) profile: &'a Profile,
     pub(super) segments: &'a [Segment],
     pub(super) task: &'a StripeTask,
-    /// The image, if the profile is of one.
+    /// The image, if the profile comes from one.
     pub(super) light: Option<Light<'a>>,
-    /// Light along a course, column after column.
+    /// Light along a course, column by column.
     pub(super) strip: &'a mut Vec<f64>,
-    /// For two lines, what every column's light says.
+    /// Evidence of every column's light for each of two lines.
     pub(super) evidence: &'a mut [Vec<f64>; 2],
     pub(super) scratch: &'a mut Vec<f64>,
 }
 
-/// Part of the stripe's strength from which on another blob is a rival.
+/// Minimum strength of a rival blob, as a part of the stripe's strength.
 const RIVAL: f64 = 0.4;
 
-/// How far beyond an edge something may hide it: columns, and rows from the line.
+/// Reach beyond an edge in which an object may hide it: columns, and rows from the line.
 const HIDING_COLUMNS: i32 = 8;
 const HIDING_ROWS: f64 = 8.0;
 
-/// Least slope of the face below an edge.
+/// Minimum slope of the face below an edge.
 const STEEP: f64 = 2.0;
 
-/// Rows between two courses from which on the light of one is not in the other's strip; most columns of it.
+/// Rows between two courses at which one's light is outside the other's strip, and the maximum columns for it.
 const APART: f64 = 7.0;
-const MOST_BESIDE: f64 = 100.0;
+const MAX_BESIDE: f64 = 100.0;
 
-/// How far from a course a place of a profile is on it, columns or rows.
+/// Maximum distance of a point on a course from it, columns or rows.
 const ON_COURSE: f64 = 2.0;
 
-/// Columns of an end at the image's rim.
+/// Columns of an end at the image's border.
 const AT_RIM: usize = 3;
 
 /// The end of a course.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Edge {
-    /// Its column, sub-pixel.
+    /// Column, sub-pixel.
     column: f64,
-    /// Its place on the course.
+    /// Position on the course.
     at: DVec2,
-    /// Dark columns beyond it, as far as was looked.
+    /// Dark columns beyond it, within the inspected columns.
     dark: f64,
-    /// Fewest dark columns that make a gap.
+    /// Minimum dark columns of a gap.
     least_gap: f64,
-    /// Whether something else is there, so that it is not known well.
+    /// True if another object is there, so that the position is uncertain.
     hidden: bool,
 }
 
-/// How well a joint is supported, before its confidence is put together.
+/// Support of a detected joint, from which its confidence follows.
 struct Support<'a> {
-    /// Part of the places that lie on what the joint is made of.
+    /// Part of the points that lie on the joint's lines.
     share: f64,
-    /// The segments it is measured from.
+    /// The segments from which it is measured.
     segments: &'a [Segment],
-    /// 0 to 1: how much better it fits than what it could be confused with.
+    /// 0 to 1: distance from the limits of the joint type.
     margin: f64,
-    /// 0 to 1: how sure it is that the light on its parts begins and ends where they do.
+    /// 0 to 1: confidence that the light on its parts begins and ends where they do.
     cover: f64,
-    /// Whether the light on all of it has been looked at, which says more than the chain does.
+    /// True if the light on all of it was checked, which is better evidence than the chain.
     covered: bool,
 }
 
 impl View<'_> {
-    /// The joint asked for.
+    /// Detects the joint of the task.
     pub(super) fn joint(&mut self) -> Result<Features, NoFeatures> {
         match self.task.joint {
             JointKind::Fillet => self.fillet(),
@@ -106,7 +106,7 @@ impl View<'_> {
         &self.profile.samples
     }
 
-    /// The end of a segment towards column `to`, not beyond it.
+    /// Returns the end of a segment towards column `to`, not beyond it.
     fn edge(&mut self, segment: &Segment, to: i32) -> Option<Edge> {
         let (from, last) = segment.columns;
         let middle = (from + last) / 2;
@@ -114,14 +114,14 @@ impl View<'_> {
         self.end(&Course::Line(segment.line), (middle, to), sure)
     }
 
-    /// Where the light on a course ends on the way from column `from`, where it is lit, to column `to`; `sure` columns of
-    /// the way are thought to be lit but for holes.
+    /// Returns the end of the light on a course, on the way from column `from`, which is lit, to column `to`. The first
+    /// `sure` columns of the way are assumed to be lit except for holes.
     fn end(&mut self, course: &Course, (from, to): (i32, i32), sure: i32) -> Option<Edge> {
         self.look_along(course, (from, to));
         let sure = &self.strip[..(sure.max(0) as usize + 1).min(self.strip.len())];
         let usual = Usual::of(sure, self.scratch)?;
         let coarse = lit_columns(self.strip, &usual);
-        // Where the course leaves the image before it ends, its end is not known.
+        // The end is unknown if the course leaves the image before it.
         let leaves = self.strip.iter().position(|v| v.is_nan()).is_some_and(|out| coarse + AT_RIM > out);
         if leaves {
             return None;
@@ -129,7 +129,7 @@ impl View<'_> {
         self.end_of(course, (from, to), &usual, coarse)
     }
 
-    /// The end of a segment whose last lit column is `last`; no light beyond column `to` is looked at.
+    /// Returns the end of a segment whose last lit column is `last`; light beyond column `to` is ignored.
     fn end_at(&mut self, segment: &Segment, last: i32, to: i32) -> Option<Edge> {
         let course = Course::Line(segment.line);
         let from = (segment.columns.0 + segment.columns.1) / 2;
@@ -140,12 +140,12 @@ impl View<'_> {
         self.end_of(&course, (from, to), &usual, lit)
     }
 
-    /// The end to a part of a column of what is in the strip.
+    /// Returns the sub-column end of the light in the strip.
     fn end_of(&self, course: &Course, (from, to): (i32, i32), usual: &Usual, coarse: usize) -> Option<Edge> {
         let lit = if self.light.is_some() {
             sub_column(self.strip, usual, coarse)
         } else {
-            // As many columns again may be missing as there are holes one after the other.
+            // As many columns may be missing as there are consecutive holes.
             coarse as f64 + (1.0 - usual.lit).min(0.5) / usual.lit.max(0.5)
         };
         let beyond = self.strip.get(coarse..).unwrap_or_default();
@@ -155,7 +155,7 @@ impl View<'_> {
         Some(Edge { column, at: self.place(course, column)?, dark, least_gap: usual.least_gap(), hidden })
     }
 
-    /// Fills the strip with the light along a course; without an image, with 1 where a place is on it.
+    /// Fills the strip with the light along a course; without an image, with 1 for each point on it.
     fn look_along(&mut self, course: &Course, (from, to): (i32, i32)) {
         if let Some(light) = &self.light {
             light.along(self.profile, course, (from, to), self.strip);
@@ -171,7 +171,7 @@ impl View<'_> {
         }
     }
 
-    /// The place of a course in a column.
+    /// Returns the position of a course in a column.
     fn place(&self, course: &Course, column: f64) -> Option<DVec2> {
         let y = self.profile.y_at(column);
         match &self.light {
@@ -180,35 +180,35 @@ impl View<'_> {
         }
     }
 
-    /// Length of all segments on each one's line, mm: reflections cut the lines of a joint into several.
-    fn lengths(&self) -> ArrayVec<f64, MOST> {
+    /// Returns the length of all segments on each one's line, mm: reflections cut the lines of a joint into several.
+    fn lengths(&self) -> ArrayVec<f64, MAX_SEGMENTS> {
         let grain = self.grain();
         let on = |s: &Segment, line: &Segment| s.ends.iter().all(|e| line.line.off(*e).abs() < line.within(grain));
         let all = |line: &Segment| self.segments.iter().filter(|s| on(s, line)).map(Segment::length).sum();
         self.segments.iter().map(all).collect()
     }
 
-    /// Columns from the place where two lines meet to where one's light is no more in the other's strip.
+    /// Returns the columns from the intersection of two lines to where one's light is outside the other's strip.
     fn clear_of(&self, a: &StripeLine, b: &StripeLine) -> i32 {
         let slope = |s: &StripeLine| s.along.y / s.along.x.max(1e-6);
         let apart = (slope(a) - slope(b)).abs() * self.pitch();
-        (APART * self.profile.row / apart.max(1e-9)).ceil().min(MOST_BESIDE) as i32
+        (APART * self.profile.row / apart.max(1e-9)).ceil().min(MAX_BESIDE) as i32
     }
 
-    /// Part of `samples` on one of `segments`.
+    /// Returns the part of `samples` on one of `segments`.
     fn share(&self, samples: &[Sample], segments: &[Segment]) -> f64 {
         let grain = self.grain();
         let on = |s: &&Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(grain));
         samples.iter().filter(on).count() as f64 / samples.len().max(1) as f64
     }
 
-    /// The longest reflection beside the chain as a part of the columns: something as bright, neither of the chain nor on
-    /// any of the joint's lines, and longer than spatter is. Where it is as long as a segment, the chain could be the
-    /// reflection.
+    /// Returns the longest reflection beside the chain as a part of the columns. A reflection is as bright as the
+    /// chain, off the chain and the joint's lines, and longer than spatter. If it is as long as a segment, the chain
+    /// itself could be the reflection.
     fn rivals(&self, columns: (i32, i32), segments: &[Segment]) -> f64 {
         let grain = self.grain();
         let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(grain).max(s.covers));
-        // Last place and length of what is followed: up to two in a column.
+        // Last point and length of the reflections being followed, up to two per column.
         let mut followed: [(Option<Sample>, i32); 2] = [(None, 0); 2];
         let mut longest = 0;
         for s in self.profile.all_between(columns.0, columns.1) {
@@ -229,20 +229,20 @@ impl View<'_> {
         f64::from(longest) / f64::from((columns.1 - columns.0 + 1).max(1))
     }
 
-    /// Whether something that is on none of the joint's lines hides where a line ends: then the end is not known. Looks
-    /// at the columns beyond the edge towards `step` (1 right, -1 left).
+    /// Returns true if an object off the joint's lines hides the end of a line, so that the end is unknown. Checks the
+    /// columns beyond the edge towards `step` (1 right, -1 left).
     fn hidden(&self, edge: &Edge, line: &StripeLine, step: i32, segments: &[Segment]) -> bool {
         let grain = self.grain();
         let column = edge.column.round() as i32;
         let (a, b) = (column + step, column + step * HIDING_COLUMNS);
         let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(grain));
-        // The face of a plate's end goes down from it steeply.
+        // The face of a plate's end falls steeply from it.
         let face = |s: &Sample| -line.off(s.at) > STEEP * (s.at.x - edge.at.x).abs();
         let near = |s: &&Sample| line.off(s.at).abs() < s.covers + HIDING_ROWS * grain && !on(s) && !face(s);
         self.profile.all_between(a.min(b), a.max(b)).iter().filter(near).count() >= 3
     }
 
-    /// Part of a segment's columns in which a place is on its line.
+    /// Returns the part of a segment's columns with a point on its line.
     fn density(&self, segment: &Segment) -> f64 {
         let within = segment.within(self.grain());
         let samples = self.profile.between(segment.columns.0, segment.columns.1);
@@ -250,7 +250,7 @@ impl View<'_> {
         on as f64 / f64::from((segment.columns.1 - segment.columns.0 + 1).max(1))
     }
 
-    /// Part of the columns in which something else than the chain is seen.
+    /// Returns the part of the columns with other light than the chain's.
     fn crowd(&self, columns: (i32, i32)) -> f64 {
         let own = self.profile.between(columns.0, columns.1).len();
         let (mut seen, mut crowded, mut last) = (0, 0, (i32::MIN, 0));
@@ -259,12 +259,12 @@ impl View<'_> {
             seen += 1;
             crowded += u32::from(last.1 == 2);
         }
-        // Where the chain is left out, something else is seen alone.
+        // A column without a chain point has other light alone.
         let alone = f64::from(seen) - f64::from(crowded) - own as f64;
         (f64::from(crowded) + alone.max(0.0)) / f64::from((columns.1 - columns.0 + 1).max(1))
     }
 
-    /// 0 to 1: how well the chain follows the joint.
+    /// Returns how well the chain follows the joint, 0 to 1.
     fn followed(&self, support: &Support) -> f64 {
         let rival = |s: &Segment| self.rivals(s.columns, support.segments);
         let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
@@ -273,7 +273,7 @@ impl View<'_> {
         ramp(support.share, 0.55, 0.85) * ramp(density, 0.3, 0.5) * ramp(rivals, 0.6, 0.35)
     }
 
-    /// Puts the features together: what is seen x length x residual x margin x innovation.
+    /// Builds the features; the confidence is the product of visibility, length, residual, margin and innovation.
     fn features(&self, points: &[(Feature, DVec2)], values: &[(Quantity, f64)], support: &Support) -> Features {
         let pitch = self.pitch();
         let shortest = support.segments.iter().map(Segment::length).fold(f64::INFINITY, f64::min);
@@ -309,22 +309,22 @@ impl View<'_> {
     }
 }
 
-/// 0 at `none` and beyond, 1 at `full` and beyond.
+/// Returns 0 at `none` and beyond, 1 at `full` and beyond.
 fn ramp(value: f64, none: f64, full: f64) -> f64 {
     ((value - none) / (full - none)).clamp(0.0, 1.0)
 }
 
-/// Turn from line `a` to line `b`, rad, positive to the left: a valley.
+/// Returns the turn from line `a` to line `b`, rad, positive to the left: a valley.
 fn turn(a: &StripeLine, b: &StripeLine) -> f64 {
     a.along.perp_dot(b.along).atan2(a.along.dot(b.along))
 }
 
-/// Unit direction halfway between two lines.
+/// Returns the unit direction halfway between two lines.
 fn between(a: &StripeLine, b: &StripeLine) -> DVec2 {
     (a.along + b.along).normalize_or(DVec2::X)
 }
 
-/// Twice the area of a polygon, positive counter-clockwise.
+/// Returns twice the area of a polygon, positive counter-clockwise.
 fn twice_area(corners: &[DVec2]) -> f64 {
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum()

@@ -1,4 +1,4 @@
-//! Grooves whose walls end in arcs: U and J.
+//! Grooves whose walls end in arcs: U and J grooves.
 
 use super::cover::Part;
 use super::groove::{SHOULDERS, mismatch};
@@ -10,55 +10,55 @@ use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 use arrayvec::ArrayVec;
 use glam::DVec2;
 
-/// Triples of places that are tried for an arc.
+/// Triples of points tried for an arc.
 const TRIALS: u32 = 250;
 
-/// Greatest radius as part of the groove's width, and least one in columns.
+/// Maximum radius as a part of the groove's width, and minimum radius in columns.
 const WIDEST: f64 = 0.75;
-const LEAST: f64 = 15.0;
+const MIN_RADIUS: f64 = 15.0;
 
-/// How much more places an arc must take up than a line does.
+/// Minimum ratio of the points on an arc to those on a line, for full confidence.
 const BETTER: f64 = 1.15;
 
-/// Least part of a U groove's arc that is on its own side of the centre.
+/// Minimum part of a U groove's arc on its own side of the centre.
 const OWN_SIDE: f64 = 0.7;
 
-/// Part of an arc's radius beside its end in which it is looked along.
+/// Part of an arc's radius beside its end along which light is measured.
 const ARC_PART: f64 = 0.6;
 
-/// Part that the arcs' lowest points have in an open U groove's roots, the rest is that of the ends of the light. Their errors in
-/// the gap are hardly alike (correlation 0.2), 0.027 and 0.033 mm at 0.05 mm a column; those of the arcs are mostly one way, so they
-/// have less than that says.
+/// Weight of the arcs' lowest points in an open U groove's roots; the ends of the light have the rest. Their errors in
+/// the gap are 0.027 and 0.033 mm at 0.05 mm a column, with little correlation (0.2). The weight is below the optimum
+/// for these, because the arcs' errors are mostly one way.
 const ARC_TELLS: f64 = 0.25;
 
-/// Columns between the gap from the roots' ends and that from the arcs for no, and for full confidence.
+/// Difference between the gap from the roots' ends and that from the arcs, columns, for no and for full confidence.
 const DISAGREE: [f64; 2] = [8.0, 4.0];
 
-/// Part of an arc's radius to the side from its centre that must be lit: beyond it is too steep.
+/// Part of an arc's radius to the side of its centre that must be lit; beyond it the arc is too steep.
 const ARC_SEEN: f64 = 0.8;
 
-/// Columns by which the sides of a closed J groove may seem to overlap.
+/// Maximum apparent overlap of the sides of a closed J groove, columns.
 const CLOSED: f64 = 4.0;
 
-/// Part of a J groove's radius to the side of the root that may be in the shadow of the upright side.
+/// Part of a J groove's radius beside the root that may be in the shadow of the upright side.
 const SHADOW: f64 = 0.35;
 
-/// How far edges may be from the ends of the shoulders for no, and for full confidence, columns.
+/// Distance of edges from the ends of the shoulders, columns or rows, for no and for full confidence.
 const EDGE_OFF: [f64; 2] = [24.0, 12.0];
 
-/// Columns beyond the end of a shoulder from which on it must be dark.
+/// Distance beyond the end of a shoulder from which it must be dark, columns.
 const AFTER_EDGE: i32 = 4;
 
 /// A groove between two shoulders.
 struct Groove {
     shoulders: [Segment; 2],
-    /// The shoulders' mean direction.
+    /// Mean direction of the shoulders.
     along: DVec2,
     /// Columns between the ends of the shoulders.
     inside: (i32, i32),
     /// Ends of the shoulders.
     ends: [DVec2; 2],
-    /// Whether something else is seen at one of them.
+    /// True if another object is seen at one of them.
     hidden: bool,
 }
 
@@ -66,19 +66,19 @@ struct Groove {
 struct Side {
     arc: StripeArc,
     deviation: f64,
-    /// Places on the arc as part of the side's, and of those on the best line.
+    /// Part of the side's points on the arc or wall, and the ratio of points on the arc to those on the best line.
     share: f64,
     better: f64,
-    /// Part of the arc's places that are on this side of its centre.
+    /// Part of the arc's points on this side of its centre.
     own_side: f64,
-    /// The wall above the arc, if enough is seen of it.
+    /// The wall above the arc, if enough of it is visible.
     wall: Option<StripeLine>,
-    /// Place where wall and shoulder meet.
+    /// Intersection of wall and shoulder.
     edge: DVec2,
 }
 
 impl View<'_> {
-    /// Two curved sides.
+    /// Detects two curved sides.
     pub(super) fn u_groove(&mut self) -> Result<Features, NoFeatures> {
         let groove = self.groove().ok_or(NoFeatures::NoGroove)?;
         let middle = (groove.inside.0 + groove.inside.1) / 2;
@@ -88,7 +88,7 @@ impl View<'_> {
         let lowest = [left.arc.centre - left.arc.radius * up, right.arc.centre - right.arc.radius * up];
         let unequal = (left.arc.radius - right.arc.radius).abs() / (left.arc.radius + right.arc.radius);
         let apart = (lowest[1] - lowest[0]).dot(groove.along);
-        // Between open roots it is dark; a closed one has both arcs' lowest points.
+        // It is dark between open roots; a closed root is in the middle of the arcs' lowest points.
         let middle = (lowest[0] + lowest[1]) / 2.0;
         let to = self.profile.column_at(middle.x).round() as i32;
         let ends = (self.arc_end(&left.arc, groove.inside.0, to), self.arc_end(&right.arc, groove.inside.1, to));
@@ -96,9 +96,9 @@ impl View<'_> {
         let open = a.dark + b.dark >= a.least_gap.max(b.least_gap) && b.column > a.column;
         let ends = if open { [a.at, b.at] } else { [middle; 2] };
         let dark = (ends[1] - ends[0]).dot(groove.along).max(0.0);
-        // The arcs themselves do not tell quite another gap.
+        // The gap from the arcs must not differ much from the dark gap.
         let agree = ramp((dark - apart).abs() / self.pitch(), DISAGREE[0], DISAGREE[1]);
-        // Where light ends is known to a column; the lowest points of the arcs err in other ways.
+        // The ends of the light are known to a column; the lowest points of the arcs have independent errors.
         let roots = if open { [0, 1].map(|i| ends[i].lerp(lowest[i], ARC_TELLS)) } else { ends };
         let gap = (roots[1] - roots[0]).dot(groove.along).max(0.0);
         if unequal > 0.25 || apart < -8.0 * self.pitch() || left.own_side.min(right.own_side) < OWN_SIDE {
@@ -115,9 +115,9 @@ impl View<'_> {
         Ok(self.round_features(&groove, &[left, right], roots, edges, (gap, angle, radius, margin)))
     }
 
-    /// The end of an arc on the way from column `shoulder` to column `to`.
+    /// Returns the end of an arc on the way from column `shoulder` to column `to`.
     fn arc_end(&mut self, arc: &StripeArc, shoulder: i32, to: i32) -> Option<Edge> {
-        // Upper parts of an arc are steep and may not be on it.
+        // The upper parts of an arc are steep, and the side may leave the arc there.
         let beside = ARC_PART * arc.radius / self.pitch();
         let from = if to >= shoulder {
             shoulder.max(to - beside.round() as i32)
@@ -127,7 +127,7 @@ impl View<'_> {
         self.end(&Course::Arc(*arc), (from, to), from.abs_diff(to) as i32 / 2)
     }
 
-    /// One curved side, the other one upright: nothing is seen of it between shoulder and root.
+    /// Detects one curved and one upright side; the upright one is invisible between shoulder and root.
     pub(super) fn j_groove(&mut self) -> Result<Features, NoFeatures> {
         let groove = self.groove().ok_or(NoFeatures::NoGroove)?;
         let inside = self.profile.between(groove.inside.0, groove.inside.1);
@@ -182,7 +182,7 @@ impl View<'_> {
         let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
         let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
-        // Walls and shoulders meet where the light of the shoulders ends.
+        // Walls and shoulders meet at the ends of the shoulders' light.
         let off = [0, 1].map(|i| edges[i].distance(groove.ends[i]) / self.grain());
         let margin = margin * ramp(off[0].max(off[1]), EDGE_OFF[0], EDGE_OFF[1]);
         let cover = self.cover(&self.round_parts(groove, sides, roots));
@@ -211,7 +211,7 @@ impl View<'_> {
         self.features(&points, &values[..known], &support)
     }
 
-    /// Shoulders, and arcs as far as they are not too steep.
+    /// Returns the shoulders, and the arcs except for their steep parts.
     fn round_parts(&self, groove: &Groove, sides: &[Side], roots: [DVec2; 2]) -> ArrayVec<Part, 4> {
         let column = |p: DVec2| self.profile.column_at(p.x).round() as i32;
         let last = self.profile.columns() as i32 - 1;
@@ -230,7 +230,7 @@ impl View<'_> {
             let root = if outward > 0.0 { roots[1] } else { roots[0] };
             let (root, upper) =
                 (column(root), column(side.arc.centre + outward * ARC_SEEN * side.arc.radius * DVec2::X));
-            // The upright side of a J groove may throw its shadow on the root.
+            // The upright side of a J groove may cast its shadow on the root.
             let root = if sides.len() == 1 {
                 column(side.arc.centre + outward * SHADOW * side.arc.radius * DVec2::X)
             } else {
@@ -242,7 +242,7 @@ impl View<'_> {
         parts
     }
 
-    /// Two parallel shoulders and what is between them, below both.
+    /// Returns two parallel shoulders and the range between them, whose points are mostly below both.
     fn groove(&mut self) -> Option<Groove> {
         let (left, right) = self.shoulders()?;
         let a = self.edge(&left, right.columns.0)?;
@@ -262,7 +262,7 @@ impl View<'_> {
         })
     }
 
-    /// The longest parallel lines with something below both between them.
+    /// Returns the longest parallel lines with segments below both between them.
     fn shoulders(&self) -> Option<(Segment, Segment)> {
         let (s, lengths) = (self.segments, self.lengths());
         let deep = 10.0 * self.grain();
@@ -283,7 +283,7 @@ impl View<'_> {
         best.map(|(_, pair)| pair)
     }
 
-    /// The arc that most of `samples` are on, and how well, from a fixed set of triples.
+    /// Returns the arc with the highest score for `samples`, and the score, from a fixed set of triples.
     fn best_arc(&self, groove: &Groove, samples: &[Sample]) -> Option<(f64, StripeArc)> {
         let width = groove.ends[0].distance(groove.ends[1]);
         let within = 2.0 * self.grain();
@@ -304,10 +304,10 @@ impl View<'_> {
             }
             let Some(arc) = StripeArc::through(a.at, b.at, c.at) else { continue };
             let hollow = (arc.centre - (a.at + b.at + c.at) / 3.0).dot(groove.along.perp()) > 0.0;
-            if !hollow || arc.radius > WIDEST * width || arc.radius < LEAST * self.pitch() {
+            if !hollow || arc.radius > WIDEST * width || arc.radius < MIN_RADIUS * self.pitch() {
                 continue;
             }
-            // Near places count more: arcs of another radius are within the limit too.
+            // Near points count more, since arcs of another radius are within the limit too.
             let near = |s: &Sample| (1.0 - (arc.off(s.at) / within).powi(2)).max(0.0);
             let score = samples.iter().step_by(2).map(near).sum();
             if best.is_none_or(|(most, _)| score > most) {
@@ -317,7 +317,7 @@ impl View<'_> {
         best
     }
 
-    /// The curved side in `columns`: its arc, the wall between it and shoulder `end`.
+    /// Measures the curved side in `columns`: its arc, and the wall between it and shoulder `end`.
     fn side(&mut self, groove: &Groove, columns: (i32, i32), end: usize) -> Option<Side> {
         let (floor, within) = (0.3 * self.grain(), 2.0 * self.grain());
         let samples = self.profile.between(columns.0, columns.1);
@@ -340,7 +340,7 @@ impl View<'_> {
         Some(Side { arc, deviation, share, better, own_side, wall, edge })
     }
 
-    /// The straight wall between the arc and shoulder `end`: steep, so of few columns.
+    /// Fits the straight wall between the arc and shoulder `end`. It is steep, so it has few columns.
     fn wall(&mut self, groove: &Groove, arc: &StripeArc, columns: (i32, i32), end: usize) -> Option<StripeLine> {
         let grain = self.grain();
         let samples = self.profile.between(columns.0, columns.1);
@@ -356,7 +356,7 @@ impl View<'_> {
         line(&samples[first..=last], None, 0.3 * grain, self.scratch).map(|(line, _)| line)
     }
 
-    /// Area between the line through both edges and the places inside.
+    /// Returns the area between the line through both edges and the points inside.
     fn area(&self, groove: &Groove, edges: [DVec2; 2], roots: [DVec2; 2]) -> f64 {
         let [from, to] = edges;
         let along = (to - from).normalize_or(groove.along);
@@ -364,8 +364,8 @@ impl View<'_> {
         let down = |p: DVec2| ((p - from).dot(along), -along.perp_dot(p - from));
         let inside = self.profile.between(groove.inside.0, groove.inside.1).iter().map(|s| down(s.at));
         let (first, end) = (down(roots[0]), down(roots[1]));
-        // The roots of upright sides, where nothing is seen beyond them.
-        // The ends of the shoulders themselves are at the very edges.
+        // The roots of upright sides count, as no points are beyond them. Points close to the edges are left out: they
+        // are the ends of the shoulders.
         let beside = 2.0 * self.grain();
         let seen = move |t: f64| t > beside && t < length - beside;
         let path = [first].into_iter().filter(|r| r.0 < 0.05 * length);

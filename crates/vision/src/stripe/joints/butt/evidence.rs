@@ -1,21 +1,21 @@
-//! What evidence along two lines, column by column, says of a seam between them.
+//! Detection of a seam from the evidence along two lines, column by column.
 
-/// Evidence no greater than this, either way, tells nothing.
+/// Maximum magnitude of unknown evidence.
 pub(super) const UNKNOWN: f64 = 1e-9;
-/// Fewer runs of dark columns than this along a line tell nothing of how long chance makes them.
+/// Minimum runs of dark columns along a line to judge how long random ones are.
 const FEW: f64 = 5.0;
-/// Dark columns go on by chance no more often than this: what does so more often is something else.
+/// Maximum probability that a random dark run continues; a higher one has another cause.
 const GOES_ON: f64 = 0.5;
-/// A lit column between two dark runs may be any of theirs: both are as likely as one that is so many columns shorter.
+/// Columns by which a lit column within a dark run shortens it: the lit column may be at any position.
 const LIT_WITHIN: usize = 3;
 
-/// Columns to each side of a step that tell how sharp it is.
+/// Columns to each side of a step used for its sharpness.
 const BESIDE_STEP: usize = 16;
 
-/// The last column on the left line and the first one on the right line for which the evidence for both is best, with its
-/// sum; `after` is scratch.
+/// Returns the last column on the left line and the first one on the right line with the maximum evidence for both, and
+/// its sum. `after` is a buffer.
 pub(super) fn best_seam(left: &[f64], right: &[f64], after: &mut Vec<f64>) -> Option<(f64, i32, i32)> {
-    // Best sum of the right line from any later column on.
+    // Maximum sum of the right line from any later column on.
     let n = left.len().min(right.len());
     after.clear();
     after.resize(n + 1, 0.0);
@@ -32,12 +32,12 @@ pub(super) fn best_seam(left: &[f64], right: &[f64], after: &mut Vec<f64>) -> Op
         }
     }
     let (most, last) = best?;
-    // The best sum begins where it gets less to the right.
+    // The maximum sum starts where `after` falls to the right.
     let first = (last + 1..n).find(|i| after[*i] > after[*i + 1])?;
     Some((most, last as i32, first as i32))
 }
 
-/// Least part of the columns beside a step in which there is light on one line and not on the other.
+/// Returns the minimum part of the columns beside a step, on either side, with light on one line only.
 pub(super) fn sharpness(left: &[f64], right: &[f64], a: usize, b: usize) -> f64 {
     let before = left[..=a].iter().zip(right).rev().take(BESIDE_STEP).map(|(l, r)| *l > 0.0 && *r <= 0.0);
     let after = right[b..].iter().zip(&left[b..]).take(BESIDE_STEP).map(|(r, l)| *r > 0.0 && *l <= 0.0);
@@ -45,9 +45,9 @@ pub(super) fn sharpness(left: &[f64], right: &[f64], a: usize, b: usize) -> f64 
     part(&mut { before }).min(part(&mut { after }))
 }
 
-/// How many runs of dark columns at least as long as the one between two columns are to be expected by chance, if columns along the line
-/// are dark as often, and one after the other, as those on both sides of it are; none if those are too few to tell. Columns of which
-/// nothing is known do not count.
+/// Returns the expected number of random dark runs at least as long as the one between two columns. Dark columns and
+/// their continuations are counted on both sides of it; unknown columns do not count. Returns 0 if the runs are too
+/// few.
 pub(super) fn expected_runs(evidence: &[f64], (left, right): (i32, i32)) -> f64 {
     let known = |e: &&f64| e.abs() > UNKNOWN;
     let (mut columns, mut dark, mut pairs) = (0.0, 0.0, 0.0);
@@ -64,7 +64,7 @@ pub(super) fn expected_runs(evidence: &[f64], (left, right): (i32, i32)) -> f64 
     if runs < FEW {
         return 0.0;
     }
-    // So few of them tell it that it may well be more.
+    // Adds the standard error of the count, as few pairs may underestimate it.
     let goes_on = ((pairs + f64::sqrt(pairs)) / dark).max(dark / columns).min(GOES_ON);
     let within = evidence[left as usize + 1..right as usize].iter().filter(known);
     let lit = within.clone().filter(|e| **e > 0.0).count();
@@ -72,7 +72,7 @@ pub(super) fn expected_runs(evidence: &[f64], (left, right): (i32, i32)) -> f64 
     runs * goes_on.powi(length.max(1) as i32 - 1)
 }
 
-/// The longest run of columns that speak against the line.
+/// Returns the longest run of columns with evidence against the line.
 pub(super) fn longest_dark(evidence: &[f64]) -> i32 {
     let (mut run, mut longest) = (0, 0);
     for e in evidence {
@@ -104,7 +104,7 @@ mod tests {
             let count = 2 + seed as usize % 25;
             let (left, right) = (chance(2 * seed, count), chance(2 * seed + 1, count));
             let sum = |a: usize, b: usize| left[..=a].iter().sum::<f64>() + right[b..].iter().sum::<f64>();
-            // Of the right line something must be left.
+            // The right line must keep some evidence.
             let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
             let some = pairs.filter(|(_, b)| right[*b..].iter().sum::<f64>() > 0.0);
             let best = some.map(|(a, b)| sum(a, b)).fold(f64::NEG_INFINITY, f64::max);
@@ -130,7 +130,7 @@ mod tests {
         assert_eq!(longest_dark(&[]), 0);
     }
 
-    /// Runs are as unlikely as told: no more often, and not much less, whether holes come alone or in runs.
+    /// Random runs are as rare as expected: no more frequent, and not much rarer, for single holes and for runs.
     #[test]
     fn chance_runs_are_as_often_as_told() {
         let mut random = Pcg64Mcg::seed_from_u64(5);
@@ -157,7 +157,7 @@ mod tests {
         }
     }
 
-    /// What a gap of `dark` columns, every `lit`th of them lit or unknown, in 400 columns with these dark runs is told as.
+    /// Expected runs for a gap with `other` in its middle, in 400 columns with these dark runs.
     fn told(runs: &[(usize, usize)], gap: std::ops::Range<usize>, other: f64) -> f64 {
         let mut on = [1.0; 400];
         runs.iter().for_each(|(from, count)| on[*from..from + count].fill(-1.0));
@@ -171,16 +171,16 @@ mod tests {
     #[test]
     fn a_gap_is_told_from_holes() {
         let holes: Vec<(usize, usize)> = (0..30).map(|i| (5 + 13 * i, 1 + i % 2)).collect();
-        // No holes, or too few to tell, however long they are.
+        // No holes, or too few, of any length.
         for few in [&[][..], &[(20, 1)], &[(20, 3)], &[(20, 30), (90, 5), (150, 5)]] {
             assert!(told(few, 200..206, -1.0) <= 0.0, "{few:?}");
         }
-        // 15 of 45 dark columns follow another: so many that go on, and their error, are 0.42.
+        // 15 of 45 dark columns follow another: the ratio with its error is 0.42.
         let expected = |length: i32| 30.0 * ((15.0 + 15f64.sqrt()) / 45.0).powi(length - 1);
         assert!((told(&holes, 204..208, -1.0) / expected(4) - 1.0).abs() < 1e-9);
         assert!((told(&holes, 204..208, 0.0) / expected(3) - 1.0).abs() < 1e-9);
         assert!((told(&holes[..16], 214..234, 1.0) / told(&holes[..16], 214..230, -1.0) - 1.0).abs() < 1e-9);
-        // Longer than a gap may be, it is no chance; at the rims there is a column on each side.
+        // A very long gap is not random; at the borders one column is left on each side.
         assert!(told(&holes[..16], 214..300, -1.0) < 1e-20);
         assert!(told(&[], 1..399, -1.0) <= 0.0);
     }
@@ -194,7 +194,7 @@ mod tests {
             let right = line(&|i| i >= 50 || i % BESIDE_STEP < both);
             let wanted = 1.0 - both as f64 / BESIDE_STEP as f64;
             assert!((sharpness(&left, &right, 49, 50) - wanted).abs() < 1e-12, "{both}");
-            // The other way round the left line goes on.
+            // The other way round the left line continues.
             let (left, right) = (line(&|i| i < 50 || i % BESIDE_STEP < both), line(&|i| i >= 50));
             assert!((sharpness(&left, &right, 49, 50) - wanted).abs() < 1e-12, "{both}");
         }

@@ -1,4 +1,4 @@
-//! Two plates end to end.
+//! Butt joints: two plates end to end.
 
 mod evidence;
 
@@ -12,62 +12,62 @@ use crate::stripe::light::Course;
 use crate::stripe::profile::Sample;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 
-/// Widest gap of a butt joint in columns.
+/// Maximum gap of a butt joint, columns.
 const WIDEST: f64 = 120.0;
 
-/// Columns of the window that tells the usual strength about a dark line, and half the width of such a line.
+/// Half the window for the usual strength about a dark line, and half the width of such a line, columns.
 const AROUND: usize = 40;
 const DARK: usize = 2;
 
-/// Part of a gap's columns in which something may be seen below the plates.
+/// Maximum part of a gap's columns with points below the plates.
 const LIT: f64 = 0.4;
 
-/// Least slope of the face of a plate's end: the wall of a groove is less steep.
+/// Minimum slope of the face of a plate's end; the wall of a groove is less steep.
 const FACE: f64 = 8.0;
 
-/// Part of the columns with other light than the stripe's for no, and for full confidence in a dark line.
+/// Part of the columns with other light than the stripe's, for no and for full confidence in a dark line.
 const CROWD: [f64; 2] = [0.25, 0.18];
 
-/// Part of the columns that each plate must have for no, and for full confidence.
+/// Part of the columns on each plate for no and for full confidence.
 const PLATE: [f64; 2] = [0.08, 0.15];
 
-/// Most angle between the plates, rad, for no, and for full confidence.
+/// Angle between the plates, rad, for no and for full confidence.
 const BEND: [f64; 2] = [0.2, 0.12];
 
-/// Evidence that another line must bring to be a second plate.
+/// Additional evidence required for a second line.
 const A_LINE: f64 = 20.0;
 
-/// Columns beside a seam that are looked at for something else, and most of them that may have it.
+/// Columns beside a seam searched for another object, and the maximum number with one.
 const ABOUT: i32 = 12;
 const HIDING: usize = 5;
 
-/// Part of the columns beside a step that must be on one line alone for no, and for full confidence.
+/// Part of the columns beside a step on one line alone, for no and for full confidence.
 const SHARP: [f64; 2] = [0.35, 0.6];
 
-/// Columns may lie side by side in the dark by chance as often as this, for no, and for full confidence in a gap, powers of ten.
+/// Expected number of random dark runs as long as the gap, for no and for full confidence in it, powers of ten.
 const CHANCE: [f64; 2] = [-4.0, -5.0];
 
-/// Columns beyond an end that show that it is one.
+/// Columns beyond an end that confirm it.
 const TAIL: i32 = 6;
 
-/// Least depth of a dark line, part of the strength, and in deviations of the strength along the stripe.
-const LEAST_DIP: f64 = 0.25;
+/// Minimum depth of a dark line, as a part of the strength, and in deviations of the strength along the stripe.
+const MIN_DIP: f64 = 0.25;
 const STANDS_OUT: f64 = 6.0;
 
-/// Where the seam of a butt joint is: last column of the left plate and first one of the right, and how sure it is.
+/// Seam of a butt joint: the last column of the left plate, the first one of the right, and their lines.
 struct Seam {
     left: i32,
     right: i32,
     lines: [Segment; 2],
     margin: f64,
-    /// Whether something else is seen there.
+    /// True if another object is seen there.
     hidden: bool,
-    /// A dark line only.
+    /// Column of a seam that is a dark line only.
     dark: Option<f64>,
 }
 
 impl View<'_> {
-    /// Two plates in line with a gap, a mismatch or a dark line between them.
+    /// Detects two plates in line with a gap, a mismatch or a dark line between them.
     pub(super) fn butt(&mut self) -> Result<Features, NoFeatures> {
         let seam = self.open_seam().or_else(|| self.dark()).ok_or(NoFeatures::NoSeam)?;
         let (first, last) = (0, self.profile.columns() as i32 - 1);
@@ -79,7 +79,7 @@ impl View<'_> {
         let open = f64::from(seam.right - seam.left - 1) >= a.least_gap.max(b.least_gap);
         let gap = if seam.dark.is_none() && open { (b.at - a.at).dot(along).max(0.0) } else { 0.0 };
         let step = mismatch(&left, &right, joint, along);
-        // A step that the plates themselves do not show was something else's.
+        // Without a step between the plates' own lines, the step belonged to another line.
         let none = seam.dark.is_none() && gap <= 0.0 && step.abs() < 1.5 * self.grain();
         let bend = turn(&left.line, &right.line);
         let apart = gap / self.pitch();
@@ -89,7 +89,7 @@ impl View<'_> {
         let shorter = f64::from((seam.left - first).min(last - seam.right)) / f64::from(last - first + 1);
         let hidden =
             seam.hidden || a.hidden || b.hidden || (seam.dark.is_none() && self.lit_gap((&a, &left), (&b, &right)));
-        // Of a small step the other plate's light would be in the strip.
+        // At a small step the other plate's light would be in the strip.
         let high = step.abs() > super::APART * self.profile.row;
         let dark_after = if high { [Some(1); 2] } else { [None; 2] };
         let parts = [
@@ -115,7 +115,7 @@ impl View<'_> {
         Ok(self.features(&points, &values, &support))
     }
 
-    /// A gap in one line, or a place where one line ends and another, higher or lower, begins: where the light says so best.
+    /// Finds the best evidence for a gap in one line, or for the change from one line to a higher or lower one.
     fn open_seam(&mut self) -> Option<Seam> {
         let mut evidence = std::mem::take(self.evidence);
         let seam = self.best_open_seam(&mut evidence);
@@ -123,7 +123,7 @@ impl View<'_> {
         seam
     }
 
-    /// The same with room for the evidence of two lines.
+    /// Does the same with buffers for the evidence of two lines.
     fn best_open_seam(&mut self, [on_main, on_second]: &mut [Vec<f64>; 2]) -> Option<Seam> {
         let lengths = self.lengths();
         let longest = (0..lengths.len()).max_by(|a, b| lengths[*a].total_cmp(&lengths[*b]))?;
@@ -171,7 +171,7 @@ impl View<'_> {
         Some(Seam { left, right, lines, margin, hidden, dark: None })
     }
 
-    /// Whether something else is seen in some columns about a seam.
+    /// Returns true if another object is seen in some columns about a seam.
     fn else_about(left: &[f64], right: &[f64], (a, b): (i32, i32)) -> bool {
         let unknown = |e: &[f64], from: i32, to: i32| {
             let (from, to) = (from.max(0) as usize, (to.max(0) as usize).min(e.len()));
@@ -181,7 +181,7 @@ impl View<'_> {
         unknown(left, a + 1 - ABOUT, a + 1) + within + unknown(right, b, b + ABOUT) > HIDING
     }
 
-    /// For every column of the profile, how much its light says that the stripe is on this line.
+    /// Computes the evidence of every column of the profile for this line.
     fn gather_evidence(&mut self, s: &Segment, evidence: &mut Vec<f64>) -> Option<()> {
         let course = Course::Line(s.line);
         self.look_along(&course, s.columns);
@@ -192,8 +192,8 @@ impl View<'_> {
         Some(())
     }
 
-    /// Whether anything but the faces of the ends is seen in a good part of the gap's columns: something that hides that
-    /// it is none, or a groove.
+    /// Returns true if points other than the faces of the ends are seen in many of the gap's columns: an object in the
+    /// gap, or a groove.
     fn lit_gap(&self, (a, left): (&Edge, &Segment), (b, right): (&Edge, &Segment)) -> bool {
         let (from, to) = (a.column.ceil() as i32 + 2, b.column.floor() as i32 - 2);
         let below = |s: &Sample, e: &Edge, plate: &Segment| -plate.line.off(s.at) > FACE * (s.at.x - e.at.x).abs();
@@ -207,7 +207,7 @@ impl View<'_> {
         f64::from(lit) > LIT * f64::from(to - from + 1).max(4.0)
     }
 
-    /// A robust line through the columns.
+    /// Fits a robust line through the columns.
     fn plate(&mut self, from: i32, to: i32, start: &Segment) -> Option<Segment> {
         let samples = self.profile.between(from, to);
         if samples.len() < 8 {
@@ -218,7 +218,7 @@ impl View<'_> {
         Some(Segment { line, columns: (from, to), deviation, ends })
     }
 
-    /// The ends of both plates at the seam.
+    /// Returns the ends of both plates at the seam.
     fn facing_ends(&mut self, left: &Segment, right: &Segment, seam: &Seam) -> Option<(Edge, Edge)> {
         if let Some(column) = seam.dark {
             let at = self.profile.samples.iter().min_by_key(|s| (f64::from(s.column) - column).abs() as i64)?;
@@ -227,7 +227,7 @@ impl View<'_> {
             let edge = |s| Edge { column, at: on(s), dark: 0.0, least_gap: 0.0, hidden: false };
             return Some((edge(left), edge(right)));
         }
-        // The other plate's light is no tail of this one's.
+        // The other plate's light must not extend this one's.
         let place = (left.line.at + right.line.at) / 2.0;
         let high =
             mismatch(left, right, place, between(&left.line, &right.line)).abs() > super::APART * self.profile.row;
@@ -236,7 +236,7 @@ impl View<'_> {
         Some((self.end_at(left, seam.left, to_left)?, self.end_at(right, seam.right, to_right)?))
     }
 
-    /// The darkest place of the stripe, if it is clearly darker than all others.
+    /// Returns the darkest point of the stripe, if it is clearly darker than all others.
     fn dark(&self) -> Option<Seam> {
         let samples = self.samples();
         let n = samples.len();
@@ -258,8 +258,8 @@ impl View<'_> {
             count += 1.0;
         }
         let dip = depth(best);
-        let clear = (dip / (1.5 * second)).min(dip / LEAST_DIP).min(dip / (STANDS_OUT * (squares / count).sqrt()));
-        // Its centre, weighted by how dark it is.
+        let clear = (dip / (1.5 * second)).min(dip / MIN_DIP).min(dip / (STANDS_OUT * (squares / count).sqrt()));
+        // Centre weighted by darkness.
         let (mut sum, mut moment) = (0.0, 0.0);
         let usual = mean(best, AROUND);
         for s in &samples[best - 2 * DARK..=best + 2 * DARK] {

@@ -1,0 +1,76 @@
+use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
+use fluent_syntax::parser::parse;
+use seamwright_catalogue::{AREAS, Catalogue, Language, source};
+use seamwright_message::Unit;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Adds the names of the arguments in `pattern`, also of those within selectors, to `names`.
+fn arguments(pattern: &Pattern<&str>, names: &mut BTreeSet<String>) {
+    for element in &pattern.elements {
+        if let PatternElement::Placeable { expression } = element {
+            of_expression(expression, names);
+        }
+    }
+}
+
+fn of_expression(expression: &Expression<&str>, names: &mut BTreeSet<String>) {
+    match expression {
+        Expression::Inline(inline) => of_inline(inline, names),
+        Expression::Select { selector, variants } => {
+            of_inline(selector, names);
+            variants.iter().for_each(|variant| arguments(&variant.value, names));
+        }
+    }
+}
+
+fn of_inline(inline: &InlineExpression<&str>, names: &mut BTreeSet<String>) {
+    match inline {
+        InlineExpression::VariableReference { id } => {
+            names.insert(id.name.to_owned());
+        }
+        InlineExpression::Placeable { expression } => of_expression(expression, names),
+        InlineExpression::FunctionReference { arguments, .. } => {
+            arguments.positional.iter().for_each(|argument| of_inline(argument, names));
+        }
+        _ => {}
+    }
+}
+
+/// The codes of a language with the names of their arguments.
+fn codes(language: Language) -> BTreeMap<String, BTreeSet<String>> {
+    let mut codes = BTreeMap::new();
+    for area in AREAS {
+        let text = source(language, area);
+        let resource = parse(text).unwrap_or_else(|(_, errors)| panic!("{}/{area}.ftl: {errors:?}", language.code()));
+        for entry in &resource.body {
+            let Entry::Message(message) = entry else { continue };
+            let mut names = BTreeSet::new();
+            message.value.iter().for_each(|pattern| arguments(pattern, &mut names));
+            let twice = codes.insert(message.id.name.to_owned(), names);
+            assert!(twice.is_none(), "{}: {} is defined twice", language.code(), message.id.name);
+        }
+    }
+    codes
+}
+
+#[test]
+fn every_code_has_every_language_with_the_same_arguments() {
+    let english = codes(Language::English);
+    assert!(english.len() > 30);
+    for language in Language::ALL {
+        let own = codes(language);
+        for (code, names) in &english {
+            assert_eq!(own.get(code), Some(names), "{code} in {}", language.code());
+        }
+        assert_eq!(own.len(), english.len(), "{} has codes that English has not", language.code());
+    }
+}
+
+#[test]
+fn every_unit_has_words() {
+    for language in Language::ALL {
+        for unit in Unit::ALL.iter().filter(|unit| **unit != Unit::One) {
+            assert!(Catalogue::of(language).has(&unit.identifier()), "{} in {}", unit.identifier(), language.code());
+        }
+    }
+}

@@ -1,0 +1,132 @@
+use crate::{Argument, Quantity, Unit};
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::fmt;
+
+/// A stable code with named arguments.
+///
+/// `Display` prints code and arguments, for logs and tests; people read the words of a catalogue.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Message {
+    /// Code: identifier of the words in the catalogues, lower-case words with hyphens.
+    pub code: Cow<'static, str>,
+    /// Arguments by name, in the order in which they were added.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub arguments: Vec<(Cow<'static, str>, Argument)>,
+}
+
+impl Message {
+    /// Creates a message without arguments.
+    pub const fn new(code: &'static str) -> Self {
+        Self { code: Cow::Borrowed(code), arguments: Vec::new() }
+    }
+
+    /// Returns the argument `name`.
+    pub fn argument(&self, name: &str) -> Option<&Argument> {
+        self.arguments.iter().find(|(own, _)| own == name).map(|(_, argument)| argument)
+    }
+
+    /// Adds an argument.
+    #[must_use]
+    pub fn with(mut self, name: &'static str, argument: Argument) -> Self {
+        self.arguments.push((Cow::Borrowed(name), argument));
+        self
+    }
+
+    /// Adds a value with its unit and the number of decimals to show.
+    #[must_use]
+    pub fn quantity(self, name: &'static str, value: f64, unit: Unit, decimals: u8) -> Self {
+        self.with(name, Argument::Quantity(Quantity { value, unit, decimals }))
+    }
+
+    /// Adds a number without a unit and the number of decimals to show.
+    #[must_use]
+    pub fn number(self, name: &'static str, value: f64, decimals: u8) -> Self {
+        self.quantity(name, value, Unit::One, decimals)
+    }
+
+    /// Adds a number of things.
+    #[must_use]
+    pub fn count(self, name: &'static str, count: usize) -> Self {
+        self.with(name, Argument::Count(count as u64))
+    }
+
+    /// Adds the name of an axis.
+    #[must_use]
+    pub fn axis(self, name: &'static str, axis: impl Into<String>) -> Self {
+        self.with(name, Argument::Axis(axis.into()))
+    }
+
+    /// Adds a key of a file.
+    #[must_use]
+    pub fn key(self, name: &'static str, key: impl Into<String>) -> Self {
+        self.with(name, Argument::Key(key.into()))
+    }
+
+    /// Adds a pass, counted from 1.
+    #[must_use]
+    pub fn pass(self, name: &'static str, pass: usize) -> Self {
+        self.with(name, Argument::Pass(pass))
+    }
+
+    /// Adds text that is shown as it is.
+    #[must_use]
+    pub fn text(self, name: &'static str, text: impl Into<String>) -> Self {
+        self.with(name, Argument::Text(text.into()))
+    }
+
+    /// Adds a message within the message.
+    #[must_use]
+    pub fn message(self, name: &'static str, message: Self) -> Self {
+        self.with(name, Argument::Message(Box::new(message)))
+    }
+
+    /// Adds several arguments under one name.
+    #[must_use]
+    pub fn list(self, name: &'static str, items: impl IntoIterator<Item = Argument>) -> Self {
+        self.with(name, Argument::List(items.into_iter().collect()))
+    }
+}
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.code)?;
+        for (i, (name, argument)) in self.arguments.iter().enumerate() {
+            write!(f, "{} {name} = {argument}", if i == 0 { ":" } else { "," })?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_is_the_same_after_json() {
+        let inner = Message::new("jerk-limit").quantity("limit", 5000.0, Unit::MmPerS3, 0);
+        let message = Message::new("speed-not-kept")
+            .axis("axis", "theta")
+            .quantity("asked", 6.0, Unit::MmPerS, 3)
+            .count("places", 2)
+            .pass("pass", 3)
+            .key("key", "weld.speed_mm_s")
+            .message("limit", inner)
+            .list("names", [Argument::Text("a".to_owned()), Argument::Axis("z".to_owned())]);
+        let json = serde_json::to_string(&message).unwrap();
+        assert_eq!(serde_json::from_str::<Message>(&json).unwrap(), message);
+        assert!(json.contains(r#"{"type":"quantity","value":{"value":6.0,"unit":"mm/s","decimals":3}}"#), "{json}");
+        assert_eq!(serde_json::from_str::<Message>(r#"{"code":"stopped"}"#).unwrap(), Message::new("stopped"));
+    }
+
+    #[test]
+    fn units_are_found_by_their_symbols_and_have_identifiers_of_their_own() {
+        let mut identifiers: Vec<String> = Unit::ALL.iter().map(|unit| unit.identifier()).collect();
+        for unit in Unit::ALL {
+            assert_eq!(Unit::from_symbol(unit.symbol()), Some(*unit));
+        }
+        identifiers.sort();
+        identifiers.dedup();
+        assert_eq!(identifiers.len(), Unit::ALL.len());
+    }
+}
