@@ -27,7 +27,7 @@ impl<D: Devices> Devices for Gappy<D> {
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
         self.devices.exchange(orders, reports);
         self.exchanges += 1;
-        reports.missed = if self.exchanges % self.every == 0 { self.lost } else { 0 };
+        reports.missed = if self.exchanges.is_multiple_of(self.every) { self.lost } else { 0 };
         let passed = f64::from(1 + reports.missed) * self.period_s;
         if reports.source.burning {
             self.burns_s += passed;

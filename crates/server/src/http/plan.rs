@@ -161,7 +161,7 @@ async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkVi
         let _announced = panel.loads.announce();
         std::thread::sleep(ANNOUNCED);
         at_rest(panel)?;
-        loading(panel, load, &text, user)
+        loading(panel, &load, &text, user)
     });
     let loading = loading.await?;
     let view = loading.view.clone().ok_or_else(|| Refused::server("a job without a picture"))?;
@@ -270,9 +270,9 @@ pub(crate) fn try_load(load: &Load, text: &str, jobs: &FilePath) -> Result<(), R
     Ok(())
 }
 
-fn loading(panel: &Panel, load: Load, text: &str, user: String) -> Result<Loading, Refused> {
-    let overlap_mm = overlap(&load)?;
-    let ready = ready(&load, text, &panel.jobs(), panel.plan_number())?;
+fn loading(panel: &Panel, load: &Load, text: &str, user: String) -> Result<Loading, Refused> {
+    let overlap_mm = overlap(load)?;
+    let ready = ready(load, text, &panel.jobs(), panel.plan_number())?;
     let Ready { loaded, motion, part, from, view, record, passes } = ready;
     let view = Arc::new(view);
     // From the current axis positions on the cell's devices, from home on others.
