@@ -59,7 +59,7 @@ export async function page(browser, { size = 'touch', language = 'en', dark = fa
   made.setDefaultTimeout(20_000);
   made.wrong = [];
   made.on('console', (message) => {
-    if (message.type() === 'error' || message.type() === 'warning') made.wrong.push(message.text());
+    if (message.type() === 'error' || message.type() === 'warning') made.wrong.push(`${message.text()} ${message.location().url}`);
   });
   made.on('pageerror', (error) => made.wrong.push(String(error)));
   return made;

@@ -87,6 +87,7 @@ export async function keep(page, name, text) {
 
 export async function load(page, name, part = '') {
   await tab(page, 'Jobs');
+  await commands(page);
   const row = page.locator('li.card', { hasText: name }).first();
   await row.getByRole('button', { name: 'Load' }).click();
   const dialog = page.locator('dialog[open]');

@@ -1,3 +1,5 @@
+import { untrack } from 'svelte';
+
 /** An area of the page, as far as a layer needs it. */
 export type Area = { contains(other: Node): boolean };
 
@@ -23,8 +25,9 @@ export class Layers {
   /** Adds a layer on top; returns the function that takes it away. */
   add(area: Area, close: () => void, opener: Area | null = null): () => void {
     const layer = { area, close, opener };
-    this.open = [...this.open, layer];
-    return () => (this.open = this.open.filter((of) => of !== layer));
+    // Attachments run as effects: what they change must not be what they depend on.
+    this.open = [...untrack(() => this.open), layer];
+    return () => (this.open = untrack(() => this.open).filter((of) => of !== layer));
   }
 
   /** Closes the topmost layer only; false if nothing is open. */
