@@ -112,8 +112,8 @@ impl Plan<'_> {
         Block { s, q, tip, duration, turns_only: false, stops: false, shape: Shape::Spline }
     }
 
-    /// Control points, the first of them at the start of the leg. At each knot except the first and the last one the
-    /// spline `(p[i - 1] + 4 p[i] + p[i + 1]) / 6` is the planned position.
+    /// Control points, the first of them at the start of the leg. At all knots except the first and last the planned
+    /// position is `(p[i - 1] + 4 p[i] + p[i + 1]) / 6`.
     fn control_points(&self, begin: f64, step: f64, moves: usize) -> Vec<Row> {
         let place = |i: usize| self.row(self.s(begin + (i as f64 + 1.0) * step));
         let mut points = vec![self.row(self.s(begin)); moves + 1];
