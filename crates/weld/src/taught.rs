@@ -44,7 +44,7 @@ impl Join {
 
 /// A nominal edge with taught spans, by the nominal one's parameter; within a span that goes evenly along the spline.
 ///
-/// A span has the nominal seam's point, direction and curvature at both joins, so an axis that follows it needs no jump
+/// A span has the nominal seam's point, direction and curvature at both joins. So an axis that follows it needs no jump
 /// in its acceleration there. Its normals are those of the nominal seam at the corresponding position between the
 /// joins, made square to the span's [`Along`].
 pub(crate) struct TaughtEdge {

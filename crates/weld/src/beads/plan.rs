@@ -66,7 +66,7 @@ impl Sizes {
 
 impl BeadPlan {
     /// Lays out the beads of `beads` along a seam with a joint. The layers are chosen for the mean area along the seam
-    /// (for the largest one if layers may be left out), and fill the groove everywhere.
+    /// (the largest if layers may be left out). They fill the groove everywhere.
     ///
     /// Guarantee: at every station the beads' areas sum to that of groove and cap.
     ///
