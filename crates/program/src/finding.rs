@@ -1,6 +1,6 @@
 use serde::Serialize;
 
-/// A fault that keeps a weld from being made as requested, or a note about it, with its position on the seam and the
+/// A fault that keeps a weld from being made as requested, or a note about it. It has its position on the seam and the
 /// operator action.
 ///
 /// `allowed` and `cure` together give its [`Severity`]; so a warning always has an operator action.

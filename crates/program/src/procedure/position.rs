@@ -48,8 +48,8 @@ pub struct Inclination {
 }
 
 impl Inclination {
-    /// Inclination of a weld with the unit vectors `tangent` (direction of travel), `face` (from the root to the middle
-    /// of the face) and `up` against gravity, in one frame.
+    /// Inclination of a weld, from unit vectors in one frame: `tangent` (direction of travel), `face` (from the root to
+    /// the middle of the face) and `up` against gravity.
     pub fn new(tangent: DVec3, face: DVec3, up: DVec3) -> Self {
         let (rise, level) = (tangent.dot(up), tangent.cross(up).length());
         let face = face.reject_from_normalized(tangent);
