@@ -21,17 +21,18 @@ const MANIFEST: &str = "manifest.sha256";
 const MAX_MANIFEST: u64 = 64 << 20;
 
 impl DataFolder {
-    /// Writes everything into one tar archive: the library as it is at this moment, all files of welds, jobs and users, and the hashes of
-    /// all of them. Keys of encrypted connections stay where they are. Welds may go on meanwhile; what runs is in it as the library has
-    /// it, without its trace.
+    /// Writes all data into one tar archive: the library at this moment, all files of welds, jobs and users, and the
+    /// hashes of all of them. Keys of encrypted connections are left out. Welds may go on meanwhile; a running weld is
+    /// in it as the library has it, without its trace.
     ///
     /// # Errors
-    /// If something cannot be read, there is no room for a copy of the library, or `out` fails.
+    /// If a file cannot be read, there is no room for a copy of the library, or `out` fails.
     pub fn back_up(&self, out: impl Write) -> Result<(), Error> {
         self.back_up_files(out, &WITH)
     }
 
-    /// Writes the same without users: whoever has it cannot try their passwords. Restored, it leaves the users as they are.
+    /// Writes the same without users: the archive gives no access to their password hashes. A restore leaves the users
+    /// unchanged.
     ///
     /// # Errors
     /// See [`Self::back_up`].
@@ -63,8 +64,8 @@ struct Archive<W: Write> {
 }
 
 impl<W: Write> Archive<W> {
-    /// Adds a file, or a folder with what is in it; what is not there, or goes meanwhile, is left out. So are raw traces: they grow
-    /// while a weld runs.
+    /// Adds a file, or a folder with its contents; missing files, also those removed meanwhile, are left out. So are
+    /// raw traces: they grow while a weld runs.
     fn add(&mut self, path: &Path, name: &Path) -> std::io::Result<()> {
         let Ok(kind) = fs::symlink_metadata(path) else { return Ok(()) };
         if kind.is_dir() {
@@ -322,7 +323,7 @@ mod tests {
             fs::write(&altered, &changed).unwrap();
             if restore(&altered, &to).is_ok() {
                 taken += 1;
-                // Padding between files: what came back is what was there.
+                // Padding between files: the restored files equal the saved ones.
                 for file in ["welds/000001/trace.parquet", "jobs/mine.toml", "users.json"] {
                     assert_eq!(
                         sha256_of_file(&from.join(file)).unwrap(),
@@ -338,7 +339,7 @@ mod tests {
         assert!(taken < 15, "{taken} of 150 altered archives were taken");
     }
 
-    /// Archives of versions that wrote no hashes are still taken, if what the library knows is in order.
+    /// Archives of versions that wrote no hashes are still accepted, if they match the library.
     #[test]
     fn archives_without_hashes_are_taken_in_order_only() {
         let scratch = tempfile::tempdir().unwrap();

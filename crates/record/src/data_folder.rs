@@ -28,7 +28,7 @@ pub struct Recovered {
     pub weld: WeldRecord,
     /// Rows of its trace.
     pub rows: u64,
-    /// Bytes of it that are no whole rows.
+    /// Bytes of it that form no whole rows.
     pub unread_bytes: u64,
 }
 
@@ -46,8 +46,8 @@ pub struct Verified {
 }
 
 impl DataFolder {
-    /// Opens the folder to write, and makes what is missing. A restore that was broken off is finished first. Records that others may
-    /// read, as older versions wrote them, become the owner's alone.
+    /// Opens the folder to write, and creates missing parts. An interrupted restore is finished first. Records that
+    /// others may read, from older versions, become readable by the owner only.
     ///
     /// # Errors
     /// If it cannot be written, or its library cannot be opened.
@@ -111,10 +111,10 @@ impl DataFolder {
         Journal::open(&self.path)
     }
 
-    /// Begins to record a weld.
+    /// Starts to record a weld.
     ///
     /// # Errors
-    /// If there is no room for it, or nothing can be written: the weld is then not to begin, and nothing is left of it.
+    /// If there is no room for it, or writing fails: the weld must not start then, and no trace of it is left.
     pub fn begin(&mut self, plan: &Plan) -> Result<Recording, Error> {
         self.check_room(plan)?;
         let text = |kind, (name, text): &(String, String)| self.library.add_document(kind, name, text);
@@ -142,7 +142,7 @@ impl DataFolder {
 
     /// Removes the remains of a weld that failed to start. If that fails too, [`DataFolder::recover`] settles them.
     fn take_back(&self, id: i64, folder: &Path) {
-        // No weld had this number, so nothing of another one is there.
+        // The number is new, so no data of another weld are there.
         drop(fs::remove_file(folder.join("trace.raw")));
         drop(fs::remove_dir(folder));
         drop(self.library.take_back_weld(id));

@@ -2,17 +2,17 @@ use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Why something cannot be recorded or read. Every message names the file and what to do.
+/// Reason why data cannot be recorded or read. Every message names the file and the operator action.
 #[derive(Debug, Error)]
 pub enum Error {
-    /// There is no room left on the disk.
+    /// The disk is full.
     #[error(
         "{}: {why}\n   allowed: make room, or another data folder; what was written before is kept", path.display()
     )]
     Full {
         /// The file.
         path: PathBuf,
-        /// That it is full, or how much is missing.
+        /// Reason: the disk is full, or how much is missing.
         why: String,
     },
     /// The folder or file is read-only.
@@ -33,7 +33,7 @@ pub enum Error {
         /// Error of the system.
         cause: io::Error,
     },
-    /// A file is not what it should be.
+    /// A file is damaged.
     #[error("{}: {why}\n   allowed: {allowed}", path.display())]
     Damaged {
         /// The file.

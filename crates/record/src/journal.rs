@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 const MARK: &[u8; 8] = b"SEAMJRN1";
 /// Bytes of an entry with its checksum.
 const ENTRY: usize = 92;
-/// Bytes of a file: what a disk writes at once.
+/// Bytes of a file: the size that a disk writes at once.
 const BLOCK: usize = 4096;
 const NAMES: [&str; 2] = ["position.a", "position.b"];
 
@@ -53,7 +53,7 @@ pub struct Journal {
     /// Number of the newest entry.
     sequence: u64,
     last: Option<Position>,
-    /// Neither file has a whole entry, and at least one had something: what the newest said is not known.
+    /// Neither file has a whole entry, but at least one has data: the newest entry is unknown.
     damaged: bool,
 }
 
@@ -85,7 +85,7 @@ impl Journal {
         self.damaged
     }
 
-    /// The newest entry that is whole: none if the weld before ended well, or there was none.
+    /// The newest whole entry; `None` if the weld before ended well, or there was no weld.
     pub fn last(&self) -> Option<Position> {
         self.last
     }
@@ -165,7 +165,7 @@ fn encoded(sequence: u64, position: Option<Position>) -> [u8; ENTRY] {
     bytes
 }
 
-/// Number and position of the entry in a file; none if it is not whole.
+/// Number and position of the entry in a file; `None` if it is not whole.
 fn read(file: &mut File) -> std::io::Result<Option<(u64, Option<Position>)>> {
     let mut bytes = [0; ENTRY];
     file.seek(SeekFrom::Start(0))?;
@@ -261,7 +261,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let first = Journal::open(folder.path()).unwrap();
         assert!(matches!(Journal::open(folder.path()), Err(Error::Busy { .. })));
-        // As a program that is being started has them.
+        // Handles as a child process inherits them.
         let _inherited: Vec<_> = first.files.iter().map(|(_, file)| file.try_clone().unwrap()).collect();
         drop(first);
         assert!(Journal::open(folder.path()).is_ok());
@@ -318,7 +318,8 @@ mod tests {
         }
     }
 
-    /// Both damaged is not "nothing was left": it is said, until an entry is written. One damaged, or none written, is not that.
+    /// Damage of both files is reported until an entry is written. It differs from a journal with one damaged file, or
+    /// without an entry.
     #[test]
     fn both_files_damaged_are_told() {
         let folder = tempfile::tempdir().unwrap();

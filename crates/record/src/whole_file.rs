@@ -1,8 +1,8 @@
 //! Files that are written whole or not at all: a temporary name, sync, rename.
 //!
-//! The name that the user gives may already be there, and need not be a plain file. [`WholeFile`] follows symbolic
-//! links, keeps mode and owner of a file that it replaces, and writes to pipes and character devices instead of
-//! putting a file in their place.
+//! The user's name may exist already, and need not be a plain file. [`WholeFile`] follows symbolic links and keeps mode
+//! and owner of a file that it replaces. It writes to pipes and character devices instead of putting a file in their
+//! place.
 
 use crate::Error;
 use std::fs::{self, File, Metadata, OpenOptions};
@@ -21,7 +21,7 @@ const MAX_LINKS: usize = 40;
 
 /// A file being written; [`WholeFile::finish`] gives it its name.
 ///
-/// Dropped unfinished it leaves nothing, and what was there before stays as it was.
+/// Dropped unfinished it leaves no file, and an existing file stays unchanged.
 #[derive(Debug)]
 pub struct WholeFile {
     file: NamedTempFile,
@@ -40,7 +40,7 @@ pub struct ClosedFile {
 /// Destination of a finished file.
 #[derive(Debug)]
 enum Destination {
-    /// Takes this name, which is no link, and replaces the file that has it.
+    /// Takes this name, which is not a link, and replaces the file of that name.
     Replace(PathBuf),
     /// Is copied into this pipe, character device or open file.
     Stream(PathBuf),
@@ -129,7 +129,7 @@ impl Write for WholeFile {
     }
 }
 
-/// Follows the links of `path`; where the file goes, and what it replaces.
+/// Follows the links of `path`. Returns the destination, and the file that it replaces.
 fn resolve(path: &Path) -> io::Result<(Destination, Option<Metadata>)> {
     let mut path = path.to_owned();
     for _ in 0..MAX_LINKS {
@@ -231,7 +231,7 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Begins the file `path` of a data folder: its owner's alone, whatever the folder allows.
+/// Starts the file `path` of a data folder: readable by its owner only, regardless of the folder's permissions.
 pub(crate) fn create(path: &Path) -> Result<WholeFile, Error> {
     WholeFile::create_private(path).map_err(|e| Error::io(path, "cannot be written", e))
 }

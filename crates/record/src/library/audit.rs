@@ -29,7 +29,7 @@ pub struct AuditQuery {
     pub before: Option<i64>,
     /// Only entries whose number is higher.
     pub after: i64,
-    /// Only entries with this in one of their texts, whatever the case of plain letters; empty: all.
+    /// Only entries with this in one of their texts, ignoring the case of plain letters; empty: all.
     pub text: String,
     /// So many at most.
     pub most: u32,

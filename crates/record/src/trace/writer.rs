@@ -33,7 +33,7 @@ pub struct TraceWriter {
     number: usize,
     /// The part before, of which a Parquet file is being made; one at a time, so that memory is bounded.
     finishing: Option<JoinHandle<Result<Part, Error>>>,
-    /// Parts that are finished, and what went wrong with one.
+    /// Parts that are finished, or the error of one.
     parts: Result<Vec<Part>, Error>,
 }
 

@@ -1,4 +1,4 @@
-//! A written file takes the place of a plain file only, and leaves links, modes, owners, pipes and devices as they were.
+//! A written file replaces a plain file only, and leaves links, modes, owners, pipes and devices unchanged.
 
 use rustix::fs::{CWD, FileType, Mode, makedev, mknodat};
 use seamwright_record::WholeFile;
@@ -64,7 +64,7 @@ fn a_character_device_stays_a_device() {
     assert!(fs::symlink_metadata("/dev/null").unwrap().file_type().is_char_device());
     if is_root() {
         let (_folder, null) = node(FileType::CharacterDevice, (1, 3));
-        // A sandbox may forbid to open it: that is an error, and no file in its place.
+        // A sandbox may forbid to open it: then there is an error, and no file instead of it.
         drop(write(&null));
         assert!(fs::symlink_metadata(&null).unwrap().file_type().is_char_device());
     }
@@ -105,7 +105,7 @@ fn links_are_followed_and_stay() {
         assert!(fs::symlink_metadata(at(name)).unwrap().is_symlink(), "{name}");
     }
     assert_eq!(names(elsewhere.path()), ["missing", "target"]);
-    // Links that lead nowhere are refused and stay too.
+    // Dangling links are refused and stay too.
     symlink("no folder/file", at("nowhere")).unwrap();
     assert_eq!(write(&at("nowhere")).unwrap_err().kind(), ErrorKind::NotFound);
     symlink("round", at("round")).unwrap();
