@@ -1,10 +1,10 @@
-//! Why a command ends without doing what was asked.
+//! Reasons why a command ends without its result.
 
 use seamwright_document::DocumentError;
 use seamwright_program::{Finding, FindingGroup, FindingPlace, Severity, group_findings};
 use std::io::{self, Write};
 
-/// Why the command ends without doing what was asked, by exit code.
+/// Reason why the command ends without its result, by exit code.
 #[derive(Debug)]
 pub enum Failure {
     /// 1: the job is understood but cannot be welded as asked.
@@ -19,7 +19,7 @@ pub enum Failure {
     Environment(String),
     /// 3: planning was cancelled.
     Cancelled,
-    /// 0: whoever reads our output has stopped reading.
+    /// 0: the reader of our output has stopped reading.
     ReaderGone,
 }
 

@@ -70,7 +70,7 @@ pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<(), F
     file.finish().map_err(failed)
 }
 
-/// Why nothing could be written at `path`: a wrong name is bad input, a disk that fails is not.
+/// Failure of writing at `path`: a wrong name is bad input, a disk that fails is not.
 pub(crate) fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
     use std::io::ErrorKind::{
         AlreadyExists, BrokenPipe, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied,
@@ -135,13 +135,13 @@ impl Output {
         Ok(output)
     }
 
-    /// A folder for what is not finished; it goes with this value.
+    /// A folder for unfinished files; it is removed with this value.
     pub fn scratch(&self) -> Result<TempDir, Failure> {
         let folder = tempfile::Builder::new().prefix(".seamwright-").tempdir_in(&self.folder);
         folder.map_err(|e| not_writable(&self.folder, &e))
     }
 
-    /// Takes a copy of the file at `from` under `name`, whatever stands there.
+    /// Copies the file at `from` to `name`, replacing any file there.
     pub fn take(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
         let unreadable = |e| Failure::Input(format!("{}: cannot be read: {e}", from.display()));
         let mut source = fs::File::open(from).map_err(unreadable)?;

@@ -152,7 +152,7 @@ fn names() -> String {
     SHIPPED.iter().map(|s| s.name).collect::<Vec<_>>().join(", ")
 }
 
-/// The machine that a job names; none if there is no such machine.
+/// The machine that a job names; `None` if it is missing.
 pub(crate) fn machine_beside(name: &str, within: &Within<'_>) -> Result<Option<Machine>, Failure> {
     Ok(described(name, within, &StlFiles::default(), Own::First)?.map(|found| found.machine))
 }
@@ -185,7 +185,7 @@ struct Described {
     file: Option<PathBuf>,
 }
 
-/// The machine called `name`, or in the file `name`; none if there is neither.
+/// The machine called `name`, or in the file `name`; `None` without either.
 fn described(name: &str, within: &Within<'_>, stl: &StlFiles, own: Own) -> Result<Option<Described>, Failure> {
     let mut wanted = name.to_owned();
     if let Some(shipped) = shipped(name) {
@@ -298,7 +298,7 @@ impl Loaded {
     /// The seam.
     ///
     /// # Errors
-    /// A program whose passes all go through points has none.
+    /// A program whose passes all go through points, without a seam.
     pub fn seam(&self) -> Result<&SeamCurve, Failure> {
         let program = &self.welding.program;
         let allowed = "a job, or a program with [seam]";

@@ -9,7 +9,7 @@ use seamwright_vision::{Frame, Pixels};
 /// A colour: red, green, blue.
 pub type Colour = [u8; 3];
 
-/// Of a place that was only coasted over.
+/// Colour of rows that were only coasted over.
 pub const COASTED: Colour = [90, 150, 255];
 /// Of a cross.
 pub const CROSS: Colour = [255, 255, 255];

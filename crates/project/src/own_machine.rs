@@ -40,10 +40,11 @@ impl OwnMachine {
         }
     }
 
-    /// Its text with the settings of the table at `table` (a name, or a name and a number in an array of tables, from the root).
+    /// Its text with the settings of the table at `table`: a name, or a name and a number in an array of tables, from
+    /// the root.
     ///
     /// # Errors
-    /// A text that has no such table and cannot have it.
+    /// A text in which the table is missing and cannot be added.
     pub fn with(&self, table: &[Step<'_>], settings: &[(&str, Setting)]) -> Result<String, Failure> {
         let wrong = |e: &dyn std::fmt::Display| Failure::Input(format!("{}: {e}", self.path.display()));
         let mut document: DocumentMut = self.text.parse().map_err(|e| wrong(&e))?;
@@ -119,10 +120,10 @@ impl OwnMachine {
         Ok(keys.iter().map(|key| at.and_then(|item| item.get(key)).map_or_else(Vec::new, row)).collect())
     }
 
-    /// The machine that `text` makes in place of this file.
+    /// The machine of `text`, which replaces this file.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Any fault of the text.
     pub fn check(&self, text: &str) -> Result<Machine, Failure> {
         let name = self.path.file_name().map_or_else(|| "machine.toml".into(), |n| n.to_string_lossy());
         machine_foreign(&name, text, self.path.parent().unwrap_or(Path::new(".")))

@@ -22,7 +22,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// Under what it is welded.
+    /// Conditions of its welding.
     pub fn conditions<'a>(&'a self, seed: u64, faults: &'a [Fault], around: &'a Surroundings<'a>) -> Conditions<'a> {
         Conditions {
             seed,

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 /// Limits on planning's searches, and who is shown their progress.
 #[derive(Clone, Copy)]
 pub struct Planning<'a> {
-    /// Longest time of all searches of a plan together; none for no limit.
+    /// Time limit of all searches of a plan together; `None` for no limit.
     pub limit: Option<Duration>,
     /// Set by anybody who no longer wants the plan.
     pub cancel: Option<&'a AtomicBool>,

@@ -101,7 +101,7 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
     })
 }
 
-/// A weld that goes on begins before the place up to which its pass is welded, by the overlap.
+/// A continued weld starts before the position up to which its pass is welded, by the overlap.
 fn goes_on(program: &Program, at: Place) -> String {
     let pass = at.pass.checked_sub(1).and_then(|i| program.passes.get(i));
     let overlap = pass.map_or(0.0, |pass| pass.sequence.overlap_mm.get());

@@ -51,7 +51,7 @@ impl StreamedSteps {
         let tick_ns = u64::from(device.tick_ns);
         let writer = std::thread::spawn(move || {
             if let Err(error) = write(vcd, edges, tick_ns) {
-                // The drives have noticed: nobody takes their edges any more.
+                // The drives have noticed: their edges are not read any more.
                 let _ = writeln!(std::io::stderr(), "note: {}: {error}: the pulses end here", path.display());
             }
         });
@@ -103,7 +103,7 @@ impl Drives for StreamedSteps {
 }
 
 impl Drop for StreamedSteps {
-    /// All that was made is written.
+    /// All edges so far are written.
     fn drop(&mut self) {
         self.drives = None;
         if let Some(writer) = self.writer.take() {

@@ -1,4 +1,4 @@
-//! The last frame with what was found in it, as in Fig. 4 of EBW-2004.
+//! The last frame with the joint found in it, as in Fig. 4 of EBW-2004.
 
 use crate::failure::Failure;
 use crate::overlay::{COASTED, CROSS, MOTION, Overlay, ZONE, sureness};
@@ -13,7 +13,7 @@ const ARMS: (i32, f64) = (14, 24.0);
 /// Two pixels thick.
 const THICK: [f64; 2] = [0.0, 1.0];
 
-/// A frame and what is drawn over it, pixels.
+/// A frame and its overlay, pixels.
 pub struct Picture {
     image: Image,
     rows: Vec<Row>,
