@@ -89,7 +89,7 @@ impl Rows {
         Ok(())
     }
 
-    /// Ends the simulated weld of `report`, with the other `files` and what happened; adds its trace to `output`.
+    /// Ends the simulated weld of `report`, with the other `files` and the events; adds its trace to `output`.
     pub(super) fn finish(
         self,
         report: &WeldReport,

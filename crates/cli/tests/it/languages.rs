@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-/// Words that are the same in all languages, or belong to none.
+/// Words that are the same in all languages, or are not translated.
 const SAME: [&str; 11] =
     ["seamwright", "rms", "iso", "utc", "csv", "svg", "report", "json", "oscillation", "mag", "min"];
 /// Words that German shares with English.

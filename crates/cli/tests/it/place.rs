@@ -1,4 +1,4 @@
-//! `machine place`: the offset found is the one the points were made with; bad tables are refused with their place.
+//! `machine place`: the offset found is that of the points; bad tables are refused with their address.
 
 use crate::common::{self, example, good, root, run, run_with};
 use std::f64::consts::TAU;

@@ -195,8 +195,8 @@ fn reposted(text: &str, dialect: &str, edits: &[&[&str]]) -> String {
     self::text(&out.stdout)
 }
 
-/// A pass without the arc that has to be planned anew, since LinuxCNC has no such arc, burns nothing; what is switched on
-/// the way is.
+/// A pass without the arc that is planned anew, since LinuxCNC has no such arc, keeps the arc off; other outputs are
+/// switched on the way.
 #[test]
 fn a_pass_without_the_arc_never_burns() {
     let dry = "G0 X0 Y0 Z400 A0 C0\nG1 X10 F600\nCIP X20 Y10 Z395 I1=13 J1=7 K1=397\nG1 X30\nM30\n";

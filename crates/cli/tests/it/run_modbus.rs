@@ -115,7 +115,7 @@ fn registers_by_name() {
     assert_eq!(server.bank().writes, 0);
 }
 
-/// A value beyond its register is refused with its place, before anything is connected; one at its end is not.
+/// A value beyond its register is refused with its address, before anything is connected; one at its end is accepted.
 #[test]
 fn values_that_registers_cannot_hold() {
     let folder = tempfile::tempdir().unwrap();

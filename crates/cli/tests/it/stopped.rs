@@ -61,7 +61,7 @@ impl Welding {
         assert!(status.unwrap().success());
     }
 
-    /// Its exit code, and what it said.
+    /// Its exit code, and its text on standard error.
     pub(crate) fn ends(self) -> (Option<i32>, String) {
         let output = self.child.wait_with_output().unwrap();
         (output.status.code(), String::from_utf8(output.stderr).unwrap())

@@ -1,4 +1,4 @@
-//! `seamwright teach`: simulated, recorded, by hand; what it refuses.
+//! `seamwright teach`: simulated, recorded, by hand; refusals.
 
 use crate::common::{self, bad, example, good, run, run_with};
 use glam::DVec3;
@@ -301,7 +301,7 @@ fn the_operator_is_asked_and_it_goes_on() {
     let folder = folder.path();
     let (job, program) = (short(folder), path(folder, "taught.toml"));
     let lost = ["teach", &job, "--frames", "simulated", "--seed", "4", "--tack", "30,55", "-o", &program];
-    // Without an operator there is no question.
+    // Without an operator the program asks no question.
     assert_eq!(run(&lost).status.code(), Some(1));
     assert!(report(&program).contains("\"ended\": \"lost\""));
     let up_to = number(&report(&program), "length_mm");
@@ -367,7 +367,7 @@ fn reduced_to_a_spline_with_the_torch_at_its_angles() {
     }
 }
 
-/// Places and directions of the torch all along the planned motion of a job or program on the EBW machine.
+/// Positions and directions of the torch all along the planned motion of a job or program on the EBW machine.
 fn poses(job: &str) -> Vec<(DVec3, DVec3)> {
     let axes = ["x", "y", "z", "v", "q", "u", "w"];
     let motion = common::table(&good(&["motion", job, "--period-ms", "20"]));

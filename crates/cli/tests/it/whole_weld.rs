@@ -1,4 +1,4 @@
-//! The report of a weld of many passes is one of all of them: totals, a table by pass, and what is found said once.
+//! The report of a weld of many passes covers all of them: totals, a table by pass, and each finding once.
 
 use crate::common::{example, good};
 use serde_json::Value;
@@ -125,7 +125,7 @@ fn what_is_found_in_many_passes_is_said_once() {
     for text in [&summary, &page] {
         assert!(!text.to_lowercase().contains("none needed"));
     }
-    // One line says what was written, and the page is one that somebody reads.
+    // One line lists the files, and the page is short enough to read.
     assert_eq!(summary.matches("wrote").count(), 1, "{summary}");
     assert!(page.matches("<figure").count() < 40, "{}", page.matches("<figure").count());
 }

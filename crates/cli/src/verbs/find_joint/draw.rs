@@ -6,8 +6,8 @@ use glam::DVec2;
 use seamwright_vision::Frame;
 use seamwright_vision::joint::{CONFIDENT, Joint, Row, Start, State, Zone};
 
-/// The frame with what was found in it as PNG. The motion vector goes from the start to the last confident place: the move
-/// that teaching would make.
+/// The frame with the joint found in it as PNG. The motion vector goes from the start to the last confident row: the
+/// move that teaching would make.
 pub(super) fn draw(frame: &Frame, joint: &Joint, start: &Start, zone: &Zone) -> Result<Vec<u8>, Failure> {
     let mut picture = Overlay::of(frame);
     // Large pictures are looked at from farther away.

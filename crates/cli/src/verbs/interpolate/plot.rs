@@ -113,7 +113,7 @@ fn chords(path: &Path, points: &[Point], period: f64, step: f64) -> Vec<(f64, f6
     rows
 }
 
-/// Places at which the distance from the true curve is drawn.
+/// Number of points at which the distance from the true curve is drawn.
 const PLACES: usize = 240;
 
 /// Greatest distance (um) of the points from the true curve within each part of the path, by angle travelled.

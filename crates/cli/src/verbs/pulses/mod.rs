@@ -60,7 +60,7 @@ pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
     } else if args.output.is_some() {
         print_text(&summary.text())?;
     } else {
-        // Standard output has the pulses; what is to be said of them goes beside.
+        // Standard output has the pulses; remarks go to standard error.
         summary.remarks().for_each(note);
     }
     let lost = checked.lost(&stepped);

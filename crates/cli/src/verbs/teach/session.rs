@@ -1,4 +1,4 @@
-//! A crawl along the joint with whatever carries the eye.
+//! Joint following with any carrier of the camera.
 
 use super::operator::Terminal;
 use super::{camera, follower, settings};
