@@ -13,7 +13,7 @@
 //! **Guarantees**, tested on random positions with reversals:
 //! - after each period the count is the position rounded to whole steps;
 //! - rising edges are never closer than the driver's maximum frequency allows, and the step line is high and low for at
-//! least its minimum times;
+//!   least its minimum times;
 //! - within a period a pulse is less than one tick before its position among equally spaced ones;
 //! - the direction line changes `direction_hold` after a falling edge or later, and `direction_setup` before a rising
 //!   one or earlier.
