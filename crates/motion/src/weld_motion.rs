@@ -350,7 +350,7 @@ enum Torches {
     One,
     /// Two torches retract along the middle of both.
     Two,
-    /// The pass itself contains retract and approach.
+    /// The taught points of the pass define its start and end.
     Given,
 }
 
@@ -432,8 +432,8 @@ impl Air<'_> {
         crate::air::obstacle(self.around, &leg).map_or(Ok(()), |what| Err(Blocked::End { which, what }))
     }
 
-    /// Positions and distance of the torch retracted along its axis (two torches: along the middle of both): as far as
-    /// requested, or as far as the axes reach. None if they cannot retract it.
+    /// Positions of the torch retracted along its axis (two torches: along the middle of both), and the fraction of the
+    /// requested distance that the axes reach. None if they cannot retract it.
     fn back_from(&self, PassEnd { q, torches, machine }: &PassEnd) -> Option<(Joints, f64)> {
         if *torches == Torches::Given {
             return None;

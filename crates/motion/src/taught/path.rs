@@ -105,7 +105,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         self.machine.tip_derivatives(&self.piece(u, false).derivatives(u))[0].length()
     }
 
-    /// True without any motion, that is without two different points.
+    /// True if the path has no motion: no two points differ.
     pub fn is_empty(&mut self) -> bool {
         while self.pieces.is_empty() && !self.complete {
             self.extend();

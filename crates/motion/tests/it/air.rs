@@ -1,4 +1,4 @@
-//! Air moves: clear all along by dense sampling, or refused with the reason; legs within every limit.
+//! Transfer moves: clear everywhere by dense sampling, or refused with the reason; legs within every limit.
 
 #![allow(clippy::float_cmp, reason = "ends of legs are met without rounding")]
 
@@ -45,7 +45,7 @@ fn goes_round_a_wall_over_a_table() {
     let way = route(&machine, &around, &from, &to, AxisSet::default()).unwrap();
     assert!(way.len() > 2 && way[0] == from && way[way.len() - 1] == to);
     check_clear(&machine, &around, &way);
-    // The same question has the same answer; without the wall the way is straight.
+    // The same request has the same result; without the wall the move is straight.
     assert_eq!(way, route(&machine, &around, &from, &to, AxisSet::default()).unwrap());
     let free = Surroundings::new(&machine, &Clamped::default()).unwrap();
     assert_eq!(route(&machine, &free, &from, &to, AxisSet::default()).unwrap().len(), 2);

@@ -286,7 +286,7 @@ fn random_job() -> impl Strategy<Value = String> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: cases(60), failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever the job, set-points keep every limit, and nowhere is the weld slower than it must be by much.
+    /// For every job set-points keep every limit, and the weld is nearly as fast as possible.
     #[test]
     fn random_welds_keep_every_limit(text in random_job()) {
         let Ok(welding) = Welding::read("random.toml", &text) else { return Ok(()) };

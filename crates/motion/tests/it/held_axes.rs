@@ -1,4 +1,4 @@
-//! Redundant axes that stand still by wish, or have next to no range.
+//! Redundant axes that are held, or have almost no range.
 
 use seamwright_machine::Machine;
 use seamwright_motion::redundancy::{HoldError, holding};

@@ -4,10 +4,10 @@ use crate::pace_law::{self, Case, Uniform, cases};
 use seamwright_motion::pace::{AxisLimits, Command, Limits, Pace, PaceError, Played, Timed};
 
 const PERIOD: f64 = 0.002;
-/// Places looked at in a period.
+/// Samples in a period.
 const LOOKS: u32 = 3;
 
-/// What was seen over a run.
+/// Extremes observed over a run.
 #[derive(Debug, Default, Clone, Copy)]
 struct Seen {
     off_path: f64,
@@ -207,7 +207,7 @@ fn a_hold_stops_nearly_as_quickly_as_can_be() {
     assert!(ratios[199] < 1.35, "{ratios:?}");
 }
 
-/// Wherever it is asked for, a hold stands still before the law's own end, and mostly after its run-down's time.
+/// A hold at any time comes to rest before the profile's own end, and mostly within the time of its deceleration phase.
 #[test]
 fn a_hold_anywhere_on_a_curved_path_stands_still() {
     let mut ratios = vec![];
@@ -236,7 +236,7 @@ fn a_hold_anywhere_on_a_curved_path_stands_still() {
     assert!(of(0.5) < 2.0, "{ratios:?}");
 }
 
-/// It stops at a place exactly or says that it does not: hardly ever at a pace that leaves room.
+/// A stop is exact or reported as dropped: hardly ever at an override that leaves room.
 #[test]
 fn a_stop_at_a_place_is_exact_from_both_sides() {
     let mut given_up = [0, 0];

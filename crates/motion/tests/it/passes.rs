@@ -15,7 +15,7 @@ const EXAMPLES: [&str; 3] = [
     include_str!("../../../../examples/head-nozzle.toml"),
 ];
 
-/// How far below the asked speed the law may stay where nothing but that holds it back.
+/// Maximum relative shortfall of the profile against the requested speed if no limit binds.
 const NEARLY: f64 = 3e-3;
 
 fn cases(count: u32) -> ProptestConfig {
@@ -124,8 +124,8 @@ proptest! {
         }
     }
 
-    /// By differences of set-points the tip is never faster than asked, and as fast within the law's reserve wherever no
-    /// limit holds it back.
+    /// By differences of set-points the tip is never faster than requested, and as fast within the profile's reserve if
+    /// no limit binds.
     #[test]
     fn the_tip_has_the_asked_speed(case in case()) {
         let Planned { welding, machine, motion } = case.planned();

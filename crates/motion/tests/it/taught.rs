@@ -49,7 +49,7 @@ fn cut(machine: &Machine, step: f64) -> Vec<Joints> {
     points
 }
 
-/// What a run along points did.
+/// Result of a run along points.
 struct Run {
     duration: f64,
     stops: usize,

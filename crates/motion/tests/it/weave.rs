@@ -59,8 +59,8 @@ fn worst(machine: &Machine, motion: &PassMotion, period: f64) -> f64 {
 proptest! {
     #![proptest_config(cases(8))]
 
-    /// Whatever the weave, slowed down where it has to be: every set-point is within every limit, the tip is where the
-    /// woven path is, and the line is never passed faster than asked.
+    /// For every weave, slowed down if necessary: every set-point is within every limit, the tip is on the woven path,
+    /// and the centre line is never passed faster than requested.
     #[test]
     fn random_weaves_are_within_all_limits(
         arc in any::<bool>(),
@@ -126,7 +126,7 @@ fn the_frequency_stays_over_a_ramp_of_the_speed() {
     }
 }
 
-/// What a finding says is possible, is; a little more is not.
+/// The frequency of a finding is feasible; a slightly higher one is not.
 #[test]
 fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
     // A short seam: it is planned a dozen times for every figure.
@@ -147,7 +147,7 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
             assert!((told / exact - 1.0).abs() < 0.015, "{told} {exact}");
         }
     }
-    // By pitch the shortest one is told; a weld that is too fast without any weave is told as such.
+    // For a pitch the minimum is reported; a weld that is too fast without any weave is reported as such.
     let findings = plan(&text(false, "width_mm = 8\npitch_mm = 0.8\n")).1.unwrap_err();
     let told = findings[0].cure.split("pitch_mm of ").nth(1).unwrap().split(',').next().unwrap();
     let told: f64 = told.parse().unwrap();
@@ -198,7 +198,7 @@ impl TorchPath for Counted<'_> {
     }
 }
 
-/// Refusing a weave and telling how fast it can be costs about as much as planning it like that: it took a dozen plans.
+/// Refusing a weave with its maximum frequency costs about one plan; it once took a dozen.
 #[test]
 fn the_highest_frequency_costs_about_a_plan() {
     let text = include_str!("../../../../tests/data/field-trial/saddle-weave-8hz.toml").replace("procedure = ", "# ");
@@ -214,7 +214,7 @@ fn the_highest_frequency_costs_about_a_plan() {
         let motion = PassMotion::plan(&machine, &counted, &welding.program.value.passes[0], 1);
         let poses = poses.load(Ordering::Relaxed);
         let mut findings = motion.err().unwrap_or_default();
-        // That the machine has too few axes for the direction is of no interest here.
+        // Ignores that the machine has too few axes for the direction.
         findings.retain(|f| f.kind != "attitude");
         (findings, poses)
     };

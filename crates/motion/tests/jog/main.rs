@@ -1,4 +1,4 @@
-//! Jogging: within every limit and clear whatever is commanded, stops within what is promised, ends met.
+//! Jogging: within every limit and clear under every command, stops within the guaranteed distance, ends met.
 
 #![allow(clippy::float_cmp, reason = "what rests does not move at all")]
 

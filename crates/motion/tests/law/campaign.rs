@@ -18,7 +18,7 @@ fn passes(path: &Path) {
     assert!(found.jump.iter().all(|j| *j <= 1e-9), "jumps: {found:?}");
 }
 
-/// Runs `count` paths of these sizes; which ones fail is said by their seeds, at once. A long run says how far it is.
+/// Runs `count` paths of these sizes and prints the seeds of failed ones. A long run prints its progress.
 fn run(first: u32, count: u32, most_axes: u32, most_pieces: u32) {
     let mut failed = Vec::new();
     for (done, seed) in (first..first + cases(count)).enumerate() {

@@ -1,4 +1,4 @@
-//! Paths at the edge of what a path is, and what is none.
+//! Extreme and invalid paths.
 
 use crate::check::{check, check_ends};
 use crate::curves::{Saddle, Spline};

@@ -7,7 +7,7 @@ use seamwright_motion::law::{Channels, Limits, SpeedLaw};
 
 /// Steps of constant jerk along the path in the reference's law.
 const STEPS: usize = 100;
-/// A law that breaks no limit by more than this part counts as found.
+/// Maximum relative excess over a limit of a profile that counts as found.
 const FOUND: f64 = 1.5e-3;
 
 /// Looks for a law from rest to rest in the time `duration` within all limits of `path`, a single piece: the jerks
@@ -39,7 +39,7 @@ fn excess(path: &Path, duration: f64, start: impl Fn(f64) -> f64) -> f64 {
     now.worst
 }
 
-/// What is beyond the limits, with slopes by the jerks.
+/// Excess over the limits, with slopes by the jerks.
 struct Excess {
     sum: f64,
     worst: f64,

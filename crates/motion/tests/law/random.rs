@@ -97,7 +97,7 @@ pub fn natural(knots: Vec<f64>, points: &[Vec<f64>], limits: Vec<Limits>) -> Spl
     Spline { knots, pieces, limits }
 }
 
-/// How the points of a channel lie.
+/// Random positions of the points of a channel.
 fn values(random: &mut Uniform, parts: &[f64]) -> Vec<f64> {
     let size = random.decades(1e-2, 1e3);
     let rise = size * random.in_range(-1.0, 1.0);

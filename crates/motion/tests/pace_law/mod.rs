@@ -1,4 +1,4 @@
-//! A motion that is limited in jerk, on a curved path of several axes, built in closed form: nothing of the planner's.
+//! A jerk-limited motion on a curved path of several axes, built in closed form, independent of the planner.
 
 #![allow(dead_code, unreachable_pub, reason = "each user has its own part")]
 

@@ -5,10 +5,10 @@ use crate::welds::{self, Weld};
 use seamwright_machine::Joints;
 use seamwright_motion::pace::{Command, Pace, PassTimed, Played, Timed};
 
-/// Places looked at in a period.
+/// Samples in a period.
 const PLACES: u32 = 3;
 
-/// What was seen over runs.
+/// Extremes observed over runs.
 #[derive(Debug, Default, Clone, Copy)]
 struct Seen {
     /// Greatest distance of the tip, by forward kinematics, from the seam, mm.
@@ -17,7 +17,7 @@ struct Seen {
     limits: f64,
     /// The same by differences of positions alone, less their rounding.
     differences: f64,
-    /// Greatest distance of an axis from where it ends without commands.
+    /// Maximum distance of an axis from its end position without commands.
     off_end: f64,
     periods: u64,
     on_faster: u64,
