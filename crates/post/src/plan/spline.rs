@@ -17,7 +17,7 @@ pub(crate) const TICK: f64 = 2.5e-7;
 const SHORTEST_S: f64 = 5e-4;
 /// Values that change sooner than this are late by half a block at most, s.
 const STEADY_S: f64 = 0.02;
-/// Blocks that a leg begins with, at least.
+/// Minimum number of blocks of a leg at first.
 const FEWEST: f64 = 6.0;
 /// Stations checked within a block.
 const CHECKS: u32 = 4;
@@ -85,7 +85,7 @@ fn finer(count: f64, duration: f64, fits: bool) -> f64 {
     (2.0 * count).min(limit).max(count + 1.0)
 }
 
-/// Least time between places where values change, s.
+/// Minimum time between positions where values change, s.
 fn least_step(motion: &PassMotion, breaks: &[f64]) -> f64 {
     breaks.windows(2).map(|w| motion.law.time(w[1]) - motion.law.time(w[0])).fold(f64::INFINITY, f64::min)
 }
