@@ -28,7 +28,7 @@ const PLACES: i32 = 360;
 enum Impossible {
     #[error(transparent)]
     Solid(#[from] ClearanceError),
-    /// The body as long as the job says ends within the seam: the least length, mm.
+    /// The body of the job's length ends within the seam; with the minimum length, mm.
     #[error("the body would end within the seam")]
     Short(f64),
     /// The body cannot be read.
@@ -43,7 +43,7 @@ type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 struct Making<'a> {
     seam: &'a SeamCurve,
     nozzle_mm: f64,
-    /// Length of the body, if the job says.
+    /// Length of the body, if the job gives one.
     body_mm: Option<f64>,
     joint: Option<&'a SeamJoint>,
 }
@@ -143,7 +143,7 @@ impl Making<'_> {
         })
     }
 
-    /// The least value of `f` over the seam: the least of many places, then of ever nearer ones around it.
+    /// Minimum of `f` over the seam: the minimum at many stations, then at ever nearer ones around it.
     fn least(&self, f: impl Fn(DVec3) -> f64) -> f64 {
         let length = self.seam.length();
         let (mut step, mut best) = (length / f64::from(PLACES), (f64::INFINITY, 0.5 * length));
@@ -166,7 +166,8 @@ impl Making<'_> {
         DVec3::from_array(DVec3::AXES.map(|n| self.heights(DVec3::ZERO, n)).map(|(low, high)| 0.5 * (low + high)))
     }
 
-    /// The body's length: as the job says, or the usual one, but beyond the seam (`least`) by no less than the nozzle.
+    /// The body's length: as given by the job, or the usual one, but at least a nozzle's length beyond the seam
+    /// (`least`).
     fn body(&self, usual: f64, least: f64) -> Result<f64, Impossible> {
         match self.body_mm {
             Some(length) if length <= least => Err(Impossible::Short(least)),
