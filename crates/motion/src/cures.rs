@@ -257,7 +257,7 @@ impl Trial<'_> {
         let slope = |way: DVec3| Some((at(STEP_MM * way)? - here) / STEP_MM);
         let slope = DVec3::new(slope(DVec3::X)?, slope(DVec3::Y)?, slope(DVec3::Z)?);
         let by = lack.by + ROOM.copysign(lack.by);
-        // Rounded away from zero to what is printed.
+        // Rounded away from zero to the printed decimals.
         let away = |v: f64| if v.abs() < 0.05 { 0.0 } else { ((v.abs() * 10.0).ceil() / 10.0).copysign(v) };
         let shift = -by * slope / slope.length_squared();
         (slope.length() > 1e-3).then(|| DVec3::from_array(shift.to_array().map(away)))
@@ -324,7 +324,7 @@ fn is_of_range(finding: &Finding) -> bool {
     !finding.allowed && ["range", "reach"].contains(&finding.kind)
 }
 
-/// Number of findings that stand against the weld.
+/// Number of findings against the weld.
 fn count_against(findings: &[Finding]) -> usize {
     findings.iter().filter(|finding| !finding.allowed).count()
 }

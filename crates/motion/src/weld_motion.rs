@@ -382,8 +382,8 @@ struct Air<'a> {
 }
 
 impl Air<'_> {
-    /// The move from the end of a weld (or home) to the start of the next (or home), each with its retract; and the
-    /// actual retract distances (mm) that are less than requested, if any.
+    /// The move from the end of a weld (or home) to the start of the next (or home), with retract and approach; and the
+    /// retract distances (mm) that are less than requested, none for a missing retract.
     fn way(&self, end: Option<PassEnd>, start: Option<PassEnd>) -> Result<(AirMove, Vec<Option<f64>>), Blocked> {
         let home = self.machine.home();
         let [back_end, back_start] = [end, start].map(|e| e.and_then(|end| self.back_from(&end)));

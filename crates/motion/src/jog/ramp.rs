@@ -64,7 +64,7 @@ impl Ramp {
         }
     }
 
-    /// Lowest and highest position on the way.
+    /// Minimum and maximum position during the change.
     pub(super) fn reach(&self) -> (f64, f64) {
         let mut reach = (self.begins[0].0, self.begins[0].0);
         let mut meets = |q: f64| reach = (reach.0.min(q), reach.1.max(q));

@@ -55,7 +55,7 @@ pub(super) struct Commitment<'a> {
 }
 
 impl Commitment<'_> {
-    /// Lowest and highest positions on it.
+    /// Minimum and maximum positions on it.
     pub(super) fn reach(&self) -> (Joints, Joints) {
         let (mut low, mut high) = (*self.before, *self.before);
         for (i, ramp) in self.stop.ramps().iter().enumerate() {

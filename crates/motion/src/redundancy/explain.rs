@@ -21,7 +21,7 @@ pub(crate) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
     }
 }
 
-/// Reasons for a missing path: unreachable stations, or reachable ones that cannot be joined.
+/// Reasons for a missing path: unreachable stations, or reachable ones without a connection.
 pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
     let mut runs = Runs::default();
     let samples = graph.samples();

@@ -1,5 +1,5 @@
 //! Redundancy resolution: a machine with more axes than a point and a direction need can weld the same seam with many
-//! axis motions, of which the best one over the whole path is searched.
+//! axis motions. The best one over the whole path is searched.
 //!
 //! The first step is a graph: at stations along the path the free axes are sampled, and every branch of the inverse is
 //! a node. Dynamic programming finds the path of minimum cost through the nodes, then again with finer nodes about that

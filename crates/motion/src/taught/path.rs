@@ -294,7 +294,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         let u = before.to;
         let room = PART_OF_PIECE * (before.to - before.from).min(after.to - after.from);
         let corner = self.machine.forward(&before.derivatives(u)[0]).point;
-        // The tip passes a corner of straight lines at 3/16 of the difference of their slopes: halves the width until
+        // The tip passes a corner of straight lines at 3/16 of the difference of their slopes: reduces the width until
         // it fits.
         let mut half = room;
         for _ in 0..60 {

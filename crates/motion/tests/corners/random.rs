@@ -94,8 +94,8 @@ fn random_corners_are_smooth_near_to_the_seam_and_within_all_limits() {
     assert!(faster as f64 > 0.98 * cornered as f64, "{faster} of {cornered}");
 }
 
-/// Positions and two derivatives are those of both neighbours where a blend begins and ends, and the derivatives are
-/// those of the positions by differences.
+/// Positions and two derivatives are continuous at both ends of a blend, and the derivatives match differences of the
+/// positions.
 fn smooth(case: &Case, what: &str) {
     let path = &case.motion.path;
     for &(from, to) in path.blends() {

@@ -12,7 +12,7 @@ pub(crate) struct Part {
     pub(crate) length: f64,
     /// 1 / mm, positive to the left.
     pub(crate) curvature: f64,
-    /// Rate of the torch's tilt about x and y, rad/mm.
+    /// Rate of the torch's lean about x and y, rad/mm.
     pub(crate) lean: [f64; 2],
 }
 
@@ -46,7 +46,7 @@ impl Route {
         Self::leaning(point, [0.0; 2], parts)
     }
 
-    /// Creates a route with the torch tilted about x and y (rad) at the start.
+    /// Creates a route with the torch leaning about x and y (rad) at the start.
     pub(crate) fn leaning(point: DVec3, lean: [f64; 2], parts: Vec<Part>) -> Self {
         let mut next = Start { s: 0.0, point, heading: 0.0, lean };
         let mut starts = Vec::new();

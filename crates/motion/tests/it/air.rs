@@ -100,7 +100,7 @@ fn legs_keep_every_limit_and_end_where_they_should() {
             assert!(full > 0.99, "{name}: some limit is used");
         }
     }
-    // Without a highest jerk the full acceleration takes 20 ms.
+    // Without a maximum jerk the full acceleration takes 20 ms.
     let mut machine = read("ellipse-xy");
     let (from, mut to) = (machine.home(), machine.home());
     to[0] += 100.0;
@@ -122,7 +122,7 @@ impl Dice {
     }
 }
 
-/// A leg held, reversed and slowed at random places keeps to its line and to every limit, by differences.
+/// A leg held, reversed and slowed at random times keeps to its line and to every limit, by differences.
 #[test]
 fn legs_can_be_held() {
     let machine = read("torch-5axis");

@@ -57,7 +57,7 @@ fn findings(plan: Result<PassMotion, Vec<Finding>>, kind: &str) -> Vec<Finding> 
     all.into_iter().filter(|f| f.kind == kind).collect()
 }
 
-/// Stretches of the set-points slower than `least`, as (from, to, least speed).
+/// Stretches of the set-points slower than `least`, as (from, to, minimum speed).
 fn slow(points: &[(f64, f64)], least: f64) -> Vec<(f64, f64, f64)> {
     let mut runs: Vec<(f64, f64, f64)> = Vec::new();
     let mut open = false;

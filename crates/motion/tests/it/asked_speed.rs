@@ -63,8 +63,8 @@ fn speed_findings(findings: &[Finding]) -> Vec<&Finding> {
     findings.iter().filter(|f| f.kind == "speed").collect()
 }
 
-/// A valley of the asked speed a few millimetres wide costs the law next to no time on a seam of one and a half metres, and
-/// the tip must not be slower in it all the same. Bends that are slow enough for every axis are no findings.
+/// Missing a valley of the requested speed, a few millimetres wide, costs almost no time on a seam of one and a half
+/// metres. The profile must follow it nevertheless. Bends that every axis can follow are no findings.
 #[test]
 fn a_bend_of_the_asked_speed_is_followed_on_a_long_weld() {
     for (low, way) in [(4.4, 2.5), (2.0, 5.0), (5.8, 1.0), (3.0, 12.0)] {
@@ -72,7 +72,7 @@ fn a_bend_of_the_asked_speed_is_followed_on_a_long_weld() {
     }
 }
 
-/// Also at any place, and in any valley no steeper than 0.5 mm/s in a millimetre.
+/// Also at any path length, and in any valley up to 0.5 mm/s per millimetre.
 #[test]
 fn any_bend_of_the_asked_speed_is_followed() {
     let mut random = Uniform::new(42);
@@ -99,7 +99,8 @@ fn follows(valley: Valley) {
     assert!(slowest > 1.0 - 4e-3, "{valley:?}: {slowest}");
 }
 
-/// A stretch on which the asked speed falls over `way` mm from `before` to `low` mm/s, and rises again over as much.
+/// A stretch on which the requested speed falls over `way` mm from `before` to `low` mm/s, and rises again over the
+/// same distance.
 #[derive(Debug, Clone, Copy)]
 struct Valley {
     at: f64,
@@ -108,7 +109,7 @@ struct Valley {
     way: f64,
 }
 
-/// Beads of a groove that opens and closes, in layers of which some end on the way: steep ramps of the speed, and every
+/// Beads of a groove that opens and closes, in layers of which some end inside: steep ramps of the speed, and every
 /// axis far from its limits.
 #[test]
 fn ends_of_layers_are_no_findings() {

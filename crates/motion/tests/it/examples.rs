@@ -302,7 +302,7 @@ proptest! {
             fastest = fastest.max(p.law.v);
         }
         prop_assert!(check.worst <= 1.0 + 1e-9, "{}", check.worst);
-        // It runs at the asked speed somewhere, or at some axis' limit.
+        // The weld reaches the requested speed, or some axis' limit.
         let full = fastest > 0.999 * pass.speed_at(0.0);
         prop_assert!(full || check.worst > 0.95, "{} of {}: {}", fastest, pass.speed_at(0.0), check.worst);
     }

@@ -1,4 +1,4 @@
-//! Passes beside the seam, that begin elsewhere, run back, cover a part, or change their speed: the tip's way and speed by
+//! Passes beside the seam, with another start, reversed, partial, or with changing speed: the tip's path and speed by
 //! differences of set-points.
 
 use proptest::prelude::*;
@@ -74,8 +74,7 @@ fn spans(pass: &mut Pass, length: f64, speeds: &[(f64, f64)]) {
     pass.spans = speeds.iter().enumerate().map(span).collect();
 }
 
-/// A random pass as parts: where it begins, how long it is, which way, rows beside each other, speeds as parts of the
-/// example's.
+/// A random pass as fractions: start, length, direction, parallel rows, speeds as fractions of the example's.
 #[derive(Debug, Clone)]
 struct Case {
     example: usize,
@@ -112,7 +111,7 @@ impl Case {
 proptest! {
     #![proptest_config(cases(24))]
 
-    /// The tip's rate by the axes is that of the path, and the tip goes where the path says.
+    /// The tip's rate by the axes is that of the path, and the tip is on the path.
     #[test]
     fn the_rate_of_the_axes_is_that_of_the_bead(case in case(), parts in prop::collection::vec(0.01..0.99f64, 40)) {
         let Planned { welding, machine, motion } = case.planned();

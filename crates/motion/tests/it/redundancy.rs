@@ -49,7 +49,7 @@ fn girth(random: &mut impl FnMut(f64, f64) -> f64, rest: &str) -> String {
     )
 }
 
-/// Positions of all axes at `stations + 1` equal places along the path.
+/// Positions of all axes at `stations + 1` evenly spaced path lengths.
 fn rows(machine: &Machine, path: &dyn TorchPath, free: &FreeAxes, stations: usize) -> Vec<Joints> {
     let mut q = free.start().unwrap();
     let place = |i: usize| path.length() * i as f64 / stations as f64;
@@ -217,7 +217,7 @@ fn the_example_keeps_the_beam_on_the_normal_and_the_seam_flat() {
         let q = motion.path.at(s);
         assert!(machine.outside(&q).is_none());
         let tip = machine.forward(&q);
-        // The tube stands along z: the surface's normal is level and points away from its axis.
+        // The tube's axis is z: the surface's normal is level and points away from it.
         let normal = (tip.point - tip.point.dot(axis_z) * axis_z).normalize();
         assert!((-tip.direction).angle_between(normal).to_degrees() < 0.1);
         assert!((tip.point - path.pose(s).point).length() < 1e-9);

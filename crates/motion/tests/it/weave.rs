@@ -1,5 +1,5 @@
-//! Woven passes as motion: limits by differences, the speed of the line, the weave's frequency in time, and the highest
-//! one that is possible.
+//! Woven passes as motion: limits by differences, the speed of the centre line, the weave's frequency in time, and its
+//! maximum.
 
 use proptest::prelude::*;
 use seamwright_geometry::Pose;
@@ -121,7 +121,7 @@ fn the_frequency_stays_over_a_ramp_of_the_speed() {
     }
     assert!(crossings.len() > 60, "{}", crossings.len());
     for w in crossings.windows(2) {
-        // In a ramp the tip stays a little below the asked speed.
+        // In a ramp the tip stays slightly below the requested speed.
         assert!((w[1] - w[0] - 0.4).abs() < 0.004 * 0.4, "{w:?}");
     }
 }
@@ -157,7 +157,7 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
     assert!(findings.iter().all(|f| !f.message.contains("the weave")), "{findings:#?}");
 }
 
-/// A torch path that counts how often its pose is asked for, of slower weaves along it too.
+/// A torch path that counts the evaluations of its pose, also those of its slower weaves.
 struct Counted<'a> {
     path: Box<dyn TorchPath + 'a>,
     poses: &'a AtomicU64,

@@ -8,7 +8,7 @@ use seamwright_motion::{Phase, WeldMotion};
 use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_weld::Welding;
 
-/// An example's program with as many passes as asked.
+/// An example's program with `passes` passes.
 fn program(example: &str, passes: usize) -> Welding {
     let one = Welding::read("job.toml", example).unwrap();
     let mut program = one.program.value.clone();

@@ -64,7 +64,7 @@ impl<'a> Follower<'a> {
         Self { machine, period, last: vec![start.q; 3] }
     }
 
-    /// The greatest share of a limit that this set-point uses.
+    /// Maximum use of a limit by this set-point, as a fraction.
     pub(crate) fn next(&mut self, state: &State) -> f64 {
         let h = self.period;
         self.last.push(state.q);

@@ -56,7 +56,7 @@ fn nothing_comes_nearer_than_allowed_and_every_limit_holds() {
     let mut watched = 0;
     for (k, name) in names.into_iter().enumerate() {
         let machine = read(name);
-        // A coarse period shows what happens between set-points too.
+        // A coarse period also reveals violations between set-points.
         let settings = JogSettings { period_s: 4e-3, ..JogSettings::default() };
         for (clamped, seed) in [(Clamped::default(), 1), (block(middle(&machine)), 2)] {
             let around = Surroundings::new(&machine, &clamped).unwrap();
@@ -130,7 +130,7 @@ fn axes_slow_down_in_time_and_stop_at_their_ends() {
             let way: Joints = std::array::from_fn(|_| if random.unit() < 0.5 { 1.0 } else { -1.0 });
             let speeds =
                 |share: f64| std::array::from_fn(|i| machine.axes.get(i).map_or(0.0, |a| share * way[i] * a.max_speed));
-            // Turned round once on the way.
+            // Reversed once in between.
             jog.command(&Command::Speeds(speeds(-0.7))).unwrap();
             for i in 0..40_000 {
                 if i == 100 {
@@ -174,7 +174,7 @@ fn halts_before_what_is_in_the_way_and_goes_back() {
     assert!(around.names(watch).1.contains("part") || around.names(watch).0.contains("part"));
     assert!(jog.state().rests());
     let room = around.nearest(&jog.state().q, 100.0).unwrap().1.distance - 3.0;
-    // Less than a period's way at full speed.
+    // Less than a period's travel at full speed.
     assert!((0.0..0.2).contains(&room), "{room}");
     jog.command(&Command::Rest).unwrap();
     speeds[z] = 20.0;

@@ -5,11 +5,11 @@ use seamwright_motion::law::{Channels, LawPoint, SpeedLaw};
 /// Result of a check.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Found {
-    /// Greatest use of speeds, accelerations and jerks, and greatest speed of the tip by the asked one.
+    /// Maximum use of speeds, accelerations and jerks, and maximum ratio of the tip's speed to the requested one.
     pub used: [f64; 4],
-    /// Greatest jump of parameter, speed and acceleration between cells, each by what it may be.
+    /// Maximum jump of parameter, speed and acceleration between cells, each relative to its tolerance.
     pub jump: [f64; 3],
-    /// Cell, part of it, channel, and limit (0 to 3) with the greatest use.
+    /// Cell, part of it, channel, and limit (0 to 3) with the maximum use.
     pub at: (usize, f64, usize, usize),
 }
 
@@ -23,7 +23,7 @@ fn inside(s: f64, middle: f64) -> f64 {
     s + (middle - s) * 1e-9 + (middle - s).signum() * (4.0 * f64::EPSILON * s.abs()).min((middle - s).abs())
 }
 
-/// Looks at `law` along `path` at `parts + 1` places in every cell.
+/// Checks `law` along `path` at `parts + 1` samples in every cell.
 pub fn check(path: &dyn Channels, law: &SpeedLaw, parts: u32) -> Found {
     let limits = path.limits();
     let mut found = Found::default();

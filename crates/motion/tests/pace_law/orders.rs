@@ -28,7 +28,7 @@ pub fn random_order(random: &mut Uniform) -> Order {
     }
 }
 
-/// Path length welded without a gap beyond `before`; checks the phases on the way.
+/// Path length welded without a gap beyond `before`; also checks the phases.
 pub fn welded(before: f64, log: &[Instant], at_hold: AtHold, seed: u32) -> f64 {
     let mut welded = before;
     for w in log.windows(2) {

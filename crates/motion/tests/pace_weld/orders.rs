@@ -22,7 +22,7 @@ fn log<'a>(weld: &Weld, run: &mut Run<'a, PassTimed<'a>>, random: &mut Uniform, 
         if log.len() < BUSY && random.below(60) == 0 {
             run.order(random_order(random)).or_else(|e| if e == PaceError::Zero { Ok(()) } else { Err(e) }).unwrap();
         } else if log.len() == BUSY {
-            // It may be on its way back to the start of a long seam.
+            // The run may be moving back to the start of a long seam.
             run.order(Order::Hold).unwrap();
         } else if log.len() > BUSY && i.phase == RunPhase::Held {
             run.order(Order::Override(1.0)).unwrap();
