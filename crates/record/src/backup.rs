@@ -102,11 +102,11 @@ fn line(hash: &str, name: &Path) -> String {
     format!("{hash}  {}\n", name.display())
 }
 
-/// Makes the data folder `folder`, which must not be there or be empty, from an archive of [`DataFolder::back_up`]: all of it, or
-/// nothing. Every file must be as it was when it was backed up; rows of the library are copied into one of our own.
+/// Restores the data folder `folder`, which must be missing or empty, from an archive of [`DataFolder::back_up`]: all
+/// of it, or none. Every file must be unchanged since the backup; rows of the library are copied into one of our own.
 ///
 /// # Errors
-/// A folder with something in it, an archive that is damaged, was changed or has no library, a disk that is full.
+/// A folder that is not empty, an archive that is damaged, was changed or has no library, a full disk.
 pub fn restore(archive: &Path, folder: &Path) -> Result<(), Error> {
     let used = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some()) || folder.is_file();
     if used {
@@ -144,7 +144,7 @@ pub fn restore(archive: &Path, folder: &Path) -> Result<(), Error> {
     fs::rename(&inside, folder).map_err(|e| Error::io(folder, "cannot be made", e))
 }
 
-/// The folder that is thrown away says nothing to the user.
+/// Removes the path of the temporary folder, which means nothing to the user.
 fn relative(text: &str, folder: &Path) -> String {
     text.replace(&format!("{}/", folder.display()), "")
 }
@@ -201,7 +201,7 @@ fn lines(folder: &Path, name: &Path, found: &mut BTreeSet<String>) -> Result<(),
     Ok(())
 }
 
-/// Only plain files and folders of the kinds that an archive has; nothing outside `folder`.
+/// Unpacks only plain files and folders of the kinds that an archive has, and only into `folder`.
 fn unpack(mut file: impl Read + Seek, folder: &Path) -> std::io::Result<()> {
     fs::create_dir(folder)?;
     let mut end = 0;
@@ -275,7 +275,7 @@ mod tests {
         assert!(!to.join("tls").exists() && !to.join(MANIFEST).exists());
         // Existing data are never overwritten.
         assert!(restore(&archive, &to).is_err());
-        // Cut off anywhere it is refused, and nothing is left behind.
+        // Cut off anywhere it is refused, and leaves no files behind.
         let bytes = fs::read(&archive).unwrap();
         for part in 1..40 {
             let cut = scratch.path().join("cut.tar");
@@ -304,7 +304,7 @@ mod tests {
         assert_eq!((mode("users.json") & 0o177, mode("jobs/mine.toml") & 0o022), (0, 0));
     }
 
-    /// A byte of an archive that is another one, wherever it is, is found, unless nothing that is restored hangs on it.
+    /// Any changed byte of an archive is detected, unless it has no effect on the restored data.
     #[test]
     fn altered_archives_are_refused() {
         let scratch = tempfile::tempdir().unwrap();

@@ -81,7 +81,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// A failure of the system at `path` while `doing` something.
+    /// A failure of the system at `path` during the action `doing`.
     pub(crate) fn io(path: &Path, doing: &'static str, cause: io::Error) -> Self {
         use io::ErrorKind::{PermissionDenied, QuotaExceeded, ReadOnlyFilesystem, StorageFull};
         let path = path.to_owned();
@@ -136,7 +136,7 @@ impl Error {
         }
     }
 
-    /// True if the user can mend it by asking for something else; false if the system or a disk failed.
+    /// True if another request by the user avoids the error; false if the system or a disk failed.
     pub fn is_input(&self) -> bool {
         match self {
             Self::ReadOnly { .. } | Self::Newer { .. } | Self::Wrong { .. } => true,

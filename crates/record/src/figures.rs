@@ -53,11 +53,11 @@ pub struct Value {
     pub pass: u32,
     /// Its name, which ends in its unit.
     pub name: String,
-    /// Least value.
+    /// Minimum.
     pub least: f64,
     /// Mean over time; of the heat input over the way.
     pub mean: f64,
-    /// Greatest value.
+    /// Maximum.
     pub greatest: f64,
     /// Minimum and maximum value allowed.
     pub allowed: Option<(f64, f64)>,
@@ -92,7 +92,7 @@ pub struct Figures {
     pub heat_input_kj_mm: Option<[f64; 3]>,
     /// Heat input along each pass.
     pub heat_input: Vec<Curve>,
-    /// Greatest distance of the torch tip from the seam with the arc on (mm), and where (mm).
+    /// Maximum distance of the torch tip from the seam with the arc on (mm), and its position (mm).
     pub worst_deviation_mm: Option<(f64, f64)>,
     /// Deviations along each pass, the maximum of each [`BIN_MM`]: columns `path_error_mm`, `miss_lateral_mm..`,
     /// `miss_height_mm..`.

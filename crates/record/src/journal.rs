@@ -36,7 +36,7 @@ pub struct Position {
     pub pass: u32,
     /// Phase of the process, as the executive counts it.
     pub phase: u8,
-    /// Place of the torch by path length, mm.
+    /// Position of the torch by path length, mm.
     pub s: f64,
     /// The weld is good up to here, mm.
     pub welded_to: f64,
@@ -98,7 +98,7 @@ impl Journal {
         self.put(Some(*position))
     }
 
-    /// The weld ended well: nothing is to be resumed.
+    /// Clears the journal: the weld ended well.
     ///
     /// # Errors
     /// If it cannot be written.
@@ -138,7 +138,7 @@ fn open(path: &Path) -> Result<(PathBuf, File), Error> {
     }
     let length = file.metadata().map_err(failed)?.len();
     if length != BLOCK as u64 {
-        // Bytes that are really there, so that later writes need no room and change no lengths.
+        // Allocates the bytes on the disk, so that later writes need no space and change no lengths.
         let missing = BLOCK.saturating_sub(length as usize);
         let filled = file.seek(SeekFrom::End(0)).and_then(|_| file.write_all(&vec![0; missing]));
         filled.and_then(|()| file.set_len(BLOCK as u64)).and_then(|()| file.sync_all()).map_err(failed)?;
@@ -176,7 +176,7 @@ fn read(file: &mut File) -> std::io::Result<Option<(u64, Option<Position>)>> {
     Ok(decoded(&bytes))
 }
 
-/// True for a file in which nothing was ever written.
+/// True for a file that was never written.
 fn is_blank(file: &mut File) -> std::io::Result<bool> {
     let mut bytes = Vec::with_capacity(BLOCK);
     file.seek(SeekFrom::Start(0))?;
@@ -267,7 +267,7 @@ mod tests {
         assert!(Journal::open(folder.path()).is_ok());
     }
 
-    /// Entry `n` torn after every byte: its beginning over the entry two before, or its end alone.
+    /// Entry `n` torn after every byte: its start over the entry two before, or its end alone.
     #[test]
     fn torn_at_every_byte_the_newest_or_the_one_before() {
         let folder = tempfile::tempdir().unwrap();

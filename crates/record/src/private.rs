@@ -42,7 +42,7 @@ pub(crate) fn tighten(path: &Path) -> std::io::Result<()> {
     fs::set_permissions(path, fs::Permissions::from_mode(mode & 0o700))
 }
 
-/// Does nothing where files have no such modes.
+/// No effect on systems whose files have no such modes.
 #[cfg(not(unix))]
 pub(crate) fn tighten(_: &Path) -> std::io::Result<()> {
     Ok(())

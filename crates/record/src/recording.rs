@@ -24,7 +24,7 @@ pub struct Plan {
     pub machine: (String, String),
     /// Number and text of the welding procedure.
     pub procedure: Option<(String, String)>,
-    /// Who welds.
+    /// Name of the welder.
     pub welder: Option<String>,
     /// Columns of the trace.
     pub columns: Vec<Column>,
@@ -43,7 +43,7 @@ pub struct Plan {
 /// End of a weld.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// With what result.
+    /// Result of the weld.
     pub result: WeldResult,
     /// Further remarks; may be empty.
     pub note: String,
@@ -53,8 +53,8 @@ pub struct Outcome {
 
 /// A weld that is being recorded.
 ///
-/// Rows never stop the weld: what cannot be written is counted, said once by [`Recording::trouble`], and stands in the
-/// weld's note in the end.
+/// Rows never stop the weld: rows that fail to be written are counted, reported once by [`Recording::trouble`], and
+/// noted in the weld's note in the end.
 #[derive(Debug)]
 pub struct Recording {
     id: i64,

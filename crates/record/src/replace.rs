@@ -68,10 +68,10 @@ pub fn check_archive(archive: &Path, data: &Path) -> Result<(Contents, PathBuf),
     Ok((contents, checked.join("new")))
 }
 
-/// Throws away what [`check_archive`] has unpacked, if anything.
+/// Removes the files unpacked by [`check_archive`], if any.
 ///
 /// # Errors
-/// If it cannot be removed.
+/// If they cannot be removed.
 pub fn discard_checked(data: &Path) -> Result<(), Error> {
     let checked = data.join(CHECKED);
     match fs::remove_dir_all(&checked) {
@@ -224,7 +224,7 @@ mod tests {
         fs::create_dir(data.join("tls")).unwrap();
         let (contents, new) = check_archive(&archive, &data).unwrap();
         assert_eq!(contents, Contents { welds: 0, newest: None, jobs: 1, audit: 1 });
-        // Only looked at until then.
+        // The data are unchanged until then.
         assert!(has_checked(&data) && new.join("users.json").is_file());
         assert_eq!(name_in(&data), "old");
         let kept = replace_by_checked(&data).unwrap();

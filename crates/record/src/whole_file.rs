@@ -30,7 +30,7 @@ pub struct WholeFile {
 
 /// A file that was written and synced, and closed; [`ClosedFile::finish`] gives it its name.
 ///
-/// Dropped unfinished it leaves nothing. Many of them wait for their names without a file handle each.
+/// Dropped unfinished it leaves no file. Many of them wait for their names without a file handle each.
 #[derive(Debug)]
 pub struct ClosedFile {
     file: TempPath,
@@ -47,11 +47,11 @@ enum Destination {
 }
 
 impl WholeFile {
-    /// Begins a file that will be called `path`; its folder must exist.
+    /// Starts a file that will be called `path`; its folder must exist.
     ///
     /// # Errors
-    /// Where nothing can be written: no such folder, no permission, a folder, socket or block device of that name, or
-    /// a file whose owner cannot be kept.
+    /// If writing is impossible: no such folder, no permission, a folder, socket or block device of that name. Also a
+    /// file whose owner cannot be kept.
     pub fn create(path: &Path) -> io::Result<Self> {
         Self::create_with(path, MODE)
     }
@@ -177,7 +177,7 @@ fn not_missing(found: io::Result<Metadata>) -> io::Result<Option<Metadata>> {
     }
 }
 
-/// Tells whether a link stands for a file that a process has open, as `/dev/stdout` does in the end: its name leads to
+/// Returns whether a link refers to a file that a process has open, as `/dev/stdout` does in the end. Its name leads to
 /// the open file, and replacing that would leave the process with one that has no name.
 fn is_of_open_file(link: &Path) -> bool {
     folder_of(link).canonicalize().is_ok_and(|folder| folder.starts_with("/proc"))

@@ -100,7 +100,7 @@ fn outside(value: f64, (least, greatest): (f64, f64)) -> bool {
 /// Gathers the figures row by row.
 pub(super) struct Tally {
     columns: Vec<String>,
-    /// Place of the column that says where the tip is.
+    /// Index of the column of the tip's position.
     tip: usize,
     /// Index of the column for steady travel, if there is one.
     steady: Option<usize>,

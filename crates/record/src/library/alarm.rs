@@ -103,7 +103,7 @@ impl Library {
         self.run("UPDATE alarm SET listed = 1 WHERE id = ?1", [alarm]).map(drop)
     }
 
-    /// Somebody knows all alarms on the panel's list; how many.
+    /// Acknowledges all alarms on the panel's list. Returns their number.
     ///
     /// # Errors
     /// If the library cannot be written.
@@ -113,7 +113,7 @@ impl Library {
         self.run(sql, params![by, at.0])
     }
 
-    /// Somebody knows the alarms of this name on the panel's list; how many.
+    /// Acknowledges the alarms of this name on the panel's list. Returns their number.
     ///
     /// # Errors
     /// If the library cannot be written.

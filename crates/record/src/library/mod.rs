@@ -204,7 +204,7 @@ impl Library {
     }
 }
 
-/// A path as it stands in a URI.
+/// A path escaped for a URI.
 fn escaped(path: &Path) -> String {
     path.display().to_string().replace('%', "%25").replace('?', "%3f").replace('#', "%23")
 }

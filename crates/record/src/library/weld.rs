@@ -52,7 +52,7 @@ impl FromStr for WeldResult {
     }
 }
 
-/// A weld that begins. Documents by their numbers.
+/// A weld at its start. Documents by their numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewWeld {
     /// Number of the part, as the shop has it.
@@ -69,7 +69,7 @@ pub struct NewWeld {
     pub machine: i64,
     /// The welding procedure.
     pub procedure: Option<i64>,
-    /// Who welded.
+    /// Name of the welder.
     pub welder: Option<String>,
     /// When.
     pub begun: Moment,
@@ -97,13 +97,13 @@ pub struct WeldFile {
 pub struct WeldEnd {
     /// When.
     pub ended: Moment,
-    /// With what result.
+    /// Result of the weld.
     pub result: WeldResult,
     /// Further remarks, for example on missing parts of the record; may be empty.
     pub note: String,
     /// Minimum, mean and maximum heat input, kJ/mm.
     pub heat_input_kj_mm: Option<[f64; 3]>,
-    /// Greatest distance of the torch tip from the seam (mm), and where (mm).
+    /// Maximum distance of the torch tip from the seam (mm), and its position (mm).
     pub worst_deviation_mm: Option<(f64, f64)>,
     /// Values against their windows.
     pub values: Vec<Value>,
@@ -141,11 +141,11 @@ pub struct WeldRecord {
     pub machine: (String, i64),
     /// Number and version of the procedure.
     pub procedure: Option<(String, i64)>,
-    /// Who welded.
+    /// Name of the welder.
     pub welder: Option<String>,
     /// Minimum, mean and maximum heat input, kJ/mm.
     pub heat_input_kj_mm: Option<[f64; 3]>,
-    /// Greatest distance of the torch tip from the seam (mm), and where (mm).
+    /// Maximum distance of the torch tip from the seam (mm), and its position (mm).
     pub worst_deviation_mm: Option<(f64, f64)>,
 }
 
@@ -188,15 +188,15 @@ impl Library {
         Ok(self.db.last_insert_rowid())
     }
 
-    /// Removes a weld of which nothing but its beginning was kept. Its number is not given again.
+    /// Removes a weld of which only the start was recorded. Its number is not given again.
     ///
     /// # Errors
-    /// If the library cannot be written, or something names the weld.
+    /// If the library cannot be written, or refers to the weld.
     pub(crate) fn take_back_weld(&self, id: i64) -> Result<(), Error> {
         self.run("DELETE FROM weld WHERE id = ?1 AND result = 'running'", [id]).map(drop)
     }
 
-    /// Keeps the end of a weld: all of it, or, if that fails, nothing.
+    /// Records the end of a weld in one transaction.
     ///
     /// # Errors
     /// If the library cannot be written.

@@ -22,7 +22,7 @@ pub struct Outline {
 type Row = (u64, Vec<f64>);
 
 impl Outline {
-    /// The least number of rows that an outline of so many columns can have: two, and two a column.
+    /// The minimum number of rows of an outline of so many columns: two, and two a column.
     pub fn least(columns: usize) -> usize {
         2 + 2 * columns
     }

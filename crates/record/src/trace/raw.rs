@@ -185,7 +185,7 @@ pub(super) struct RawReader {
     pub(super) next: u64,
     /// Bytes of the file that form no whole block.
     pub(super) left: u64,
-    /// Bytes not yet looked at.
+    /// Bytes not yet read.
     ahead: u64,
 }
 

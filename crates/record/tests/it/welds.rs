@@ -83,7 +83,7 @@ fn a_hold_is_no_violation_and_a_violation_has_a_place() {
         };
         let travel = |s: f64| if odd && (70.0..72.0).contains(&s) { 275.0 } else { 240.0 };
         rows(4.0, &|t| (10.0 * t, 1.0, 240.0, 1.0));
-        // A crater at rest, nothing, a strike at rest, and a ramp of the speed.
+        // A crater at rest, the arc off, a strike at rest, and a ramp of the speed.
         rows(0.5, &|t| (40.0, 1.0, 240.0 - 400.0 * t, 0.0));
         rows(2.0, &|_| (40.0, 0.0, 0.0, 0.0));
         rows(0.5, &|t| (40.0, 1.0, 480.0 * t, 0.0));

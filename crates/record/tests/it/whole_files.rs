@@ -23,7 +23,7 @@ fn mode(path: &Path) -> u32 {
     fs::metadata(path).unwrap().mode() & 0o777
 }
 
-/// Names in a folder: nothing temporary may be left.
+/// Names in a folder, to check that no temporary file is left.
 fn names(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> =
         fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
@@ -59,7 +59,7 @@ fn a_pipe_gets_the_bytes_and_stays_a_pipe() {
 
 #[test]
 fn a_character_device_stays_a_device() {
-    // Only root makes one; the device that everybody has shows that nothing is made beside it either.
+    // Only root can create a device; `/dev/null` exists for all, and no file may be left beside it either.
     write(Path::new("/dev/null")).unwrap();
     assert!(fs::symlink_metadata("/dev/null").unwrap().file_type().is_char_device());
     if is_root() {
