@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use std::io::{BufRead, Lines};
 
-/// Rows of numbers (or texts) from CSV with a header line; columns in any order, others ignored. One line at a time
-/// is kept.
+/// Rows of numbers (or texts) from CSV with a header line; columns in any order, others ignored. One line at a time is
+/// in memory.
 pub struct CsvReader<R> {
     source: String,
     lines: Lines<R>,

@@ -13,7 +13,7 @@ pub enum Failure {
     Printed,
     /// 2: bad input or usage.
     Input(String),
-    /// 2: the same, of a file that says where.
+    /// 2: the same, for a file with an address of the fault.
     Document(Box<DocumentError>),
     /// 3: a device or the environment failed.
     Environment(String),
@@ -23,7 +23,7 @@ pub enum Failure {
     ReaderGone,
 }
 
-/// Maximum number of places listed of one finding.
+/// Maximum number of positions listed of one finding.
 const MAX_PLACES: usize = 6;
 
 /// Findings for people, equal ones once, those that stand against the weld first.

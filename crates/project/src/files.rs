@@ -34,7 +34,8 @@ pub fn read_bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-/// Makes a folder and those above it where they are missing, its owner's alone: who may write there could change who may weld.
+/// Makes a folder and its missing parents, accessible to the owner only: write access to it would allow to change the
+/// users.
 pub fn make_private(folder: &Path) -> std::io::Result<()> {
     let mut builder = fs::DirBuilder::new();
     #[cfg(unix)]
@@ -127,7 +128,7 @@ pub struct Output {
 }
 
 impl Output {
-    /// The folder, made if missing; fails at once if nothing can be written there.
+    /// The folder, created if missing; fails at once if it is not writable.
     pub fn new(folder: &Path) -> Result<Self, Failure> {
         fs::create_dir_all(folder).map_err(|e| not_writable(folder, &e))?;
         let output = Self { folder: folder.to_owned(), files: Vec::new() };
@@ -153,7 +154,7 @@ impl Output {
         self.fill(name, |file| file.write_all(text.as_bytes()))
     }
 
-    /// Takes what `fill` writes under `name`.
+    /// Writes a file `name` with the output of `fill`.
     fn fill(&mut self, name: &str, fill: impl FnOnce(&mut WholeFile) -> std::io::Result<()>) -> Result<(), Failure> {
         let path = self.folder.join(name);
         let mut file = WholeFile::create(&path).map_err(|e| not_writable(&path, &e))?;

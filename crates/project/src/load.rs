@@ -61,7 +61,7 @@ pub fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failur
     load_within(name, text, &Within::open(folder), Own::First)
 }
 
-/// The same for a text of somebody who may not read all files: only plain files in `folder` and below are looked at.
+/// The same for a text whose author may not read all files: only plain files in `folder` and below are read.
 pub fn load_foreign(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
     load_within(name, text, &Within::fenced(folder), Own::First)
 }
@@ -208,10 +208,10 @@ fn described(name: &str, within: &Within<'_>, stl: &StlFiles, own: Own) -> Resul
     Ok(Some(Described { machine, document, file: Some(path) }))
 }
 
-/// The text of a machine file as one in `folder`, from which nothing else is looked at: it would make this machine.
+/// The machine of a text, treated as a file in `folder`; files outside that folder are refused.
 ///
 /// # Errors
-/// What is wrong with it.
+/// Any fault of the text.
 pub fn machine_foreign(name: &str, text: &str, folder: &Path) -> Result<Machine, Failure> {
     checked(name, text, &Within::fenced(folder), &StlFiles::default()).map(|(machine, _)| machine)
 }
@@ -344,8 +344,8 @@ impl Loaded {
         }
     }
 
-    /// Plans the weld, or says why the machine cannot make it. Findings against the procedure are among those of the
-    /// motion: the weld could be made, but not as it must be.
+    /// Plans the weld, or returns the reasons why the machine cannot make it. Findings against the procedure are among
+    /// those of the motion: the weld can be made, but violates the procedure.
     pub fn try_plan(&self) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
         self.try_plan_under(&self.machine, &Planning::default())
     }

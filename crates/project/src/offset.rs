@@ -1,4 +1,4 @@
-//! A work offset as it stands in a job file.
+//! A work offset in a job file.
 
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Direction, Finite, Point, Transform};

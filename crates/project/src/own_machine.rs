@@ -7,7 +7,7 @@ use seamwright_machine::{Machine, shipped};
 use std::path::{Path, PathBuf};
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, Value, value};
 
-/// The machine file of a job, and where a change to it is kept.
+/// The machine file of a job, and the path for changes to it.
 pub struct OwnMachine {
     /// Path of the file: the file itself, or the cell's own copy of one that ships.
     pub path: PathBuf,
@@ -93,7 +93,7 @@ impl OwnMachine {
         self.text.parse().is_ok_and(|document: DocumentMut| document.contains_key(table))
     }
 
-    /// The numbers at `keys` of a table, where they stand there.
+    /// The numbers at `keys` of a table; `None` for missing keys.
     ///
     /// # Errors
     /// A text that is not TOML.
@@ -101,7 +101,7 @@ impl OwnMachine {
         Ok(self.rows(table, keys)?.into_iter().map(|row| if let [one] = row[..] { Some(one) } else { None }).collect())
     }
 
-    /// The same for keys that have several numbers in a row, or one; nothing where nothing stands.
+    /// The same for keys with several numbers in a row, or one; empty for missing keys.
     ///
     /// # Errors
     /// A text that is not TOML.

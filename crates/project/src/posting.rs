@@ -73,7 +73,7 @@ fn prove(part: &PartProgram, text: &str, level: Level, planned: Planned) -> Resu
     verify(part, &back.program, &start, planned).map_err(Unproven::Wrong)
 }
 
-/// The row before the first block: all axes at home, nothing on.
+/// The row before the first block: all axes at home, all outputs off.
 pub fn start(machine: &Machine, control: &Control) -> Vec<f64> {
     let home = machine.home();
     let mut row = vec![0.0; control.channels.len()];

@@ -84,7 +84,7 @@ struct Slot {
     ended: bool,
 }
 
-/// The slot, and who waits for it. Neither side can leave it half-changed, so a poisoned lock is still in order.
+/// The slot, with the signal of its changes. Both threads keep it consistent, so a poisoned lock is still usable.
 #[derive(Debug, Default)]
 struct Waiting(Mutex<Slot>, Condvar);
 
@@ -135,7 +135,7 @@ pub fn writer(journal: Journal) -> Places {
 fn keep(mut journal: Journal, from: &Waiting) -> Journal {
     while let Some((newest, over)) = from.next() {
         let mut result = newest.map_or(Ok(()), |position| journal.write(&position));
-        // Of a weld that began since nothing is cleared.
+        // The entry of a weld that has started since is not cleared.
         if journal.last().is_some_and(|last| over.contains(&last.weld)) {
             result = result.and(journal.clear());
         }
@@ -212,7 +212,7 @@ mod tests {
         assert_eq!(data.journal().unwrap().last(), Some(position(7)));
     }
 
-    /// The end of a weld takes nothing away from the one that has begun meanwhile.
+    /// The end of a weld keeps the entry of one that has started meanwhile.
     #[test]
     fn the_end_of_a_weld_clears_its_own_place_only() {
         let folder = tempfile::tempdir().unwrap();

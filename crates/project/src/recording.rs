@@ -39,7 +39,7 @@ pub struct Who {
     pub part: String,
     /// No metal is welded.
     pub simulated: bool,
-    /// Who welds.
+    /// Name of the welder.
     pub welder: Option<String>,
 }
 
@@ -48,7 +48,7 @@ pub fn most_rows(period_s: f64) -> u64 {
     (PART_S / period_s) as u64
 }
 
-/// Time and places in full, states in a byte, the rest to 7 digits.
+/// Time and positions in full, states in a byte, the rest to 7 digits.
 fn kind(name: &str) -> Kind {
     match name {
         "pass" | "missed" => Kind::U32,

@@ -38,7 +38,7 @@ impl<'a> Within<'a> {
     /// The file called `name`.
     ///
     /// # Errors
-    /// One that may not be looked at; with a fence also one that is not there.
+    /// A file outside the fence; with a fence also a missing one.
     pub(crate) fn file(&self, name: &str) -> io::Result<PathBuf> {
         let path = self.folder.join(name);
         let Some(fence) = self.fence else { return Ok(path) };

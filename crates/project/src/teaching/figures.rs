@@ -62,7 +62,7 @@ impl Figures {
         Self { raw, path: points }
     }
 
-    /// Greatest distance of a raw point from the program, mm.
+    /// Maximum distance of a raw point from the program, mm.
     pub fn raw_error(&self) -> Option<f64> {
         self.raw.iter().map(|p| p.from_program).reduce(f64::max)
     }

@@ -1,4 +1,5 @@
-//! Teaching by eye: what command line and panel do alike, from a job's nominal seam to the program of the seam that was found.
+//! Teaching by camera: the functions common to command line and panel, from a job's nominal seam to the program of the
+//! seam found.
 
 mod figures;
 mod ground;

@@ -29,7 +29,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Of a crawl; `said_end`: the operator said that the joint ends there.
+    /// Of a joint following; `said_end`: the operator has ended the joint there.
     pub fn of(crawl: &Crawl, run: &TaughtRun, said_end: bool) -> Self {
         let finding = unfinished(run, said_end);
         let ended = match (&run.end, &finding) {
