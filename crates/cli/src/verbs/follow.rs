@@ -16,13 +16,13 @@ use std::cell::RefCell;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write as _};
 
-/// Speeds that somebody could mean, mm/s.
+/// Plausible speeds, mm/s.
 const SPEEDS: std::ops::RangeInclusive<f64> = 1e-4..=1e6;
 const PLACE: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
 /// Columns of `seam`: the bisector points from the joint to the torch.
 const SEAM: [&str; 6] = ["x_mm", "y_mm", "z_mm", "bx", "by", "bz"];
-/// Distance between places at which clearance is looked at: mm, or degrees of a rotary axis.
+/// Distance between clearance checks: mm, or degrees of a rotary axis.
 const LOOKED_AT: f64 = 1.0;
 /// Maximum step in which the way of the tip is measured, s.
 const MEASURED_S: f64 = 0.01;

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use seamwright_program::{is_beyond, part_start, parts_of};
 use seamwright_weld::SeamCurve;
 
-/// Most points along a seam: more would be written without end.
+/// Maximum number of points along a seam.
 const MAX_POINTS: u32 = 10_000_000;
 
 /// Requested points.

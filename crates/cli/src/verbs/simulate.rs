@@ -141,7 +141,7 @@ fn trace(
     }
 }
 
-/// Desk and cycle in one thread, in virtual time, and who judges the weld.
+/// Desk and cycle in one thread, in virtual time, with the judge of the weld.
 struct Watched<'a> {
     machine: &'a Machine,
     motion: &'a WeldMotion,

@@ -94,7 +94,7 @@ fn it_ends_where_nothing_follows() {
     // At an override of 0 from the start it waits for the command to go on.
     let (_, phases, _) = ran("ellipse", "t_s,command,value\n0,override,0\n3,override,100\n5,resume,\n");
     assert!(phases[..1200].iter().all(|p| p != "travel") && phases.last().unwrap() == "ended");
-    // Air moves go on; JSON has the same rows.
+    // Transfer moves go on; JSON has the same rows.
     let output = commanded("ellipse", "t_s,command,value\n0.1,hold,\n6,resume,\n", &["--air", "--json"]);
     let rows: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let phases: Vec<&str> = rows.as_array().unwrap().iter().map(|r| r["phase"].as_str().unwrap()).collect();

@@ -81,7 +81,7 @@ fn killed_weld(arguments: &[&str], from: f64, after: Duration) -> f64 {
     }
 }
 
-/// Kills a weld at a moment, and goes on; true if something had been welded.
+/// Kills a weld at a moment, and continues it; true if there was a bead.
 fn at_moment(moment: u64) -> bool {
     let mut random = random(moment);
     let from = (random(6.0, 90.0) * 10.0).round() / 10.0;

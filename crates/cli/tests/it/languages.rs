@@ -1,4 +1,4 @@
-//! Reports of plans and simulated welds in all languages: no English is left in them but names, and nothing is cut off.
+//! Reports of plans and simulated welds in all languages: only names are English, and no text is cut off.
 
 use crate::common::{bad, example, free_example, good, root, run};
 use serde_json::Value;

@@ -54,7 +54,7 @@ fn a_weld_is_recorded_found_and_exported() {
     for wanted in ["P-2", "A. Welder", "Signature", record["files"][0]["sha256"].as_str().unwrap()] {
         assert!(page.contains(wanted), "{wanted}");
     }
-    // In another language nothing but the page is another.
+    // In another language only the page differs.
     let russian = folder.path().join("russian");
     good(&["records", "export", "2", "-o", &russian.display().to_string(), "--data", &data, "--language", "ru"]);
     let page = fs::read_to_string(russian.join("report.html")).unwrap();

@@ -64,7 +64,7 @@ fn a_fault_that_comes_too_late_is_told() {
     assert!(text.contains("\"pass\""));
 }
 
-/// In real time: orders are taken in their turn, refusals say why, the timing is in the summary.
+/// In real time: orders are taken in their turn, refusals have a reason, the timing is in the summary.
 #[test]
 fn orders_in_real_time() {
     let folder = tempfile::tempdir().unwrap();
@@ -178,7 +178,7 @@ fn a_trace_that_cannot_grow_is_told_and_kept() {
     let folder = tempfile::tempdir().unwrap();
     let [data, out] = ["data", "out"].map(|name| folder.path().join(name).display().to_string());
     let job = example("ellipse");
-    // Blocks of 512 bytes: some seconds of rows, and room for the library.
+    // Blocks of 512 bytes: some seconds of rows, and the library.
     let limited = format!(
         "trap '' XFSZ; ulimit -f 1000; exec '{}' run '{job}' -o '{out}' --data '{data}' --part P",
         env!("CARGO_BIN_EXE_seamwright")

@@ -85,7 +85,7 @@ fn what_cannot_be_connected_is_told_and_nothing_is_written() {
     );
     let machine = folder.path().join("cell.toml").display().to_string();
     assert!(bad(3, &["io", &machine]).contains(&address));
-    // A value that nothing sets.
+    // A value that is never set.
     let server = TestServer::new(welder);
     let job_path = job(folder.path(), &server.address.to_string(), &MAP.replace("voltage_v", "volts_v"));
     let message = bad(2, &["run", &job_path, "-o", &out_text]);

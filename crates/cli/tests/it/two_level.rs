@@ -47,7 +47,7 @@ fn spline1_passes_through_the_set_points() {
             let worst = q.iter().enumerate().map(|(k, q)| ((c[k + 23] + 4.0 * c[k + 24] + c[k + 25]) / 6.0 - q).abs());
             let worst = worst.fold(0.0, f64::max);
             assert!(worst < 1e-9, "{axis}: {worst:e}");
-            // It begins and ends at rest at the first and last set-point.
+            // It starts and ends at rest at the first and last set-point.
             let n = c.len();
             let ends = [c[0] - q[0], c[1] - c[0], c[n - 1] - q[q.len() - 1], c[n - 2] - c[n - 1]];
             assert!(ends.iter().all(|d| d.abs() < 1e-9), "{axis}: {ends:?}");

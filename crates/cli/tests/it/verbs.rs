@@ -219,7 +219,7 @@ fn posted_programs_say_what_they_are() {
     assert!(blocks("0.1") < blocks("0.01") && blocks("0.01") < blocks("0.001"));
 }
 
-/// An arm without closed form: the search says how far it came when its time is over.
+/// An arm without closed form: the search reports its progress when its time is over.
 #[test]
 fn a_search_ends_when_its_time_is_over() {
     let job = root().join("tests/data/field-trial/u3.toml").display().to_string();

@@ -81,7 +81,7 @@ impl Table {
             // Three decimals at most, as values have; smaller limits stay unrounded.
             let limit = if row.limit.abs() < 0.01 { row.limit } else { (1e3 * row.limit).round() / 1e3 };
             let kept = if row.kept { "yes" } else { "**no**" };
-            // A text has room for everything.
+            // Writing to a String never fails.
             let _ = writeln!(
                 text,
                 "| {} | {} | {sign} {} | {kept} |",

@@ -10,7 +10,7 @@ use seamwright_vision::joint::{CONFIDENT, Joint, Row, Start, State, Zone};
 /// move that teaching would make.
 pub(super) fn draw(frame: &Frame, joint: &Joint, start: &Start, zone: &Zone) -> Result<Vec<u8>, Failure> {
     let mut picture = Overlay::of(frame);
-    // Large pictures are looked at from farther away.
+    // Large pictures are viewed from farther away.
     let thick = (frame.width() + frame.height()).div_ceil(1500) as i32;
     let across: Vec<f64> = (-thick..=thick).map(f64::from).collect();
     let low = DVec2::new(f64::from(zone.left), f64::from(zone.top));

@@ -173,7 +173,7 @@ fn chuck(
     Ok(fitted)
 }
 
-/// Number of points of the seam whose middle stands for it.
+/// Number of points of the seam whose mean represents its middle.
 const SAMPLES: u32 = 360;
 
 /// True if one of the machine's rotary axes, from home, turns the torch about the tube's axis.

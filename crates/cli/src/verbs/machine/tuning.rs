@@ -135,7 +135,7 @@ fn short(v: f64) -> String {
     format_number(v, 4)
 }
 
-/// The table, an axis a row, and under it what could not be tuned.
+/// The table, an axis a row, and under it the axes that could not be tuned.
 pub(super) fn table(machine: &str, tunings: &[AxisTuning]) -> String {
     let mut text = format!("  tuning of {machine}: open loop of each position loop, measured while the axis moves\n\n");
     let head = [

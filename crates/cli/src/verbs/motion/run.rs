@@ -238,7 +238,7 @@ fn order(command: Command, welded: f64, length: f64) -> Order {
     }
 }
 
-/// Says on standard error where the run waits; nothing can be done if that is closed.
+/// Reports on standard error where the run waits; errors are ignored.
 fn held(pass: usize, now: &Instant) {
     let s = now.played.rates.tip.s;
     let _ =

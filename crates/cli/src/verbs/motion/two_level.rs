@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 /// motion's effect on them.
 const REST: u32 = 24;
 
-/// Joins coarse set-points by the spline and writes fine ones, or writes what another control joins them by.
+/// Joins coarse set-points by the spline and writes fine ones, or writes the data by which another control joins them.
 pub(super) struct TwoLevel<'a> {
     table: Table<'a>,
     spline: CoarseSpline,

@@ -12,7 +12,7 @@ const STEP: f64 = 0.02;
 /// Arms of the crosses at ends, as a part of the drawing.
 const CROSS: f64 = 0.015;
 
-/// The sheet: seen along z, and along y and x if there is something to see.
+/// The sheet: seen along z, and along y and x unless these views are flat.
 pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
     let ends: Vec<DVec3> = ends(points, spans);
     sheet("Points as lines and arcs", &charts(points, &lines_and_arcs(points, spans), &ends))
@@ -31,7 +31,7 @@ pub(in crate::verbs) fn lines_and_arcs(points: &[DVec3], spans: &[Span]) -> Vec<
     vec![("lines", seen(|s| *s == Shape::Line)), ("arcs", seen(|s| *s != Shape::Line))]
 }
 
-/// The charts of the sheet: points, named curves that stand for them, and the ends of these.
+/// The charts of the sheet: points, named curves through them, and the ends of these.
 pub(in crate::verbs) fn charts(points: &[DVec3], curves: &[(&'static str, Vec<DVec3>)], ends: &[DVec3]) -> Vec<Chart> {
     let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
     let size = high - low;

@@ -1,4 +1,4 @@
-//! The operator's desk: orders in their turn, what happened in words, the record.
+//! The operator's desk: orders in their turn, events in words, the record.
 
 use super::Ended;
 use super::orders::Line;
@@ -153,7 +153,7 @@ impl Desk {
     pub(in crate::verbs) fn shown(&mut self, shown: &Shown) {
         self.now = Some(*shown);
         self.pending &= !self.answered;
-        // Rows that fail to be written are lost and counted; when there is room again the trace goes on.
+        // Rows that fail to be written are lost and counted; with free disk space again the trace goes on.
         if let Some(table) = &mut self.table
             && let Err(failure) = table.row(shown)
         {

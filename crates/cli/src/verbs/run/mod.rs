@@ -142,7 +142,7 @@ fn with_cell(
     desk.judge()
 }
 
-/// Refuses to end as if all were well where a device has not said that its outputs are safe.
+/// Fails if a device has not confirmed that its outputs are safe.
 fn check_safe(lines: &Lines) -> Result<(), Failure> {
     for (name, line) in lines {
         // A device without an answer counts as one whose outputs are on.
@@ -231,7 +231,7 @@ fn real(
         if let Some(cause) = shutdown.cause() {
             desk.ended_by(cause);
         }
-        // It ended in order: nothing is left to power failures.
+        // It ended in order: the journal needs no entry.
         if let Some(places) = places.filter(|_| left.is_ok()) {
             places.end()?;
         }

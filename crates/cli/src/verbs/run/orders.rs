@@ -15,7 +15,7 @@ pub(in crate::verbs) enum Line {
     State,
 }
 
-/// Words that ask for something.
+/// Words of orders.
 const WORDS: [(&str, Ask); 15] = [
     ("on", Ask::SwitchOn),
     ("off", Ask::SwitchOff),

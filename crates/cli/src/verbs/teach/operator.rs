@@ -1,4 +1,4 @@
-//! The operator at the terminal, who is asked when the joint is lost.
+//! The operator at the terminal, asked when the joint is lost.
 
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;

@@ -94,7 +94,7 @@ pub fn motion(job: &str, machine: &str, machine_text: &str, period_ms: &str) -> 
 pub struct Checked {
     /// Everything that does not hold.
     pub wrong: Vec<String>,
-    /// Greatest use of each axis' speed, acceleration and jerk by differences.
+    /// Maximum use of each axis' speed, acceleration and jerk by differences.
     pub uses: BTreeMap<String, [f64; 3]>,
     /// Minimum and maximum speed of the tip between the acceleration and deceleration phases.
     pub band: (f64, f64),
@@ -188,7 +188,7 @@ fn check_tip(m: &Motion, found: &mut Checked) {
     if band.0 < least * (1.0 - CHORD) || band.1 > most * (1.0 + CHORD) {
         found.wrong.push(format!("tip: {band:?}, claimed {least} to {most}"));
     }
-    // A pass without anything between run-up and run-down has no band.
+    // A pass with acceleration and deceleration phases only has no band.
     if band.0.is_finite() && (band.0 > least + change + CHORD * least || band.1 < most - change - CHORD * most) {
         found.wrong.push(format!("tip: only {band:?}, claimed {least} to {most}"));
     }
@@ -204,8 +204,8 @@ fn check_tip(m: &Motion, found: &mut Checked) {
     check_intervals(m, &speeds, found);
 }
 
-/// Stretches follow one another over the whole path; where only the asked speed binds it is kept; no speed leaves its
-/// band.
+/// Stretches follow one another over the whole path; the programmed speed is reached where it alone binds; all speeds
+/// are within their band.
 fn check_intervals(m: &Motion, speeds: &[f64], found: &mut Checked) {
     let mut end = 0.0;
     for interval in m.claim["intervals"].as_array().unwrap() {
