@@ -155,7 +155,7 @@ impl Trial<'_> {
         if effort.is_stopped() { Outcome::Stopped(0) } else { Outcome::Exhausted }
     }
 
-    /// Tries whether with `change` this pass has fewer findings than `count`, none of them about a range, and no other pass
+    /// Tries `change`: this pass must have fewer findings than `count`, none of them about a range, and no other pass
     /// more about ranges.
     fn cures_range(&self, change: Change, count: usize) -> Option<Scope> {
         let (beyond, _) = self.beyond(&Changed::new(self.path, change))?;
@@ -177,8 +177,8 @@ impl Trial<'_> {
         planned
     }
 
-    /// Tries `change` on all passes in their order, as each begins on the turn on which the one before ends. None if one has
-    /// more range findings with it than without it, or this one has any.
+    /// Tries `change` on all passes in order, since each starts on the turn on which the previous one ends. None if a
+    /// pass has more range findings with it than without it, or if this pass has any.
     fn spares_others(&self, change: Change) -> Option<Scope> {
         if self.before.weld.is_empty() {
             return Some(Scope::Pass);
@@ -292,7 +292,8 @@ impl Trial<'_> {
         findings.iter_mut().filter(|f| f.kind == "clearance").for_each(|f| f.cure.clone_from(&cure));
     }
 
-    /// Tries whether with `change` this pass has no findings and nothing comes too near, and no other pass leaves more ranges.
+    /// Tries `change`: this pass must have no findings and keep every clearance, and no other pass may exceed more
+    /// ranges.
     fn clears(&self, change: Change, around: &Surroundings) -> Option<Scope> {
         let is_clear = |path: &JointPath| pass_clearance(around, path, self.number).1.is_empty();
         let joints = self.joints(&Changed::new(self.path, change))?;

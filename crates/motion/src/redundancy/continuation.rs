@@ -87,7 +87,7 @@ impl Lattice<'_, '_> {
         self.cells[station][sample].iter().any(|other| self.apart(other, start) < 1e-3)
     }
 
-    /// Maximum distance of an axis, modulo turns, mm or rad.
+    /// Maximum distance over all axes, rotary ones modulo turns, mm or rad.
     fn apart(&self, a: &Joints, b: &Joints) -> f64 {
         let axes = self.task.machine.axes.iter().zip(a.iter().zip(b));
         let parts = axes.map(|(axis, (a, b))| match axis.kind {

@@ -20,7 +20,7 @@ const ALLOWED: usize = SINGULAR + 3;
 const MARGIN: f64 = 0.1;
 /// Fraction of a range, before its end, to be avoided.
 const INSET: f64 = 0.002;
-/// Weight of the ends of ranges relative to the maximum of all other weights.
+/// Factor of the ends' residuals relative to the root of the maximum weight.
 const STRONG: f64 = 100.0;
 /// Margin of a weld to the limits of the positions that its procedure allows, degrees.
 const ALLOWED_MARGIN_DEG: f64 = 2.0;

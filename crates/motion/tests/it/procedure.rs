@@ -1,4 +1,4 @@
-//! Planned passes against a procedure: heat input against the energy of the set-points, windows against closed forms and
+//! Planned passes under a procedure: heat input against the energy of the set-points, windows against closed forms and
 //! dense sampling, positions against a frame built from the machine's poses.
 
 use glam::{DMat3, DVec3};
@@ -124,8 +124,8 @@ fn windows_on_ramps_end_where_the_ramps_cross_them() {
     assert_eq!(findings(&held).len(), 3 + heat.len());
 }
 
-/// Rotation that takes the work's coordinates with the axes at `q` to those with the work's axes `a` and `c` at zero: the
-/// tool's slides point where they point, and where that is in the work the torch tip shows.
+/// Rotation from the work's coordinates with the axes at `q` to those with the work's axes `a` and `c` at zero. The
+/// tool's slides have fixed directions in space; the torch tip gives these directions in the work.
 fn work_to_zero(machine: &Machine, q: &Joints) -> DMat3 {
     let axis = |name: &str| machine.axis(name).unwrap();
     let slides = |q: &Joints| {

@@ -141,7 +141,7 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
         println!("{figure}: {told} Hz");
         assert!(plan(&text(false, &keys(0.97 * told))).1.is_ok(), "{figure}");
         assert!(plan(&text(false, &keys(1.05 * told))).1.is_err(), "{figure}");
-        // A sine of 8 mm against 5000 mm/s^3: its jerk is 4 (2 pi f)^3, and the whole of it is used but for the reserve.
+        // A sine of 8 mm against 5000 mm/s^3: its jerk is 4 (2 pi f)^3, all of which is used except for the reserve.
         if figure == "sine" {
             let exact = (5000.0_f64 / 4.0).cbrt() / std::f64::consts::TAU;
             assert!((told / exact - 1.0).abs() < 0.015, "{told} {exact}");
