@@ -51,12 +51,12 @@ struct Making<'a> {
 impl Welding {
     /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
     ///
-    /// The part, once at every copy of the seam, is made from the seam, together with the given solids, unless the job
-    /// says that these replace it. It is made of exact cylinders, spheres, cones and boxes. Elliptic tubes and curved
-    /// T-joints are meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It is nowhere smaller than the
-    /// true one, nor larger near the seam. The end of a slanting nozzle may stand out of the far side of its body. Of
-    /// the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are solid, because the torch
-    /// stays outside; only the surroundings of a root that is welded from inside are hollow.
+    /// The part, once at every copy of the seam, is made from the seam, together with the given solids. The job may
+    /// declare that these replace it. It is made of exact cylinders, spheres, cones and boxes. Elliptic tubes and
+    /// curved T-joints are meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It is nowhere smaller
+    /// than the true one, nor larger near the seam. The end of a slanting nozzle may stand out of the far side of its
+    /// body. Of the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are solid, because the
+    /// torch stays outside; only the surroundings of a root that is welded from inside are hollow.
     ///
     /// # Errors
     /// With the key's address: all faults of a solid or an STL file, a body that ends within the seam, a part that is
