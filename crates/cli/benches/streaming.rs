@@ -23,7 +23,7 @@ fn main() {
     });
 }
 
-/// Prints figures of runs with one and with ten million of something.
+/// Prints figures of runs with one and with ten million items.
 fn report(verb: &str, what: &str, run: impl Fn(f64) -> Child) {
     let mut each = Vec::new();
     for millions in [1.0, 10.0] {

@@ -14,7 +14,7 @@ use std::time::Duration;
 /// Longest time limit that is allowed, s.
 const MAX_LIMIT_S: f64 = 1e6;
 
-/// Plans the weld, or says why the machine cannot make it.
+/// Plans the weld, or returns the reasons why the machine cannot make it.
 pub(crate) fn try_plan(loaded: &Loaded, args: &PlanningArgs) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
     let planned = within(args, |planning| loaded.try_plan_under(&loaded.machine, planning))?;
     Ok(planned.map_err(with_option))

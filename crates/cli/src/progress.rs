@@ -10,7 +10,7 @@ pub(crate) struct Progress {
 
 /// Steps of a bar that shows a part.
 const PER_MILLE: u64 = 1000;
-/// Steps between updates, so that the bar costs nothing.
+/// Steps between updates, so that the cost of the bar is negligible.
 const STRIDE: u64 = 4096;
 
 impl Progress {
@@ -49,7 +49,7 @@ impl Progress {
         self.bar.inc(count);
     }
 
-    /// Does what writes to the terminal, with the bar out of its way.
+    /// Calls `does`, which writes to the terminal, with the bar hidden.
     pub(crate) fn aside<R>(&self, does: impl FnOnce() -> R) -> R {
         self.bar.suspend(does)
     }

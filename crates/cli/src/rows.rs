@@ -99,11 +99,11 @@ impl Rows {
     }
 }
 
-/// First characters that make a formula of a cell in spreadsheets, which may then run programs or send what is beside it
-/// elsewhere (OWASP, "CSV Injection").
+/// First characters that make a formula of a cell in spreadsheets. Such a formula may run programs or send the
+/// neighbouring cells elsewhere (OWASP, "CSV Injection").
 const FORMULA: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
 
-/// A text as a CSV field; an apostrophe before what a spreadsheet would take for a formula keeps it a text.
+/// A text as a CSV field; an apostrophe before a text that looks like a formula keeps it a text.
 fn field(text: &str) -> Cow<'_, str> {
     let is_number = text.parse::<f64>().is_ok();
     let text: Cow<'_, str> =

@@ -103,7 +103,7 @@ pub(crate) fn check<T>(document: &Document<T>) -> Result<(), DocumentError> {
 /// A walk over all numbers of a document.
 struct Check<'a, T> {
     document: &'a Document<T>,
-    /// Path of the key that is looked at.
+    /// Path of the current key.
     path: String,
 }
 

@@ -35,7 +35,7 @@ impl<T: DeserializeOwned> Document<T> {
 }
 
 impl<T> Document<T> {
-    /// The same document read as something else.
+    /// The same document with another value.
     pub fn with<U>(&self, value: U) -> Document<U> {
         Document { value, file: self.file.clone(), text: self.text.clone() }
     }
@@ -55,8 +55,8 @@ impl<T> Document<T> {
         contains(&self.text, path)
     }
 
-    /// The key `path` if it is in the text, or the table `above` that leaves it at its default: what an error about its
-    /// value names.
+    /// Key that an error about a value names: `path` if it is in the text, or the table `above` that leaves it at its
+    /// default.
     pub fn given_or<'a>(&self, path: &'a str, above: &'a str) -> &'a str {
         if self.has(path) { path } else { above }
     }

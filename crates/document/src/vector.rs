@@ -123,7 +123,7 @@ impl Transform {
         DAffine3::from_rotation_translation(rotation, self.move_mm.get())
     }
 
-    /// The rigid motion `motion` (mm) as it stands in a file; the inverse of [`Transform::affine`] to rounding. None if
+    /// The rigid motion `motion` (mm) as written in a file; the inverse of [`Transform::affine`] to rounding. `None` if
     /// a number is not finite, or the displacement more than 1e7 mm.
     pub fn from_affine(motion: &DAffine3) -> Option<Self> {
         let turn = DQuat::from_mat3(&motion.matrix3).normalize();
@@ -139,7 +139,7 @@ impl Transform {
         })
     }
 
-    /// True if nothing moves or turns.
+    /// True if it neither moves nor turns.
     pub fn is_identity(&self) -> bool {
         self.move_mm.is_zero() && is_zero(&self.angle_deg)
     }

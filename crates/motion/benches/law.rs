@@ -1,5 +1,5 @@
-//! Cost of the speed law along the reference splines: with limits of jerk, on cells that the law chooses and on 1000
-//! even ones (aim: 30 ms for 7 axes), and without them over 1000 cells (aim: 0.3 ms).
+//! Cost of the speed profile along the reference splines: with limits of jerk, on automatic cells and on 1000 even ones
+//! (aim: 30 ms for 7 axes), and without them over 1000 cells (aim: 0.3 ms).
 
 #![allow(missing_docs, reason = "the benchmark macros make public items")]
 

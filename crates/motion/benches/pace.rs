@@ -1,5 +1,5 @@
-//! Cost of a period: while nothing changes (aim: a few microseconds) and while the pace changes (aim: tens); the same
-//! of a run on a real weld.
+//! Cost of a period: at a steady override (aim: a few microseconds) and while it changes (aim: tens); the same of a run
+//! on a real weld.
 
 #![allow(missing_docs, reason = "the benchmark macros make public items")]
 

@@ -29,7 +29,7 @@ pub(crate) fn stop_findings(machine: &Machine, corners: &[Left], pass: &Pass, nu
             "set corner = \"stop\" to stop there with the arc on, or corner = { blend_mm = 0.2 } to go round \
              within that distance of the seam; or round the seam off; or end the weld there and begin another after it"
         }
-        // The torch stops at corners, as asked: a note.
+        // The torch stops at corners, as requested: a note.
         AtCorner::Stop => "",
         AtCorner::BlendMm(_) => {
             "set corner = \"stop\" to stop at corners; or round the seam off; or end the weld there and begin \

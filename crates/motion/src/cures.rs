@@ -155,7 +155,7 @@ impl Trial<'_> {
         if effort.is_stopped() { Outcome::Stopped(0) } else { Outcome::Exhausted }
     }
 
-    /// Tries whether with `change` this pass has fewer findings than `count`, none of them about a range, and no other pass
+    /// Tries `change`: this pass must have fewer findings than `count`, none of them about a range, and no other pass
     /// more about ranges.
     fn cures_range(&self, change: Change, count: usize) -> Option<Scope> {
         let (beyond, _) = self.beyond(&Changed::new(self.path, change))?;
@@ -177,8 +177,8 @@ impl Trial<'_> {
         planned
     }
 
-    /// Tries `change` on all passes in their order, as each begins on the turn on which the one before ends. None if one has
-    /// more range findings with it than without it, or this one has any.
+    /// Tries `change` on all passes in order, since each starts on the turn on which the previous one ends. None if a
+    /// pass has more range findings with it than without it, or if this pass has any.
     fn spares_others(&self, change: Change) -> Option<Scope> {
         if self.before.weld.is_empty() {
             return Some(Scope::Pass);
@@ -257,7 +257,7 @@ impl Trial<'_> {
         let slope = |way: DVec3| Some((at(STEP_MM * way)? - here) / STEP_MM);
         let slope = DVec3::new(slope(DVec3::X)?, slope(DVec3::Y)?, slope(DVec3::Z)?);
         let by = lack.by + ROOM.copysign(lack.by);
-        // Rounded away from zero to what is printed.
+        // Rounded away from zero to the printed decimals.
         let away = |v: f64| if v.abs() < 0.05 { 0.0 } else { ((v.abs() * 10.0).ceil() / 10.0).copysign(v) };
         let shift = -by * slope / slope.length_squared();
         (slope.length() > 1e-3).then(|| DVec3::from_array(shift.to_array().map(away)))
@@ -292,7 +292,8 @@ impl Trial<'_> {
         findings.iter_mut().filter(|f| f.kind == "clearance").for_each(|f| f.cure.clone_from(&cure));
     }
 
-    /// Tries whether with `change` this pass has no findings and nothing comes too near, and no other pass leaves more ranges.
+    /// Tries `change`: this pass must have no findings and keep every clearance, and no other pass may exceed more
+    /// ranges.
     fn clears(&self, change: Change, around: &Surroundings) -> Option<Scope> {
         let is_clear = |path: &JointPath| pass_clearance(around, path, self.number).1.is_empty();
         let joints = self.joints(&Changed::new(self.path, change))?;
@@ -324,7 +325,7 @@ fn is_of_range(finding: &Finding) -> bool {
     !finding.allowed && ["range", "reach"].contains(&finding.kind)
 }
 
-/// Number of findings that stand against the weld.
+/// Number of findings against the weld.
 fn count_against(findings: &[Finding]) -> usize {
     findings.iter().filter(|finding| !finding.allowed).count()
 }

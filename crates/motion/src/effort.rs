@@ -19,15 +19,15 @@ pub enum SearchStage {
     Reach,
     /// Positions of redundant axes are sampled along the path.
     Sampling,
-    /// Sampled positions are joined to ways along the path.
+    /// Sampled positions are joined along the path.
     Joining,
-    /// Ways are improved.
+    /// The motions of the redundant axes are refined.
     Refining,
     /// The speed profile is planned.
     Speed,
     /// A faster weave is tried.
     Weave,
-    /// A transfer move round obstacles is looked for.
+    /// A transfer move round obstacles is searched.
     Transfer,
     /// Changes that could cure a finding are tried.
     Cure,
@@ -83,7 +83,7 @@ pub trait Watch {
     fn look(&self, progress: &SearchProgress) -> Result<(), Stop>;
 }
 
-/// Counts the work of planning's searches and stops them when its watch says so.
+/// Counts the work of planning's searches and stops them on request of its watch.
 pub struct Effort<'a> {
     watch: Option<&'a dyn Watch>,
     progress: Cell<SearchProgress>,

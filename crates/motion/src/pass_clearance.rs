@@ -48,7 +48,7 @@ pub(crate) fn pass_clearance(
     };
     let profile = match around.along(path, STATIONS, &limits) {
         Ok(profile) => profile,
-        // A pass that cannot be checked counts as not clear.
+        // An unchecked pass counts as not clear.
         Err(e) => return (None, vec![finding(e.to_string(), 0.0, path.length())]),
     };
     let findings = profile.stretches.iter().map(|s| finding(too_near(around, s.watch, &s.nearest), s.from, s.to));

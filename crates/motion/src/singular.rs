@@ -29,9 +29,8 @@ pub(crate) fn distance(machine: &Machine, of: AxisSet, q: &Joints) -> Option<f64
     Some(square.sqrt())
 }
 
-/// Reports stretches near a singular attitude in which an axis needs much of its speed or acceleration at the requested
-/// speed, with the speed that the axes could hold there. These are notes: the speed profile reports speeds that cannot
-/// be kept.
+/// Reports stretches near a singular attitude in which an axis uses much of its speed or acceleration. Each note gives
+/// the speed that the axes could hold there. Infeasible speeds are findings of the speed profile.
 pub(crate) fn margins(
     machine: &Machine,
     path: &JointPath,

@@ -1,4 +1,4 @@
-//! Before the motion is made: which branch and which turn to start on, and everything that stands against the path.
+//! Survey of a path before planning: start branch and turn, and all findings against the path.
 
 use crate::JointPath;
 use crate::effort::Effort;
@@ -8,12 +8,12 @@ use seamwright_machine::{Axis, AxisKind, Joints, Machine};
 use seamwright_program::{Finding, Tolerance};
 use std::f64::consts::TAU;
 
-/// Places along the path that are looked at.
+/// Number of samples along the path.
 pub(crate) const PLACES: usize = 1440;
 
-/// Of these the ones at which a search without closed form is made wherever the path cannot be followed.
+/// Stride of the samples at which a search without closed form is made if the path cannot be followed.
 const NUMERIC_STRIDE: usize = 24;
-/// Most such searches at other places: one where a stretch begins that cannot be followed.
+/// Maximum number of such searches at other samples: one at the start of each stretch without a solution.
 const MAX_FIRST_SEARCHES: usize = PLACES / NUMERIC_STRIDE;
 /// Units of effort of such a search.
 const SEARCH_WORK: u64 = 600;
@@ -21,32 +21,32 @@ const SEARCH_WORK: u64 = 600;
 /// Attitude errors above this are listed as findings, rad.
 const ATTITUDE_WORTH_SAYING: f64 = 0.5 * std::f64::consts::PI / 180.0;
 
-/// What a walk along the path found.
+/// Result of a walk along the path.
 pub(crate) struct Survey {
     /// Positions at the start of the path, on the chosen branch and turn.
     pub(crate) start: Joints,
-    /// Largest angle between the direction asked for and the one reached, rad, and where.
+    /// Maximum angle between the requested direction and the reached one, rad, and its path length.
     pub(crate) attitude_error: (f64, f64),
-    /// What stands against the path; not all of it forbids it.
+    /// Findings and notes on the path.
     pub(crate) findings: Vec<Finding>,
-    /// Where each axis lacks most at each end of its range.
+    /// Maximum excess of each axis at each end of its range.
     pub(crate) lacks: Vec<Lack>,
 }
 
-/// An axis beyond one end of its range, at the place where it is farthest beyond.
+/// An axis beyond one end of its range, at the path length of the maximum excess.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lack {
     pub(crate) axis: usize,
     /// Path length, mm.
     pub(crate) s: f64,
-    /// How far beyond, mm or rad; negative below the range.
+    /// Excess, mm or rad; negative below the range.
     pub(crate) by: f64,
     /// Positions of all axes there.
     pub(crate) q: Joints,
 }
 
-/// Walks the path on every branch and returns the one that fits best. Where axes to spare are chosen for the whole
-/// path, the branch is chosen with them.
+/// Walks the path on every branch and returns the best one. If redundant axes are resolved for the whole path, the
+/// branch is chosen with them.
 pub(crate) fn survey(
     follower: Follower,
     tolerance: &Tolerance,
@@ -73,13 +73,13 @@ pub(crate) fn survey(
     best.map(|(_, survey)| survey).ok_or_else(|| vec![reach_finding(machine, "no solution", (0.0, 0.0), pass)])
 }
 
-/// Positions at the start of the path that may be walked from.
+/// Possible start positions of a walk.
 fn starts(follower: Follower, places: &[f64], pass: usize) -> Result<Vec<Joints>, Vec<Finding>> {
     if let Some(start) = follower.free.start() {
         return Ok(vec![start]);
     }
     let home = follower.machine.home();
-    // Where an axis is free at the very start, it stands as it will a little later.
+    // An axis that is free exactly at the start takes its position slightly later.
     let later = follower.near(places[1] * 1e-3, &home).map_or(home, |s| s.joints);
     match follower.branches(0.0, &later) {
         Ok(branches) => Ok(branches.iter().map(|b| b.joints).collect()),
@@ -87,7 +87,7 @@ fn starts(follower: Follower, places: &[f64], pass: usize) -> Result<Vec<Joints>
     }
 }
 
-/// Ranges along the path where no axis positions reach it.
+/// Reports ranges of the path that no axis positions reach.
 fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort) -> Vec<Finding> {
     let home = follower.machine.home();
     let numeric = follower.machine.heads[0].is_numeric();
@@ -98,8 +98,8 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
         if !effort.spend(1, i as f64 / places.len() as f64) {
             break;
         }
-        // Going on from the place before is quick. Where that fails, a search without closed form takes thousands of
-        // times as long: it is made where that begins, and then at some of the places only.
+        // Continuation from the previous sample is quick. If it fails, a search without closed form takes thousands of
+        // times as long: it is made at the first failure, and then at some of the samples only.
         let is_strided = i % NUMERIC_STRIDE == 0;
         let is_first = !runs.is_open() && first_searches < MAX_FIRST_SEARCHES;
         let reason = match follower.next(s, &last) {
@@ -123,7 +123,7 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
     runs.findings(|run| reach_finding(follower.machine, &run.message, (run.from, run.to), pass))
 }
 
-/// A stretch that no axis positions reach.
+/// Finding for a stretch that no axis positions reach.
 fn reach_finding(machine: &Machine, reason: &str, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
     Finding {
         kind: "reach",
@@ -143,7 +143,7 @@ fn walk(follower: Follower, places: &[f64], start: Joints, pass: usize) -> Surve
     let mut attitude_error = (0.0, 0.0);
     for &s in places {
         let near = rows.last().copied().unwrap_or(start);
-        // Reachability was checked before; a place that fails between checked ones keeps its neighbour's positions.
+        // Reachability was checked before; a sample that fails between checked ones keeps its neighbour's positions.
         let solution = follower.next(s, &near);
         if let Ok(solution) = &solution
             && solution.attitude_error > attitude_error.0
@@ -160,7 +160,7 @@ fn walk(follower: Follower, places: &[f64], start: Joints, pass: usize) -> Surve
     Survey { start: rows[0], attitude_error, findings, lacks: lacks(machine, places, &rows) }
 }
 
-/// What is to be said of a machine with too few axes for the torch's direction.
+/// Finding for a machine with too few axes for the torch's direction.
 fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pass: usize) -> Option<Finding> {
     let (error, at) = walk.attitude_error;
     let allowed = error.to_degrees() <= tolerance.attitude_deg.get();
@@ -187,9 +187,8 @@ fn turns_into_range(follower: Follower, rows: &[Joints]) -> Joints {
         return shift;
     }
     for (i, axis) in follower.machine.axes.iter().enumerate() {
-        // Axes to spare are on their turn already.
-        // A limited axis with a table of pitch errors is no copy of itself a turn on: it stays on the turn next to
-        // home.
+        // Redundant axes are already on their turn.
+        // A limited axis with a table of pitch errors is not periodic: it stays on the turn nearest to home.
         let alike = axis.pitch_error.is_none() || axis.range.is_none();
         if axis.kind == AxisKind::Linear || follower.free.has(i) || !alike {
             continue;
@@ -208,7 +207,7 @@ fn extremes(rows: &[Joints], axis: usize) -> (f64, f64) {
 fn range_findings(machine: &Machine, places: &[f64], rows: &[Joints], pass: usize) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (i, axis) in machine.axes.iter().enumerate() {
-        // Neighbouring places outside are one finding, at its worst value.
+        // Neighbouring samples outside form one finding, with its worst value.
         let mut run: Option<(f64, f64, f64, f64)> = None;
         for (&s, q) in places.iter().zip(rows) {
             run = match (axis.outside(q[i]), run) {
@@ -229,18 +228,18 @@ fn range_findings(machine: &Machine, places: &[f64], rows: &[Joints], pass: usiz
     findings
 }
 
-/// Ranges that the axes' path leaves at its places, once it has been turned.
+/// Reports ranges exceeded at the samples of the axes' path, after it has been turned.
 pub(crate) fn range_on_path(machine: &Machine, path: &JointPath, pass: usize) -> Vec<Finding> {
     let places: Vec<f64> = (0..=PLACES).map(|i| path.length() * i as f64 / PLACES as f64).collect();
     let rows: Vec<Joints> = places.iter().map(|&s| path.at(s)).collect();
     range_findings(machine, &places, &rows, pass)
 }
 
-/// Ranges that the survey's places missed: the axes' extremes between them, where an axis turns back.
+/// Reports ranges exceeded only between the survey's samples: at extremes of an axis at its reversals.
 pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mut places: Vec<f64> = (0..=PLACES).map(|i| path.length() * i as f64 / PLACES as f64).collect();
-    // A weave turns back more often than that, but hardly twice in a panel's half.
+    // A weave reverses more often than that, but hardly twice in half a panel.
     if path.is_woven() {
         places.extend(path.edges().windows(2).flat_map(|w| [w[0], 0.5 * (w[0] + w[1])]));
     }
@@ -258,7 +257,7 @@ pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) ->
                 if path.point(middle, false).d1[k] * start.d1[k] > 0.0 { low = middle } else { high = middle }
             }
             let value = path.at(low)[k];
-            // The survey has said so already where its own places are outside too.
+            // The survey has already reported samples outside the range.
             if let Some(limit) = axis.outside(value)
                 && axis.outside(start.q[k]).is_none()
                 && axis.outside(end.q[k]).is_none()
@@ -270,7 +269,7 @@ pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) ->
     findings
 }
 
-/// An axis beyond its range.
+/// Finding for an axis beyond its range.
 fn range_finding(axis: &Axis, value: f64, limit: f64, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
     let (value, limit, unit) = (axis.to_file(value), axis.to_file(limit), axis.unit());
     let by = (value - limit).abs();
@@ -289,8 +288,8 @@ fn range_finding(axis: &Axis, value: f64, limit: f64, (from_mm, to_mm): (f64, f6
     }
 }
 
-/// Orders walks: any that may be welded before any that may not, of these the one that lacks least, then less attitude
-/// error, then nearer to home.
+/// Orders walks: feasible before infeasible ones, then by range excess, then by attitude error, then by distance from
+/// home.
 fn cost(machine: &Machine, survey: &Survey) -> f64 {
     let forbidden = survey.findings.iter().any(|f| !f.allowed);
     let from_home: f64 = machine
@@ -299,7 +298,7 @@ fn cost(machine: &Machine, survey: &Survey) -> f64 {
         .zip(survey.start.iter().zip(machine.home()))
         .map(|(axis, (q, home))| ((q - home) / axis.max_speed).abs())
         .sum();
-    // As a part of a linear axis' range, or in rad.
+    // Fraction of a linear axis' range, or rad.
     let beyond = survey.lacks.iter().map(|lack| match (machine.axes[lack.axis].kind, machine.axes[lack.axis].range) {
         (AxisKind::Linear, Some((low, high))) => lack.by.abs() / (high - low),
         _ => lack.by.abs(),
@@ -308,7 +307,7 @@ fn cost(machine: &Machine, survey: &Survey) -> f64 {
     1e9 * f64::from(u8::from(forbidden)) + 1e6 * beyond + 1e3 * survey.attitude_error.0 + from_home * 1e-3
 }
 
-/// Where each axis lacks most at each end of its range.
+/// Maximum excess of each axis at each end of its range.
 fn lacks(machine: &Machine, places: &[f64], rows: &[Joints]) -> Vec<Lack> {
     let at = |axis: usize, sense: f64| {
         let beyond = |q: &Joints| machine.axes[axis].outside(q[axis]).map_or(0.0, |limit| sense * (q[axis] - limit));

@@ -1,20 +1,20 @@
-//! Limits of the torch tip as channels of a speed law.
+//! Limits of the torch tip as channels of a speed profile.
 
 use crate::law::Limits;
 use glam::DVec3;
 use seamwright_machine::{Machine, TipLimits};
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
-/// Directions in the plane in which the tip turns; one more is across it.
+/// Number of directions in the plane of curvature of the tip's path; one more is across it.
 const IN_PLANE: usize = 4;
 /// Number of channels.
 pub(crate) const COUNT: usize = IN_PLANE + 1;
-/// What no machine reaches, in mm and s: stands for a limit that there is not.
+/// Value of a missing limit, beyond any machine, in mm and s.
 const UNBOUNDED: f64 = 1e12;
-/// Part of the jerk that the direction across may have, and what that leaves to the others: together they make 1.
+/// Fraction of the jerk for the direction across; the other directions get the rest, so that the norm is 1.
 const ACROSS: f64 = 0.25;
 
-/// The tip's acceleration and jerk seen from directions in its own frame: tangent and normal, and across both.
+/// The tip's acceleration and jerk along directions in its own frame: tangent and normal, and across both.
 ///
 /// Acceleration lies in the plane of tangent and normal, the jerk nearly so. Four directions there, at 22.5 degrees
 /// and every 45 from it, each bounded by the limit times cos 22.5 degrees, make an octagon with corners on tangent
@@ -45,7 +45,7 @@ impl TipChannels {
     pub(crate) fn derivatives([d1, d2, d3]: [DVec3; 3], out: &mut [[f64; 3]]) {
         let tangent = d1.normalize_or_zero();
         let aside = |v: DVec3| v - v.dot(tangent) * tangent;
-        // Where the path is straight its third derivative says where it is about to turn.
+        // On a straight path the third derivative gives the direction of the coming turn.
         let turning = aside(d2).try_normalize().unwrap_or_else(|| aside(d3).normalize_or_zero());
         let across = tangent.cross(turning);
         for (k, out) in out.iter_mut().enumerate() {

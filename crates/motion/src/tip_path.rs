@@ -4,8 +4,8 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
 use seamwright_program::TorchPath;
 
-/// The way of the first torch as the axes are planned to go it: that along the seam, or the bead beside it, but for
-/// blends round corners. `s` is the place on the seam; beside it and in blends the tip's own way by `s` is another.
+/// Path of the first torch as planned for the axes: that along the seam, or the bead beside it, except in blends at
+/// corners. `s` is the station on the seam; beside it and in blends the tip's travel by `s` differs from 1.
 #[derive(Debug, Clone, Copy)]
 pub struct TipPath<'a> {
     machine: &'a Machine,
@@ -13,14 +13,15 @@ pub struct TipPath<'a> {
 }
 
 impl PassMotion {
-    /// The way of the torch of `machine`, whose motion this is.
+    /// The path of the torch of `machine`, whose motion this is.
     pub fn tip_path<'a>(&'a self, machine: &'a Machine) -> TipPath<'a> {
         TipPath { machine, joints: &self.path }
     }
 }
 
 impl TipPath<'_> {
-    /// Way by `s` of what lead and lag are measured along: 1, but where the torch weaves that of the tip itself.
+    /// Travel by `s` of the line along which look-ahead distance and lag are measured: 1, or that of the tip with a
+    /// weave.
     pub fn pace(&self, s: f64) -> f64 {
         if self.joints.is_woven() { self.tip(s).1.length() } else { 1.0 }
     }
@@ -49,7 +50,7 @@ impl TorchPath for TipPath<'_> {
     fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
         (0..3).fold(guess, |s, _| {
             let (tip, d1) = self.tip(s);
-            // A tip that stands still is nowhere nearer.
+            // A tip at rest cannot come nearer.
             if d1.length_squared() == 0.0 {
                 return s;
             }

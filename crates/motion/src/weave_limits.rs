@@ -1,8 +1,8 @@
-//! How fast a weave can be where the axes cannot keep the asked speed with it.
+//! Maximum frequency of a weave if the axes cannot keep the requested speed with it.
 //!
-//! While the line is gone along at its asked speed, what a weave takes of the limits repeats from swing to swing and changes
-//! only as slowly as the seam. So a few windows of a swing each tell, at a small part of the cost of a plan, whether it can
-//! work at all and up to which frequency; the answer is then planned once as a whole before it is told.
+//! With the centre line at its requested speed, the use of the limits by a weave repeats from swing to swing and
+//! changes only as slowly as the seam. So a few windows of one swing each show feasibility and maximum frequency at a
+//! small fraction of the cost of a plan. The result is then verified by one whole plan before it is reported.
 
 use crate::JointPath;
 use crate::SpeedLaw;
@@ -16,27 +16,27 @@ use seamwright_machine::Joints;
 use seamwright_program::{Finding, OnLimit, Pass};
 use std::cell::Cell;
 
-/// The highest frequency is found to this part.
+/// Relative accuracy of the maximum frequency.
 const CLOSE: f64 = 2e-3;
-/// A weave is tried down to this part of what is asked.
-const LEAST: f64 = 0.02;
+/// Minimum factor of the requested frequency that is tried.
+const MIN_FACTOR: f64 = 0.02;
 /// Windows along the pass, and swings in each.
 const WINDOWS: usize = 24;
 const SWINGS: f64 = 1.1;
-/// Places looked at in every panel of a window.
+/// Samples in every panel of a window.
 const PLACES: u32 = 8;
 /// Steps in which the axes are followed from window to window.
 const STEPS: usize = 20;
-/// Part of the limits that a weave may use in the windows: a little is the law's reserve.
+/// Maximum use of the limits by a weave in the windows; the rest is the profile's reserve.
 const USED: f64 = 0.997;
-/// From this part on it is certain that the whole pass cannot be planned.
+/// Use of a limit above which the whole pass is certainly infeasible.
 const TOO_MUCH: f64 = 1.02;
 /// Units of effort of a window at one frequency, and of a whole plan.
 const WINDOW_WORK: u64 = 150;
 const PLAN_WORK: u64 = 6000;
-/// Effort of a usual search, against which its progress counts.
+/// Effort of a usual search, the reference of its progress.
 const USUAL_WORK: f64 = 12.0 * WINDOW_WORK as f64 * WINDOWS as f64 + PLAN_WORK as f64;
-/// Parts of the frequency found in the windows that are planned as a whole until one can be kept.
+/// Factors of the frequency found in the windows that are planned as a whole until one can be kept.
 const PLANNED: [f64; 3] = [1.0, 0.97, 0.9];
 
 /// A pass that weaves, as a machine follows it.
@@ -45,27 +45,27 @@ pub(crate) struct Woven<'a> {
     /// Positions at the start of the pass.
     start: &'a Joints,
     pass: &'a Pass,
-    /// Middles of the windows, mm, with positions near to those there.
+    /// Middles of the windows, mm, with nearby positions.
     windows: Vec<(f64, Joints)>,
     effort: &'a Effort<'a>,
-    /// Units of effort that were spent.
+    /// Units of effort spent.
     spent: Cell<u64>,
 }
 
-/// The greatest use of a limit.
+/// Maximum use of a limit.
 #[derive(Clone, Copy)]
 struct Used {
-    /// The part of the limit that is used at the asked speed of the line.
+    /// Used fraction of the limit at the requested speed of the centre line.
     part: f64,
     bound: Bound,
     /// Path length, mm.
     at: f64,
-    /// The part of the asked speed at which the limit would be used up, no more.
+    /// Fraction of the requested speed at which the limit would be just used up.
     holds: f64,
 }
 
 impl<'a> Woven<'a> {
-    /// None if the pass does not weave, or is hardly longer than what its weave takes to widen and narrow.
+    /// None if the pass does not weave, or is hardly longer than its weave needs to widen and narrow.
     pub(crate) fn new(
         follower: Follower<'a>,
         start: &'a Joints,
@@ -104,7 +104,7 @@ impl<'a> Woven<'a> {
         self.effort.spend(work, (self.spent.get() as f64 / USUAL_WORK).min(1.0))
     }
 
-    /// A finding if the asked weave is certainly too fast for the asked speed: then nothing else has to be planned.
+    /// Finding for a requested weave that is certainly too fast for the requested speed; planning can then stop.
     pub(crate) fn too_fast(&self, number: usize) -> Option<Finding> {
         if self.pass.on_limit != OnLimit::Refuse {
             return None;
@@ -129,8 +129,8 @@ impl<'a> Woven<'a> {
         Some(finding)
     }
 
-    /// Says in the findings of kind `speed` that the weave is too fast, and how fast it can be. Where no slower weave helps
-    /// the findings stay.
+    /// Rewords the findings of kind `speed` for a weave that is too fast, with its maximum frequency. They stay
+    /// unchanged if no slower weave helps.
     pub(crate) fn tell(&self, findings: &mut [Finding]) {
         let mut too_fast: Vec<&mut Finding> = findings.iter_mut().filter(|f| f.kind == "speed" && !f.allowed).collect();
         if too_fast.is_empty() {
@@ -141,7 +141,7 @@ impl<'a> Woven<'a> {
         }
     }
 
-    /// Says in a finding that a weave `factor` times as fast is possible.
+    /// Rewords a finding: a weave `factor` times as fast is possible.
     fn tell_in(&self, finding: &mut Finding, factor: f64) {
         let Some(weave) = &self.pass.weave else { return };
         let slower = weave.faster(factor);
@@ -166,17 +166,17 @@ impl<'a> Woven<'a> {
         finding.cure = format!("{allowed}, or set weld.on_limit = \"slow\" to slow down there");
     }
 
-    /// The highest factor below 1 for the weave's frequency with which the asked speed can be kept, to [`CLOSE`] and not
-    /// above it, if there is one: bisected in the windows, then planned as a whole.
+    /// Maximum factor below 1 of the weave's frequency at which the requested speed can be kept, if any: to [`CLOSE`]
+    /// and not above it, by bisection in the windows and a whole plan.
     fn highest(&self) -> Option<f64> {
         let fits = |factor: f64| self.used(factor).is_some_and(|all| all.iter().all(|used| used.part <= USED));
-        // Most of what a weave takes grows with a power of its frequency, as it does with that of the speed.
+        // The use of most limits by a weave grows with the same power of its frequency as of the speed.
         let guess = self.used(1.0)?.iter().map(|used| used.holds).fold(1.0, f64::min);
         let factor = greatest(guess, fits)?;
         PLANNED.iter().map(|part| part * factor).find(|factor| self.keeps(*factor))
     }
 
-    /// The greatest use of a limit in each window with a weave `factor` times as fast; none where the axes cannot follow.
+    /// Maximum use of a limit in each window with a weave `factor` times as fast; none if the axes cannot follow.
     fn used(&self, factor: f64) -> Option<Vec<Used>> {
         let slower = self.follower.path.slower(factor)?;
         let follower = Follower { path: &*slower, ..self.follower };
@@ -199,7 +199,7 @@ impl<'a> Woven<'a> {
         let mut rows = vec![[0.0; 3]; channels.limits().len()];
         let mut most = Used { part: 0.0, bound: Bound::Asked, at: middle, holds: f64::INFINITY };
         let mut edges = joints.edges();
-        // The last one is the end of the pass.
+        // The last edge is the end of the pass.
         *edges.last_mut()? = range.1;
         for panel in edges.windows(2) {
             for place in 0..=PLACES {
@@ -211,9 +211,10 @@ impl<'a> Woven<'a> {
         Some(most)
     }
 
-    /// True if the pass can be planned at the asked speed with a weave `factor` times as fast; false if planning is stopped.
+    /// True if the pass can be planned at the requested speed with a weave `factor` times as fast; false if planning is
+    /// stopped.
     fn keeps(&self, factor: f64) -> bool {
-        // Looked at before it and after it.
+        // The watch is called before and after the plan.
         self.spend(PLAN_WORK / 2) && self.plans(factor) && self.spend(PLAN_WORK / 2)
     }
 
@@ -230,7 +231,7 @@ impl<'a> Woven<'a> {
     }
 }
 
-/// The greater use of a limit: `most`, or what channels with the derivatives `rows` use at `s` at a steady speed.
+/// The greater use of a limit: `most`, or that of channels with the derivatives `rows` at `s` at a steady speed.
 fn greater(most: Used, (at, speed): (f64, f64), rows: &[[f64; 3]], limits: &[Limits]) -> Used {
     rows.iter().zip(limits).enumerate().fold(most, |most, (i, ([q1, q2, q3], limits))| {
         let uses = [
@@ -249,11 +250,11 @@ fn greater(most: Used, (at, speed): (f64, f64), rows: &[[f64; 3]], limits: &[Lim
     })
 }
 
-/// The greatest factor below 1 that fits, to [`CLOSE`] and never above it, if any does: about a `guess`, in steps that
-/// double until one fits and one does not, then bisected.
+/// Maximum factor below 1 that fits, if any, to [`CLOSE`] and never above it: about a `guess`, in doubling steps until
+/// it is bracketed, then by bisection.
 fn greatest(guess: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
     let mut step = 2.0 * CLOSE;
-    let (mut low, mut high) = ((guess.min(1.0) / (1.0 + step)).max(LEAST), 1.0);
+    let (mut low, mut high) = ((guess.min(1.0) / (1.0 + step)).max(MIN_FACTOR), 1.0);
     if fits(low) {
         while low * (1.0 + step) < 1.0 {
             let next = low * (1.0 + step);
@@ -265,10 +266,10 @@ fn greatest(guess: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
         }
     } else {
         loop {
-            if low <= LEAST {
+            if low <= MIN_FACTOR {
                 return None;
             }
-            (low, high, step) = ((low / (1.0 + step)).max(LEAST), low, 2.0 * step);
+            (low, high, step) = ((low / (1.0 + step)).max(MIN_FACTOR), low, 2.0 * step);
             if fits(low) {
                 break;
             }
@@ -294,7 +295,7 @@ mod tests {
                     Some(found) => {
                         assert!(found <= bound && found * (1.0 + CLOSE) >= bound, "{guess} {bound}: {found}");
                     }
-                    None => assert!(bound < 1.5 * LEAST, "{guess} {bound}"),
+                    None => assert!(bound < 1.5 * MIN_FACTOR, "{guess} {bound}"),
                 }
             }
         }

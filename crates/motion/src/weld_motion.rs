@@ -13,41 +13,41 @@ use seamwright_program::{Finding, Pass, Procedure, TorchPath};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
-/// A whole program as motion: its passes, and the air moves before, between and after them.
+/// A whole program as motion: its passes, and the transfer moves before, between and after them.
 #[derive(Debug, Clone)]
 pub struct WeldMotion {
     /// The passes in order.
     pub passes: Vec<PassMotion>,
-    /// How near things come along each pass; none if the machine file has no shapes.
+    /// Clearance along each pass; none if the machine file has no shapes.
     pub clearance: Vec<Option<PassClearance>>,
-    /// Air moves, one more than passes: from home to the first, from each to the next, from the last back home.
+    /// Transfer moves, one more than passes: from home to the first, from each to the next, from the last back home.
     pub air: Vec<AirMove>,
-    /// Each pass against the welding procedure, if it is held to one.
+    /// Comparison of each pass with the welding procedure specification, if any.
     pub procedure: Vec<PassProcedure>,
-    /// What is to be said although the weld can be made.
+    /// Notes on a feasible weld.
     pub findings: Vec<Finding>,
 }
 
-/// What a weld is planned under, beside its passes.
+/// Conditions of planning beside the passes.
 #[derive(Clone, Copy, Default)]
 pub struct Terms<'a> {
-    /// Procedure whose allowed welding positions come before those preferred.
+    /// Procedure whose allowed welding positions take precedence over the preferred ones.
     pub procedure: Option<&'a Procedure>,
     /// Watches the searches.
     pub watch: Option<&'a dyn Watch>,
 }
 
-/// Distance beyond the least one that axes to spare look for where something is in the way, mm.
+/// Additional distance beyond the minimum that redundant axes seek near obstacles, mm.
 const WANTED_MM: f64 = 10.0;
 
 impl WeldMotion {
-    /// Plans every pass along its path, and the air moves between them: from the end of a weld back along the torch by
-    /// `retract_mm`, on a clear way to the same before the next start, and down to it. Rotary axes that have wound up
-    /// unwind in the air moves; axes without end stops need not.
+    /// Plans every pass along its path, and the transfer moves between them: from the end of a weld back along the
+    /// torch by `retract_mm`, on a clear path to the same distance before the next start, and down to it. Wound-up
+    /// rotary axes unwind in the transfer moves; axes without end stops need not.
     ///
     /// # Errors
-    /// Every finding that stands against it: those of [`PassMotion::plan`], too little clearance, an air move that
-    /// has no clear way.
+    /// Every finding against it: those of [`PassMotion::plan`], too little clearance, a transfer move without a clear
+    /// path.
     pub fn plan(
         machine: &Machine,
         around: &Surroundings,
@@ -57,7 +57,7 @@ impl WeldMotion {
         Self::plan_under(machine, around, passes, retract_mm, Terms::default())
     }
 
-    /// Plans as [`WeldMotion::plan`] does, under `terms`.
+    /// Plans as [`WeldMotion::plan`], under `terms`.
     ///
     /// # Errors
     /// As [`WeldMotion::plan`]; also one finding of kind `search` if the watch stopped planning.
@@ -99,7 +99,7 @@ impl WeldMotion {
         if around.is_empty() {
             planned.findings.push(unchecked(machine));
         }
-        // Axes that a pass holds stand still in its retract and approach too; each pass has been planned with them.
+        // Axes held by a pass also rest in its retract and approach; each pass has been planned with them.
         let machines: Vec<Cow<Machine>> = passes
             .iter()
             .map(|(_, pass)| holding(machine, &pass.spare_axes).unwrap_or(Cow::Borrowed(machine)))
@@ -120,8 +120,8 @@ impl WeldMotion {
         if planned.findings.iter().any(|f| !f.allowed) { Err(planned.findings) } else { Ok(planned) }
     }
 
-    /// Holds the planned `passes` of `machine` against `procedure`: where one leaves its window there is a finding that
-    /// stands against the weld.
+    /// Compares the planned `passes` of `machine` with `procedure`: every value outside its window gives a finding
+    /// against the weld.
     pub fn hold_to(&mut self, procedure: &Procedure, machine: &Machine, passes: &[(&dyn TorchPath, &Pass)]) {
         let held = (1..).zip(passes).zip(&self.passes);
         self.procedure = held
@@ -132,7 +132,7 @@ impl WeldMotion {
         self.findings.extend(self.procedure.iter().flat_map(|p| p.findings.iter().cloned()));
     }
 
-    /// The air move before pass `i`, counted from 0, or home after the last.
+    /// Adds the transfer move before pass `i`, counted from 0, or home after the last.
     fn air_move(&mut self, air: &Air, i: usize, ends: &[PassEnd]) {
         let before = i.checked_sub(1).map(|k| &self.passes[k].path);
         let after = self.passes.get(i).map(|p| &p.path);
@@ -143,7 +143,7 @@ impl WeldMotion {
             && start.torches == Torches::Given
             && is_same(&end.q, &start.q)
         {
-            // The second pass goes on where the first one ends.
+            // The second pass continues from the end of the first.
             self.air.push(AirMove::new(air.machine, &[start.q]));
             return;
         }
@@ -194,7 +194,7 @@ impl WeldMotion {
         }
     }
 
-    /// Passes and air moves in the order in which they are played; those from home and back home only with `home`.
+    /// Passes and transfer moves in the order in which they are played; those from home and back home only with `home`.
     pub fn stages(&self, home: bool) -> impl Iterator<Item = Stage<'_>> {
         let last = self.passes.len();
         (0..=last).flat_map(move |i| {
@@ -209,12 +209,12 @@ impl WeldMotion {
         self.stages(home).map(|stage| stage.count(period)).sum()
     }
 
-    /// Plays the whole motion, one set-point a period: the pass (counted from 1; 0 in the air), the set-point, and
-    /// speeds and accelerations of the axes. The arc is off in the air, and path length and speed along it are no
-    /// number.
+    /// Plays the whole motion, one set-point a period: the pass (counted from 1; 0 in a transfer move), the set-point,
+    /// and speeds and accelerations of the axes. In transfer moves the arc is off, and path length and speed along it
+    /// are NaN.
     ///
     /// # Errors
-    /// The first of `each`, which ends it.
+    /// The first error of `each`, which ends the motion.
     pub fn play<E>(
         &self,
         period: f64,
@@ -229,8 +229,8 @@ impl WeldMotion {
         Ok(())
     }
 
-    /// Speed of the torch tip of `machine` at a set-point of pass `pass` as [`WeldMotion::play`] gives them, mm/s; no
-    /// number in the air.
+    /// Speed of the torch tip of `machine` at a set-point of pass `pass` from [`WeldMotion::play`], mm/s; NaN in
+    /// transfer moves.
     pub fn tip_speed(&self, machine: &Machine, pass: usize, set: &SetPoint) -> f64 {
         let planned = pass.checked_sub(1).and_then(|i| self.passes.get(i));
         planned.map_or(f64::NAN, |planned| planned.tip_speed(machine, set.law))
@@ -241,7 +241,7 @@ impl WeldMotion {
         self.passes.iter().map(PassMotion::total_s).sum::<f64>() + self.air_s()
     }
 
-    /// Time of the air moves, s.
+    /// Time of the transfer moves, s.
     pub fn air_s(&self) -> f64 {
         self.air.iter().map(AirMove::duration).sum()
     }
@@ -252,7 +252,7 @@ impl WeldMotion {
 pub enum Stage<'a> {
     /// A pass, counted from 0.
     Pass(usize, &'a PassMotion),
-    /// An air move.
+    /// A transfer move.
     Air(&'a AirMove),
 }
 
@@ -265,10 +265,10 @@ impl Stage<'_> {
         }
     }
 
-    /// Plays it alone as [`WeldMotion::play`] does, its times from set-point `begun` on.
+    /// Plays the stage alone as [`WeldMotion::play`], with times from set-point `begun` on.
     ///
     /// # Errors
-    /// The first of `each`, which ends it.
+    /// The first error of `each`, which ends the motion.
     pub fn play<E>(
         &self,
         period: f64,
@@ -295,7 +295,7 @@ impl Stage<'_> {
     }
 }
 
-/// One pass; axes to spare go round obstacles if they have to.
+/// Plans one pass; redundant axes avoid obstacles if necessary.
 fn one(
     machine: &Machine,
     around: &Surroundings,
@@ -325,7 +325,7 @@ fn one(
         }
     }
     let mut findings = findings;
-    // A search for another way that was cut off does not say that there is none.
+    // A search that was cut off is a finding of its own: another motion may exist.
     if let Err(stopped) = before.effort.check(number, path.length()) {
         findings.extend(stopped);
     } else if let Ok(held) = holding(machine, &pass.spare_axes) {
@@ -336,21 +336,21 @@ fn one(
     Err(all)
 }
 
-/// Positions nearer than this are the same, mm or rad.
+/// Positions closer than this are equal, mm or rad.
 const SAME: f64 = 1e-9;
 
 fn is_same(a: &Joints, b: &Joints) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME)
 }
 
-/// What takes the torch back from the end of a pass.
+/// Kind of retract from the end of a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Torches {
-    /// It goes back along itself.
+    /// The torch retracts along its axis.
     One,
-    /// Two torches go back along the middle of both.
+    /// Two torches retract along the middle of both.
     Two,
-    /// The pass says itself how it begins and ends.
+    /// The taught points of the pass define its start and end.
     Given,
 }
 
@@ -364,16 +364,16 @@ impl Torches {
     }
 }
 
-/// Where a pass begins or ends.
+/// Start or end of a pass.
 #[derive(Clone, Copy)]
 struct PassEnd<'a> {
     q: Joints,
     torches: Torches,
-    /// With the axes that the pass holds among those that a pose leaves free.
+    /// The machine with the axes that the pass holds free of the pose.
     machine: &'a Machine,
 }
 
-/// What the air moves need to know.
+/// Inputs of the transfer moves.
 struct Air<'a> {
     machine: &'a Machine,
     around: &'a Surroundings<'a>,
@@ -382,8 +382,8 @@ struct Air<'a> {
 }
 
 impl Air<'_> {
-    /// The move from the end of a weld (or home) to the start of the next (or home), each with what takes the torch back
-    /// there; and how far the torch stands back (mm) where that is less than asked, if at all.
+    /// The move from the end of a weld (or home) to the start of the next (or home), with retract and approach; and the
+    /// retract distances (mm) that are less than requested, none for a missing retract.
     fn way(&self, end: Option<PassEnd>, start: Option<PassEnd>) -> Result<(AirMove, Vec<Option<f64>>), Blocked> {
         let home = self.machine.home();
         let [back_end, back_start] = [end, start].map(|e| e.and_then(|end| self.back_from(&end)));
@@ -391,7 +391,7 @@ impl Air<'_> {
             back.map(|b| b.0).or(weld.map(|w| w.q)).unwrap_or(home)
         };
         let (from, to) = (place(back_end, end), place(back_start, start));
-        // An endless axis goes home by the shortest way.
+        // A continuous axis goes home by the shortest turn.
         let to = if start.is_none() { self.nearest_turn(&to, &from) } else { to };
         let mut points = Vec::new();
         if let (Some(PassEnd { q, .. }), Some(_)) = (end, back_end) {
@@ -432,8 +432,8 @@ impl Air<'_> {
         crate::air::obstacle(self.around, &leg).map_or(Ok(()), |what| Err(Blocked::End { which, what }))
     }
 
-    /// Where the torch stands back along itself (two torches: along the middle of both): as far as asked, or as far as
-    /// the axes reach. None if they cannot move it that way.
+    /// Positions of the torch retracted along its axis (two torches: along the middle of both), and the fraction of the
+    /// requested distance that the axes reach. None if they cannot retract it.
     fn back_from(&self, PassEnd { q, torches, machine }: &PassEnd) -> Option<(Joints, f64)> {
         if *torches == Torches::Given {
             return None;
@@ -455,7 +455,7 @@ impl Air<'_> {
     }
 }
 
-/// What is to be said where nothing has a shape.
+/// Note for a machine without shapes.
 fn unchecked(machine: &Machine) -> Finding {
     Finding {
         kind: "unchecked",
@@ -471,7 +471,7 @@ fn unchecked(machine: &Machine) -> Finding {
     }
 }
 
-/// Axes that turn by more than half a turn in an air move, in words.
+/// Axes that turn by more than half a turn in a transfer move, in words.
 fn unwound(machine: &Machine, from: &Joints, to: &Joints) -> Vec<String> {
     let axes = machine.axes.iter().enumerate().filter(|(_, a)| a.kind == AxisKind::Rotary);
     let turned = axes.filter(|(i, _)| (to[*i] - from[*i]).abs() > PI);

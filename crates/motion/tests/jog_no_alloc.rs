@@ -9,7 +9,7 @@ use std::hint::black_box;
 #[global_allocator]
 static ALLOCATOR: AllocDisabler = AllocDisabler;
 
-/// Jogging: every kind of command, new ones in every period, next to what is in the way, and stops.
+/// Jogging: every kind of command, new ones in every period, next to obstacles, and stops.
 #[test]
 fn jog_steps_do_not_allocate() {
     let machine = Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap();

@@ -1,4 +1,4 @@
-//! A period costs no allocation, whatever the pace does.
+//! A period never allocates, at any change of the override.
 
 mod pace_law;
 

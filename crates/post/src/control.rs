@@ -49,7 +49,7 @@ pub struct Control {
     pub decimal_comma: bool,
     /// Analogue output that switches LinuxCNC's kinematics.
     pub kinematics_output: Option<u8>,
-    /// Lines at the beginning instead of the usual ones.
+    /// Lines at the start instead of the usual ones.
     pub header: Option<String>,
     /// Lines at the end instead of the usual ones.
     pub footer: Option<String>,
@@ -58,7 +58,7 @@ pub struct Control {
 /// Effect of a code of the machine's own.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Code {
-    /// It switches or calls something.
+    /// Switches an output or calls a program.
     Event(Event),
     /// The control stops at the end of every block from here on.
     ExactStop,

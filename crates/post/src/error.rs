@@ -30,7 +30,7 @@ pub enum Error {
         "tip-level blocks need a machine with axes X, Y and Z, and kinematics to match in the control; use joint level"
     )]
     NoTip,
-    /// The planned air moves between passes are straight in axis space.
+    /// The planned transfer moves between passes are straight in axis space.
     #[error("the air moves between passes are planned for the axes: use joint level, or post one pass at a time")]
     TipPasses,
     /// Blocks are cut for one torch.

@@ -7,20 +7,21 @@ const SLOWEST: f64 = 0.2;
 const MAX_PARTS: f64 = 16.0;
 const PART_S: f64 = 1e-3;
 
-/// Compares ways of the tip with the planned ones of the same times, between run-up and run-down: in these the speed
-/// changes by much within any block.
+/// Compares ways of the tip with the planned ones of the same times, between the acceleration and deceleration phases:
+/// in these the speed changes by much within any block.
 #[derive(Debug)]
 pub(crate) struct EvenSpeed<'a> {
     machine: &'a Machine,
     motion: &'a PassMotion,
-    /// Times of the travel between run-up and run-down, s.
+    /// Times of the travel between the acceleration and deceleration phases, s.
     steady: Vec<[f64; 2]>,
     /// Slowest speed that is compared, mm/s.
     slowest: f64,
 }
 
 impl<'a> EvenSpeed<'a> {
-    /// Leaves out `margin` s behind run-up and before run-down: times read from a text are off by its digits.
+    /// Leaves out `margin` s next to the acceleration and deceleration phases: times read from a text are off by its
+    /// digits.
     pub(crate) fn new(machine: &'a Machine, motion: &'a PassMotion, margin: f64) -> Self {
         let (_, fastest) = motion.tip_band(machine);
         let law = &motion.law;

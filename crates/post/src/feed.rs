@@ -21,7 +21,7 @@ pub type Group<'a> = Option<&'a [usize]>;
 /// A control's rule for the counted way, computed once for many blocks.
 #[derive(Debug, Clone)]
 pub(crate) struct FeedRule {
-    /// Channels that count together: the first of these in which something moves.
+    /// Sets of channels that count together: the first one with motion is used.
     sets: Vec<Vec<usize>>,
     xyz: [Option<usize>; 3],
 }

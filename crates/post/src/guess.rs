@@ -20,7 +20,7 @@ impl Dialect {
             (Self::Grblhal, ["GRBLHAL", "G4P0", "G4 P0", "M3 S"]),
         ];
         let begin: String = text.lines().take(200).collect::<Vec<_>>().join("\n").to_ascii_uppercase();
-        // Our own say whom they are for.
+        // Our own texts name their control.
         let said = [
             ("FOR SINUMERIK", Self::Sinumerik),
             ("FOR LINUXCNC", Self::Linuxcnc),

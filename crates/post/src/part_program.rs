@@ -195,7 +195,7 @@ impl PartProgram {
         Self { title: title.to_owned(), channels, ..Self::default() }
     }
 
-    /// Makes room for so many moves, so that a long program is not copied while it grows.
+    /// Reserves memory for so many moves, so that a long program is not copied while it grows.
     pub(crate) fn reserve(&mut self, moves: usize) {
         self.steps.reserve(moves);
         self.rows.reserve(moves * self.channels.len());

@@ -3,7 +3,7 @@
 use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, What, Xyz};
 use crate::polynomial::{Evenly, Polynomial};
 
-/// Part of a played program in which one thing goes on.
+/// Part of a played program with a uniform motion or rest.
 #[derive(Debug, Clone)]
 pub struct Segment {
     /// Time at its start, s; rapid moves take none.
@@ -98,8 +98,8 @@ impl Segment {
     }
 }
 
-/// Plays `program` from `start` on (a row; what stands there before the first step). Moves of the spline are given as
-/// the cubics they are, with the two that the control adds.
+/// Plays `program` from the row `start` on. Moves of the spline are given as their cubics, with the two that the
+/// control adds.
 pub fn play(program: &PartProgram, start: &[f64]) -> Vec<Segment> {
     let mut player = Player {
         program,

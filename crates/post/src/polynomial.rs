@@ -4,7 +4,7 @@
 /// Powers from 2 on that a polynomial has: 840D controls take up to the fifth.
 pub const POWERS: usize = 4;
 
-/// Parts of a block for which its length is kept.
+/// Parts of a block for which its length is stored.
 const PARTS: usize = 16;
 
 /// Nodes and weights of Gauss and Legendre's rule with five points on 0..1.
@@ -89,7 +89,7 @@ impl Evenly {
         (b - a) * GAUSS.iter().map(|(node, weight)| weight * self.speed(a + node * (b - a))).sum::<f64>()
     }
 
-    /// The parameter at the part `f` of the block's time; `f` itself if nothing counted moves.
+    /// The parameter at the part `f` of the block's time; `f` itself without counted motion.
     pub(crate) fn parameter(&self, f: f64) -> f64 {
         let wanted = f * self.length();
         if f <= 0.0 || f >= 1.0 || self.length() <= 0.0 {

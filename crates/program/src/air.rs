@@ -17,7 +17,7 @@ impl Default for Air {
 }
 
 impl Air {
-    /// True if nothing differs from the defaults.
+    /// True if all values are the defaults.
     pub fn is_usual(&self) -> bool {
         *self == Self::default()
     }

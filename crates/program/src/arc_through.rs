@@ -2,10 +2,10 @@ use glam::{DQuat, DVec3};
 use seamwright_geometry::{Arc, Curve};
 use std::f64::consts::TAU;
 
-/// Parts of a way at whose ends the tip is looked at for its length.
+/// Number of parts of a way in the computation of its tip's length.
 const PARTS: u32 = 16;
 
-/// An arc through three places, or a helix through their projections.
+/// An arc through three points, or a helix through their projections.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ArcThrough {
     /// A point on its axis, at the height of its start, mm.
@@ -21,8 +21,8 @@ pub struct ArcThrough {
 }
 
 impl ArcThrough {
-    /// The arc from `start` through `via` to `end`; about `normal` through their projections, if that is given. None if
-    /// they lie on a line, or two of them are one.
+    /// The arc from `start` through `via` to `end`; about `normal` through their projections, if that is given. `None`
+    /// if they lie on a line, or two of them coincide.
     pub fn new(start: DVec3, via: DVec3, end: DVec3, normal: Option<DVec3>) -> Option<Self> {
         let flat = |p: DVec3| normal.map_or(p, |n| p - (p - start).dot(n) * n);
         let arc = Arc::through(start, flat(via), flat(end)).ok()?;

@@ -30,8 +30,8 @@ pub struct Bead {
 }
 
 impl Bead {
-    /// Checks what needs no seam: columns of equal length with at least one row, path lengths that increase, angles in
-    /// front of both faces. `path` is the bead's address in `file`.
+    /// Checks the values that need no seam: columns of equal length with at least one row, path lengths that increase,
+    /// angles in front of both faces. `path` is the bead's address in `file`.
     ///
     /// # Errors
     /// With the key's address.

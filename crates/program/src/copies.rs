@@ -56,7 +56,7 @@ impl Program {
         self.copy_in_work(0)
     }
 
-    /// Number of places at which the seam is welded.
+    /// Number of copies at which the seam is welded.
     pub fn copy_count(&self) -> usize {
         self.copies.len().max(1)
     }

@@ -6,7 +6,7 @@ use seamwright_document::{Document, DocumentError};
 /// Most passes of a program, each as often as it is welded.
 pub const MAX_PASSES: usize = 10_000;
 
-/// Most rows of all passes (positions of beads, points), each as often as its pass is welded: about 1 GB.
+/// Maximum number of rows of all passes (positions of beads, points), each as often as its pass is welded: about 1 GB.
 pub const MAX_ROWS: usize = 4_000_000;
 
 /// Longest seam, mm: a kilometre. Arc length of a longer one is not exact to 1e-9 mm any more.

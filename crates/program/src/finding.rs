@@ -1,6 +1,6 @@
 use serde::Serialize;
 
-/// A fault that keeps a weld from being made as requested, or a note about it, with its position on the seam and the
+/// A fault that keeps a weld from being made as requested, or a note about it. It has its position on the seam and the
 /// operator action.
 ///
 /// `allowed` and `cure` together give its [`Severity`]; so a warning always has an operator action.
@@ -13,7 +13,7 @@ pub struct Finding {
     pub message: String,
     /// Pass, counted from 1.
     pub pass: usize,
-    /// Path length at which it begins and ends, mm.
+    /// Path length at its start and end, mm.
     pub from_mm: f64,
     /// See `from_mm`.
     pub to_mm: f64,
@@ -27,9 +27,9 @@ pub struct Finding {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Severity {
-    /// Information: nothing has to be done.
+    /// Information, without an operator action.
     Note,
-    /// The weld can be made; somebody should look at the cure first.
+    /// The weld can be made; the operator should consider the action first.
     Warning,
     /// The weld cannot be made as asked.
     Error,

@@ -1,11 +1,11 @@
-//! Findings that say the same at several places, gathered so that they are read once.
+//! Findings with the same message at several positions, gathered so that they are read once.
 
 use crate::{Finding, Severity};
 
 /// Path lengths within this distance are shown alike, mm.
 const SAME_MM: f64 = 5e-4;
 
-/// Findings that say the same, and where.
+/// Findings with the same message, and their positions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FindingGroup<'a> {
     /// The first of them.
@@ -31,10 +31,11 @@ pub struct FindingPlace {
     pub to_mm: f64,
 }
 
-/// Gathers findings of the same kind that say the same: errors first, then warnings, then notes, each in the order in
-/// which they were first found.
+/// Gathers findings of the same kind with the same message: errors first, then warnings, then notes, each in the order
+/// of its first occurrence.
 ///
-/// Warnings and notes say the same also if their numbers differ; each error keeps its own, as each has to be cured.
+/// Warnings and notes are the same also if their numbers differ. Errors with different numbers stay apart, as each
+/// needs its own operator action.
 pub fn group_findings(findings: &[Finding]) -> Vec<FindingGroup<'_>> {
     let mut groups: Vec<(FindingGroup<'_>, Vec<&Finding>)> = Vec::new();
     for finding in findings {

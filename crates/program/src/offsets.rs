@@ -29,7 +29,7 @@ pub fn check_offset<T>(file: &Document<T>, offset: Option<&str>, offsets: &Offse
 /// Allowed characters of a work offset's name.
 pub const OFFSET_NAMES: &str = "letters, digits, - and _";
 
-/// True if `name` can be the name of a work offset: it stands in a file without quotes.
+/// True if `name` can be the name of a work offset: a key of a file without quotes.
 pub fn is_offset_name(name: &str) -> bool {
     !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_')
 }

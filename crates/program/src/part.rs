@@ -40,7 +40,7 @@ impl Default for Part {
 }
 
 impl Part {
-    /// True if nothing differs from the defaults.
+    /// True if all values are the defaults.
     pub fn is_usual(&self) -> bool {
         *self == Self::default()
     }
@@ -61,7 +61,7 @@ impl Default for Clearance {
 }
 
 impl Clearance {
-    /// True if nothing differs from the defaults.
+    /// True if all values are the defaults.
     pub fn is_usual(&self) -> bool {
         *self == Self::default()
     }

@@ -173,9 +173,9 @@ impl Pass {
         ends.fold((f64::INFINITY, 0.0), |(least, most), v| (v.min(least), v.max(most)))
     }
 
-    /// The process value `name` while the arc is on, at a side of the weave that of the side: at path length `s`,
-    /// `since_on` s after the arc went on and `until_off` s before it goes off (infinite where only the travel is
-    /// meant). None if the pass has no such value.
+    /// The process value `name` while the arc is on, at a side of the weave that of the side. It is at path length `s`,
+    /// `since_on` s after the arc went on and `until_off` s before it goes off (infinite for the travel only). `None`
+    /// if the pass has no such value.
     pub fn process_at(&self, name: &str, s: f64, (since_on, until_off): (f64, f64)) -> Option<f64> {
         let span = self.span_at(s)?;
         let mut value = span.process.get(name)?.at(span.part(s));

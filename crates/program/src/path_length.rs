@@ -1,8 +1,8 @@
 //! Comparison of path lengths.
 //!
 //! A path length is computed in several ways: arc length of the seam, sums of spans, even divisions of a pass, numbers
-//! of a file. These agree only to rounding. Every comparison of two path lengths that decides something goes through
-//! this module. So all parts of the program agree whether a position is on the weld.
+//! of a file. These agree only to rounding. Every decision by a comparison of two path lengths goes through this
+//! module. So all parts of the program agree whether a position is on the weld.
 
 /// Path lengths that differ by no more than this are the same position, mm.
 ///

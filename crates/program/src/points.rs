@@ -364,7 +364,7 @@ impl Points {
 }
 
 impl Pass {
-    /// Refuses what only passes along a seam have, in a pass through points at `path` of a file.
+    /// Refuses keys that only passes along a seam have, in a pass through points at `path` of a file.
     ///
     /// # Errors
     /// With the key's address.

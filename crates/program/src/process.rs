@@ -46,7 +46,7 @@ const UNITS: [(&str, &str, f64); 17] = [
     ("w", "power", 2e5),
 ];
 
-/// Greatest values of an arc, by their usual names, if the arc has a current in `current_a`: far above those of
+/// Maximum values of an arc, by their usual names, if the arc has a current in `current_a`: far above those of
 /// submerged arc welding, the strongest.
 const ARC: [(&str, f64); 2] = [("current_a", 3000.0), ("voltage_v", 100.0)];
 
@@ -147,7 +147,7 @@ mod tests {
         for (s, value) in [(0.0, 20.0), (2.5, 30.0), (10.0 - 1e-12, 60.0), (10.0, 60.0), (15.0, 60.0), (20.0, 60.0)] {
             assert!((at(s, far, far) - value).abs() < 1e-9, "{s}");
         }
-        // Upslope: from 10 when the arc goes on to the 20 that the weld begins with, after 0.4 s.
+        // Upslope: from 10 when the arc goes on to the 20 at the start of the weld, after 0.4 s.
         for (since, value) in [(0.0, 10.0), (0.1, 12.5), (0.4, 20.0), (0.5, 20.0)] {
             assert!((at(0.0, since, far) - value).abs() < 1e-12);
         }

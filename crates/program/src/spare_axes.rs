@@ -31,7 +31,7 @@ impl Default for SpareAxes {
 }
 
 impl SpareAxes {
-    /// True if nothing differs from the defaults.
+    /// True if all values are the defaults.
     pub fn is_usual(&self) -> bool {
         *self == Self::default()
     }

@@ -60,8 +60,8 @@ pub trait TorchPath: Sync {
     /// continuous, and smooth between knots.
     fn pose(&self, s: f64) -> Pose;
 
-    /// Way of the tip by path length at `s`, without its weave: exactly 1 all along where it goes on the line by whose
-    /// length `s` counts, another beside it. At a knot anything between the ways on either side.
+    /// Way of the tip by path length at `s`, without its weave: exactly 1 if the tip is on the line whose length `s`
+    /// counts, different beside it. At a knot any value between those on either side.
     fn rate(&self, _s: f64) -> f64 {
         1.0
     }
@@ -87,8 +87,8 @@ pub trait TorchPath: Sync {
         None
     }
 
-    /// Unit vector from the root of the joint out to its face at path length `s`: what should point up for a weld in
-    /// the flat position (ISO 6947). Against the torch's direction if nothing better is known.
+    /// Unit vector from the root of the joint out to its face at path length `s`: it points up for a weld in the flat
+    /// position (ISO 6947). By default the opposite of the torch's direction.
     fn face(&self, s: f64) -> DVec3 {
         -self.pose(s).direction
     }

@@ -3,7 +3,7 @@
 use crate::{Finding, TorchPath};
 use seamwright_geometry::Pose;
 
-/// Distance from a knot at which the torch is looked at, mm.
+/// Distance from a knot at which the torch pose is evaluated, mm.
 const ASIDE_MM: f64 = 1e-7;
 /// Changes of the tip (mm) or the direction (rad) below this are rounding.
 const JUMP: f64 = 1e-6;

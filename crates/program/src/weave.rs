@@ -211,11 +211,10 @@ impl Weave {
         Ok(())
     }
 
-    /// Checks the weave at `path` of a file against the speeds of a pass' spans, which stand at the addresses that
-    /// `speed_at` gives.
+    /// Checks the weave at `path` of a file against the speeds of a pass' spans, whose addresses `speed_at` gives.
     ///
     /// # Errors
-    /// With the key's address: periods that are too short, a speed that jumps between spans though the weave goes by a
+    /// With the key's address: periods that are too short, or a jump of the speed between spans with a weave by
     /// frequency.
     pub fn check_speeds<T>(
         &self,

@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use std::io::{BufRead, Lines};
 
-/// Rows of numbers (or texts) from CSV with a header line; columns in any order, others ignored. One line at a time
-/// is kept.
+/// Rows of numbers (or texts) from CSV with a header line; columns in any order, others ignored. One line at a time is
+/// in memory.
 pub struct CsvReader<R> {
     source: String,
     lines: Lines<R>,
@@ -69,7 +69,7 @@ impl<R: BufRead> CsvReader<R> {
         self.line
     }
 
-    /// The next line that is not empty, if there is one.
+    /// The next line that is not empty, if any.
     fn next_line(&mut self) -> Option<Result<String, Failure>> {
         loop {
             self.line += 1;
@@ -96,7 +96,7 @@ impl<R: BufRead> CsvReader<R> {
         Failure::Input(format!("{}:{}: {column} = `{value}` {wrong}\n   allowed: {allowed}", self.source, self.line))
     }
 
-    /// The next row, if there is one; empty lines are passed over.
+    /// The next row, if any; empty lines are skipped.
     pub fn row(&mut self) -> Option<Result<&[f64], Failure>> {
         let line = match self.next_line()? {
             Ok(line) => line,

@@ -31,11 +31,11 @@ const PERIODS_MS: [f64; 2] = [0.25, 4.0];
 /// Refuses a period at which no cell runs in real time.
 ///
 /// # Errors
-/// The machine file's period, and what is allowed.
+/// The machine file's period, and the allowed range.
 pub fn check_period(machine: &Machine) -> Result<(), Failure> {
     let [least, most] = PERIODS_MS;
     let ms = 1e3 * machine.servo_period_s;
-    // Rounding of the file's milliseconds is nobody's mistake.
+    // Rounding of the file's milliseconds is permitted.
     if (least - 1e-9..=most + 1e-9).contains(&ms) {
         return Ok(());
     }
@@ -70,7 +70,7 @@ fn drives(machine: &Machine, folder: &Path) -> Result<Option<Box<dyn Drives + Se
     Ok(Some(Box::new(StreamedSteps::start(machine, device, folder)?)))
 }
 
-/// Tells whoever started the program.
+/// Prints a note to standard error.
 fn note(text: &str) {
     // Errors are ignored: standard error may be closed.
     let _ = writeln!(std::io::stderr(), "note: {text}");

@@ -1,10 +1,10 @@
-//! Why a command ends without doing what was asked.
+//! Reasons why a command ends without its result.
 
 use seamwright_document::DocumentError;
 use seamwright_program::{Finding, FindingGroup, FindingPlace, Severity, group_findings};
 use std::io::{self, Write};
 
-/// Why the command ends without doing what was asked, by exit code.
+/// Reason why the command ends without its result, by exit code.
 #[derive(Debug)]
 pub enum Failure {
     /// 1: the job is understood but cannot be welded as asked.
@@ -13,17 +13,17 @@ pub enum Failure {
     Printed,
     /// 2: bad input or usage.
     Input(String),
-    /// 2: the same, of a file that says where.
+    /// 2: the same, for a file with an address of the fault.
     Document(Box<DocumentError>),
     /// 3: a device or the environment failed.
     Environment(String),
     /// 3: planning was cancelled.
     Cancelled,
-    /// 0: whoever reads our output has stopped reading.
+    /// 0: the reader of our output has stopped reading.
     ReaderGone,
 }
 
-/// Maximum number of places listed of one finding.
+/// Maximum number of positions listed of one finding.
 const MAX_PLACES: usize = 6;
 
 /// Findings for people, equal ones once, those that stand against the weld first.

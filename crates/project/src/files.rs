@@ -34,7 +34,8 @@ pub fn read_bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-/// Makes a folder and those above it where they are missing, its owner's alone: who may write there could change who may weld.
+/// Makes a folder and its missing parents, accessible to the owner only: write access to it would allow to change the
+/// users.
 pub fn make_private(folder: &Path) -> std::io::Result<()> {
     let mut builder = fs::DirBuilder::new();
     #[cfg(unix)]
@@ -70,7 +71,7 @@ pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<(), F
     file.finish().map_err(failed)
 }
 
-/// Why nothing could be written at `path`: a wrong name is bad input, a disk that fails is not.
+/// Failure of writing at `path`: a wrong name is bad input, a disk that fails is not.
 pub(crate) fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
     use std::io::ErrorKind::{
         AlreadyExists, BrokenPipe, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied,
@@ -127,7 +128,7 @@ pub struct Output {
 }
 
 impl Output {
-    /// The folder, made if missing; fails at once if nothing can be written there.
+    /// The folder, created if missing; fails at once if it is not writable.
     pub fn new(folder: &Path) -> Result<Self, Failure> {
         fs::create_dir_all(folder).map_err(|e| not_writable(folder, &e))?;
         let output = Self { folder: folder.to_owned(), files: Vec::new() };
@@ -135,13 +136,13 @@ impl Output {
         Ok(output)
     }
 
-    /// A folder for what is not finished; it goes with this value.
+    /// A folder for unfinished files; it is removed with this value.
     pub fn scratch(&self) -> Result<TempDir, Failure> {
         let folder = tempfile::Builder::new().prefix(".seamwright-").tempdir_in(&self.folder);
         folder.map_err(|e| not_writable(&self.folder, &e))
     }
 
-    /// Takes a copy of the file at `from` under `name`, whatever stands there.
+    /// Copies the file at `from` to `name`, replacing any file there.
     pub fn take(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
         let unreadable = |e| Failure::Input(format!("{}: cannot be read: {e}", from.display()));
         let mut source = fs::File::open(from).map_err(unreadable)?;
@@ -153,7 +154,7 @@ impl Output {
         self.fill(name, |file| file.write_all(text.as_bytes()))
     }
 
-    /// Takes what `fill` writes under `name`.
+    /// Writes a file `name` with the output of `fill`.
     fn fill(&mut self, name: &str, fill: impl FnOnce(&mut WholeFile) -> std::io::Result<()>) -> Result<(), Failure> {
         let path = self.folder.join(name);
         let mut file = WholeFile::create(&path).map_err(|e| not_writable(&path, &e))?;

@@ -1,4 +1,4 @@
-//! From files to a planned weld, and what is recorded of it: what the command line and the panel do alike.
+//! From files to a planned weld and its recording: the functions common to the command line and the panel.
 
 pub mod csv;
 pub mod devices;

@@ -61,7 +61,7 @@ pub fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failur
     load_within(name, text, &Within::open(folder), Own::First)
 }
 
-/// The same for a text of somebody who may not read all files: only plain files in `folder` and below are looked at.
+/// The same for a text whose author may not read all files: only plain files in `folder` and below are read.
 pub fn load_foreign(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
     load_within(name, text, &Within::fenced(folder), Own::First)
 }
@@ -152,7 +152,7 @@ fn names() -> String {
     SHIPPED.iter().map(|s| s.name).collect::<Vec<_>>().join(", ")
 }
 
-/// The machine that a job names; none if there is no such machine.
+/// The machine that a job names; `None` if it is missing.
 pub(crate) fn machine_beside(name: &str, within: &Within<'_>) -> Result<Option<Machine>, Failure> {
     Ok(described(name, within, &StlFiles::default(), Own::First)?.map(|found| found.machine))
 }
@@ -185,7 +185,7 @@ struct Described {
     file: Option<PathBuf>,
 }
 
-/// The machine called `name`, or in the file `name`; none if there is neither.
+/// The machine called `name`, or in the file `name`; `None` without either.
 fn described(name: &str, within: &Within<'_>, stl: &StlFiles, own: Own) -> Result<Option<Described>, Failure> {
     let mut wanted = name.to_owned();
     if let Some(shipped) = shipped(name) {
@@ -208,10 +208,10 @@ fn described(name: &str, within: &Within<'_>, stl: &StlFiles, own: Own) -> Resul
     Ok(Some(Described { machine, document, file: Some(path) }))
 }
 
-/// The text of a machine file as one in `folder`, from which nothing else is looked at: it would make this machine.
+/// The machine of a text, treated as a file in `folder`; files outside that folder are refused.
 ///
 /// # Errors
-/// What is wrong with it.
+/// Any fault of the text.
 pub fn machine_foreign(name: &str, text: &str, folder: &Path) -> Result<Machine, Failure> {
     checked(name, text, &Within::fenced(folder), &StlFiles::default()).map(|(machine, _)| machine)
 }
@@ -298,7 +298,7 @@ impl Loaded {
     /// The seam.
     ///
     /// # Errors
-    /// A program whose passes all go through points has none.
+    /// A program whose passes all go through points, without a seam.
     pub fn seam(&self) -> Result<&SeamCurve, Failure> {
         let program = &self.welding.program;
         let allowed = "a job, or a program with [seam]";
@@ -344,8 +344,8 @@ impl Loaded {
         }
     }
 
-    /// Plans the weld, or says why the machine cannot make it. Findings against the procedure are among those of the
-    /// motion: the weld could be made, but not as it must be.
+    /// Plans the weld, or returns the reasons why the machine cannot make it. Findings against the procedure are among
+    /// those of the motion: the weld can be made, but violates the procedure.
     pub fn try_plan(&self) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
         self.try_plan_under(&self.machine, &Planning::default())
     }

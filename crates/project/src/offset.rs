@@ -1,4 +1,4 @@
-//! A work offset as it stands in a job file.
+//! A work offset in a job file.
 
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Direction, Finite, Point, Transform};
@@ -22,7 +22,7 @@ fn each(v: DVec3, digits: f64) -> DVec3 {
     DVec3::new(round(v.x, digits), round(v.y, digits), round(v.z, digits))
 }
 
-/// The text of a job or program with `offset` under `name`, in force; none if its `offsets` is not a table.
+/// The text of a job or program with `offset` under `name`, in force; `None` if its `offsets` is not a table.
 ///
 /// # Errors
 /// A text that is not TOML.
@@ -31,8 +31,8 @@ pub fn put_into(text: &str, name: &str, offset: &Transform) -> Result<Option<Str
     Ok(put(&mut document, name, offset).map(|()| document.to_string()))
 }
 
-/// Puts `offset` into a job or program under `name`, in place of one of that name, and makes it the one in force. None
-/// if the file's `offsets` is not a table.
+/// Writes `offset` into a job or program under `name`, replacing one of that name, and makes it the one in force.
+/// `None` if the file's `offsets` is not a table.
 fn put(document: &mut DocumentMut, name: &str, offset: &Transform) -> Option<()> {
     document["offset"] = value(name);
     let offsets = document.entry("offsets").or_insert_with(|| {

@@ -9,7 +9,7 @@ use seamwright_vision::{Frame, Pixels};
 /// A colour: red, green, blue.
 pub type Colour = [u8; 3];
 
-/// Of a place that was only coasted over.
+/// Colour of rows that were only coasted over.
 pub const COASTED: Colour = [90, 150, 255];
 /// Of a cross.
 pub const CROSS: Colour = [255, 255, 255];
@@ -24,7 +24,7 @@ pub fn sureness(confidence: f64, usual: f64) -> Colour {
     [part(2.0 - confidence / usual), part(confidence / usual), 0]
 }
 
-/// A picture being drawn on; places are in the frame's pixels.
+/// A picture to draw on; positions are in the frame's pixels.
 pub struct Overlay {
     width: usize,
     height: usize,
@@ -91,7 +91,7 @@ impl Overlay {
     /// The picture as PNG.
     ///
     /// # Errors
-    /// What the writer of PNG says.
+    /// Errors of the PNG encoder.
     pub fn png(&self) -> Result<Vec<u8>, Failure> {
         let mut png = Vec::new();
         let (width, height) = (self.width as u32, self.height as u32);

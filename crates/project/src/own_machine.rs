@@ -7,7 +7,7 @@ use seamwright_machine::{Machine, shipped};
 use std::path::{Path, PathBuf};
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, Value, value};
 
-/// The machine file of a job, and where a change to it is kept.
+/// The machine file of a job, and the path for changes to it.
 pub struct OwnMachine {
     /// Path of the file: the file itself, or the cell's own copy of one that ships.
     pub path: PathBuf,
@@ -40,10 +40,11 @@ impl OwnMachine {
         }
     }
 
-    /// Its text with the settings of the table at `table` (a name, or a name and a number in an array of tables, from the root).
+    /// Its text with the settings of the table at `table`: a name, or a name and a number in an array of tables, from
+    /// the root.
     ///
     /// # Errors
-    /// A text that has no such table and cannot have it.
+    /// A text in which the table is missing and cannot be added.
     pub fn with(&self, table: &[Step<'_>], settings: &[(&str, Setting)]) -> Result<String, Failure> {
         let wrong = |e: &dyn std::fmt::Display| Failure::Input(format!("{}: {e}", self.path.display()));
         let mut document: DocumentMut = self.text.parse().map_err(|e| wrong(&e))?;
@@ -92,7 +93,7 @@ impl OwnMachine {
         self.text.parse().is_ok_and(|document: DocumentMut| document.contains_key(table))
     }
 
-    /// The numbers at `keys` of a table, where they stand there.
+    /// The numbers at `keys` of a table; `None` for missing keys.
     ///
     /// # Errors
     /// A text that is not TOML.
@@ -100,7 +101,7 @@ impl OwnMachine {
         Ok(self.rows(table, keys)?.into_iter().map(|row| if let [one] = row[..] { Some(one) } else { None }).collect())
     }
 
-    /// The same for keys that have several numbers in a row, or one; nothing where nothing stands.
+    /// The same for keys with several numbers in a row, or one; empty for missing keys.
     ///
     /// # Errors
     /// A text that is not TOML.
@@ -119,10 +120,10 @@ impl OwnMachine {
         Ok(keys.iter().map(|key| at.and_then(|item| item.get(key)).map_or_else(Vec::new, row)).collect())
     }
 
-    /// The machine that `text` makes in place of this file.
+    /// The machine of `text`, which replaces this file.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Any fault of the text.
     pub fn check(&self, text: &str) -> Result<Machine, Failure> {
         let name = self.path.file_name().map_or_else(|| "machine.toml".into(), |n| n.to_string_lossy());
         machine_foreign(&name, text, self.path.parent().unwrap_or(Path::new(".")))

@@ -10,7 +10,7 @@ use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_tracking::beam::DeviationRecord;
 
-/// A simulated part; by default it lies as planned, and nothing is tracked.
+/// A simulated part; by default it lies as planned, and is not tracked.
 #[derive(Debug, Clone, Default)]
 pub struct Part {
     /// Deviation from the planned part.
@@ -22,7 +22,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// Under what it is welded.
+    /// Conditions of its welding.
     pub fn conditions<'a>(&'a self, seed: u64, faults: &'a [Fault], around: &'a Surroundings<'a>) -> Conditions<'a> {
         Conditions {
             seed,
@@ -47,10 +47,10 @@ impl Part {
         Err(Failure::Input(format!("{why}\n   allowed: {allowed}")))
     }
 
-    /// The plan, that leaves the axes what tracking needs.
+    /// The plan, with the axes' reserve for tracking.
     ///
     /// # Errors
-    /// What cannot be planned, or tracked.
+    /// A weld that the machine cannot make, or track.
     pub fn plan(&self, loaded: &Loaded) -> Result<WeldMotion, Failure> {
         self.plan_under(loaded, &Planning::default())
     }

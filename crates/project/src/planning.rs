@@ -5,19 +5,19 @@ use std::cell::Cell;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Limits on planning's searches, and who is shown their progress.
+/// Limits on planning's searches, and the display of their progress.
 #[derive(Clone, Copy)]
 pub struct Planning<'a> {
-    /// Longest time of all searches of a plan together; none for no limit.
+    /// Time limit of all searches of a plan together; `None` for no limit.
     pub limit: Option<Duration>,
-    /// Set by anybody who no longer wants the plan.
+    /// Set to cancel the plan.
     pub cancel: Option<&'a AtomicBool>,
     /// Shown the progress, a few hundred times a second.
     pub progress: Option<&'a dyn Fn(&SearchProgress)>,
 }
 
 impl Planning<'_> {
-    /// Longest time of all searches, if nothing else is asked for.
+    /// Default time limit of all searches.
     pub const LIMIT: Duration = Duration::from_secs(60);
 }
 

@@ -10,12 +10,12 @@ use seamwright_post::{
 };
 use seamwright_program::TorchPath;
 
-/// Why there is no part program.
+/// Reason why there is no part program.
 #[derive(Debug)]
 pub enum Unproven {
     /// It cannot be made.
     Failure(Failure),
-    /// Read back, it is not what was planned: a line each.
+    /// Differences of the text read back from the plan: a line each.
     Wrong(Vec<String>),
 }
 
@@ -64,7 +64,7 @@ pub fn proven(
     Ok((text(&write_options)?, proof))
 }
 
-/// Reads `text` back and holds it against what it was written from and the plan: what does not hold is not written.
+/// Reads `text` back and verifies it against its source and the plan: unproven text is not written.
 fn prove(part: &PartProgram, text: &str, level: Level, planned: Planned) -> Result<Verification, Unproven> {
     let start = start(planned.machine, planned.control);
     let options = ReadOptions { lenient: false, level, start: Some(start.clone()) };
@@ -73,7 +73,7 @@ fn prove(part: &PartProgram, text: &str, level: Level, planned: Planned) -> Resu
     verify(part, &back.program, &start, planned).map_err(Unproven::Wrong)
 }
 
-/// The row before the first block: all axes at home, nothing on.
+/// The row before the first block: all axes at home, all outputs off.
 pub fn start(machine: &Machine, control: &Control) -> Vec<f64> {
     let home = machine.home();
     let mut row = vec![0.0; control.channels.len()];

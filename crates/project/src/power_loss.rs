@@ -1,4 +1,4 @@
-//! The place of the weld on the disk, for the day the power fails.
+//! The position of the weld on the disk, for a power failure.
 
 use crate::Failure;
 use seamwright_cell::executive::{Mode, Place};
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant, SystemTime};
 /// Period at which the weld's position is written to the disk, s.
 const JOURNAL_S: f64 = 0.05;
 
-/// When the place of a weld is to be kept.
+/// Decides when the position of the weld is recorded.
 #[derive(Debug)]
 pub struct Watch {
     /// When it was kept last, s.
@@ -47,10 +47,10 @@ impl Watch {
     }
 }
 
-/// Refuses to begin anew what a power failure has left: somebody has to look at it and say.
+/// Refuses to start anew after a power failure until the operator has checked the weld and chosen a position.
 ///
 /// # Errors
-/// If something was left and `from` does not say where to go on.
+/// If a weld was left and `from` gives no position.
 pub fn check(data: Option<&Path>, from: Option<Place>) -> Result<(), Failure> {
     let Some(folder) = data.filter(|folder| folder.exists()) else { return Ok(()) };
     let journal = DataFolder::open(folder)?.journal()?;
@@ -84,7 +84,7 @@ struct Slot {
     ended: bool,
 }
 
-/// The slot, and who waits for it. Neither side can leave it half-changed, so a poisoned lock is still in order.
+/// The slot, with the signal of its changes. Both threads keep it consistent, so a poisoned lock is still usable.
 #[derive(Debug, Default)]
 struct Waiting(Mutex<Slot>, Condvar);
 
@@ -98,7 +98,7 @@ impl Waiting {
         self.1.notify_all();
     }
 
-    /// Waits for a place or for welds that are over; `None` once it has ended and nothing waits.
+    /// Waits for a position or for welds that are over; `None` once it has ended and the slot is empty.
     fn next(&self) -> Option<(Option<Position>, Vec<u64>)> {
         let idle = |slot: &mut Slot| slot.newest.is_none() && slot.over.is_empty() && !slot.ended;
         let mut slot = self.1.wait_while(self.lock(), idle).unwrap_or_else(PoisonError::into_inner);
@@ -106,7 +106,7 @@ impl Waiting {
         (work.0.is_some() || !work.1.is_empty()).then_some(work)
     }
 
-    /// Reports that these welds were looked after, and what failed.
+    /// Reports that these welds were handled, with the first error.
     fn done(&self, welds: &[u64], failed: Option<Error>) {
         self.tell(|slot| {
             slot.over.retain(|weld| !welds.contains(weld));
@@ -115,7 +115,7 @@ impl Waiting {
     }
 }
 
-/// A thread that keeps the newest place on the disk. Dropped, it frees the journal and leaves in it what is there.
+/// A thread that writes the newest position to the disk. Dropped, it frees the journal and leaves the last entry in it.
 #[derive(Debug)]
 pub struct Places {
     waiting: Arc<Waiting>,
@@ -135,7 +135,7 @@ pub fn writer(journal: Journal) -> Places {
 fn keep(mut journal: Journal, from: &Waiting) -> Journal {
     while let Some((newest, over)) = from.next() {
         let mut result = newest.map_or(Ok(()), |position| journal.write(&position));
-        // Of a weld that began since nothing is cleared.
+        // The entry of a weld that has started since is not cleared.
         if journal.last().is_some_and(|last| over.contains(&last.weld)) {
             result = result.and(journal.clear());
         }
@@ -150,15 +150,15 @@ impl Places {
     /// Maximum wait of a drop for the journal to be free.
     const PATIENCE: Duration = Duration::from_secs(1);
 
-    /// The newest place; in the stead of the one before, if that is not being written yet.
+    /// Sets the newest position; it replaces the one before, if that is not being written yet.
     pub fn tell(&self, position: Position) {
         self.waiting.tell(|slot| slot.newest = Some(position));
     }
 
-    /// A weld ended in order: waits until the journal has no place of it. Places of another weld stay.
+    /// A weld ended in order: waits until the journal holds no position of it. Positions of another weld stay.
     ///
     /// # Errors
-    /// What kept the journal from being written, now or since the last call.
+    /// The error of writing the journal, now or since the last call.
     pub fn over(&self, weld: u64) -> Result<(), Error> {
         self.waiting.tell(|slot| slot.over.push(weld));
         let mut slot = self.waiting.lock();
@@ -201,7 +201,7 @@ mod tests {
         Position { time: 1.0, weld, pass: 1, phase: 0, s: 2.0, welded_to: 1.0, corrections: [[0.0; 2]; 2] }
     }
 
-    /// A weld that is not ended in order leaves its place, and the journal to the next one.
+    /// A weld that does not end in order leaves its position, and the journal to the next one.
     #[test]
     fn dropped_places_free_the_journal_and_stay_in_it() {
         let folder = tempfile::tempdir().unwrap();
@@ -212,7 +212,7 @@ mod tests {
         assert_eq!(data.journal().unwrap().last(), Some(position(7)));
     }
 
-    /// The end of a weld takes nothing away from the one that has begun meanwhile.
+    /// The end of a weld keeps the entry of one that has started meanwhile.
     #[test]
     fn the_end_of_a_weld_clears_its_own_place_only() {
         let folder = tempfile::tempdir().unwrap();

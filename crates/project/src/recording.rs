@@ -39,7 +39,7 @@ pub struct Who {
     pub part: String,
     /// No metal is welded.
     pub simulated: bool,
-    /// Who welds.
+    /// Name of the welder.
     pub welder: Option<String>,
 }
 
@@ -48,7 +48,7 @@ pub fn most_rows(period_s: f64) -> u64 {
     (PART_S / period_s) as u64
 }
 
-/// Time and places in full, states in a byte, the rest to 7 digits.
+/// Time and positions in full, states in a byte, the rest to 7 digits.
 fn kind(name: &str) -> Kind {
     match name {
         "pass" | "missed" => Kind::U32,
@@ -101,7 +101,7 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
     })
 }
 
-/// A weld that goes on begins before the place up to which its pass is welded, by the overlap.
+/// A continued weld starts before the position up to which its pass is welded, by the overlap.
 fn goes_on(program: &Program, at: Place) -> String {
     let pass = at.pass.checked_sub(1).and_then(|i| program.passes.get(i));
     let overlap = pass.map_or(0.0, |pass| pass.sequence.overlap_mm.get());

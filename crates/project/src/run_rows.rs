@@ -71,7 +71,7 @@ pub struct Tips {
 }
 
 impl Tips {
-    /// The tip's speed (mm/s), and how far it is beside its way (mm), by what the drives report of a cycle.
+    /// The tip's speed (mm/s), and its distance from its way (mm), by the reports of the drives in a cycle.
     fn next(&mut self, machine: &Machine, c: &Shown) -> (f64, f64) {
         if c.place.pass != self.pass {
             (self.last, self.pass) = (VecDeque::new(), c.place.pass);

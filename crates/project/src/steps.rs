@@ -18,7 +18,7 @@ const ROOM: usize = 1 << 18;
 /// Period at which the writer looks for new edges.
 const LOOK: Duration = Duration::from_millis(5);
 
-/// Drives by pulses, and who writes the pulses.
+/// Drives by pulses, and the thread that writes the pulses.
 #[derive(Debug)]
 pub(crate) struct StreamedSteps {
     /// Gone before the writer is waited for: its end is the end of the stream.
@@ -51,7 +51,7 @@ impl StreamedSteps {
         let tick_ns = u64::from(device.tick_ns);
         let writer = std::thread::spawn(move || {
             if let Err(error) = write(vcd, edges, tick_ns) {
-                // The drives have noticed: nobody takes their edges any more.
+                // The drives have noticed: their edges are not read any more.
                 let _ = writeln!(std::io::stderr(), "note: {}: {error}: the pulses end here", path.display());
             }
         });
@@ -63,7 +63,7 @@ impl StreamedSteps {
 fn write(mut vcd: VcdWriter<BufWriter<File>>, mut edges: Consumer<Event>, tick_ns: u64) -> std::io::Result<()> {
     let mut now = 0;
     loop {
-        // Asked first: what comes before the end is still there afterwards.
+        // Read first: edges before the end are still there afterwards.
         let ended = edges.is_abandoned();
         while let Ok(event) = edges.pop() {
             now = event.tick * tick_ns;
@@ -103,11 +103,11 @@ impl Drives for StreamedSteps {
 }
 
 impl Drop for StreamedSteps {
-    /// All that was made is written.
+    /// All edges so far are written.
     fn drop(&mut self) {
         self.drives = None;
         if let Some(writer) = self.writer.take() {
-            // A writer that failed has said so.
+            // A writer that failed has reported it.
             let _ = writer.join();
         }
     }

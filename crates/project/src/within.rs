@@ -38,12 +38,12 @@ impl<'a> Within<'a> {
     /// The file called `name`.
     ///
     /// # Errors
-    /// One that may not be looked at; with a fence also one that is not there.
+    /// A file outside the fence; with a fence also a missing one.
     pub(crate) fn file(&self, name: &str) -> io::Result<PathBuf> {
         let path = self.folder.join(name);
         let Some(fence) = self.fence else { return Ok(path) };
         let refused = |why: &str| Err(io::Error::new(io::ErrorKind::PermissionDenied, why));
-        // By its name first: what is there or not outside is nobody's business.
+        // By its name first: the error must not reveal whether a file outside exists.
         if !Path::new(name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
             return refused("it would lie outside of the folder of the jobs");
         }
@@ -51,7 +51,7 @@ impl<'a> Within<'a> {
         if !real.starts_with(fence.canonicalize()?) {
             return refused("it leads out of the folder of the jobs");
         }
-        // Not a pipe nor a device, on which one waits for ever.
+        // Pipes and devices are refused: reading them may block for ever.
         let about = real.metadata()?;
         match about.len() {
             _ if !about.is_file() => refused("it is no plain file"),

@@ -21,17 +21,18 @@ const MANIFEST: &str = "manifest.sha256";
 const MAX_MANIFEST: u64 = 64 << 20;
 
 impl DataFolder {
-    /// Writes everything into one tar archive: the library as it is at this moment, all files of welds, jobs and users, and the hashes of
-    /// all of them. Keys of encrypted connections stay where they are. Welds may go on meanwhile; what runs is in it as the library has
-    /// it, without its trace.
+    /// Writes all data into one tar archive: the library at this moment, all files of welds, jobs and users, and the
+    /// hashes of all of them. Keys of encrypted connections are left out. Welds may go on meanwhile; a running weld is
+    /// in it as the library has it, without its trace.
     ///
     /// # Errors
-    /// If something cannot be read, there is no room for a copy of the library, or `out` fails.
+    /// If a file cannot be read, there is no room for a copy of the library, or `out` fails.
     pub fn back_up(&self, out: impl Write) -> Result<(), Error> {
         self.back_up_files(out, &WITH)
     }
 
-    /// Writes the same without users: whoever has it cannot try their passwords. Restored, it leaves the users as they are.
+    /// Writes the same without users: the archive gives no access to their password hashes. A restore leaves the users
+    /// unchanged.
     ///
     /// # Errors
     /// See [`Self::back_up`].
@@ -63,8 +64,8 @@ struct Archive<W: Write> {
 }
 
 impl<W: Write> Archive<W> {
-    /// Adds a file, or a folder with what is in it; what is not there, or goes meanwhile, is left out. So are raw traces: they grow
-    /// while a weld runs.
+    /// Adds a file, or a folder with its contents; missing files, also those removed meanwhile, are left out. So are
+    /// raw traces: they grow while a weld runs.
     fn add(&mut self, path: &Path, name: &Path) -> std::io::Result<()> {
         let Ok(kind) = fs::symlink_metadata(path) else { return Ok(()) };
         if kind.is_dir() {
@@ -101,11 +102,11 @@ fn line(hash: &str, name: &Path) -> String {
     format!("{hash}  {}\n", name.display())
 }
 
-/// Makes the data folder `folder`, which must not be there or be empty, from an archive of [`DataFolder::back_up`]: all of it, or
-/// nothing. Every file must be as it was when it was backed up; rows of the library are copied into one of our own.
+/// Restores the data folder `folder`, which must be missing or empty, from an archive of [`DataFolder::back_up`]: all
+/// of it, or none. Every file must be unchanged since the backup; rows of the library are copied into one of our own.
 ///
 /// # Errors
-/// A folder with something in it, an archive that is damaged, was changed or has no library, a disk that is full.
+/// A folder that is not empty, an archive that is damaged, was changed or has no library, a full disk.
 pub fn restore(archive: &Path, folder: &Path) -> Result<(), Error> {
     let used = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some()) || folder.is_file();
     if used {
@@ -143,7 +144,7 @@ pub fn restore(archive: &Path, folder: &Path) -> Result<(), Error> {
     fs::rename(&inside, folder).map_err(|e| Error::io(folder, "cannot be made", e))
 }
 
-/// The folder that is thrown away says nothing to the user.
+/// Removes the path of the temporary folder, which means nothing to the user.
 fn relative(text: &str, folder: &Path) -> String {
     text.replace(&format!("{}/", folder.display()), "")
 }
@@ -200,7 +201,7 @@ fn lines(folder: &Path, name: &Path, found: &mut BTreeSet<String>) -> Result<(),
     Ok(())
 }
 
-/// Only plain files and folders of the kinds that an archive has; nothing outside `folder`.
+/// Unpacks only plain files and folders of the kinds that an archive has, and only into `folder`.
 fn unpack(mut file: impl Read + Seek, folder: &Path) -> std::io::Result<()> {
     fs::create_dir(folder)?;
     let mut end = 0;
@@ -274,7 +275,7 @@ mod tests {
         assert!(!to.join("tls").exists() && !to.join(MANIFEST).exists());
         // Existing data are never overwritten.
         assert!(restore(&archive, &to).is_err());
-        // Cut off anywhere it is refused, and nothing is left behind.
+        // Cut off anywhere it is refused, and leaves no files behind.
         let bytes = fs::read(&archive).unwrap();
         for part in 1..40 {
             let cut = scratch.path().join("cut.tar");
@@ -303,7 +304,7 @@ mod tests {
         assert_eq!((mode("users.json") & 0o177, mode("jobs/mine.toml") & 0o022), (0, 0));
     }
 
-    /// A byte of an archive that is another one, wherever it is, is found, unless nothing that is restored hangs on it.
+    /// Any changed byte of an archive is detected, unless it has no effect on the restored data.
     #[test]
     fn altered_archives_are_refused() {
         let scratch = tempfile::tempdir().unwrap();
@@ -322,7 +323,7 @@ mod tests {
             fs::write(&altered, &changed).unwrap();
             if restore(&altered, &to).is_ok() {
                 taken += 1;
-                // Padding between files: what came back is what was there.
+                // Padding between files: the restored files equal the saved ones.
                 for file in ["welds/000001/trace.parquet", "jobs/mine.toml", "users.json"] {
                     assert_eq!(
                         sha256_of_file(&from.join(file)).unwrap(),
@@ -338,7 +339,7 @@ mod tests {
         assert!(taken < 15, "{taken} of 150 altered archives were taken");
     }
 
-    /// Archives of versions that wrote no hashes are still taken, if what the library knows is in order.
+    /// Archives of versions that wrote no hashes are still accepted, if they match the library.
     #[test]
     fn archives_without_hashes_are_taken_in_order_only() {
         let scratch = tempfile::tempdir().unwrap();

@@ -28,14 +28,14 @@ pub struct Recovered {
     pub weld: WeldRecord,
     /// Rows of its trace.
     pub rows: u64,
-    /// Bytes of it that are no whole rows.
+    /// Bytes of it that form no whole rows.
     pub unread_bytes: u64,
 }
 
 /// Result of [`DataFolder::verify`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Verified {
-    /// Welds looked at.
+    /// Number of welds checked.
     pub welds: usize,
     /// Files whose hashes are right.
     pub files: usize,
@@ -46,8 +46,8 @@ pub struct Verified {
 }
 
 impl DataFolder {
-    /// Opens the folder to write, and makes what is missing. A restore that was broken off is finished first. Records that others may
-    /// read, as older versions wrote them, become the owner's alone.
+    /// Opens the folder to write, and creates missing parts. An interrupted restore is finished first. Records that
+    /// others may read, from older versions, become readable by the owner only.
     ///
     /// # Errors
     /// If it cannot be written, or its library cannot be opened.
@@ -56,7 +56,7 @@ impl DataFolder {
         let welds = path.join("welds");
         private::folder(&welds).map_err(|e| Error::io(&welds, "cannot be made", e))?;
         for name in PRIVATE {
-            // Of files that belong to somebody else their owner decides.
+            // Errors are ignored: the permissions of another user's files are left alone.
             drop(private::tighten(&path.join(name)));
         }
         Ok(Self { path: path.to_owned(), library: Library::open(&path.join("library.sqlite"))? })
@@ -81,7 +81,7 @@ impl DataFolder {
         &self.library
     }
 
-    /// The library, to write what needs it alone.
+    /// The library, for changes to it alone.
     pub fn library_mut(&mut self) -> &mut Library {
         &mut self.library
     }
@@ -111,10 +111,10 @@ impl DataFolder {
         Journal::open(&self.path)
     }
 
-    /// Begins to record a weld.
+    /// Starts to record a weld.
     ///
     /// # Errors
-    /// If there is no room for it, or nothing can be written: the weld is then not to begin, and nothing is left of it.
+    /// If the disk is full, or writing fails: the weld must not start then, and its folder and entry are removed.
     pub fn begin(&mut self, plan: &Plan) -> Result<Recording, Error> {
         self.check_room(plan)?;
         let text = |kind, (name, text): &(String, String)| self.library.add_document(kind, name, text);
@@ -142,13 +142,13 @@ impl DataFolder {
 
     /// Removes the remains of a weld that failed to start. If that fails too, [`DataFolder::recover`] settles them.
     fn take_back(&self, id: i64, folder: &Path) {
-        // No weld had this number, so nothing of another one is there.
+        // The number is new, so no data of another weld are there.
         drop(fs::remove_file(folder.join("trace.raw")));
         drop(fs::remove_dir(folder));
         drop(self.library.take_back_weld(id));
     }
 
-    /// Refuses a weld whose trace would not find room: as raw rows, and once more as Parquet.
+    /// Refuses a weld whose trace would not fit on the disk: as raw rows, and once more as Parquet.
     fn check_room(&self, plan: &Plan) -> Result<(), Error> {
         let row: u64 = plan.columns.iter().map(|c| c.kind.bytes() as u64).sum();
         let wanted = plan.rows.saturating_mul(2 * row).saturating_add(SPARE);
@@ -161,8 +161,8 @@ impl DataFolder {
         }
     }
 
-    /// Numbers of welds that have files, but no entry in the library: it has lost them, by damage to its write-ahead log say, which
-    /// SQLite takes for its end.
+    /// Numbers of welds that have files, but no entry in the library. For example, it loses entries by damage to its
+    /// write-ahead log, which SQLite takes for its end.
     ///
     /// # Errors
     /// If folder or library cannot be read.
@@ -185,10 +185,10 @@ impl DataFolder {
         Ok(entries.flatten().filter_map(number).collect())
     }
 
-    /// Makes whole what crashes left: traces to Parquet, and welds that ran to interrupted ones.
+    /// Repairs the data after a crash: traces to Parquet, and running welds to interrupted ones.
     ///
     /// # Errors
-    /// If something cannot be read or written.
+    /// If a file cannot be read or written.
     pub fn recover(&mut self) -> Result<Vec<Recovered>, Error> {
         let mut recovered = Vec::new();
         for weld in self.library.find(&crate::library::Query::default())?.into_iter().rev() {
@@ -217,7 +217,7 @@ impl DataFolder {
             n => format!("recovered {}, {n} bytes at the end of the trace were no whole rows", Moment::now()),
         };
         note = if note.is_empty() { said } else { format!("{note}; {said}") };
-        // When the last file was written, nothing came after.
+        // The weld ended with the last write to its files.
         let modified = fs::read_dir(folder).into_iter().flatten().flatten();
         let modified = modified.filter_map(|f| f.metadata().ok()?.modified().ok()).max();
         let since = modified.and_then(|t| t.duration_since(std::time::UNIX_EPOCH).ok());
@@ -229,7 +229,7 @@ impl DataFolder {
     /// Checks the database, the audit log, and the hash of every file and text that the library names.
     ///
     /// # Errors
-    /// If the library cannot be read at all; what else is wrong is in the answer.
+    /// If the library cannot be read at all; other faults are in the result.
     pub fn verify(&self) -> Result<Verified, Error> {
         let mut problems = self.library.integrity()?;
         problems.extend(self.library.foreign_schema()?);
@@ -271,7 +271,7 @@ fn has_raw(folder: &Path) -> Result<bool, Error> {
     Ok(entries.flatten().any(|f| f.path().extension().is_some_and(|e| e == "raw")))
 }
 
-/// Bytes that may still be written to the disk of `path`, where the system says.
+/// Bytes free on the disk of `path`, if the system reports them.
 #[cfg(unix)]
 fn free_bytes(path: &Path) -> Result<Option<u64>, Error> {
     let room = rustix::fs::statvfs(path).map_err(|e| Error::io(path, "cannot be read", e.into()))?;

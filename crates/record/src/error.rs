@@ -2,17 +2,17 @@ use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Why something cannot be recorded or read. Every message names the file and what to do.
+/// Reason why data cannot be recorded or read. Every message names the file and the operator action.
 #[derive(Debug, Error)]
 pub enum Error {
-    /// There is no room left on the disk.
+    /// The disk is full.
     #[error(
         "{}: {why}\n   allowed: make room, or another data folder; what was written before is kept", path.display()
     )]
     Full {
         /// The file.
         path: PathBuf,
-        /// That it is full, or how much is missing.
+        /// Reason: the disk is full, or how much is missing.
         why: String,
     },
     /// The folder or file is read-only.
@@ -33,7 +33,7 @@ pub enum Error {
         /// Error of the system.
         cause: io::Error,
     },
-    /// A file is not what it should be.
+    /// A file is damaged.
     #[error("{}: {why}\n   allowed: {allowed}", path.display())]
     Damaged {
         /// The file.
@@ -81,7 +81,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// A failure of the system at `path` while `doing` something.
+    /// A failure of the system at `path` during the action `doing`.
     pub(crate) fn io(path: &Path, doing: &'static str, cause: io::Error) -> Self {
         use io::ErrorKind::{PermissionDenied, QuotaExceeded, ReadOnlyFilesystem, StorageFull};
         let path = path.to_owned();
@@ -136,7 +136,7 @@ impl Error {
         }
     }
 
-    /// True if the user can mend it by asking for something else; false if the system or a disk failed.
+    /// True if another request by the user avoids the error; false if the system or a disk failed.
     pub fn is_input(&self) -> bool {
         match self {
             Self::ReadOnly { .. } | Self::Newer { .. } | Self::Wrong { .. } => true,

@@ -27,7 +27,7 @@ pub struct Basis {
 /// Power as a product of columns.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Power {
-    /// Columns, and what turns each into A, V or W.
+    /// Columns, with the factor of each to A, V or W.
     pub factors: Vec<(String, f64)>,
     /// Part of the power that counts as heat input.
     pub efficiency: f64,
@@ -40,7 +40,7 @@ pub struct Judged {
     pub pass: u32,
     /// The column.
     pub name: String,
-    /// Least and greatest value allowed.
+    /// Minimum and maximum value allowed.
     pub allowed: Option<(f64, f64)>,
     /// Stretches of path length (mm) in which it counts; empty: wherever the arc is on.
     pub along: Vec<(f64, f64)>,
@@ -53,13 +53,13 @@ pub struct Value {
     pub pass: u32,
     /// Its name, which ends in its unit.
     pub name: String,
-    /// Least value.
+    /// Minimum.
     pub least: f64,
     /// Mean over time; of the heat input over the way.
     pub mean: f64,
-    /// Greatest value.
+    /// Maximum.
     pub greatest: f64,
-    /// Least and greatest value allowed.
+    /// Minimum and maximum value allowed.
     pub allowed: Option<(f64, f64)>,
     /// Time outside the window, s.
     pub outside_s: f64,
@@ -88,13 +88,13 @@ pub struct Figures {
     pub arc_on_s: f64,
     /// Time of the last row, s.
     pub last_s: f64,
-    /// Least, mean and greatest heat input, kJ/mm, over [`BIN_MM`] each.
+    /// Minimum, mean and maximum heat input, kJ/mm, over [`BIN_MM`] each.
     pub heat_input_kj_mm: Option<[f64; 3]>,
     /// Heat input along each pass.
     pub heat_input: Vec<Curve>,
-    /// Greatest distance of the torch tip from the seam with the arc on (mm), and where (mm).
+    /// Maximum distance of the torch tip from the seam with the arc on (mm), and its position (mm).
     pub worst_deviation_mm: Option<(f64, f64)>,
-    /// Deviations along each pass, of each [`BIN_MM`] the greatest: columns `path_error_mm`, `miss_lateral_mm..`,
+    /// Deviations along each pass, the maximum of each [`BIN_MM`]: columns `path_error_mm`, `miss_lateral_mm..`,
     /// `miss_height_mm..`.
     pub deviations: Vec<Curve>,
     /// Values against their windows.

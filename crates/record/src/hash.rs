@@ -29,7 +29,7 @@ pub fn sha256_of_file(path: &Path) -> Result<(String, u64), Error> {
     }
 }
 
-/// A reader that hashes what is read.
+/// A reader that hashes the bytes read.
 pub(crate) struct Hashing<R> {
     inner: R,
     hasher: Sha256,
@@ -40,7 +40,7 @@ impl<R: Read> Hashing<R> {
         Self { inner, hasher: Sha256::new() }
     }
 
-    /// SHA-256 of what was read, in hexadecimal.
+    /// SHA-256 of the bytes read, in hexadecimal.
     pub(crate) fn finish(self) -> String {
         hexadecimal(&self.hasher.finalize())
     }

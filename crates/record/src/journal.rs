@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 const MARK: &[u8; 8] = b"SEAMJRN1";
 /// Bytes of an entry with its checksum.
 const ENTRY: usize = 92;
-/// Bytes of a file: what a disk writes at once.
+/// Bytes of a file: the size that a disk writes at once.
 const BLOCK: usize = 4096;
 const NAMES: [&str; 2] = ["position.a", "position.b"];
 
@@ -36,7 +36,7 @@ pub struct Position {
     pub pass: u32,
     /// Phase of the process, as the executive counts it.
     pub phase: u8,
-    /// Place of the torch by path length, mm.
+    /// Position of the torch by path length, mm.
     pub s: f64,
     /// The weld is good up to here, mm.
     pub welded_to: f64,
@@ -53,7 +53,7 @@ pub struct Journal {
     /// Number of the newest entry.
     sequence: u64,
     last: Option<Position>,
-    /// Neither file has a whole entry, and at least one had something: what the newest said is not known.
+    /// Neither file has a whole entry, but at least one has data: the newest entry is unknown.
     damaged: bool,
 }
 
@@ -85,7 +85,7 @@ impl Journal {
         self.damaged
     }
 
-    /// The newest entry that is whole: none if the weld before ended well, or there was none.
+    /// The newest whole entry; `None` if the weld before ended well, or there was no weld.
     pub fn last(&self) -> Option<Position> {
         self.last
     }
@@ -98,7 +98,7 @@ impl Journal {
         self.put(Some(*position))
     }
 
-    /// The weld ended well: nothing is to be resumed.
+    /// Clears the journal: the weld ended well.
     ///
     /// # Errors
     /// If it cannot be written.
@@ -138,7 +138,7 @@ fn open(path: &Path) -> Result<(PathBuf, File), Error> {
     }
     let length = file.metadata().map_err(failed)?.len();
     if length != BLOCK as u64 {
-        // Bytes that are really there, so that later writes need no room and change no lengths.
+        // Allocates the bytes on the disk, so that later writes need no space and change no lengths.
         let missing = BLOCK.saturating_sub(length as usize);
         let filled = file.seek(SeekFrom::End(0)).and_then(|_| file.write_all(&vec![0; missing]));
         filled.and_then(|()| file.set_len(BLOCK as u64)).and_then(|()| file.sync_all()).map_err(failed)?;
@@ -165,7 +165,7 @@ fn encoded(sequence: u64, position: Option<Position>) -> [u8; ENTRY] {
     bytes
 }
 
-/// Number and position of the entry in a file; none if it is not whole.
+/// Number and position of the entry in a file; `None` if it is not whole.
 fn read(file: &mut File) -> std::io::Result<Option<(u64, Option<Position>)>> {
     let mut bytes = [0; ENTRY];
     file.seek(SeekFrom::Start(0))?;
@@ -176,7 +176,7 @@ fn read(file: &mut File) -> std::io::Result<Option<(u64, Option<Position>)>> {
     Ok(decoded(&bytes))
 }
 
-/// True for a file in which nothing was ever written.
+/// True for a file that was never written.
 fn is_blank(file: &mut File) -> std::io::Result<bool> {
     let mut bytes = Vec::with_capacity(BLOCK);
     file.seek(SeekFrom::Start(0))?;
@@ -261,13 +261,13 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let first = Journal::open(folder.path()).unwrap();
         assert!(matches!(Journal::open(folder.path()), Err(Error::Busy { .. })));
-        // As a program that is being started has them.
+        // Handles as a child process inherits them.
         let _inherited: Vec<_> = first.files.iter().map(|(_, file)| file.try_clone().unwrap()).collect();
         drop(first);
         assert!(Journal::open(folder.path()).is_ok());
     }
 
-    /// Entry `n` torn after every byte: its beginning over the entry two before, or its end alone.
+    /// Entry `n` torn after every byte: its start over the entry two before, or its end alone.
     #[test]
     fn torn_at_every_byte_the_newest_or_the_one_before() {
         let folder = tempfile::tempdir().unwrap();
@@ -318,7 +318,8 @@ mod tests {
         }
     }
 
-    /// Both damaged is not "nothing was left": it is said, until an entry is written. One damaged, or none written, is not that.
+    /// Damage of both files is reported until an entry is written. It differs from a journal with one damaged file, or
+    /// without an entry.
     #[test]
     fn both_files_damaged_are_told() {
         let folder = tempfile::tempdir().unwrap();

@@ -1,10 +1,10 @@
 //! Records of welds, for years: plain data in, plain data out.
 //!
 //! - [`trace`]: rows of a weld, written while it runs and readable after a crash; Parquet in the end.
-//! - [`journal`]: where the weld was, for the day the power fails.
+//! - [`journal`]: position of the weld, for a power failure.
 //! - [`library`]: jobs, programs, machines, procedures, welders, welds, alarms, events and the audit log, in SQLite.
-//! - [`figures`]: what a trace comes to: heat input and deviations along the seam, values against their windows.
-//! - [`DataFolder`] puts them together: a weld is begun, recorded and ended in it.
+//! - [`figures`]: figures of a trace: heat input and deviations along the seam, values against their windows.
+//! - [`DataFolder`] combines them: a weld is started, recorded and ended in it.
 //! - [`VcdWriter`]: pulses as a value change dump.
 //!
 //! `docs/records.md` has the folder, the tables and the columns.

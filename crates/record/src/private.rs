@@ -1,4 +1,4 @@
-//! Files and folders that nobody but their owner reads, whatever the folder that they are in allows.
+//! Files and folders that only their owner can read, regardless of the permissions of the folder around them.
 
 #[cfg(unix)]
 use std::fs;
@@ -13,7 +13,7 @@ pub(crate) fn folder(path: &Path) -> std::io::Result<()> {
     builder.recursive(true).create(path)
 }
 
-/// To open files with; new ones are the owner's alone.
+/// Options to open files; new ones are readable by the owner only.
 pub(crate) fn options() -> OpenOptions {
     let mut options = OpenOptions::new();
     #[cfg(unix)]
@@ -21,8 +21,8 @@ pub(crate) fn options() -> OpenOptions {
     options
 }
 
-/// Takes the rights of others away from a file or folder, if it is there; before that from what is in a folder that others may enter,
-/// so that it costs one look once it was done. Links in folders are left alone.
+/// Takes the rights of others away from a file or folder, if it exists. The contents of a folder that others may enter
+/// come before it, so that a second call costs one look. Links in folders are left alone.
 #[cfg(unix)]
 pub(crate) fn tighten(path: &Path) -> std::io::Result<()> {
     use std::os::unix::fs::PermissionsExt as _;
@@ -42,7 +42,7 @@ pub(crate) fn tighten(path: &Path) -> std::io::Result<()> {
     fs::set_permissions(path, fs::Permissions::from_mode(mode & 0o700))
 }
 
-/// Does nothing where files have no such modes.
+/// No effect on systems whose files have no such modes.
 #[cfg(not(unix))]
 pub(crate) fn tighten(_: &Path) -> std::io::Result<()> {
     Ok(())

@@ -24,7 +24,7 @@ pub struct Plan {
     pub machine: (String, String),
     /// Number and text of the welding procedure.
     pub procedure: Option<(String, String)>,
-    /// Who welds.
+    /// Name of the welder.
     pub welder: Option<String>,
     /// Columns of the trace.
     pub columns: Vec<Column>,
@@ -32,7 +32,7 @@ pub struct Plan {
     pub about: Vec<(&'static str, String)>,
     /// Rows of a part of the trace at most.
     pub most_rows: u64,
-    /// Rows that are expected: the weld is refused if there is no room for them.
+    /// Expected number of rows: the weld is refused without room for them.
     pub rows: u64,
     /// Inputs of the figures.
     pub basis: Basis,
@@ -43,7 +43,7 @@ pub struct Plan {
 /// End of a weld.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// With what result.
+    /// Result of the weld.
     pub result: WeldResult,
     /// Further remarks; may be empty.
     pub note: String,
@@ -53,12 +53,12 @@ pub struct Outcome {
 
 /// A weld that is being recorded.
 ///
-/// Rows never stop the weld: what cannot be written is counted, said once by [`Recording::trouble`], and stands in the
-/// weld's note in the end.
+/// Rows never stop the weld: rows that fail to be written are counted, reported once by [`Recording::trouble`], and
+/// noted in the weld's note in the end.
 #[derive(Debug)]
 pub struct Recording {
     id: i64,
-    /// When it began, by the system's clock, and by one that nobody sets.
+    /// Start by the system's clock, and by the monotonic one.
     begun: (Moment, Instant),
     folder: PathBuf,
     writer: TraceWriter,
@@ -95,7 +95,7 @@ impl Recording {
         }
     }
 
-    /// Why rows could not be written, if some could not: an alarm should say so.
+    /// Reason why rows could not be written, if any: an alarm should report it.
     pub fn trouble(&self) -> Option<&str> {
         self.trouble.as_deref()
     }
@@ -128,7 +128,7 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     whole_file::finish(file, path)
 }
 
-/// Puts what is in a weld's folder into the library, with the weld's end.
+/// Puts the contents of a weld's folder into the library, with the weld's end.
 pub(crate) fn settle(
     data: &mut DataFolder,
     id: i64,
@@ -148,7 +148,7 @@ pub(crate) fn settle(
     });
     let beyond: f64 = figures.values.iter().filter(|v| v.name == HEAT_INPUT).map(|v| v.outside_mm).sum();
     let result = match result {
-        // Energy over a way, of which noise of the arc is averaged out: what the procedure was qualified for was left.
+        // Energy over a way, which averages out the noise of the arc: the qualified range of the procedure was left.
         WeldResult::Good if beyond > 0.0 => {
             let why = format!("heat input outside of the procedure over {beyond:.0} mm");
             note = if note.is_empty() { why } else { format!("{note}; {why}") };

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 const CHECKED: &str = "restore-checked";
 /// The same once it is decided: the old data are moved into its `old`.
 const BEGUN: &str = "restore-begun";
-/// The same once the old data are out of the way: its `new` is moved into their place.
+/// The same once the old data are moved away: its `new` replaces them.
 const MOVED: &str = "restore-moved";
 
 /// Files that a restore replaces: an archive has some of them. Keys of encrypted connections (`tls`) stay.
@@ -68,10 +68,10 @@ pub fn check_archive(archive: &Path, data: &Path) -> Result<(Contents, PathBuf),
     Ok((contents, checked.join("new")))
 }
 
-/// Throws away what [`check_archive`] has unpacked, if anything.
+/// Removes the files unpacked by [`check_archive`], if any.
 ///
 /// # Errors
-/// If it cannot be removed.
+/// If they cannot be removed.
 pub fn discard_checked(data: &Path) -> Result<(), Error> {
     let checked = data.join(CHECKED);
     match fs::remove_dir_all(&checked) {
@@ -85,10 +85,11 @@ pub fn has_checked(data: &Path) -> bool {
     data.join(CHECKED).is_dir()
 }
 
-/// Puts the archive that was checked in place of the data, which nobody may have open. Gives where the old data are kept.
+/// Replaces the data, which must not be open, by the checked archive. Returns the folder of the old data.
 ///
 /// # Errors
-/// If nothing was checked, or files cannot be moved: then [`finish_replacing`] goes on, at the latest when the folder is opened next.
+/// Without a checked archive, or if files cannot be moved: then [`finish_replacing`] continues, at the latest when the
+/// folder is opened next.
 pub fn replace_by_checked(data: &Path) -> Result<PathBuf, Error> {
     let checked = data.join(CHECKED);
     keep_users(data, &checked.join("new"))?;
@@ -223,7 +224,7 @@ mod tests {
         fs::create_dir(data.join("tls")).unwrap();
         let (contents, new) = check_archive(&archive, &data).unwrap();
         assert_eq!(contents, Contents { welds: 0, newest: None, jobs: 1, audit: 1 });
-        // Only looked at until then.
+        // The data are unchanged until then.
         assert!(has_checked(&data) && new.join("users.json").is_file());
         assert_eq!(name_in(&data), "old");
         let kept = replace_by_checked(&data).unwrap();
@@ -314,7 +315,7 @@ mod tests {
             drop(query);
             triggers.iter().for_each(|(name, _)| db.execute_batch(&format!("DROP TRIGGER {name}")).unwrap());
             db.execute_batch(sql).unwrap();
-            // As it was, to the eye.
+            // Triggers restored, so that the change is not visible in the schema.
             triggers.iter().for_each(|(_, sql)| db.execute_batch(sql).unwrap());
             db.execute_batch("PRAGMA wal_checkpoint(TRUNCATE)").unwrap();
             drop(db);

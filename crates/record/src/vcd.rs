@@ -1,7 +1,7 @@
 use std::io::{self, Write};
 
 /// Writes step and direction lines as a value change dump (IEEE 1364, clause 18), which GTKWave and logic analysers
-/// open. Times are whole multiples of 1 ns. Memory does not grow with what is written.
+/// open. Times are whole multiples of 1 ns. Memory does not grow with the output.
 ///
 /// Each axis is a scope with the wires `step` and `direction`; direction 1 counts up.
 pub struct VcdWriter<W: Write> {

@@ -1,8 +1,8 @@
 //! Files that are written whole or not at all: a temporary name, sync, rename.
 //!
-//! The name that the user gives may already be there, and need not be a plain file. [`WholeFile`] follows symbolic
-//! links, keeps mode and owner of a file that it replaces, and writes to pipes and character devices instead of
-//! putting a file in their place.
+//! The user's name may exist already, and need not be a plain file. [`WholeFile`] follows symbolic links and keeps mode
+//! and owner of a file that it replaces. It writes to pipes and character devices instead of putting a file in their
+//! place.
 
 use crate::Error;
 use std::fs::{self, File, Metadata, OpenOptions};
@@ -21,7 +21,7 @@ const MAX_LINKS: usize = 40;
 
 /// A file being written; [`WholeFile::finish`] gives it its name.
 ///
-/// Dropped unfinished it leaves nothing, and what was there before stays as it was.
+/// Dropped unfinished it leaves no file, and an existing file stays unchanged.
 #[derive(Debug)]
 pub struct WholeFile {
     file: NamedTempFile,
@@ -30,7 +30,7 @@ pub struct WholeFile {
 
 /// A file that was written and synced, and closed; [`ClosedFile::finish`] gives it its name.
 ///
-/// Dropped unfinished it leaves nothing. Many of them wait for their names without a file handle each.
+/// Dropped unfinished it leaves no file. Many of them wait for their names without a file handle each.
 #[derive(Debug)]
 pub struct ClosedFile {
     file: TempPath,
@@ -40,18 +40,18 @@ pub struct ClosedFile {
 /// Destination of a finished file.
 #[derive(Debug)]
 enum Destination {
-    /// Takes this name, which is no link, and replaces the file that has it.
+    /// Takes this name, which is not a link, and replaces the file of that name.
     Replace(PathBuf),
     /// Is copied into this pipe, character device or open file.
     Stream(PathBuf),
 }
 
 impl WholeFile {
-    /// Begins a file that will be called `path`; its folder must exist.
+    /// Starts a file that will be called `path`; its folder must exist.
     ///
     /// # Errors
-    /// Where nothing can be written: no such folder, no permission, a folder, socket or block device of that name, or
-    /// a file whose owner cannot be kept.
+    /// If writing is impossible: no such folder, no permission, a folder, socket or block device of that name. Also a
+    /// file whose owner cannot be kept.
     pub fn create(path: &Path) -> io::Result<Self> {
         Self::create_with(path, MODE)
     }
@@ -129,7 +129,7 @@ impl Write for WholeFile {
     }
 }
 
-/// Follows the links of `path`; where the file goes, and what it replaces.
+/// Follows the links of `path`. Returns the destination, and the file that it replaces.
 fn resolve(path: &Path) -> io::Result<(Destination, Option<Metadata>)> {
     let mut path = path.to_owned();
     for _ in 0..MAX_LINKS {
@@ -177,7 +177,7 @@ fn not_missing(found: io::Result<Metadata>) -> io::Result<Option<Metadata>> {
     }
 }
 
-/// Tells whether a link stands for a file that a process has open, as `/dev/stdout` does in the end: its name leads to
+/// Returns whether a link refers to a file that a process has open, as `/dev/stdout` does in the end. Its name leads to
 /// the open file, and replacing that would leave the process with one that has no name.
 fn is_of_open_file(link: &Path) -> bool {
     folder_of(link).canonicalize().is_ok_and(|folder| folder.starts_with("/proc"))
@@ -231,7 +231,7 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Begins the file `path` of a data folder: its owner's alone, whatever the folder allows.
+/// Starts the file `path` of a data folder: readable by its owner only, regardless of the folder's permissions.
 pub(crate) fn create(path: &Path) -> Result<WholeFile, Error> {
     WholeFile::create_private(path).map_err(|e| Error::io(path, "cannot be written", e))
 }

@@ -4,7 +4,7 @@
 
 use seamwright_record::trace::{Column, Kind, Trace, TraceWriter};
 
-/// Greatest memory of this process so far, MB.
+/// Maximum memory of this process so far, MB.
 fn peak_mb() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap();
     let line = status.lines().find(|l| l.starts_with("VmHWM:")).unwrap();
@@ -29,7 +29,7 @@ fn a_day_of_rows() {
     }
     let parts = writer.finish().unwrap();
     assert_eq!(parts.iter().map(|p| p.rows).collect::<Vec<_>>(), [HOUR; 24]);
-    // The second part is written while the first becomes Parquet: after that nothing new comes.
+    // The second part is written while the first is converted to Parquet: that is the maximum of memory.
     let peak = peak_mb();
     assert!(peak <= after_two + 8, "{after_two} MB after two hours, {peak} MB in the end");
     println!("{after_two} MB after two hours, {peak} MB in the end");

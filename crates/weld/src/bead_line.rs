@@ -20,7 +20,7 @@ pub struct BeadLine {
 }
 
 impl BeadLine {
-    /// The line of `bead` of a pass over `stretch` of `seam`; the pass' values stand at `keys` in `file`.
+    /// The line of `bead` of a pass over `stretch` of `seam`; `keys` are those of the pass' values in `file`.
     ///
     /// # Errors
     /// With the key's address: rows beside the weld, or rows that do not reach over the pass.

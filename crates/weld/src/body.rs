@@ -34,7 +34,7 @@ impl Shell {
     /// The inside of the wall: everywhere its thickness below the outside.
     ///
     /// # Errors
-    /// With the key's address: a thickness that is missing or leaves no room, a body whose inside has no closed form.
+    /// With the key's address: a thickness that is missing or too large, a body whose inside has no closed form.
     pub(crate) fn inside<T>(file: &Document<T>, body: &Body) -> Result<Self, DocumentError> {
         let shell = Self::below(file, body, thickness(file, body)?)?;
         Ok(Self { size: format!("inside of the wall; outside {}", shell.size), ..shell })
@@ -173,7 +173,7 @@ pub(crate) fn thickness<T>(file: &Document<T>, body: &Body) -> Result<f64, Docum
         Body::HemisphericalHead(h) => {
             ("hemispherical_head", h.thickness_mm, Some(("outer_diameter_mm", h.outer_diameter_mm)))
         }
-        // Their own checks know what fits.
+        // These bodies have checks of their own.
         Body::TorisphericalHead(h) => ("torispherical_head", Some(h.thickness_mm), None),
         Body::FlatHead(h) => ("flat_head", Some(h.thickness_mm), None),
         Body::ConicalHead(h) => ("conical_head", Some(h.thickness_mm), None),

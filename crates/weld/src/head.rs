@@ -31,7 +31,7 @@ impl<T> At<'_, T> {
         Err(self.error("thickness_mm", "the wall leaves no room inside", allowed))
     }
 
-    /// A knuckle must leave room for a crown.
+    /// Checks that a knuckle leaves space for a crown.
     fn knuckle(&self, inside: f64, knuckle: f64, key: &str) -> Result<(), DocumentError> {
         if knuckle < inside {
             return Ok(());

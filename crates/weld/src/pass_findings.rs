@@ -60,7 +60,7 @@ impl PassPath<'_> {
         self.stretches(("turn", number), "lay the bead nearer to the seam there", complaint)
     }
 
-    /// Stretches of neighbouring places with a complaint, each a finding with the first one's.
+    /// Stretches of neighbouring stations with a complaint, each a finding with the first one's.
     fn stretches(
         &self,
         (kind, pass): (&'static str, usize),

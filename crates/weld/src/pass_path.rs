@@ -7,7 +7,7 @@ use seamwright_program::{Groove, TorchPath, Weaving, is_same_position};
 const HALF_MM: f64 = 1e-3;
 
 /// The torch's path in one pass, in the machine's work frame. Its path length is that of the seam over which it runs,
-/// counted from where it begins, also where the bead lies beside the seam.
+/// counted from its start, also if the bead lies beside the seam.
 #[derive(Debug)]
 pub struct PassPath<'a> {
     /// The seam.

@@ -58,8 +58,8 @@ pub struct SeamCurve {
     pub(crate) taught: Option<(Arc<SeamCurve>, Vec<TaughtSpan>)>,
 }
 
-/// Corners of the seam nearer to each other are one, and its sides are looked at this far from it, mm: more than
-/// rounding, and too little for a bend to turn the torch.
+/// Minimum distance of the seam's corners, and distance at which its sides are evaluated, mm: more than rounding, and
+/// too little for a bend to turn the torch.
 pub(crate) const SAME_MM: f64 = 1e-9;
 
 /// Maximum angle of a start or end, degrees: ten turns.
@@ -264,7 +264,7 @@ impl SeamCurve {
     }
 }
 
-/// An open seam, or one without angles, starts where it begins and goes on as it is given; an open one has no overlap.
+/// An open seam, or one without angles, starts at its given start and goes on as given; an open one has no overlap.
 fn check_without_angles<T>(file: &Document<T>, start: &SeamStart, closed: bool) -> Result<(), DocumentError> {
     let wrong = if start.phi_deg.get() != 0.0 {
         "phi_deg"

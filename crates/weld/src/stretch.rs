@@ -8,7 +8,7 @@ const MAX_TURNS: f64 = 2.0;
 /// The part of a seam that a pass runs over, one way or the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
-    /// Path length on the seam at which the pass begins, mm from the start of the weld.
+    /// Path length on the seam at the start of the pass, mm from the start of the weld.
     pub begin: f64,
     /// 1 along the weld's direction, -1 against it.
     pub sense: f64,
@@ -17,10 +17,10 @@ pub struct Stretch {
 }
 
 impl Stretch {
-    /// The stretch of `pass`, whose values stand at `keys` in `file`, on `seam`.
+    /// The stretch of `pass` on `seam`; `keys` are those of its values in `file`.
     ///
     /// # Errors
-    /// With the key's address: a pass that begins beside the weld or goes on beyond its ends, or goes round a closed
+    /// With the key's address: a pass that starts beside the weld or goes on beyond its ends, or goes round a closed
     /// seam more than twice.
     pub fn new<T>(file: &Document<T>, keys: &PassKeys, pass: &Pass, seam: &SeamCurve) -> Result<Self, DocumentError> {
         let (begin, length, weld) = (pass.begin_mm.get(), pass.length(), seam.weld_length());

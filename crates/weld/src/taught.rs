@@ -21,7 +21,7 @@ const STEP_MM: f64 = 0.01;
 pub struct TaughtSpan {
     /// Start and end on the seam.
     pub seam: (f64, f64),
-    /// The same places on the nominal seam.
+    /// The same positions on the nominal seam.
     pub nominal: (f64, f64),
     /// Positions of its points on the seam.
     pub points: Vec<f64>,
@@ -44,7 +44,7 @@ impl Join {
 
 /// A nominal edge with taught spans, by the nominal one's parameter; within a span that goes evenly along the spline.
 ///
-/// A span has the nominal seam's point, direction and curvature at both joins, so an axis that follows it needs no jump
+/// A span has the nominal seam's point, direction and curvature at both joins. So an axis that follows it needs no jump
 /// in its acceleration there. Its normals are those of the nominal seam at the corresponding position between the
 /// joins, made square to the span's [`Along`].
 pub(crate) struct TaughtEdge {
@@ -288,7 +288,7 @@ impl<T> Making<'_, T> {
         Ok(Span { from, to, nominal, curve, along, place, points })
     }
 
-    /// Path lengths on the nominal seam of the places nearest to the points; they must increase between the joins.
+    /// Path lengths of the nominal seam's nearest points; they must increase between the joins.
     fn feet(&self, points: &[DVec3], (from, to): (f64, f64)) -> Result<Vec<f64>, DocumentError> {
         let mut feet: Vec<f64> = Vec::new();
         for (i, p) in points.iter().enumerate() {
@@ -354,7 +354,7 @@ fn by_arc(nominal: &SeamCurve, l: f64, side: f64) -> ByArc {
         let tangent = jet.d1.normalize();
         (jet.point, tangent, (jet.d2 - jet.d2.dot(tangent) * tangent) / jet.d1.length_squared())
     };
-    // An open curve has nothing beyond its ends.
+    // An open curve ends there.
     let inside = |l: f64| nominal.closed || (0.0..=nominal.length()).contains(&l);
     let step = if inside(l + 2.0 * side * STEP_MM) { side * STEP_MM } else { -side * STEP_MM };
     let (point, tangent, curvature) = frame(l);
@@ -365,7 +365,7 @@ fn by_arc(nominal: &SeamCurve, l: f64, side: f64) -> ByArc {
 }
 
 /// Path length within `from` and `to` of the nominal seam's point nearest to `p`, and the distance: the nearest of many
-/// places, then Newton steps on the foot of the perpendicular.
+/// stations, then Newton steps on the foot of the perpendicular.
 fn nearest(nominal: &SeamCurve, p: DVec3, (from, to): (f64, f64)) -> (f64, f64) {
     let count = ((to - from).ceil() as u32).clamp(64, 4096);
     let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(count);

@@ -119,7 +119,7 @@ impl Welding {
             _ => None,
         };
         let cut = p.seam.as_ref().map_or(Ok(None), |seam| Cut::new(program, seam))?;
-        // The lines of the passes as they stand in the file, so that errors have their addresses; then a line for each
+        // The lines of the passes in the order of the file, so that errors have their addresses; then a line for each
         // time a pass is welded.
         let times = || p.passes.iter().map(|pass| usize::from(pass.repeat.get()));
         let lines: Vec<Arc<PassLine>> =

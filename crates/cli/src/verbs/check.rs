@@ -20,7 +20,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     if against(&findings) { Err(Failure::Printed) } else { Ok(()) }
 }
 
-/// The exit code is the answer, also to whoever reads no further.
+/// The exit code is the answer, even without a reader of the output.
 fn read_or_not(printed: Result<(), Failure>) -> Result<(), Failure> {
     match printed {
         Err(Failure::ReaderGone) => Ok(()),
@@ -38,7 +38,7 @@ fn against(findings: &[Finding]) -> bool {
     findings.iter().any(|f| !f.allowed)
 }
 
-/// Checks several jobs, also those after one that is no job; the greatest exit code counts.
+/// Checks several jobs, also those after an invalid one; the maximum exit code counts.
 fn several(args: &CheckArgs) -> Result<(), Failure> {
     let mut worst = Ok(());
     let mut all: Vec<Value> = Vec::new();

@@ -16,15 +16,15 @@ use std::cell::RefCell;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write as _};
 
-/// Speeds that somebody could mean, mm/s.
+/// Plausible speeds, mm/s.
 const SPEEDS: std::ops::RangeInclusive<f64> = 1e-4..=1e6;
 const PLACE: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
-/// As `seam` writes it: the bisector points from the joint to the torch.
+/// Columns of `seam`: the bisector points from the joint to the torch.
 const SEAM: [&str; 6] = ["x_mm", "y_mm", "z_mm", "bx", "by", "bz"];
-/// Distance between places at which clearance is looked at: mm, or degrees of a rotary axis.
+/// Distance between clearance checks: mm, or degrees of a rotary axis.
 const LOOKED_AT: f64 = 1.0;
-/// Steps in which the way of the tip is measured are no longer than this, s.
+/// Maximum step in which the way of the tip is measured, s.
 const MEASURED_S: f64 = 0.01;
 
 pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
@@ -121,7 +121,7 @@ fn play<I: Iterator<Item = Joints>>(
     Ok(())
 }
 
-/// The law at time `t`, and how fast the tip is then (mm/s).
+/// State of the speed profile at time `t`, and the tip's speed then (mm/s).
 fn tip<I: Iterator<Item = Joints>>(
     law: &mut LawStream<TaughtPath<'_, I>>,
     source: &str,
@@ -131,11 +131,11 @@ fn tip<I: Iterator<Item = Joints>>(
     Ok((point, point.map_or(0.0, |p| law.path().tip_rate(p.s) * p.v)))
 }
 
-/// Axis positions of the rows of a file, each nearest to the one before; ends at the first that is no good.
+/// Axis positions of the rows of a file, each nearest to the one before; ends at the first invalid row.
 struct Points<'a, R> {
     machine: &'a Machine,
     reader: CsvReader<R>,
-    /// Whether rows are axis positions, places, or places with directions.
+    /// Whether rows are axis positions, points, or points with directions.
     kind: Kind,
     near: Joints,
     around: &'a Surroundings<'a>,
@@ -205,7 +205,7 @@ impl<'a, R: BufRead> Points<'a, R> {
         Some(problem.map_or(Ok(q), |message| Err(self.unreachable(&message))))
     }
 
-    /// Reports a part of the machine that comes too near to something else on the straight way of the axes to `q`,
+    /// Reports a part of the machine that comes too near to something else. The straight way of the axes to `q` is
     /// checked at every mm or degree.
     fn too_near(&mut self, q: &Joints) -> Option<String> {
         let from = self.clear.unwrap_or(*q);

@@ -3,7 +3,7 @@ use seamwright_cell::tracking::HeadSample;
 use seamwright_cell::{Conditions, Sample};
 use seamwright_project::run_rows::head_names;
 
-/// Columns of a trace that say where weld and joint truly are: of each head that welds, where that is simulated.
+/// Columns of a trace with the true positions of weld and joint: of each head that welds, in a simulation.
 pub(super) struct HeadColumns {
     /// Suffixes of each head's columns.
     heads: Vec<String>,

@@ -141,7 +141,7 @@ fn summary(requests: &[Named], json: bool) -> Result<(), Failure> {
     let mut rows = Rows::new(SUMMARY_COLUMNS.map(str::to_owned).into(), json)?;
     for Named { name, request } in requests {
         let s: Statistics = request.statistics()?;
-        // Pulse methods: distances a period, since a pulse says nothing of speed.
+        // Pulse methods: distances a period, since a pulse has no speed.
         let c = s.per_period;
         let mut cells = vec![Cell::Text(name), Cell::Count(s.steps)];
         let numbers = [

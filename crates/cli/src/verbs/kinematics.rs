@@ -37,7 +37,7 @@ pub(crate) fn run(args: &KinematicsArgs) -> Result<(), Failure> {
     end(rows)
 }
 
-/// The table, opened when the first good row has been read, so that bad input writes nothing.
+/// The table, opened when the first good row has been read, so that bad input gives no output.
 fn opened(rows: &mut Option<Rows>, open: impl FnOnce() -> Result<Rows, Failure>) -> Result<&mut Rows, Failure> {
     match rows {
         Some(rows) => Ok(rows),

@@ -57,7 +57,7 @@ fn text(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> String {
     let mut text =
         format!("{footing}\n{} cycles of {} ms, {} missed\n", latency.count(), args.period_ms, latency.missed());
     for part in PARTS {
-        // A text has room for everything.
+        // Writing to a String never fails.
         let _ = writeln!(text, "{:>6} % begin at most {:>10.1} us late", 100.0 * part, latency.quantile_us(part));
     }
     let mut octaves: Vec<(f64, u64)> = Vec::new();

@@ -37,7 +37,7 @@ pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The positions that `words` say, `others` for axes that they do not name.
+/// The positions of `words`, `others` for axes that they do not name.
 fn positions(machine: &Machine, option: &str, words: &[String], others: &Joints) -> Result<Joints, Failure> {
     let bad = |word: &str, what: String, allowed: String| {
         Failure::Input(format!("{option} {word}: {what}\n   allowed: {allowed}"))

@@ -1,4 +1,4 @@
-//! Places along the seam, as the command line gives them.
+//! Positions along the seam, as the command line gives them.
 
 use super::positive;
 use crate::args::PlacesArgs;
@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use seamwright_program::{is_beyond, part_start, parts_of};
 use seamwright_weld::SeamCurve;
 
-/// Most points along a seam: more would be written without end.
+/// Maximum number of points along a seam.
 const MAX_POINTS: u32 = 10_000_000;
 
 /// Requested points.
@@ -20,7 +20,7 @@ pub(super) enum Places {
 }
 
 impl Places {
-    /// The places that `args` ask for; `points` of them if they do not say.
+    /// The positions of `args`; `points` of them by default.
     pub(super) fn new(args: &PlacesArgs, seam: &SeamCurve, points: u32) -> Result<Self, Failure> {
         let length = seam.weld_length();
         if let Some(angles) = &args.phi_deg {

@@ -102,8 +102,8 @@ fn oscillation_table(oscillation: &Oscillation) -> String {
     text
 }
 
-/// Adds program.toml, and beside it the machine file if it is not one that ships and the STL files that are named, so
-/// that the folder stands alone.
+/// Adds program.toml, the machine file if it is not a shipped one, and the STL files that are named. So the folder is
+/// complete.
 pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), Failure> {
     let mut program = loaded.welding.program.value.clone();
     if let Some(path) = &loaded.machine_file {
@@ -112,7 +112,7 @@ pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), 
         program.machine = name;
     }
     for (name, path) in &loaded.stl_files {
-        // A name that leads elsewhere is found from nowhere else.
+        // A file outside this folder is only found by its original name.
         let stays = Path::new(name).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
         if stays {
             output.copy(name, path)?;
@@ -134,7 +134,7 @@ pub(super) fn write_report(
     output.text("report.html", &report.page(plots, welding.program.text(), &clock::now(), language))
 }
 
-/// Gives the files their names and prints what was done.
+/// Gives the files their names and prints the summary.
 pub(super) fn finish(output: Output, report: &WeldReport, json: bool) -> Result<(), Failure> {
     let paths = output.finish()?;
     if json { print_json(report) } else { print_text(&summary(report, &paths)) }
@@ -236,7 +236,7 @@ fn only_pass(text: &mut String, pass: &PassFigures) {
     }
 }
 
-/// Several passes: totals, then a line each, and what simulated ones did.
+/// Several passes: totals, then a line each, and the results of simulated ones.
 fn several_passes(text: &mut String, r: &WeldReport) {
     let totals = &r.totals;
     let _ = writeln!(text, "  passes       {}, {:.3} mm in all", totals.passes, totals.length_mm);

@@ -53,7 +53,7 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     }
 }
 
-/// The part program of a planned weld, with its proof in the header; says what does not hold.
+/// The part program of a planned weld, with its proof in the header; reports the differences if the proof fails.
 pub(super) fn proven(
     loaded: &Loaded,
     motion: &WeldMotion,

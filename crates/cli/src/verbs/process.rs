@@ -44,7 +44,7 @@ impl<'a> ArcClock<'a> {
         Self { motion, begun: (0, 0.0) }
     }
 
-    /// At `set` in `pass` (0 in the air); none while the arc is off.
+    /// At `set` in `pass` (0 in transfer moves); `None` while the arc is off.
     pub(super) fn at(&mut self, pass: usize, set: &SetPoint) -> Option<Clock> {
         if pass != self.begun.0 {
             self.begun = (pass, set.t);

@@ -14,7 +14,7 @@ use seamwright_project::posting;
 use serde::Serialize;
 use std::io::{self, Write as _};
 
-/// Most of a corner that a torch may cut off: the tolerance of a pass that does not say another.
+/// Maximum of a corner that a torch may cut off: the default tolerance of a pass.
 const WIDEST_MM: f64 = 0.5;
 
 /// Result of reading, for other programs.
@@ -56,7 +56,7 @@ pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
     let options = ReadOptions { lenient: args.lenient, level, start: Some(start.clone()) };
     let mut reading = read(&control, &file, &text, &options).map_err(|e| Failure::Input(e.to_string()))?;
     if reading.program.title == file {
-        // A text that does not say what it is has the name of its file.
+        // A text without a title has the name of its file.
         let name = args.file.file_name().unwrap_or_default();
         reading.program.title = name.to_string_lossy().into_owned();
     }
@@ -84,7 +84,7 @@ fn moves(reading: &Reading) -> (usize, f64) {
     moves.fold((0, 0.0), |(count, sum), seconds| (count + 1, sum + seconds))
 }
 
-/// Says to standard error what was read and what was not.
+/// Reports on standard error the texts that were read and left out.
 fn tell(file: &str, dialect: Dialect, reading: &Reading, program: &Program) -> Result<(), Failure> {
     let mut err = io::stderr().lock();
     let (count, seconds) = moves(reading);

@@ -39,7 +39,7 @@ impl TraceFile {
             let name = part.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             output.take(&name, &part.path)?;
         }
-        // It holds nothing more.
+        // All its files have been copied.
         drop(scratch);
         Ok(())
     }
@@ -89,7 +89,7 @@ impl Rows {
         Ok(())
     }
 
-    /// Ends the simulated weld of `report`, with the other `files` and what happened; adds its trace to `output`.
+    /// Ends the simulated weld of `report`, with the other `files` and the events; adds its trace to `output`.
     pub(super) fn finish(
         self,
         report: &WeldReport,
@@ -160,7 +160,7 @@ fn result(report: &WeldReport) -> WeldResult {
     }
 }
 
-/// Notes in the audit log what this command did.
+/// Records this command in the audit log.
 pub(super) fn audit(data: &mut DataFolder, command: &str, result: &str) -> Result<(), Failure> {
     let user = ["USER", "LOGNAME", "USERNAME"].into_iter().find_map(|name| std::env::var(name).ok());
     let entry = AuditEntry {

@@ -42,7 +42,7 @@ pub(crate) fn run(args: &ReduceArgs) -> Result<(), Failure> {
     if args.json { print(points.len(), &reduction) } else { rows(points.len(), &reduction) }
 }
 
-/// Places, and the further columns.
+/// Points, and the further columns.
 fn read(source: &str, input: impl BufRead) -> Result<(Vec<DVec3>, Vec<Vec<f64>>), Failure> {
     let (mut reader, others) = CsvReader::open_with_others(source, input, &PLACE)?;
     let (mut points, mut axes) = (Vec::new(), vec![Vec::new(); others.len()]);

@@ -26,7 +26,7 @@ const COLUMNS: [&str; 18] = [
     "dihedral_deg",
 ];
 
-/// Points when the command line does not say.
+/// Default number of points.
 const POINTS: u32 = 101;
 
 pub(crate) fn run(args: &SeamArgs) -> Result<(), Failure> {

@@ -27,7 +27,7 @@ const COLUMNS: [&str; 16] = [
     "torch_travel_angle_deg",
 ];
 
-/// Sections when the command line does not say: every eighth of a seam welded all round, and its start again.
+/// Default number of sections: every eighth of a seam welded all round, and its start again.
 const SECTIONS: u32 = 9;
 
 /// Most sections in one drawing.
@@ -78,8 +78,8 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
     rows.finish()
 }
 
-/// Work angle of the torch from the faces' bisector, with the bead's `lean` (rad), and its travel angle at path length `s`
-/// in passes of a role.
+/// Work angle of the torch from the faces' bisector, with the bead's `lean` (rad), and its travel angle. They are at
+/// path length `s` in passes of a role.
 fn torch(welding: &Welding, role: Option<Role>, (s, lean): (f64, f64)) -> [Cell<'static>; 2] {
     match welding.torch_angles(role, s) {
         Some((work, travel)) => [work + lean, travel].map(|angle| Cell::Number(angle.to_degrees())),

@@ -55,7 +55,8 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
     })
 }
 
-/// This program, to be started once more. The file may have been replaced since: where the system knows what runs, by that.
+/// Path of this program, to start it once more. The file may have been replaced since, so the system's handle of the
+/// running program is preferred.
 fn this_program() -> Option<PathBuf> {
     let running = Path::new("/proc/self/exe");
     if running.exists() { Some(running.to_owned()) } else { std::env::current_exe().ok() }

@@ -44,7 +44,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     judge(report)
 }
 
-/// A weld that was made but strays beyond its tolerance is no success, nor is a plan that leaves its procedure.
+/// A completed weld that strays beyond its tolerance is a failure, and so is a plan that leaves its procedure.
 pub(super) fn judge(report: WeldReport) -> Result<(), Failure> {
     if report.findings.iter().all(|f| f.allowed) { Ok(()) } else { Err(Failure::Findings(report.findings)) }
 }
@@ -141,7 +141,7 @@ fn trace(
     }
 }
 
-/// Desk and cycle in one thread, in virtual time, and who judges the weld.
+/// Desk and cycle in one thread, in virtual time, with the judge of the weld.
 struct Watched<'a> {
     machine: &'a Machine,
     motion: &'a WeldMotion,

@@ -1,4 +1,4 @@
-//! Certificates, checked by somebody who knows only the set-points and the machine file.
+//! Certificates, checked with the set-points and the machine file alone.
 
 use crate::common::checker::{Motion, check, motion};
 use crate::common::{example, free_example, root};

@@ -12,7 +12,7 @@ fn commanded(job: &str, commands: &str, more: &[&str]) -> Output {
 
 type Table = (Vec<String>, Vec<Vec<f64>>);
 
-/// Its table, the column of phases, and what was said beside.
+/// Its table, the column of phases, and the text on standard error.
 fn ran(job: &str, commands: &str) -> (Table, Vec<String>, String) {
     let output = commanded(job, commands, &[]);
     let (text, note) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
@@ -29,7 +29,7 @@ const AXES: [&str; 4] = ["theta", "s", "h", "beta"];
 fn without_commands_it_is_the_motion() {
     let (run, phases, note) = ran("saddle", "t_s,command,value\n");
     let plain = table(&good(&["motion", &example("saddle"), "--period-ms", "4"]));
-    // The pace rises to 1 within 16 periods, while the law itself has hardly begun.
+    // The override rises to 1 within 16 periods, while the speed profile itself has hardly started.
     let (rows, of_plain) = (run.1.len(), plain.1.len());
     assert!(rows >= of_plain && rows <= of_plain + 16, "{rows} {of_plain}");
     for name in AXES.iter().chain(&["s_mm"]) {
@@ -60,7 +60,7 @@ fn commands_do_what_they_say() {
         let k = at(time);
         assert!((speed[k] - wanted).abs() < 1e-6 && phases[k] == phase, "{time}: {} {}", speed[k], phases[k]);
     }
-    // The bead grows by 12 mm to the very place.
+    // The bead grows by exactly 12 mm.
     let welded = (0..at(32.0)).filter(|k| phases[*k] == "travel").map(|k| s[k + 1]).fold(0.0, f64::max);
     assert!((s[at(44.9)] - welded - 12.0).abs() < 1e-9, "{} {welded}", s[at(44.9)]);
     // The arc rests only where it is meant to; process values follow it.
@@ -94,7 +94,7 @@ fn it_ends_where_nothing_follows() {
     // At an override of 0 from the start it waits for the command to go on.
     let (_, phases, _) = ran("ellipse", "t_s,command,value\n0,override,0\n3,override,100\n5,resume,\n");
     assert!(phases[..1200].iter().all(|p| p != "travel") && phases.last().unwrap() == "ended");
-    // Air moves go on; JSON has the same rows.
+    // Transfer moves go on; JSON has the same rows.
     let output = commanded("ellipse", "t_s,command,value\n0.1,hold,\n6,resume,\n", &["--air", "--json"]);
     let rows: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let phases: Vec<&str> = rows.as_array().unwrap().iter().map(|r| r["phase"].as_str().unwrap()).collect();

@@ -1,5 +1,5 @@
-//! `seamwright find-joint`: a painted joint whose midline is known, photographs with hand-read points, and what is wrong
-//! with other images named.
+//! `seamwright find-joint`: a painted joint whose midline is known, photographs with hand-read points, and the errors
+//! of other images.
 
 use crate::common::{bad, good, root, run};
 use serde_json::Value;
@@ -131,7 +131,7 @@ fn photographs() {
             right += usize::from(is_right);
         }
         assert!(right >= least, "{name}: {right} points are found");
-        // Between points the joint is known to some pixels only: it is no straight line.
+        // Between points the joint is known to some pixels only: it is curved.
         for pair in points.windows(2) {
             let ([y0, x0, u0], [y1, x1, u1]) = (pair[0], pair[1]);
             for row in found.iter().filter(|r| r.confidence >= CONFIDENT && (y0..=y1).contains(&r.y)) {

@@ -1,5 +1,4 @@
-//! `seamwright follow`: points of any spacing become the same motion, within limits; what is wrong is named with its
-//! line.
+//! `seamwright follow`: points of any spacing become the same motion, within limits; errors have their line.
 
 use crate::common::{self, column, run, run_with, table};
 use std::f64::consts::TAU;
@@ -106,7 +105,7 @@ fn what_is_wrong_is_named() {
     assert!(output.status.code() == Some(1) && told.contains("comes too near to"), "{told}");
     let output = run(&["follow", "nowhere.csv", "--machine", "ellipse-xy", "--speed-mm-s", "5"]);
     assert!(output.status.code() == Some(2) && output.stdout.is_empty());
-    // More than can be: said, and within the limits (250 mm/s).
+    // Impossible speed: reported, and within the limits (250 mm/s).
     let output = follow(&format!("{head}300,0,50,0,0\n"), &["--speed-mm-s", "1e6"]);
     assert!(String::from_utf8_lossy(&output.stderr).contains("1000000 mm/s asked for are never reached"));
     let speed = column(&table(&String::from_utf8(output.stdout).unwrap()), "speed_mm_s");

@@ -15,7 +15,7 @@ const OVERLAP: f64 = 3.0;
 const OFF: f64 = 1.0;
 /// Weld of the last second, which the trace may lack, mm.
 const LAST_SECOND: f64 = 5.0;
-/// Before the weld, and in it: the place is asked every 50 ms.
+/// Before the weld, and in it: the position is asked every 50 ms.
 const BEGIN: &str = "on\nhome\nwait ready\narm\nweld\n";
 
 /// Numbers that look random, the same every time.
@@ -81,7 +81,7 @@ fn killed_weld(arguments: &[&str], from: f64, after: Duration) -> f64 {
     }
 }
 
-/// Kills a weld at a moment, and goes on; true if something had been welded.
+/// Kills a weld at a moment, and continues it; true if there was a bead.
 fn at_moment(moment: u64) -> bool {
     let mut random = random(moment);
     let from = (random(6.0, 90.0) * 10.0).round() / 10.0;

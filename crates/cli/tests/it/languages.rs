@@ -1,4 +1,4 @@
-//! Reports of plans and simulated welds in all languages: no English is left in them but names, and nothing is cut off.
+//! Reports of plans and simulated welds in all languages: only names are English, and no text is cut off.
 
 use crate::common::{bad, example, free_example, good, root, run};
 use serde_json::Value;
@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-/// Words that are the same in all languages, or belong to none.
+/// Words that are the same in all languages, or are not translated.
 const SAME: [&str; 11] =
     ["seamwright", "rms", "iso", "utc", "csv", "svg", "report", "json", "oscillation", "mag", "min"];
 /// Words that German shares with English.

@@ -1,4 +1,4 @@
-//! `machine check`: what ships passes, everything is written, bad files and numbers are refused.
+//! `machine check`: shipped machines pass, all files are written, bad files and numbers are refused.
 
 use crate::common::{good, root, run};
 use std::fs;

@@ -244,7 +244,7 @@ fn axes_that_cannot_be_held() {
         assert!(text.contains("job.toml:31"), "{text}");
         words.iter().for_each(|word| assert!(text.contains(word), "{word} in {text}"));
     }
-    // On a machine without axes to spare wishes do nothing, but there is nothing to hold.
+    // On a machine without redundant axes wishes have no effect, but there is no axis to hold.
     let spare = |table: &str| ("[torch]", format!("[spare_axes]\n{table}\n[torch]"));
     let (from, to) = spare("hold = { s = 1 }");
     refused(from, &to, &["spare_axes.hold.s = 1", "axis s cannot be held: a torch pose decides all axes here"]);

@@ -1,5 +1,5 @@
-//! A program of four passes, of which some lie beside the seam, begin elsewhere, run back or cover a part: every verb, and
-//! the tip by `kinematics` of the rows of `motion`.
+//! A program of four passes, some of which lie beside the seam, start elsewhere, run back or cover a part: every verb,
+//! and the tip by `kinematics` of the rows of `motion`.
 
 use crate::common::{column, good, root, run_with, table};
 use serde_json::Value;

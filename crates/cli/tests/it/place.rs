@@ -1,4 +1,4 @@
-//! `machine place`: the offset found is the one the points were made with; bad tables are refused with their place.
+//! `machine place`: the offset found is that of the points; bad tables are refused with their address.
 
 use crate::common::{self, example, good, root, run, run_with};
 use std::f64::consts::TAU;
@@ -153,7 +153,7 @@ fn the_job_written_again_keeps_its_words_and_stands_where_it_was_touched() {
         run_with(&["machine", "place", &new, "--points", "-", "--name", "table-1", "-o", &new], &saddle_points(0.0));
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(fs::read_to_string(&new).unwrap().matches("[offsets.").count(), 1);
-    // A job whose offset is misspelt says so.
+    // A job whose offset is misspelt gives an error.
     fs::write(&new, after.replace("offset = \"table-1\"", "offset = \"tabel-1\"")).unwrap();
     let output = run(&["check", &new]);
     let text = String::from_utf8(output.stderr).unwrap();

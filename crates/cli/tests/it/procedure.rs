@@ -1,4 +1,4 @@
-//! Jobs held to a procedure: what `check` and `plan` say, what they write, and what bad procedure files say.
+//! Jobs checked against a procedure: output of `check` and `plan`, written files, and errors of bad procedure files.
 
 use crate::common::{example, good, root, run};
 use std::fs;

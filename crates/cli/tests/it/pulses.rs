@@ -1,5 +1,5 @@
-//! `seamwright pulses`: the value change dump read again by a small parser that knows only the format, against the
-//! set-points of `seamwright motion`; the same as CSV; what is refused.
+//! `seamwright pulses`: the value change dump read by a small parser of the format alone, against the set-points of
+//! `seamwright motion`; the same as CSV; refusals.
 
 use crate::common::{column, example, good, root, run, run_with, table};
 use std::collections::BTreeMap;
@@ -233,7 +233,8 @@ fn bad_input() {
     assert!(output.status.code() == Some(2) && text.contains("saddle.toml:") && text.contains("stepper"), "{text}");
 }
 
-/// `run` on drives by pulses, as docs/machine.md has it: what was made is in the file, within the driver's times, and nothing stays high.
+/// `run` on drives by pulses, as in docs/machine.md: the pulses are in the file, within the driver's times, and all
+/// step lines end low.
 #[test]
 fn a_cell_whose_drives_are_pulses() {
     let folder = tempfile::tempdir().unwrap();

@@ -6,8 +6,8 @@ use serde_json::Value;
 use std::fs;
 use tempfile::TempDir;
 
-/// The saddle with a current that ramps from 120 to 240 A over the weld, up from 60 A in 0.2 s of its travel delay of
-/// 0.3 s, down to 40 A in the last 0.5 s of its crater fill of 0.8 s.
+/// The saddle with a current that ramps from 120 to 240 A over the weld. It rises from 60 A in 0.2 s of its travel
+/// delay of 0.3 s. It falls to 40 A in the last 0.5 s of its crater fill of 0.8 s.
 fn ramped() -> (TempDir, String) {
     let folder = tempfile::tempdir().unwrap();
     let text = free_example("saddle");
@@ -65,7 +65,7 @@ fn energy_and_trace_have_the_ramp() {
     let out = folder.path().join("out").display().to_string();
     let report: Value = serde_json::from_str(&good(&["plan", &job, "-o", &out, "--json"])).unwrap();
     let energy = |i: usize| report["plan"]["arc_energy_kj_mm"][i].as_f64().unwrap();
-    // U I / v at both ends of the weld, but for what lies in run-up and run-down.
+    // U I / v at both ends of the weld, without the acceleration and deceleration phases.
     assert!((energy(0) / (27.0 * 0.120 / 10.0) - 1.0).abs() < 1e-2, "{}", energy(0));
     assert!((energy(1) / (27.0 * 0.240 / 10.0) - 1.0).abs() < 1e-2, "{}", energy(1));
     // The program is the job.

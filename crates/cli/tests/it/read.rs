@@ -34,7 +34,7 @@ fn the_electron_beam_welder_s_program_reads_welds_and_comes_back() {
     for row in &weld {
         assert!((row[z] - triangle(row[w])).abs() < 0.15, "{} {}", row[w], row[z]);
     }
-    // Blocks take 60 / F seconds; run-up and run-down beside.
+    // Blocks take 60 / F seconds, without acceleration and deceleration phases.
     let when = |angle: f64| weld.iter().find(|row| row[w] >= angle).unwrap()[t] - weld[0][t];
     let feeds = [(20.89, 20.0), (90.0, 8.05), (180.0, 4.64), (270.0, 4.64), (339.64, 8.0)];
     let mut expected = 0.0;
@@ -166,7 +166,7 @@ fn a_plan_comes_with_its_part_programs() {
 
     let file = dir.path().join("poly.mpf");
     let path = file.to_str().unwrap();
-    // The speed inside long polynomials is uneven: half the blocks of lines take more room for it.
+    // The speed inside long polynomials is uneven: half the blocks of lines need a larger tolerance for it.
     let loose = ["--interpolation", "poly", "--speed-percent", "5"];
     let out = seamwright(&[&["post", example, "--dialect", "sinumerik", "-o", path], &loose[..]].concat());
     assert!(out.status.success(), "{}", text(&out.stderr));
@@ -177,7 +177,7 @@ fn a_plan_comes_with_its_part_programs() {
     assert!(back.status.success() && text(&back.stdout).contains("along = \"cubic\""), "{}", text(&back.stderr));
 }
 
-/// Reads a part program for the trunnion machine and posts what came of it.
+/// Reads a part program for the trunnion machine and posts the result.
 fn reposted(text: &str, dialect: &str, edits: &[&[&str]]) -> String {
     let dir = tempfile::tempdir().unwrap();
     let (source, program) = (dir.path().join("a.nc"), dir.path().join("a.toml"));
@@ -195,8 +195,8 @@ fn reposted(text: &str, dialect: &str, edits: &[&[&str]]) -> String {
     self::text(&out.stdout)
 }
 
-/// A pass without the arc that has to be planned anew, since LinuxCNC has no such arc, burns nothing; what is switched on
-/// the way is.
+/// A pass without the arc that is planned anew, since LinuxCNC has no such arc, keeps the arc off; other outputs are
+/// switched on the way.
 #[test]
 fn a_pass_without_the_arc_never_burns() {
     let dry = "G0 X0 Y0 Z400 A0 C0\nG1 X10 F600\nCIP X20 Y10 Z395 I1=13 J1=7 K1=397\nG1 X30\nM30\n";

@@ -43,7 +43,7 @@ fn a_weld_is_recorded_found_and_exported() {
     let shown = json(&["records", "show", "1", "--data", &data, "--json"]);
     assert!(shown["part"] == "P-1" && shown["result"] == "good" && shown["welder"] == "A. Welder", "{shown}");
     assert!(good(&["records", "show", "1", "--data", &data]).contains("P-1"));
-    // And what is exported; the trace is the one beside the simulation's report.
+    // So do the exported files; the trace is the one beside the simulation's report.
     let exported = folder.path().join("exported");
     good(&["records", "export", "2", "-o", &exported.display().to_string(), "--data", &data]);
     let same = |name: &str, other: &Path| fs::read(exported.join(name)).unwrap() == fs::read(other).unwrap();
@@ -54,7 +54,7 @@ fn a_weld_is_recorded_found_and_exported() {
     for wanted in ["P-2", "A. Welder", "Signature", record["files"][0]["sha256"].as_str().unwrap()] {
         assert!(page.contains(wanted), "{wanted}");
     }
-    // In another language nothing but the page is another.
+    // In another language only the page differs.
     let russian = folder.path().join("russian");
     good(&["records", "export", "2", "-o", &russian.display().to_string(), "--data", &data, "--language", "ru"]);
     let page = fs::read_to_string(russian.join("report.html")).unwrap();
@@ -130,7 +130,7 @@ fn a_killed_simulation_is_recovered() {
     good(&["records", "export", "1", "-o", &exported, "--data", &data]);
 }
 
-/// Each command refuses with a message that says what is allowed, and writes nothing.
+/// Each command refuses with a message that lists the allowed values, and writes no file.
 #[test]
 fn bad_input() {
     let (folder, data) = recorded();

@@ -1,5 +1,5 @@
-//! `seamwright reduce`: the table of a small path to the last digit, the taught joint that ships, what is wrong named
-//! with its place.
+//! `seamwright reduce`: the table of a small path to the last digit, the taught joint that ships, errors with their
+//! address.
 
 use crate::common::{column, good, root, run, run_with, table};
 use serde_json::Value;

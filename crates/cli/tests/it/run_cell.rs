@@ -64,7 +64,7 @@ fn a_fault_that_comes_too_late_is_told() {
     assert!(text.contains("\"pass\""));
 }
 
-/// In real time: orders are taken in their turn, refusals say why, the timing is in the summary.
+/// In real time: orders are taken in their turn, refusals have a reason, the timing is in the summary.
 #[test]
 fn orders_in_real_time() {
     let folder = tempfile::tempdir().unwrap();
@@ -109,13 +109,14 @@ fn latency_is_measured() {
     assert!(good(&["latency", "--seconds", "0.2"]).contains("begin at most"));
 }
 
-/// The power fails in a weld: its place is known to a millimetre, nothing goes on by itself, and it goes on when it is said where.
+/// The power fails in a weld: its position is known to a millimetre, and the weld continues only from a position given
+/// by the operator.
 #[test]
 fn a_weld_survives_the_power() {
     let folder = tempfile::tempdir().unwrap();
     let (data, out) = (folder.path().join("data"), folder.path().join("out"));
     let [data, out] = [&data, &out].map(|path| path.display().to_string());
-    // It goes on 2 mm before the place up to which it is welded.
+    // It continues 2 mm before the position up to which it is welded.
     let text =
         std::fs::read_to_string(example("ellipse")).unwrap().replacen("[sequence]", "[sequence]\noverlap_mm = 2", 1);
     let job = folder.path().join("ellipse.toml");
@@ -144,7 +145,7 @@ fn a_weld_survives_the_power() {
     let listed = good(&["records", "list", "--data", &data]);
     assert!(listed.contains("interrupted"), "{listed}");
 
-    // No rest to weld, or no such pass.
+    // No weld is left after the position, or the pass is missing.
     assert!(bad(2, &["run", &job, "-o", &out, "--from", "1,500"]).contains("up to 118.4"));
     assert!(bad(2, &["run", &job, "-o", &out, "--from", "3,5"]).contains("passes 1 to 1"));
     assert!(bad(2, &["run", &job, "-o", &out, "--from", "somewhere"]).contains("PASS,MM"));
@@ -169,15 +170,15 @@ fn a_weld_survives_the_power() {
     good(&["records", "verify", "--data", &data]);
 }
 
-/// A trace that cannot grow any more, by the system's limit of a file's size: the weld goes on, an alarm says so, its place is still
-/// kept, and the record ends in order, with what was written and how much was lost.
+/// A trace that cannot grow any more, by the system's limit of a file's size: the weld goes on, and an alarm reports
+/// it. The position is still recorded, and the record ends in order, with the rows written and the number lost.
 #[cfg(unix)]
 #[test]
 fn a_trace_that_cannot_grow_is_told_and_kept() {
     let folder = tempfile::tempdir().unwrap();
     let [data, out] = ["data", "out"].map(|name| folder.path().join(name).display().to_string());
     let job = example("ellipse");
-    // Blocks of 512 bytes: some seconds of rows, and room for the library.
+    // Blocks of 512 bytes: some seconds of rows, and the library.
     let limited = format!(
         "trap '' XFSZ; ulimit -f 1000; exec '{}' run '{job}' -o '{out}' --data '{data}' --part P",
         env!("CARGO_BIN_EXE_seamwright")

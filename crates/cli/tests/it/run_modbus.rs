@@ -85,7 +85,7 @@ fn what_cannot_be_connected_is_told_and_nothing_is_written() {
     );
     let machine = folder.path().join("cell.toml").display().to_string();
     assert!(bad(3, &["io", &machine]).contains(&address));
-    // A value that nothing sets.
+    // A value that is never set.
     let server = TestServer::new(welder);
     let job_path = job(folder.path(), &server.address.to_string(), &MAP.replace("voltage_v", "volts_v"));
     let message = bad(2, &["run", &job_path, "-o", &out_text]);
@@ -115,7 +115,7 @@ fn registers_by_name() {
     assert_eq!(server.bank().writes, 0);
 }
 
-/// A value beyond its register is refused with its place, before anything is connected; one at its end is not.
+/// A value beyond its register is refused with its address, before anything is connected; one at its end is accepted.
 #[test]
 fn values_that_registers_cannot_hold() {
     let folder = tempfile::tempdir().unwrap();

@@ -144,7 +144,7 @@ fn mistakes() {
     refused(&format!("{POLYLINE}[start]\nphi_deg = 5\n"), "start.phi_deg", &["does not close"]);
 }
 
-/// The torch of a fillet would have to jump at sharp corners: each is one finding, and none says that the axes are at fault.
+/// The torch of a fillet would have to jump at sharp corners: each is one finding, and none blames the axes.
 #[test]
 fn a_corner_at_which_the_torch_jumps_is_one_finding() {
     let corners = "[seam.rounded_rectangle]\nwidth_mm = 60\nheight_mm = 40\ncorner_mm = 0\njoint = \"fillet\"\n\

@@ -1,4 +1,4 @@
-//! Cross-sections show and list how the torch stands in them.
+//! Cross-sections show and list the torch angles in them.
 
 use crate::common::{column, good, root, table};
 

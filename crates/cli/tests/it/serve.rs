@@ -97,7 +97,7 @@ fn send(address: &str, head: &str, body: &str) -> String {
     answer
 }
 
-/// Texts from the panel are drawn and planned by another process, and what goes wrong there is an answer.
+/// Texts from the panel are drawn and planned by another process; its errors become answers.
 #[test]
 fn drafts_and_plans_come_from_a_process_of_their_own() {
     let folder = tempfile::tempdir().unwrap();
@@ -128,7 +128,8 @@ fn drafts_and_plans_come_from_a_process_of_their_own() {
     child.wait().unwrap();
 }
 
-/// The process that plans has bounds of memory and time, and a lower priority than the cell, before it reads what is asked of it.
+/// The process that plans has bounds of memory and time, and a lower priority than the cell, before it reads its
+/// request.
 #[cfg(target_os = "linux")]
 #[test]
 fn the_process_that_plans_is_bounded() {
@@ -161,7 +162,7 @@ fn the_process_that_plans_is_bounded() {
 
 #[test]
 fn what_serve_takes_is_taken_without_a_verb() {
-    // As with the verb: the folder is made, then the address refused.
+    // As with the verb: the folder is created, then the address refused.
     let folder = tempfile::tempdir().unwrap();
     let data = folder.path().join("cell").display().to_string();
     let told = bad(2, &["--data", &data, "--bind", "0.0.0.0:8080"]);

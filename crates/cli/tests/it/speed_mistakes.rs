@@ -106,7 +106,7 @@ fn limits_of_machine_files() {
             );
         }
     }
-    // Limits so low that nothing sensible comes of them are findings or refused, and never a panic.
+    // Limits that are too low for a sensible weld are findings or refused, and never a panic.
     for (limit, code) in [("0.0002", 1), ("1e-12", 2), ("1e-300", 2)] {
         let limit = format!("max_speed_deg_s = {limit}");
         let (_folder, job) = changed("saddle", "saddle-4axis", &[], &[("max_speed_deg_s = 30", limit.as_str())]);
@@ -149,7 +149,7 @@ fn the_procedure_s_least_speed() {
     assert_eq!((&notes[0]["to_mm"], &notes[1]["from_mm"]), (&forbidding[0]["from_mm"], &forbidding[4]["to_mm"]));
     assert_eq!(notes[0]["from_mm"], 0.0);
     assert!((notes[1]["to_mm"].as_f64().unwrap() - s[s.len() - 1]).abs() < 1e-9);
-    // A weld that keeps its speed has nothing to fear, however near the least one is.
+    // A weld of constant speed has no finding, even close to the minimum speed.
     let (_folder, path) = job("speed_mm_s = 6\nleast_speed_mm_s = 5.999");
     assert_eq!(findings(&path), (0, vec![]));
     let (_, notes) = findings_of("least_speed", &path);

@@ -1,4 +1,5 @@
-//! `run` ended by a signal while it welds on a real device: arc, gas and values are off, the record is closed, the exit code says so.
+//! `run` ended by a signal while it welds on a real device: arc, gas and values are off, the record is closed, the exit
+//! code reports it.
 
 use crate::common::{example, good};
 use crate::modbus_server::TestServer;
@@ -61,7 +62,7 @@ impl Welding {
         assert!(status.unwrap().success());
     }
 
-    /// Its exit code, and what it said.
+    /// Its exit code, and its text on standard error.
     pub(crate) fn ends(self) -> (Option<i32>, String) {
         let output = self.child.wait_with_output().unwrap();
         (output.status.code(), String::from_utf8(output.stderr).unwrap())
@@ -95,8 +96,8 @@ fn a_signal_takes_the_process_away_and_closes_the_record() {
     }
 }
 
-/// A process that was frozen while it welds on simulated devices: on waking the process is off, the alarm says why, and the record
-/// has it.
+/// A process that was frozen while it welds on simulated devices: on waking the process is off, the alarm has the
+/// reason, and the record has it.
 #[test]
 fn a_frozen_weld_is_stopped_and_told() {
     for frozen in [Duration::from_millis(500), Duration::from_millis(1500)] {

@@ -1,4 +1,4 @@
-//! `seamwright stripe`: simulated images and profiles whose joint is known, and what is wrong with others named.
+//! `seamwright stripe`: simulated images and profiles whose joint is known, and the errors of others.
 
 use crate::common::{bad, column, good, root, run, run_with, table};
 use seamwright_cell::eyes::stripe::{Placement, Section, StripeDisturbances, StripeScene};
@@ -54,7 +54,7 @@ fn a_v_groove_in_pixels_and_in_mm() {
     let gap = text.lines().find(|l| l.starts_with("gap,")).unwrap();
     let cells: Vec<&str> = gap.split(',').collect();
     assert!((cells[4].parse::<f64>().unwrap() - 1.0).abs() < 0.1 && cells[5] == "mm", "{gap}");
-    // In pixels it is the same place, and lengths are in pixels.
+    // In pixels it is the same point, and lengths are in pixels.
     let in_px = good(&["stripe", &path, "--joint", "v", "--json"]);
     let v: Value = serde_json::from_str(&in_px).unwrap();
     assert!((v["points"]["joint"]["x_px"].as_f64().unwrap() - px.x).abs() < 2.0, "{in_px}");

@@ -1,4 +1,4 @@
-//! `seamwright teach`: simulated, recorded, by hand; what it refuses.
+//! `seamwright teach`: simulated, recorded, by hand; refusals.
 
 use crate::common::{self, bad, example, good, run, run_with};
 use glam::DVec3;
@@ -91,7 +91,7 @@ fn taught_by_hand() {
     let told = good(&["teach", &job, "--semi-manual", &points, "-o", &program]);
     assert!(told.contains("operator's points"), "{told}");
     let text = std::fs::read_to_string(&program).unwrap();
-    // Half a millimetre above the nominal seam all along, and the part is still there to keep clear of.
+    // Half a millimetre above the nominal seam all along, and the part is still an obstacle.
     assert!(text.contains("[seam.spline]") && good(&["check", &program]).contains("can be made"), "{text}");
     let heights = poses(&program).into_iter().map(|(point, _)| point.z);
     assert!(heights.clone().all(|z| (z - 60.5).abs() < 0.06), "{:?}", heights.collect::<Vec<_>>());
@@ -235,7 +235,7 @@ fn taught_from_frames_that_are_sent() {
     let played = path(folder, "played.toml");
     good(&["teach", &job, "--frames", &kept, "-o", &played]);
     let recorded = std::fs::read_to_string(&played).unwrap();
-    // Somebody else moves: as from the folder.
+    // An external machine moves: as from the folder.
     let sent = path(folder, "sent.toml");
     let (address, thread) = sender(frames(&kept), false);
     let again = path(folder, "again");
@@ -284,7 +284,7 @@ fn taught_from_frames_that_are_sent() {
     assert!(garbage.contains("frame 0: the first bytes") && garbage.contains("SWFR"), "{garbage}");
     thread.join().unwrap();
     assert_eq!(run(&["teach", &job, "--frames", &address, "-o", &sent]).status.code(), Some(3));
-    // A frame of another machine in the middle: what came before can be played.
+    // A frame of another machine in the middle: the frames before it can be played.
     let mut spoiled = all[..4].to_vec();
     spoiled[3].axes = Some(vec![0.0]);
     let (address, thread) = sender(spoiled, false);
@@ -301,11 +301,11 @@ fn the_operator_is_asked_and_it_goes_on() {
     let folder = folder.path();
     let (job, program) = (short(folder), path(folder, "taught.toml"));
     let lost = ["teach", &job, "--frames", "simulated", "--seed", "4", "--tack", "30,55", "-o", &program];
-    // Without an operator there is no question.
+    // Without an operator the program asks no question.
     assert_eq!(run(&lost).status.code(), Some(1));
     assert!(report(&program).contains("\"ended\": \"lost\""));
     let up_to = number(&report(&program), "length_mm");
-    // The tack begins at 30.
+    // The tack starts at 30.
     assert!((28.0..=31.0).contains(&up_to), "{up_to}");
     let ask = [&lost[..], &["--ask"]].concat();
     let answered = |input: &str| {
@@ -367,7 +367,7 @@ fn reduced_to_a_spline_with_the_torch_at_its_angles() {
     }
 }
 
-/// Places and directions of the torch all along the planned motion of a job or program on the EBW machine.
+/// Positions and directions of the torch all along the planned motion of a job or program on the EBW machine.
 fn poses(job: &str) -> Vec<(DVec3, DVec3)> {
     let axes = ["x", "y", "z", "v", "q", "u", "w"];
     let motion = common::table(&good(&["motion", job, "--period-ms", "20"]));

@@ -1,4 +1,4 @@
-//! `seamwright motion` with two levels: fine set-points by way of coarse ones, and what other controls get.
+//! `seamwright motion` with two levels: fine set-points by way of coarse ones, and the output for other controls.
 
 use crate::common::{column, example, good, run, table};
 
@@ -16,11 +16,11 @@ fn fine_set_points_pass_through_the_coarse_ones() {
     assert!(t.iter().zip(column(&exact, "t_s")).all(|(a, b)| (a - b).abs() < 1e-12));
     for name in AXES.iter().chain(&["s_mm"]) {
         let (fine, coarse, exact) = (column(&fine, name), column(&coarse, name), column(&exact, name));
-        // To the last bit where the coarse ones are.
+        // To the last bit at the coarse points.
         assert!(coarse.iter().enumerate().all(|(k, q)| fine[4 * k].to_bits() == q.to_bits()), "{name}");
         let off = fine.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         println!("{name}: {off:e}");
-        // The speed law jumps in acceleration where it starts and stops; nothing else is left.
+        // The speed profile jumps in acceleration at its start and stop; there is no other difference.
         assert!(off < 2e-2, "{name}: {off:e}");
         let middle = fine.len() / 3..fine.len() / 2;
         let off = middle.map(|k| (fine[k] - exact[k]).abs()).fold(0.0, f64::max);
@@ -47,7 +47,7 @@ fn spline1_passes_through_the_set_points() {
             let worst = q.iter().enumerate().map(|(k, q)| ((c[k + 23] + 4.0 * c[k + 24] + c[k + 25]) / 6.0 - q).abs());
             let worst = worst.fold(0.0, f64::max);
             assert!(worst < 1e-9, "{axis}: {worst:e}");
-            // It begins and ends at rest at the first and last set-point.
+            // It starts and ends at rest at the first and last set-point.
             let n = c.len();
             let ends = [c[0] - q[0], c[1] - c[0], c[n - 1] - q[q.len() - 1], c[n - 2] - c[n - 1]];
             assert!(ends.iter().all(|d| d.abs() < 1e-9), "{axis}: {ends:?}");

@@ -105,7 +105,7 @@ fn plan_and_simulate_leave_whole_files() {
     let motion = |file: &str| good(&["motion", file, "--period-ms", "50"]);
     assert_eq!(motion(&program), motion(&example("ellipse")));
     let report: Value = serde_json::from_str(&good(&["simulate", &program, "-o", &shown, "--json"])).unwrap();
-    // Length by speed, and what run-up and run-down lose.
+    // Length by speed, and the loss of the acceleration and deceleration phases.
     let weld_s = report["plan"]["weld_s"].as_f64().unwrap();
     let cruise_s = report["seam"]["weld_length_mm"].as_f64().unwrap() / 5.0;
     assert!(weld_s > cruise_s + 0.005 && weld_s < cruise_s + 0.2, "{weld_s} {cruise_s}");
@@ -113,7 +113,7 @@ fn plan_and_simulate_leave_whole_files() {
     let file = fs::File::open(out.join("trace.parquet")).unwrap();
     let reader = parquet::file::reader::SerializedFileReader::new(file).unwrap();
     let metadata = parquet::file::reader::FileReader::metadata(&reader);
-    // From switching on to home: homing and the strike take what the plan does not have.
+    // From switching on to home: homing and the strike take time beyond the plan.
     let planned_s = report["plan"]["total_s"].as_f64().unwrap();
     let more_s = metadata.file_metadata().num_rows() as f64 * 1e-3 - planned_s;
     assert!((0.5..20.0).contains(&more_s), "{more_s}");
@@ -199,7 +199,7 @@ fn schemas_in_docs_are_those_of_the_types() {
     for name in ["job", "machine", "operation", "procedure", "program"] {
         let path = root().join(format!("docs/schema/{name}.json"));
         let kept = fs::read_to_string(&path).unwrap();
-        // Not assert_eq: nobody wants to see both in full.
+        // `assert!` instead of `assert_eq!`, which would print both in full.
         assert!(good(&["schema", name]) == kept, "run: seamwright schema {name} > {}", path.display());
     }
 }
@@ -219,7 +219,7 @@ fn posted_programs_say_what_they_are() {
     assert!(blocks("0.1") < blocks("0.01") && blocks("0.01") < blocks("0.001"));
 }
 
-/// An arm without closed form: the search says how far it came when its time is over.
+/// An arm without closed form: the search reports its progress when its time is over.
 #[test]
 fn a_search_ends_when_its_time_is_over() {
     let job = root().join("tests/data/field-trial/u3.toml").display().to_string();
@@ -236,7 +236,7 @@ fn a_search_ends_when_its_time_is_over() {
     }
 }
 
-/// The exit code is the answer, also where nobody reads on.
+/// The exit code is the answer, even without a reader.
 #[test]
 fn several_jobs_keep_their_exit_code_without_a_reader() {
     for json in [&[][..], &["--json"]] {

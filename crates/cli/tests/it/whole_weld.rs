@@ -1,4 +1,4 @@
-//! The report of a weld of many passes is one of all of them: totals, a table by pass, and what is found said once.
+//! The report of a weld of many passes covers all of them: totals, a table by pass, and each finding once.
 
 use crate::common::{example, good};
 use serde_json::Value;
@@ -69,7 +69,7 @@ fn figures_of_many_passes_are_those_of_the_whole_weld() {
     assert_eq!(totals["total_s"], report["total_s"]);
     // A tack alone is welded in seconds.
     assert!(travel > 100.0 * number(&report["plan"]["weld_s"]));
-    // The page and the command line say the same, to the digits that they have.
+    // The page and the command line agree, to the digits that they have.
     assert!((tile(&page, "Weld time") / travel - 1.0).abs() < 1e-3, "{}", tile(&page, "Weld time"));
     assert!((tile(&page, "Arc-on time") / arc - 1.0).abs() < 1e-3);
     assert!((tile(&page, "Wire") / wire - 1.0).abs() < 1e-3);
@@ -101,7 +101,7 @@ fn each_pass_has_its_row_and_none_stands_for_the_weld() {
     }
     let wire: f64 = last[column("Wire, m")].parse().unwrap();
     assert!((wire / number(&report["totals"]["wire_m"]) - 1.0).abs() < 1e-3);
-    // The job's table has nothing of one pass.
+    // The job's table has no values of a single pass.
     assert!(!table(&page, "Job data").iter().flatten().any(|cell| cell == "current_a"));
 }
 
@@ -125,7 +125,7 @@ fn what_is_found_in_many_passes_is_said_once() {
     for text in [&summary, &page] {
         assert!(!text.to_lowercase().contains("none needed"));
     }
-    // One line says what was written, and the page is one that somebody reads.
+    // One line lists the files, and the page is short enough to read.
     assert_eq!(summary.matches("wrote").count(), 1, "{summary}");
     assert!(page.matches("<figure").count() < 40, "{}", page.matches("<figure").count());
 }

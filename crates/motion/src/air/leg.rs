@@ -2,8 +2,8 @@ use super::rest_to_rest::RestToRest;
 use crate::pace::{Rates, Timed, Tip};
 use seamwright_machine::{Axis, Course, Joints, Machine};
 
-/// Synchronised move of all axes between two sets of positions, straight in axis space, from rest to rest, as fast as
-/// the slowest axis allows within its speed, acceleration and jerk.
+/// Synchronised move of all axes between two sets of positions, straight in axis space, from rest to rest. Its speed is
+/// the maximum within every axis' speed, acceleration and jerk.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leg {
     from: Joints,

@@ -89,7 +89,7 @@ pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) 
 pub(crate) fn obstacle(around: &Surroundings, leg: &Leg) -> Option<String> {
     match around.along(leg, 1, &LIMITS) {
         Ok(profile) => profile.stretches.first().map(|stretch| too_near(around, stretch.watch, &stretch.nearest)),
-        // A leg that cannot be checked counts as not clear.
+        // An unchecked leg counts as not clear.
         Err(e) => Some(e.to_string()),
     }
 }

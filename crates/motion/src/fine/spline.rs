@@ -57,7 +57,7 @@ impl CoarseSpline {
         Self { period, rows, taken: 0, eliminated: 0, given: 0, finished: false }
     }
 
-    /// Takes the next set-point; the knot [`LOOK_AHEAD`] before it, if there is one.
+    /// Takes the next set-point. Returns the knot [`LOOK_AHEAD`] before it, if any.
     pub fn push(&mut self, q: &Joints) -> Option<Knot> {
         self.rows[self.taken % WINDOW] = Row { q: *q, ..Row::default() };
         self.taken += 1;

@@ -3,14 +3,14 @@ use crate::air::too_near;
 use seamwright_clearance::{ClearanceError, Limits};
 use seamwright_machine::{Course, Joints, Surroundings};
 
-/// How near things come on a point-to-point motion; times in s from its start.
+/// Clearance along a point-to-point motion; times in s from its start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionClearance {
-    /// The least distance found (mm), when, and who is near to whom; none if nothing comes nearer than the cut-off.
+    /// Minimum distance found (mm), its time, and the two solids; none if all distances exceed the cut-off.
     pub nearest: Option<(f64, f64, String)>,
-    /// Where a watch does not hold or cannot be shown to: from when to when, and what is too near.
+    /// Time intervals in which a watch fails or cannot be proved: start, end, and the solids that are too near.
     pub too_near: Vec<(f64, f64, String)>,
-    /// Distances are only told up to this, mm.
+    /// Maximum distance that is reported, mm.
     pub cutoff_mm: f64,
 }
 
@@ -27,7 +27,7 @@ impl Course for PointToPoint {
         PointToPoint::at(self, s).q
     }
 
-    /// Between two times a speed grows at most by its acceleration from the one and falls by it to the other.
+    /// Bounds a speed between two times by its values there and the maximum acceleration.
     fn greatest_rates(&self, from: f64, to: f64) -> Joints {
         let (first, last) = (PointToPoint::at(self, from), PointToPoint::at(self, to));
         let mut rates = Joints::default();
@@ -40,10 +40,10 @@ impl Course for PointToPoint {
 }
 
 impl PointToPoint {
-    /// Distances all along what is planned: nothing is nearer anywhere than its watch allows unless it is listed.
+    /// Computes the distances along the planned motion: every violation of a watch is listed.
     ///
     /// # Errors
-    /// Those of [`Surroundings::along`]; none is to be expected.
+    /// Those of [`Surroundings::along`]; not expected in practice.
     pub fn clearance(&self, around: &Surroundings) -> Result<MotionClearance, ClearanceError> {
         let smallest = (1e-5 * self.duration()).max(1e-9);
         let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest };

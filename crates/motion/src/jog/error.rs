@@ -1,10 +1,10 @@
 use arrayvec::ArrayString;
 use thiserror::Error;
 
-/// Name of an axis, as much of it as fits: a command is refused within the cycle, where nothing may allocate.
+/// Name of an axis, truncated to fit: commands are refused within the cycle, which must not allocate.
 pub type AxisName = ArrayString<32>;
 
-/// Why a command is not taken; the axes stay as they are. Positions in the units of files.
+/// Error of a refused command; the axes are unchanged. Positions in the units of files.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum JogError {
     /// A target or start beyond the end of an axis.
@@ -12,7 +12,7 @@ pub enum JogError {
     Range {
         /// Name of the axis.
         axis: AxisName,
-        /// The position asked for.
+        /// The requested position.
         value: f64,
         /// Lowest position.
         low: f64,
@@ -21,36 +21,36 @@ pub enum JogError {
         /// mm or deg.
         unit: &'static str,
     },
-    /// A value of an axis that is no number, or infinite.
+    /// A value of an axis is NaN or infinite.
     #[error("the {what} of axis {axis} is not a finite number")]
     NotFinite {
-        /// What it is.
+        /// Name of the value.
         what: &'static str,
         /// Name of the axis.
         axis: AxisName,
     },
-    /// The tip is to move at what is no velocity.
+    /// The requested velocity of the tip is not finite.
     #[error("the velocity of the tip is not a finite number")]
     TipNotFinite,
-    /// A period, time or override that cannot be.
+    /// A period, time or override is invalid.
     #[error("{what} is {value}; it must be {allowed}")]
     Setting {
-        /// What it is.
+        /// Name of the value.
         what: &'static str,
         /// Its value.
         value: f64,
-        /// What is allowed.
+        /// Allowed range.
         allowed: &'static str,
     },
     /// No such axis.
     #[error("the machine has {axes} axes, and no axis {axis}")]
     NoSuchAxis {
-        /// The index asked for.
+        /// The requested index.
         axis: usize,
         /// Number of axes.
         axes: usize,
     },
-    /// Where it should begin is not clear.
+    /// The start position is not clear.
     #[error("at the start {first} and {second} are {distance_mm:.3} mm apart, and {least_mm:.3} mm are asked for")]
     NotClear {
         /// Name of the one.
@@ -59,7 +59,7 @@ pub enum JogError {
         second: String,
         /// Their distance, mm.
         distance_mm: f64,
-        /// What is asked for, mm.
+        /// Required minimum distance, mm.
         least_mm: f64,
     },
     /// The jog has halted, and the halt has not been acknowledged by commanding rest.

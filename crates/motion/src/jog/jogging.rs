@@ -6,75 +6,75 @@ use glam::DVec3;
 use rsruckig::prelude::Synchronization;
 use seamwright_machine::{Joints, Keeper, MAX_AXES, Machine, RangeViolation, Surroundings};
 
-/// What the operator wants; replaces what was wanted before.
+/// Command of the operator; replaces the previous one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Command {
-    /// Nothing: to rest by the fastest stop. Acknowledges a halt.
+    /// Come to rest by the fastest stop. Acknowledges a halt.
     Rest,
-    /// Every axis at its speed (mm or rad per s, of either sign) as far as its range: keys or a stick.
+    /// Every axis at its speed (mm or rad per s, of either sign) up to the end of its range: keys or a joystick.
     Speeds(Joints),
-    /// One axis on by a distance (mm or rad, of either sign) from where it is going, or from where it will rest.
+    /// One axis by a distance (mm or rad, of either sign) from its target, or from its position of rest.
     Step {
         /// Index of the axis.
         axis: usize,
-        /// By how much.
+        /// Distance of the step.
         by: f64,
     },
-    /// All axes to positions, arriving at once.
+    /// Synchronised point-to-point move of all axes.
     To(Joints),
     /// The tip of the first head's torch along a straight line at a velocity (mm/s), its direction kept.
     Tip {
-        /// What the velocity is given in.
+        /// Frame of the velocity.
         frame: TipFrame,
         /// Velocity of the tip against the work.
         velocity: DVec3,
     },
 }
 
-/// What is known in a period.
+/// Input signals of a period.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Signals {
     /// The enabling switch is held.
     pub enabled: bool,
-    /// The stream of commands is alive: something has come from the panel since the period before.
+    /// The stream of commands is alive: the panel has sent a message since the previous period.
     pub alive: bool,
-    /// Stand still, and go on when this is off again.
+    /// Feed hold: stop, and continue when this is false again.
     pub hold: bool,
 }
 
-/// Why the jog stopped by itself. Nothing moves again before [`Command::Rest`].
+/// Reason why the jog halted. It stays at rest until [`Command::Rest`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Halt {
-    /// The enabling switch was let go.
+    /// The enabling switch was released.
     NotEnabled,
     /// No sign of life from the panel for the time of [`JogSettings::silence_s`].
     Silent,
-    /// Going on would lead nearer than a watch allows, or cannot be shown not to: its index in the surroundings' scene.
+    /// Further motion would violate a watch, or cannot be proved to keep it: its index in the surroundings' scene.
     TooNear(usize),
-    /// Going on would pass the speed, acceleration, jerk or range of this axis.
+    /// Further motion would exceed the speed, acceleration, jerk or range of this axis.
     Limit(usize),
-    /// There is no motion to what is wanted, or no positions for the tip's line.
+    /// No motion to the target, or no axis positions for the tip's line, exist.
     NoMotion,
 }
 
 /// One set-point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JogPoint {
-    /// Where the axes are to be.
+    /// Set positions, speeds and accelerations of the axes.
     pub state: State,
-    /// Why the jog stopped or stops by itself.
+    /// Reason of a halt, if any.
     pub halt: Option<Halt>,
 }
 
 /// Fixed settings of a jog.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JogSettings {
-    /// From one set-point to the next, s.
+    /// Period of the set-points, s.
     pub period_s: f64,
     /// The jog halts after this long without a sign of life, s: 0.1 is usual.
     pub silence_s: f64,
-    /// Distances that are computed for a watch in one period, at most, where the neighbourhood of the last one is not
-    /// enough: 16 is much.
+    /// Maximum number of distances computed for a watch in one period if the neighbourhood of the last one does not
+    /// suffice: 16 is ample.
     pub looks: u32,
 }
 
@@ -84,7 +84,7 @@ impl Default for JogSettings {
     }
 }
 
-/// What is being followed.
+/// Command that is being executed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mode {
     Rest,
@@ -93,25 +93,25 @@ enum Mode {
     Tip { frame: TipFrame, velocity: DVec3, line: Option<TipLine> },
 }
 
-/// Jogging behind a shield.
+/// Jogging behind a safety shield.
 ///
-/// Guarantee, if the start is at rest, in range and clear: every set-point, the straight way from the one before to it,
-/// and the fastest stop of every axis from it are within all ranges and clear of everything watched, and speeds,
-/// accelerations and jerks are within their limits. A set-point for which that is not shown is not taken; then the stop
-/// from the last one is followed, in the same period. A lost switch or a silent panel does the same: no computation is
-/// needed to stop. No step allocates (exceptions: distances of meshes, and where no motion is found) or reads a clock.
+/// Guarantee, if the start is at rest, in range and clear: every set-point, the straight move from the previous one to
+/// it, and the fastest stop of every axis from it are within all ranges and clear of everything watched. Speeds,
+/// accelerations and jerks are within their limits. A set-point without this proof is rejected; the stop from the last
+/// one is then followed, in the same period. A released switch or a silent panel has the same effect: a stop needs no
+/// computation. No step allocates (exceptions: distances of meshes, and if no motion is found) or reads a clock.
 #[derive(Debug)]
 pub struct Jog<'a> {
     machine: &'a Machine,
     keeper: Option<Keeper<'a>>,
     settings: JogSettings,
     plan: PointToPoint,
-    /// Time since the start of what is planned; none if it has to be planned first.
+    /// Time since the start of the planned motion; none if planning is due.
     planned_for: Option<f64>,
     mode: Mode,
     override_share: f64,
     state: State,
-    /// The verified stop, and how much of it has been followed.
+    /// The verified stop, and the time it has been followed.
     stop: Stop,
     stopped_for: f64,
     silent_for: f64,
@@ -119,10 +119,10 @@ pub struct Jog<'a> {
 }
 
 impl<'a> Jog<'a> {
-    /// A jog that rests at positions `start`. Without surroundings nothing is watched.
+    /// Creates a jog at rest at positions `start`. Without surroundings no distances are watched.
     ///
     /// # Errors
-    /// A start that is out of range or not clear; settings that cannot be.
+    /// A start that is out of range or not clear; invalid settings.
     pub fn new(
         machine: &'a Machine,
         surroundings: Option<&'a Surroundings<'a>>,
@@ -141,10 +141,10 @@ impl<'a> Jog<'a> {
         Ok(jog)
     }
 
-    /// Everything that a jog takes memory for, not begun anywhere: first [`Jog::begin`].
+    /// Allocates all memory of a jog without a start position: call [`Jog::begin`] first.
     ///
     /// # Errors
-    /// Settings that cannot be.
+    /// Invalid settings.
     pub fn prepared(
         machine: &'a Machine,
         surroundings: Option<&'a Surroundings<'a>>,
@@ -174,8 +174,8 @@ impl<'a> Jog<'a> {
         })
     }
 
-    /// Begins anew, at rest at positions `start`, with nothing wanted and the full override. False, with the jog as it was, if
-    /// they are out of range or not clear. No allocation, except on meshes.
+    /// Restarts at rest at positions `start`, without a command and with the full override. Returns false, with the jog
+    /// unchanged, if they are out of range or not clear. No allocation, except on meshes.
     pub fn begin(&mut self, start: &Joints) -> bool {
         let there = self.machine.axes.iter().zip(start).all(|(_, q)| q.is_finite());
         let stands = there
@@ -195,15 +195,16 @@ impl<'a> Jog<'a> {
         &self.state
     }
 
-    /// Why it stopped by itself, until that is acknowledged.
+    /// Reason of the current halt, until it is acknowledged.
     pub fn halt(&self) -> Option<Halt> {
         self.halt
     }
 
-    /// The share of the axes' speeds that is used at most, above 0 and up to 1; wanted speeds are multiplied by it.
+    /// Sets the override: the maximum used fraction of the axes' speeds, above 0 and up to 1. It multiplies commanded
+    /// speeds.
     ///
     /// # Errors
-    /// Other values; nothing is changed then.
+    /// Other values; the override is then unchanged.
     pub fn set_override(&mut self, share: f64) -> Result<(), JogError> {
         if !(share > 0.0 && share <= 1.0) {
             return Err(JogError::Setting { what: "the override", value: share, allowed: "above 0 and at most 1" });
@@ -214,12 +215,11 @@ impl<'a> Jog<'a> {
         Ok(())
     }
 
-    /// Replaces what is wanted. Between two commands of the same kind the motion is carried on; a tip's line begins at
-    /// rest.
+    /// Replaces the command. Between two commands of the same kind the motion continues; a tip's line starts at rest.
     ///
     /// # Errors
-    /// Values that are no numbers, targets out of range, and anything but [`Command::Rest`] after a halt; what was
-    /// wanted before stays then. Refusing does not allocate.
+    /// Values that are not finite, targets out of range, and commands other than [`Command::Rest`] after a halt; the
+    /// previous command then stays. Refusing does not allocate.
     pub fn command(&mut self, command: &Command) -> Result<(), JogError> {
         let mode = match *command {
             Command::Rest => {
@@ -261,7 +261,7 @@ impl<'a> Jog<'a> {
         Ok(checked)
     }
 
-    /// A line goes on if only its speed changes.
+    /// Mode of a tip jog: a line continues if only its speed changes.
     fn tip(&self, frame: TipFrame, velocity: DVec3) -> Result<Mode, JogError> {
         if !velocity.is_finite() {
             return Err(JogError::TipNotFinite);
@@ -273,7 +273,7 @@ impl<'a> Jog<'a> {
         Ok(Mode::Tip { frame, velocity, line })
     }
 
-    /// The next set-point, a period after the last.
+    /// Computes the next set-point, a period after the last.
     pub fn step(&mut self, signals: &Signals) -> JogPoint {
         self.silent_for = if signals.alive { 0.0 } else { self.silent_for + self.settings.period_s };
         let moves = self.mode != Mode::Rest;
@@ -314,7 +314,7 @@ impl<'a> Jog<'a> {
         }
     }
 
-    /// Where what is wanted leads in a period; none for the stop.
+    /// Candidate state of the command after a period; none for the stop.
     fn candidate(&mut self) -> Result<Option<State>, Halt> {
         match self.mode {
             Mode::Rest => Ok(None),
@@ -351,7 +351,7 @@ impl<'a> Jog<'a> {
         let speed = self.override_share * velocity.length();
         let mut line = match line {
             Some(line) => line,
-            // A line begins at rest.
+            // A line starts at rest.
             None if speed <= 0.0 || !self.state.rests() => return Ok(None),
             None => {
                 let along = frame.to_work(&self.machine.forward(&self.state.q), velocity).normalize_or_zero();
@@ -363,7 +363,7 @@ impl<'a> Jog<'a> {
         next.map(Some).ok_or(Halt::NoMotion)
     }
 
-    /// The stop from a set-point, if the set-point may be taken.
+    /// Verifies a set-point. Returns the stop from it.
     fn verified(&mut self, next: &State) -> Result<Stop, Halt> {
         let period = self.settings.period_s;
         let stop = Stop::new(self.plan.limits(), next);
@@ -384,8 +384,8 @@ impl<'a> Jog<'a> {
         Ok(stop)
     }
 
-    /// The promised stopping distance of an axis from where it is, mm or rad: see
-    /// [`super::AxisLimits::stopping_distance`]. It counts from the set-point at which the loss is seen; a silent
+    /// Guaranteed stopping distance of an axis from its position, mm or rad: see
+    /// [`super::AxisLimits::stopping_distance`]. It counts from the set-point at which the loss is detected; a silent
     /// panel adds the time of silence at its speed.
     ///
     /// # Errors
@@ -396,7 +396,7 @@ impl<'a> Jog<'a> {
         Ok(limits.stopping_distance(self.state.speed[axis]))
     }
 
-    /// The promised stopping distance of the torch tip against the work from where it is, mm.
+    /// Guaranteed stopping distance of the torch tip relative to the work from its position, mm.
     pub fn tip_stopping_distance(&self) -> f64 {
         let mut by = Joints::default();
         for (i, limits) in self.plan.limits().iter().enumerate() {
@@ -408,10 +408,10 @@ impl<'a> Jog<'a> {
     }
 }
 
-/// Shares of a limit that rounding may add.
+/// Relative tolerance of limits for rounding.
 const SLACK: f64 = 1e-9;
 
-/// True if `next` can follow `now` after a period with no more than a jerk.
+/// True if `next` can follow `now` after a period within the jerk limit.
 fn follows(now: (f64, f64, f64), next: (f64, f64, f64), jerk: f64, t: f64) -> bool {
     let (q, v, a) = (now.0 + t * (now.1 + 0.5 * t * now.2), now.1 + t * now.2, now.2);
     let near = |x: f64, y: f64, share: f64, size: f64| {
@@ -420,15 +420,15 @@ fn follows(now: (f64, f64, f64), next: (f64, f64, f64), jerk: f64, t: f64) -> bo
     near(next.2, a, jerk * t, a) && near(next.1, v, jerk * t * t / 2.0, v) && near(next.0, q, jerk * t.powi(3) / 6.0, q)
 }
 
-/// What fits of the name of an axis.
+/// Name of an axis, truncated to fit.
 fn short(name: &str) -> AxisName {
     let mut short = AxisName::new();
-    // One more character than there is room for ends it.
+    // The first character that does not fit ends it.
     let _ = name.chars().try_for_each(|c| short.try_push(c));
     short
 }
 
-/// Positions that are numbers within the ranges.
+/// Checks that positions are finite and within the ranges.
 fn check_positions(machine: &Machine, q: &Joints) -> Result<(), JogError> {
     if let Some(axis) = machine.axes.iter().zip(q).find(|(_, q)| !q.is_finite()).map(|(axis, _)| axis) {
         return Err(JogError::NotFinite { what: "position", axis: short(&axis.name) });

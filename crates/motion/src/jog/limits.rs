@@ -1,15 +1,15 @@
 use seamwright_machine::Axis;
 
-/// What one axis can do, mm or rad and s; all greater than 0 and finite.
+/// Limits of one axis, mm or rad and s; all greater than 0 and finite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisLimits {
-    /// Highest speed.
+    /// Maximum speed.
     pub speed: f64,
-    /// Highest acceleration.
+    /// Maximum acceleration.
     pub acceleration: f64,
-    /// Highest jerk.
+    /// Maximum jerk.
     pub jerk: f64,
-    /// Lowest and highest position; infinite on a continuous axis.
+    /// Minimum and maximum position; infinite on a continuous axis.
     pub range: (f64, f64),
 }
 
@@ -21,23 +21,24 @@ impl From<&Axis> for AxisLimits {
 }
 
 impl AxisLimits {
-    /// The promised stopping distance: no fastest stop from a state within the limits with this speed (of either sign)
-    /// takes the axis farther from where it is, mm or rad.
+    /// Guaranteed stopping distance, mm or rad: an upper bound of the fastest stop's distance from any state within the
+    /// limits with this speed (of either sign).
     ///
-    /// Closed form. The worst acceleration is the highest from which the highest speed is not passed; it is taken away
-    /// at full jerk, and what speed there is then braked. Only if the axis is slow for its acceleration can it go
-    /// farther backwards: then that is the worst.
+    /// Closed form. The worst acceleration is the maximum from which the maximum speed is not exceeded: it is reduced
+    /// to 0 at full jerk, and the resulting speed is then braked. An axis that is slow for its acceleration may travel
+    /// farther backwards; that is then the worst case.
     pub fn stopping_distance(&self, speed: f64) -> f64 {
         let (v, top, a, j) = (speed.abs().min(self.speed), self.speed, self.acceleration, self.jerk);
         let onwards = self.accelerating(v, a.min((2.0 * j * (top - v)).sqrt()));
-        // Against the motion: what is left of the acceleration where the axis turns round.
+        // Against the motion: the remaining acceleration at the reversal of the axis.
         let back = (0.5 * a * a / j - v).clamp(0.0, top);
         onwards.max(self.accelerating(0.0, (2.0 * j * back).sqrt()))
     }
 
-    /// The same at the highest speed or any lower one.
+    /// Guaranteed stopping distance at any speed up to the maximum.
     pub fn greatest_stopping_distance(&self) -> f64 {
-        // The distance grows with the speed up to where the highest acceleration just fits; beyond, it may fall again.
+        // The distance grows with the speed up to the point at which the maximum acceleration just fits; beyond, it may
+        // fall again.
         let corner = (self.speed - 0.5 * self.acceleration.powi(2) / self.jerk).max(0.0);
         self.stopping_distance(self.speed).max(self.stopping_distance(corner)).max(self.stopping_distance(0.0))
     }

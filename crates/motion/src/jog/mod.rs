@@ -1,10 +1,9 @@
-//! Moving by hand: continuous and step-wise jogging, of axes and of the torch tip, and point-to-point motion.
+//! Manual motion: continuous and incremental jogging of axes and of the torch tip, and point-to-point motion.
 //!
 //! [`PointToPoint`] takes all axes from any state to rest at a target within speed, acceleration, jerk and range;
-//! [`Jog`] turns commands into set-points, one a period, behind a shield: with every set-point goes the fastest stop
-//! from it, and a set-point is only taken if this stop stays within all limits and clear of everything. Else the stop
-//! of the set-point before is followed, which was verified when that one was taken. So there is always a verified way
-//! to rest, whatever is commanded, lost, or too late.
+//! [`Jog`] turns commands into set-points, one a period, behind a safety shield. Every set-point has a fastest stop,
+//! and is only accepted if this stop stays within all limits and clear of everything. Else the stop of the previous
+//! set-point, already verified, is followed. So a verified stop always exists, for every command, lost signal or delay.
 
 mod clearance;
 mod error;

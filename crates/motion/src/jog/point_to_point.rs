@@ -2,29 +2,29 @@ use super::{AxisLimits, JogError, State};
 use rsruckig::prelude::*;
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 
-/// Soft ends are this much (mm or rad) inside the range, so that rounding never puts an axis beyond.
+/// Margin of the soft ends inside the range, mm or rad, so that rounding never puts an axis beyond.
 pub(super) const ROOM: f64 = 1e-7;
 
-/// Ruckig refuses motions of more than 7,600 s; no axis is sent on one of more than about this.
+/// Approximate maximum duration of a motion, s: Ruckig refuses more than 7,600 s.
 const LONGEST_S: f64 = 3000.0;
 
-/// Motion of all axes from any state to rest at a target, within every axis' speed, acceleration, jerk and range, all
-/// arriving at once; the target can be replaced at any time. Ruckig's algorithm (`rsruckig`) finds it.
+/// Synchronised motion of all axes from any state to rest at a target, within every axis' speed, acceleration, jerk and
+/// range. The target can be replaced at any time. Uses Ruckig's algorithm (`rsruckig`).
 ///
-/// What is not finite never reaches the library, nor do infinite limits, which it would take for a lower order. What it
-/// returns is checked against the ranges, which it does not know: where all arriving at once would leave a range on the
-/// way, each axis takes its own least time.
+/// The library never receives values that are not finite, or infinite limits, which it would take for a lower order.
+/// Its results are checked against the ranges, which it does not know: if the synchronised motion would leave a range,
+/// each axis takes its own minimum time.
 #[derive(Debug)]
 pub struct PointToPoint {
     limits: Vec<AxisLimits>,
     ruckig: Ruckig<0, IgnoreErrorHandler>,
     input: InputParameter<0>,
     trajectory: Trajectory<0>,
-    /// True for axes that go on at their speed at the end.
+    /// True if an axis continues at its speed after the end.
     goes_on: bool,
 }
 
-/// What one axis is to do.
+/// Goal of one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Goal {
     /// To rest at a position, no faster than a speed greater than 0.
@@ -52,21 +52,21 @@ impl PointToPoint {
         Self { limits, ruckig: Ruckig::new(axes, 1e-3), input, trajectory: Trajectory::new(axes), goes_on: false }
     }
 
-    /// What the axes can do.
+    /// Limits of the axes.
     pub fn limits(&self) -> &[AxisLimits] {
         &self.limits
     }
 
-    /// Plans from `from` to rest at `target`, at up to the share `override_share` (above 0, up to 1) of the axes'
-    /// speeds. No allocation, except where the library finds no motion.
+    /// Plans from `from` to rest at `target`, at up to the fraction `override_share` (above 0, up to 1) of the axes'
+    /// speeds. No allocation, unless the library finds no motion.
     ///
     /// # Errors
-    /// [`JogError::NoMotion`]; what was planned before is lost then.
+    /// [`JogError::NoMotion`]; the previous plan is then lost.
     pub fn plan(&mut self, from: &State, target: &Joints, override_share: f64) -> Result<(), JogError> {
         let mut goals = [Goal::Speed(0.0); MAX_AXES];
         for ((goal, limits), at) in goals.iter_mut().zip(&self.limits).zip(target) {
             let (low, high) = limits.range;
-            // A range narrower than its room: its middle.
+            // A range narrower than its margins yields a single point.
             let (low, high) = (low + ROOM, (high - ROOM).max(low + ROOM));
             *goal = Goal::Position { at: at.clamp(low, high), speed: override_share * limits.speed };
         }
@@ -78,7 +78,7 @@ impl PointToPoint {
         Err(JogError::NoMotion)
     }
 
-    /// Plans to one goal an axis; ranges are not looked at.
+    /// Plans to one goal per axis without checking ranges.
     pub(super) fn plan_goals(
         &mut self,
         from: &State,
@@ -109,15 +109,15 @@ impl PointToPoint {
         if !finite {
             return Err(JogError::NoMotion);
         }
-        // Errors the library ignores are in its result.
+        // The library reports ignored errors in its result.
         match self.ruckig.calculate(input, &mut self.trajectory) {
             Ok(RuckigResult::Working | RuckigResult::Finished) => Ok(()),
             _ => Err(JogError::NoMotion),
         }
     }
 
-    /// True if no axis goes farther beyond its range than it is already. Not for speeds as goals: the library's
-    /// extremes are wrong there.
+    /// True if no axis moves farther beyond its range than it is already. Not valid for speeds as goals, for which the
+    /// library's extremes are wrong.
     fn stays_in_range(&mut self, from: &State) -> bool {
         let reach = self.trajectory.get_position_extrema();
         let mut ends = self.limits.iter().zip(from.q.iter().zip(reach.iter()));
@@ -125,12 +125,12 @@ impl PointToPoint {
         ends.all(|(limits, (q, reach))| inside(limits.range, *q, reach.min, reach.max))
     }
 
-    /// Time from the start of what is planned to its end, s.
+    /// Duration of the planned motion, s.
     pub fn duration(&self) -> f64 {
         self.trajectory.get_duration()
     }
 
-    /// The state at time `t` (s) from the start of what is planned; at rest after its end.
+    /// The state at time `t` (s) from the start of the planned motion; at rest after its end.
     pub fn at(&self, t: f64) -> State {
         let mut state = State::default();
         let set = |i: usize, t: f64, p: f64, v: f64, a: f64, j: f64| {
@@ -145,7 +145,7 @@ impl PointToPoint {
 }
 
 impl Goal {
-    /// The goal of an axis at `q` that is to go on at speed `wanted`: as far as its range, slowing down in time.
+    /// Goal of an axis at `q` that moves at speed `wanted` up to the end of its range, slowing down in time.
     pub(super) fn jog(limits: &AxisLimits, q: f64, wanted: f64) -> Self {
         let end = if wanted > 0.0 { limits.range.1 - ROOM } else { limits.range.0 + ROOM };
         let speed = wanted.abs();
@@ -155,7 +155,7 @@ impl Goal {
         if end.is_infinite() {
             return Self::Speed(wanted);
         }
-        // Far ends at low speeds would take too long for the library: a place on the way, to be replaced in time.
+        // Far ends at low speeds take too long for the library: uses a nearer position, to be replaced in time.
         let farthest = speed * LONGEST_S;
         Self::Position { at: if (end - q).abs() > farthest { q + farthest.copysign(wanted) } else { end }, speed }
     }

@@ -1,13 +1,13 @@
 use super::AxisLimits;
 
-/// One axis from any speed and acceleration to a constant speed, as fast as its acceleration and jerk let it: three
-/// stretches of constant jerk, in closed form.
+/// Time-optimal change of one axis from any speed and acceleration to a constant speed within its acceleration and
+/// jerk: three phases of constant jerk, in closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Ramp {
-    /// Position, speed and acceleration where each stretch begins.
+    /// Position, speed and acceleration at the start of each phase.
     begins: [(f64, f64, f64); 4],
     jerks: [f64; 3],
-    /// Times at which each stretch ends.
+    /// End time of each phase.
     ends: [f64; 3],
 }
 
@@ -17,14 +17,15 @@ fn moved((q, v, a): (f64, f64, f64), j: f64, t: f64) -> (f64, f64, f64) {
 }
 
 impl Ramp {
-    /// From position, speed and acceleration `from` to the speed `to`. An acceleration beyond its limit is taken back.
+    /// Plans from position, speed and acceleration `from` to the speed `to`. An acceleration beyond its limit is
+    /// reduced.
     pub(super) fn new(limits: &AxisLimits, from: (f64, f64, f64), to: f64) -> Self {
         let (_, v, a) = from;
         let j = limits.jerk;
-        // Where the speed goes if the acceleration is only taken away: what is missing then says the way to push.
+        // The sign follows from the speed left missing after only reducing the acceleration to 0.
         let way = if to >= v + a * a.abs() / (2.0 * j) { 1.0 } else { -1.0 };
         let (a, missing) = (way * a, way * (to - v));
-        // From a to a peak and from there to 0: (2 peak^2 - a^2) / 2 j is what that changes the speed by.
+        // From a to a peak and from there to 0 the speed changes by (2 peak^2 - a^2) / 2 j.
         let peak = (j * missing + 0.5 * a * a).max(0.0).sqrt();
         let most = limits.acceleration.max(a);
         let (peak, hold) = if peak <= most {
@@ -41,7 +42,7 @@ impl Ramp {
             ramp.ends[i] = t;
             ramp.begins[i + 1] = moved(ramp.begins[i], jerks[i], times[i]);
         }
-        // What rounding left.
+        // Removes the rounding of the end.
         (ramp.begins[3].1, ramp.begins[3].2) = (to, 0.0);
         ramp
     }
@@ -50,7 +51,7 @@ impl Ramp {
         self.ends[2]
     }
 
-    /// Position where the speed is reached.
+    /// Position at which the speed is reached.
     pub(super) fn end(&self) -> f64 {
         self.begins[3].0
     }
@@ -63,7 +64,7 @@ impl Ramp {
         }
     }
 
-    /// Lowest and highest position on the way.
+    /// Minimum and maximum position during the change.
     pub(super) fn reach(&self) -> (f64, f64) {
         let mut reach = (self.begins[0].0, self.begins[0].0);
         let mut meets = |q: f64| reach = (reach.0.min(q), reach.1.max(q));
@@ -71,7 +72,7 @@ impl Ramp {
             let (begin, j) = (self.begins[i], self.jerks[i]);
             let length = self.ends[i] - if i == 0 { 0.0 } else { self.ends[i - 1] };
             let (_, v, a) = begin;
-            // The axis turns round where v + a t + j t^2 / 2 = 0: both roots without cancellation.
+            // The axis reverses where v + a t + j t^2 / 2 = 0: both roots without cancellation.
             let root = (a * a - 2.0 * j * v).max(0.0).sqrt();
             let sum = -(a + root.copysign(a));
             for t in [sum / j, 2.0 * v / sum] {
@@ -84,7 +85,7 @@ impl Ramp {
         reach
     }
 
-    /// The highest speed, of either sign, between two times from 0 on.
+    /// Maximum absolute speed between two times from 0 on.
     pub(super) fn greatest_speed(&self, from: f64, to: f64) -> f64 {
         // The acceleration passes 0 at most once: in the first stretch.
         let (_, _, a) = self.begins[0];
@@ -150,7 +151,7 @@ mod tests {
         }
     }
 
-    /// An acceleration beyond its limit, as after a lower limit was set, is taken back first.
+    /// An acceleration beyond its limit, as after the limit was lowered, is reduced first.
     #[test]
     fn takes_back_what_is_too_much() {
         let range = (f64::NEG_INFINITY, f64::INFINITY);

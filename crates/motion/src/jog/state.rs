@@ -22,7 +22,7 @@ impl State {
         (self.q[i], self.speed[i], self.acceleration[i])
     }
 
-    /// True if nothing moves.
+    /// True if all speeds and accelerations are 0.
     pub fn rests(&self) -> bool {
         self.speed.iter().chain(&self.acceleration).all(|x| *x == 0.0)
     }

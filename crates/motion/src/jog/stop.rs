@@ -2,7 +2,7 @@ use super::ramp::Ramp;
 use super::{AxisLimits, State};
 use seamwright_machine::{Course, Joints, MAX_AXES};
 
-/// Every axis to rest by its own fastest jerk-limited stop.
+/// Stop of every axis by its own fastest jerk-limited motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stop {
     ramps: [Ramp; MAX_AXES],
@@ -29,7 +29,7 @@ impl Stop {
         &self.ramps[..self.axes]
     }
 
-    /// Where all rest.
+    /// Positions of rest.
     pub(super) fn end(&self) -> Joints {
         let mut q = Joints::default();
         q.iter_mut().zip(self.ramps()).for_each(|(q, ramp)| *q = ramp.end());
@@ -45,8 +45,8 @@ impl Stop {
     }
 }
 
-/// What a set-point commits to: straight from the one before to it in a period, then the stop from it. The parameter is
-/// time, s; 0 at the set-point.
+/// Motion that a set-point commits to: straight from the previous one to it in a period, then the stop from it. The
+/// parameter is time, s; 0 at the set-point.
 #[derive(Debug)]
 pub(super) struct Commitment<'a> {
     pub(super) before: &'a Joints,
@@ -55,7 +55,7 @@ pub(super) struct Commitment<'a> {
 }
 
 impl Commitment<'_> {
-    /// Lowest and highest positions on it.
+    /// Minimum and maximum positions on it.
     pub(super) fn reach(&self) -> (Joints, Joints) {
         let (mut low, mut high) = (*self.before, *self.before);
         for (i, ramp) in self.stop.ramps().iter().enumerate() {

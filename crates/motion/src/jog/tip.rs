@@ -4,18 +4,18 @@ use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
 
-/// What directions of a tip jog are given in.
+/// Frame of the directions of a tip jog.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TipFrame {
     /// The work's.
     Work,
-    /// The torch's: z along its axis from the torch to the work, x across it as near to the work's x as can be (the
-    /// work's y where the torch lies along x), y across both.
+    /// The torch's: z along its axis from the torch to the work, x across it as near to the work's x as possible (the
+    /// work's y if the torch lies along x), y across both.
     Torch,
 }
 
 impl TipFrame {
-    /// A vector of the frame in the work frame.
+    /// Transforms a vector of this frame to the work frame.
     pub fn to_work(self, pose: &Pose, v: DVec3) -> DVec3 {
         if self == Self::Work {
             return v;
@@ -28,8 +28,8 @@ impl TipFrame {
     }
 }
 
-/// The torch tip along a straight line in the work frame, its direction kept as well as the machine can: the positions
-/// are those of the inverse, so the line is exact; how fast it is followed is decided period by period.
+/// The torch tip on a straight line in the work frame, its direction kept as well as the machine can. The positions are
+/// those of the inverse, so the line is exact; the speed along it is chosen period by period.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TipLine {
     start: Pose,
@@ -39,18 +39,18 @@ pub(super) struct TipLine {
     at: (f64, f64, f64),
 }
 
-/// Positions are compared this far (mm) ahead and back on the line for their derivatives: rounding is then some
-/// 1e-9 of a mm per mm^2, and the fourth derivative far below what matters.
+/// Step of the differences for derivatives along the line, mm: rounding is then some 1e-9 of a mm per mm^2, and the
+/// fourth derivative is negligible.
 const APART_MM: f64 = 0.02;
 
 impl TipLine {
-    /// A line from rest at positions `q`.
+    /// Creates a line from rest at positions `q`.
     pub(super) fn new(machine: &Machine, q: &Joints, along: DVec3) -> Self {
         Self { start: machine.forward(q), along, at: (0.0, 0.0, 0.0) }
     }
 
-    /// A period on towards the speed `wanted` (mm/s), no faster than the axes at `now` let it: the state there. None
-    /// where the inverse has no answer.
+    /// Advances a period towards the speed `wanted` (mm/s), within the limits of the axes at `now`. Returns the new
+    /// state; none if the inverse has no solution.
     pub(super) fn next(
         &mut self,
         machine: &Machine,
@@ -90,8 +90,8 @@ impl TipLine {
     }
 }
 
-/// What the axes let the tip do along a line: half of their acceleration and jerk for its own changes of speed, a
-/// quarter of the acceleration for the bends of the axes' path.
+/// Limits of the tip along a line from those of the axes: half of their acceleration and jerk for its own changes of
+/// speed, a quarter of the acceleration for the curvature of the axes' path.
 fn along_limits(limits: &[AxisLimits], first: &Joints, second: &Joints) -> AxisLimits {
     let infinite = f64::INFINITY;
     let mut most = AxisLimits { speed: infinite, acceleration: infinite, jerk: infinite, range: (-infinite, infinite) };
@@ -103,8 +103,8 @@ fn along_limits(limits: &[AxisLimits], first: &Joints, second: &Joints) -> AxisL
     most
 }
 
-/// Whether two velocities differ by nothing but rounding and their lengths; an angle near zero would not be known
-/// well enough.
+/// True if two velocities have the same direction within rounding. Uses the cross product, since small angles are
+/// inaccurate.
 pub(super) fn same_way(a: DVec3, b: DVec3) -> bool {
     a.dot(b) > 0.0 && a.cross(b).length() <= 1e-9 * a.length() * b.length()
 }

@@ -22,8 +22,8 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// The cell between these `tau` that begins at time `t`, with the squared speed and its derivatives at its start,
-    /// and the squared speeds asked at its ends.
+    /// Creates the cell between these `tau` from time `t` on, with the squared speed and its derivatives at its start,
+    /// and the requested squared speeds at its ends.
     pub(super) fn new((tau, end): (f64, f64), t: f64, [b, d, e]: [f64; 3], (cruises, asked): (bool, [f64; 2])) -> Self {
         let width = end - tau;
         let b_end = b + width * (d + 0.5 * width * e);
@@ -33,7 +33,7 @@ impl Cell {
         Self { tau, end, t, time: crossing(w, width / (v + v_end)), v, a, w, cruises, parts }
     }
 
-    /// Cell `i` of a law with coefficients `c` in `cells`, beginning at time `t`.
+    /// Creates cell `i` of a profile with coefficients `c` in `cells`, starting at time `t`.
     pub(super) fn of_spline(cells: &Cells, c: &[f64], i: usize, t: f64) -> Self {
         let w = cells.weights(i);
         let dot = |w: &[f64; 3]| w[0] * c[i] + w[1] * c[i + 1] + w[2] * c[i + 2];
@@ -56,8 +56,8 @@ impl Cell {
         if tau > self.tau { self.t + crossing(self.w, (tau - self.tau) / (self.v + v)) } else { self.t }
     }
 
-    /// The law `t` after the cell's start, `map` being that of its piece; at a border of the map from the side
-    /// `before`.
+    /// The profile at the time `t` after the cell's start, with the `map` of its piece; at a border of the map from the
+    /// side `before`.
     pub(super) fn point(&self, map: &RestToRest, t: f64, before: bool) -> LawPoint {
         let (travelled, v) = self.after(t);
         let (a, j) = (self.a + self.w * travelled, self.w * v);

@@ -72,7 +72,7 @@ const BINDS: f64 = 0.9;
 const AS_ASKED: f64 = 1e-6;
 
 impl Certificate {
-    /// Computes the certificate of `law` along `path`.
+    /// Computes the certificate of the speed profile `law` along `path`.
     pub fn new(path: &dyn Channels, law: &SpeedLaw) -> Self {
         let channels = path.limits().len();
         let mut built = Self {

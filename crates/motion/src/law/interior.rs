@@ -225,7 +225,7 @@ impl Iterate {
         true
     }
 
-    /// True if every new slack keeps at least 0.5 % of its old value.
+    /// True if every new slack exceeds 0.5 % of its old value.
     fn stays_inside(&self) -> bool {
         let kept =
             |(new, old): (&Vec<f64>, &Vec<f64>)| new.iter().zip(old).fold(true, |all, (n, o)| all & (*n > 0.005 * o));

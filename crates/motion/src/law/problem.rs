@@ -55,7 +55,7 @@ pub(super) struct Place {
 /// upper bounds.
 pub(crate) type Lists = [Vec<f64>; 7];
 
-/// Slopes and curvatures at a law.
+/// Slopes and curvatures at a profile.
 pub(crate) struct Newton {
     pub(crate) time: f64,
     /// Slopes of the time,

@@ -11,8 +11,8 @@ use std::collections::VecDeque;
 
 /// A path that is read on demand: its channels are known over the loaded part, given by [`Channels::range`].
 pub trait Feed: Channels {
-    /// Loads the path until at least `seconds` beyond `beyond` at the highest speeds allowed, or to its end, and
-    /// forgets what lies before `from`.
+    /// Loads the path until at least `seconds` beyond `beyond` at the maximum speeds, or to its end, and drops the part
+    /// before `from`.
     fn load(&mut self, from: f64, beyond: f64, seconds: f64);
 
     /// True if the loaded part reaches the path's end.
@@ -125,8 +125,8 @@ impl<F: Feed> LawStream<F> {
     /// The profile at time `t` (s), which must not decrease; none after the end.
     ///
     /// # Errors
-    /// As [`SpeedLaw::new`](super::SpeedLaw::new), for a part of the path that is planned later: once what was
-    /// planned before has come to rest.
+    /// As [`SpeedLaw::new`](super::SpeedLaw::new), for a part of the path that is planned later: once the earlier
+    /// motion has come to rest.
     pub fn at(&mut self, t: f64) -> Result<Option<LawPoint>, LawError> {
         while t >= self.end && !self.done {
             match self.failed {
@@ -253,7 +253,7 @@ impl<F: Feed> LawStream<F> {
             .map(|k| {
                 let at = |i: usize| cells.tau[i.min(cells.count())];
                 let x = 0.5 * (at(k.saturating_sub(1)) + at(k)) / (to - from);
-                // Speed and acceleration at the ends are those of either law: two coefficients each.
+                // Speed and acceleration at the ends are those of either profile: two coefficients each.
                 let x = if k < 2 {
                     0.0
                 } else if k + 2 >= count {
@@ -279,7 +279,7 @@ impl<F: Feed> LawStream<F> {
     }
 }
 
-/// The first stop after `u`, or the end of what is loaded.
+/// The first stop after `u`, or the end of the loaded part.
 fn window_end(feed: &impl Feed, u: f64) -> f64 {
     let end = feed.range().1;
     feed.stops().into_iter().find(|s| *s > u * (1.0 + f64::EPSILON) && *s > u).unwrap_or(end)

@@ -155,9 +155,9 @@ impl Shield {
         self.see(law, piece, end, t, true)
     }
 
-    /// Checks one sample, as the end of the stretch before it (or the start of the next), and the values between it and
-    /// the two samples before it in the same piece. A parabola exceeds the maximum of three samples by at most an
-    /// eighth of its curvature times the square of their distance.
+    /// Checks one sample, as the end of the stretch before it (or the start of the next). Also bounds the values
+    /// between it and the two previous samples of the same piece. A parabola exceeds the maximum of three samples by at
+    /// most an eighth of its curvature times the square of their distance.
     fn see<L: Timed + ?Sized>(
         &self,
         law: &L,

@@ -35,7 +35,7 @@ fn speed(machine: &Machine, motion: &PassMotion, s: f64) -> f64 {
     motion.law.speed(s) * motion.path.tip_rate(machine, s)
 }
 
-/// Power at path length `s` of a span of `pass`, W; that of the weave if it has its own values at the sides.
+/// Power at path length `s` of a span of `pass`, W; includes the values at the sides of a weave.
 fn power(procedure: &Procedure, (pass, span): (&Pass, &Span), s: f64) -> Option<f64> {
     if pass.weave.as_ref().is_none_or(|weave| weave.at_sides.is_empty()) {
         return procedure.power_w(&span.process, span.part(s));

@@ -74,7 +74,7 @@ impl Generator {
         self.last = self.last.saturating_sub_unsigned(self.timing.period);
     }
 
-    /// A period with `pulses` pulses on its `way` to `to`.
+    /// Computes a period with `pulses` pulses on its `way` to `to`.
     fn train(&mut self, to: i64, way: u64, pulses: u64) -> Result<Train, Error> {
         let Timing { period, width, spacing, setup, hold } = self.timing;
         let positive = to > self.at;

@@ -5,7 +5,7 @@
 //! Time is counted in ticks of a timer.
 //!
 //! **Position of the pulses.** Between two positions the axis moves evenly. A pulse comes in the tick in which this
-//! straight line passes half a step, so the pulse count is the rounded position in steps at all times, not only at the
+//! straight line passes half a step. So the pulse count is the rounded position in steps at all times, not only at the
 //! ends of periods. Positions are absolute with a resolution of 2^-24 of a step; all else is integer: no error
 //! accumulates over any number of periods. Pulses of a period are equally spaced except for the rounding to a tick,
 //! also across a border between periods of equal speed.

@@ -1,14 +1,14 @@
 /// Normal equations of a least-squares problem whose rows each touch few neighbouring unknowns.
 #[derive(Debug, Clone)]
 pub(crate) struct Banded {
-    /// Elements of a row: from `width - 1` places left of the diagonal to the diagonal.
+    /// Elements of a row: from `width - 1` columns left of the diagonal to the diagonal.
     width: usize,
     lower: Vec<f64>,
     pub(crate) gradient: Vec<f64>,
 }
 
 impl Banded {
-    /// No equations yet for `count` unknowns; no row may span more than `width` of them.
+    /// Creates an empty system for `count` unknowns; a row may span at most `width` of them.
     pub(crate) fn new(count: usize, width: usize) -> Self {
         Self { width, lower: vec![0.0; count * width], gradient: vec![0.0; count] }
     }
@@ -22,8 +22,8 @@ impl Banded {
         }
     }
 
-    /// The step to the least sum of squares, with the diagonal raised by the part `damping` (Marquardt); none if the
-    /// equations do not decide it.
+    /// The step to the minimum sum of squares, with the diagonal raised by the fraction `damping` (Marquardt); none if
+    /// the equations are singular.
     pub(crate) fn step(&self, damping: f64) -> Option<Vec<f64>> {
         let (w, n) = (self.width, self.gradient.len());
         let mut l = self.lower.clone();

@@ -1,15 +1,15 @@
 //! Branches of an inverse without closed form, at stations and samples of the free axes, by continuation.
 //!
-//! A full search takes Newton's method from hundreds of starts. Here it is made at a few cells of the lattice of stations
-//! and samples only; every solution found is then continued into the neighbouring cells, from there into theirs, and so
-//! on. A branch that is found anywhere is so followed wherever it goes.
+//! A full search runs Newton's method from hundreds of starts. Here it is made at a few cells of the lattice of
+//! stations and samples only; every solution is then continued into the neighbouring cells, from there into theirs, and
+//! so on. A branch found in one cell is thus followed over the whole lattice.
 
 use super::{Place, Task};
 use seamwright_machine::{AxisKind, Joints, MAX_BRANCHES};
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
-/// Cells of the lattice in which all branches are looked for.
+/// Number of cells of the lattice with a full search.
 const SEEDS: usize = 16;
 /// Units of effort of such a search.
 const SEED_WORK: u64 = 600;
@@ -17,7 +17,7 @@ const SEED_WORK: u64 = 600;
 const SAME: f64 = 1e-5;
 
 /// Solutions by station and by combination of samples; `combinations` are those of `grids`, and solutions have the free
-/// axes where they are there. Ranges of decided axes are not looked at.
+/// axes at these samples. Ranges of dependent axes are not checked.
 pub(super) fn branches(
     task: &Task,
     places: &[Place],
@@ -56,7 +56,7 @@ struct Lattice<'t, 'a> {
 }
 
 impl Lattice<'_, '_> {
-    /// Looks for all branches in a few cells, spread over stations and samples.
+    /// Searches all branches in a few cells, spread over stations and samples.
     fn seed(&mut self, places: &[Place], combinations: &[Joints]) {
         for i in 0..SEEDS {
             if !self.task.effort.spend(SEED_WORK, 0.2 * i as f64 / SEEDS as f64) {
@@ -81,12 +81,13 @@ impl Lattice<'_, '_> {
         }
     }
 
-    /// True if a solution of the cell is so near to where a neighbour's starts that continuing it could only find that.
+    /// True if a solution of the cell is so near to the start of a neighbour's continuation that it would only find
+    /// this one.
     fn is_known(&self, station: usize, sample: usize, start: &Joints) -> bool {
         self.cells[station][sample].iter().any(|other| self.apart(other, start) < 1e-3)
     }
 
-    /// Greatest distance of a decided axis, turns not counted, mm or rad.
+    /// Maximum distance over all axes, rotary ones modulo turns, mm or rad.
     fn apart(&self, a: &Joints, b: &Joints) -> f64 {
         let axes = self.task.machine.axes.iter().zip(a.iter().zip(b));
         let parts = axes.map(|(axis, (a, b))| match axis.kind {
@@ -97,7 +98,7 @@ impl Lattice<'_, '_> {
     }
 }
 
-/// Cells next to one along the path and along each free axis.
+/// Neighbours of a cell along the path and along each free axis.
 fn neighbours(station: usize, sample: usize, stations: usize, grids: &[Vec<f64>]) -> Vec<(usize, usize)> {
     let mut all = Vec::new();
     all.extend(station.checked_sub(1).map(|before| (before, sample)));

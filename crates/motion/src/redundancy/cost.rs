@@ -6,8 +6,8 @@ use seamwright_program::{
 };
 use std::f64::consts::{PI, TAU};
 
-/// Residuals of one place: limits and turns by axis, ends of ranges by axis, then singularity, position, clearance,
-/// positions allowed.
+/// Residuals of one station: limits and turns by axis, ends of ranges by axis, then singularity, position, clearance,
+/// allowed positions.
 pub(crate) const ROWS: usize = 3 * MAX_AXES + 4;
 const ENDS: usize = MAX_AXES;
 const TURNS: usize = 2 * MAX_AXES;
@@ -16,19 +16,19 @@ const POSITION: usize = SINGULAR + 1;
 const CLEARANCE: usize = SINGULAR + 2;
 const ALLOWED: usize = SINGULAR + 3;
 
-/// Part of a range, before its end, in which closeness costs.
+/// Fraction of a range, before its end, in which proximity costs.
 const MARGIN: f64 = 0.1;
-/// Part of a range, before its end, that is not to be entered.
+/// Fraction of a range, before its end, to be avoided.
 const INSET: f64 = 0.002;
-/// How much stronger the ends of ranges repel than anything else pulls.
+/// Factor of the ends' residuals relative to the root of the maximum weight.
 const STRONG: f64 = 100.0;
-/// A weld is kept this far within the limits of the positions that its procedure allows, degrees.
+/// Margin of a weld to the limits of the positions that its procedure allows, degrees.
 const ALLOWED_MARGIN_DEG: f64 = 2.0;
-/// Weight of a degree beyond these limits, in the most that wishes count.
+/// Weight of a degree beyond these limits, relative to the maximum weight of the wishes.
 const ALLOWED_WEIGHT: f64 = 5.0;
-/// Sine of the distance from a singular attitude at which closeness begins to cost.
+/// Sine of the distance from a singular attitude below which proximity costs.
 const SINGULAR_NEAR: f64 = 0.342;
-/// Part of an axis' speed and acceleration that may be used before it costs as much as a limit does.
+/// Fraction of an axis' speed and acceleration above which use costs as much as a limit.
 const USABLE: f64 = 0.9;
 const EXCESS: f64 = 10.0;
 
@@ -40,11 +40,11 @@ pub(crate) struct AllowedPositions<'a> {
     pub(crate) positions: &'a [WeldingPosition],
 }
 
-/// Places at which the faces are looked at.
+/// Number of samples of the faces.
 const FACES: u32 = 60;
 
 impl<'a> AllowedPositions<'a> {
-    /// Those that `procedure` allows for `pass`, the `number`-th, along `path`; none if it allows all.
+    /// Positions that `procedure` allows for `pass`, the `number`-th, along `path`; none if it allows all.
     pub(crate) fn of(procedure: &'a Procedure, path: &dyn TorchPath, pass: &Pass, number: usize) -> Option<Self> {
         let positions = procedure.run_of(number, pass)?.positions.as_deref()?;
         let places = (0..=FACES).map(|i| path.length() * f64::from(i) / f64::from(FACES));
@@ -54,28 +54,29 @@ impl<'a> AllowedPositions<'a> {
         Some(Self { limits: &procedure.position_limits, joint: procedure.joint(ends), positions })
     }
 
-    /// By how much a weld is beyond all of them, degrees; negative within one.
+    /// Distance of a weld outside all of them, degrees; negative within one.
     fn beyond(&self, at: Inclination) -> f64 {
         let each = self.positions.iter().map(|position| self.limits.beyond(self.joint, *position, at));
-        // A joint that has none of these positions cannot be worked for.
+        // A joint without any of these positions gets a constant.
         each.fold(180.0, f64::min)
     }
 }
 
-/// What the axes' positions and motion cost: a mean over the path of squares of dimensionless residuals.
+/// Cost of the axes' positions and motion: a mean over the path of squares of dimensionless residuals.
 pub(crate) struct Cost<'a> {
     machine: &'a Machine,
     wishes: &'a SpareAxes,
     clearance: Option<Clearance<'a>>,
     positions: Option<AllowedPositions<'a>>,
     decided: AxisSet,
-    /// Axes that stand still by wish: their positions are nobody's choice.
+    /// Axes held by request: their positions are fixed.
     still: AxisSet,
     /// True if axes can turn or tilt the work against gravity.
     tilts: bool,
     ends: f64,
     allowed: f64,
-    /// Roots of the weights of motion and acceleration times what turns a derivative by s into a part of the limit.
+    /// Roots of the weights of motion and acceleration, times the factor from a derivative by s to a fraction of the
+    /// limit.
     pub(crate) speed: Joints,
     pub(crate) acceleration: Joints,
 }
@@ -89,7 +90,7 @@ impl<'a> Cost<'a> {
     ) -> Self {
         let w = &wishes.weights;
         let all: AxisSet = (0..machine.axes.len()).collect();
-        // Without any wish for less motion there would be no telling two ways apart.
+        // A weight of motion above 0 keeps the optimum unique.
         let root = |weight: f64| weight.max(1e-6).sqrt();
         let (mut rate, mut acceleration) = (Joints::default(), Joints::default());
         for (i, axis) in machine.axes.iter().enumerate() {
@@ -105,7 +106,7 @@ impl<'a> Cost<'a> {
             positions,
             decided: all.different(looked_for.union(still)),
             still,
-            // Decided axes under the work turn with those looked for.
+            // Dependent axes under the work turn with the free ones.
             tilts: tilts(machine, all.different(still), base),
             ends: STRONG * most.sqrt(),
             allowed: ALLOWED_WEIGHT * most,
@@ -114,7 +115,7 @@ impl<'a> Cost<'a> {
         }
     }
 
-    /// Residuals at one place.
+    /// Residuals at one station.
     pub(crate) fn place(&self, q: &Joints, place: &Place) -> [f64; ROWS] {
         let w = &self.wishes.weights;
         let mut rows = [0.0; ROWS];
@@ -139,7 +140,7 @@ impl<'a> Cost<'a> {
         if let (true, Some(positions)) = (self.tilts, &self.positions) {
             let beyond = positions.beyond(Inclination::new(place.tangent, place.face, up));
             let lacking = (beyond + ALLOWED_MARGIN_DEG).max(0.0);
-            // Its square grows linearly, faster than that of any wish but slower than that of the ends of ranges.
+            // The square grows linearly, faster than that of any wish but slower than that of the ends of ranges.
             rows[ALLOWED] = root(2.0 * self.allowed * ((1.0 + lacking * lacking).sqrt() - 1.0));
         }
         if self.tilts && self.wishes.position == Position::Flat && w.position.get() > 0.0 {
@@ -149,27 +150,28 @@ impl<'a> Cost<'a> {
         }
         if let Some(clearance) = &self.clearance {
             let (distance, wanted) = ((clearance.distance)(q), clearance.wanted_mm);
-            // Grows as 1 / distance; inside an obstacle linearly, so that there is a way out.
+            // Grows as 1 / distance; inside an obstacle linearly, so that the gradient leads out.
             let lacking = (wanted - distance).max(0.0);
             rows[CLEARANCE] = root(w.clearance.get()) * lacking / distance.max(0.05 * wanted);
         }
         rows
     }
 
-    /// The square of a rate (a part of the limit, times its weight), with what is beyond the usable part.
+    /// The square of a rate (a fraction of the limit, times its weight), plus that of the excess beyond the usable
+    /// fraction.
     pub(crate) fn rate(rate: f64) -> f64 {
         let excess = EXCESS * (rate.abs() - USABLE).max(0.0);
         rate * rate + excess * excess
     }
 
-    /// The excess beyond the usable part as a residual, and its derivative by the rate.
+    /// The excess beyond the usable fraction as a residual, and its derivative by the rate.
     pub(crate) fn excess(rate: f64) -> Option<(f64, f64)> {
         let over = rate.abs() - USABLE;
         (over > 0.0).then(|| (EXCESS * over * rate.signum(), EXCESS))
     }
 }
 
-/// True if any axis in `axes` tilts or turns the work against gravity, the others being at `base`.
+/// True if any axis in `axes` tilts or turns the work against gravity, with the others at `base`.
 fn tilts(machine: &Machine, axes: AxisSet, base: &Joints) -> bool {
     let up = machine.up_in_work(base);
     axes.iter().any(|axis| {

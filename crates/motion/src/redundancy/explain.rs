@@ -5,10 +5,10 @@ use seamwright_machine::{AxisKind, Joints};
 use seamwright_program::Finding;
 use std::f64::consts::TAU;
 
-/// Samples of the free axes at which the reason is looked for where the inverse has no closed form.
+/// Number of samples of the free axes used to find the reason for an inverse without closed form.
 const NUMERIC_SAMPLES: usize = 4;
 
-/// An axis is held that cannot be.
+/// Finding for an invalid hold of an axis.
 pub(crate) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
     Finding {
         kind: "hold",
@@ -21,7 +21,7 @@ pub(crate) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
     }
 }
 
-/// Why there is no way: places that cannot be reached at all, or places that can, but not one after the other.
+/// Reasons for a missing path: unreachable stations, or reachable ones without a connection.
 pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
     let mut runs = Runs::default();
     let samples = graph.samples();
@@ -47,7 +47,7 @@ pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
     unreachable
 }
 
-/// Stations can be joined, but what lies between them not.
+/// Finding for stations that can be joined only discontinuously.
 fn not_smooth(task: &Task, pass: usize) -> Finding {
     Finding {
         kind: "singular",
@@ -63,8 +63,8 @@ fn not_smooth(task: &Task, pass: usize) -> Finding {
     }
 }
 
-/// Of all places of the free axes the one that comes nearest to reaching path length `s`: which axis lacks how much
-/// there, as a complaint for [`Runs`].
+/// Sample of the free axes that comes nearest to reaching path length `s`: the axis out of range and its excess, as a
+/// complaint for [`Runs`].
 fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, String) {
     let place = task.place(s);
     let (mut least, mut reason) = (f64::INFINITY, (0, 0.0, "no axis positions reach it".to_owned()));
@@ -92,7 +92,7 @@ fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, String)
     reason
 }
 
-/// The axis that is farthest outside its range: its index, by how much, and as a part of the range.
+/// The axis farthest outside its range: its index, the excess, and the excess as a fraction of the range.
 fn worst(task: &Task, q: &Joints) -> (usize, f64, f64) {
     let mut worst = (0, 0.0, 0.0);
     for (i, axis) in task.machine.axes.iter().enumerate() {
@@ -106,22 +106,22 @@ fn worst(task: &Task, q: &Joints) -> (usize, f64, f64) {
     worst
 }
 
-/// Where the ways end, and which axis would have to jump to go on.
+/// Finding for the station at which all paths end, with the axis that would have to jump there.
 fn jump(task: &Task, graph: &Graph, pass: usize) -> Option<Finding> {
     let reached = |k: usize| graph.nodes[k].iter().enumerate().filter(|(_, n)| n.total.is_finite());
     let k = (1..graph.nodes.len()).find(|&k| reached(k).next().is_none())?;
-    // Where rotary axes jump, the linear ones only follow them.
+    // If rotary axes jump, the linear ones only follow them.
     let rotary = task.machine.axes.iter().any(|axis| axis.kind == AxisKind::Rotary);
     let farthest = |a: &Joints, b: &Joints| {
         let may = task.machine.axes.iter().enumerate().filter(|(_, axis)| !rotary || axis.kind == AxisKind::Rotary);
         let ways = may.map(|(i, axis)| {
             let d = task.way(i, a[i], b[i]).abs();
-            // As a part of what it has.
+            // Relative to the axis' range.
             (d / axis.range.map_or(TAU, |(low, high)| high - low), i, d)
         });
         ways.fold((0.0, 0, 0.0), |most, way| if way.0 > most.0 { way } else { most })
     };
-    // What is near and was struck out only looks as if it could be joined.
+    // Edges that were struck out are excluded: they look short but are discontinuous.
     let pairs = reached(k - 1).flat_map(|(i, a)| {
         let ahead = graph.nodes[k].iter().enumerate().filter(move |(j, _)| !graph.is_struck(k, i, *j));
         ahead.map(|(_, b)| farthest(&a.q, &b.q)).collect::<Vec<_>>()

@@ -1,17 +1,17 @@
 use seamwright_machine::Joints;
 
-/// The axes that a path leaves free, by path length: each stands still or follows a uniform cubic B-spline, so that its
-/// second derivative is continuous.
+/// The axes that a path leaves free, by path length: each rests or follows a uniform cubic B-spline, so that its second
+/// derivative is continuous.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FreeAxes {
     pub(crate) length: f64,
     pub(crate) still: Vec<(usize, f64)>,
     pub(crate) moving: Vec<(usize, Vec<f64>)>,
-    /// Positions of all axes at the start of the path, if the choice of branch is made.
+    /// Positions of all axes at the start of the path, if the branch is chosen.
     pub(crate) start: Option<Joints>,
 }
 
-/// Where a place lies on a uniform cubic B-spline: the first of its four coefficients, and their factors.
+/// Basis of a uniform cubic B-spline at one path length: the first of its four coefficients, and their factors.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Basis {
     pub(crate) first: usize,
@@ -40,7 +40,7 @@ impl Basis {
 }
 
 impl FreeAxes {
-    /// `near` with the free axes' positions at path length `s` (mm) put in, mm or rad.
+    /// `near` with the free axes at their positions at path length `s` (mm), mm or rad.
     pub fn at(&self, s: f64, near: &Joints) -> Joints {
         let mut q = *near;
         for &(axis, value) in &self.still {
@@ -53,17 +53,17 @@ impl FreeAxes {
         q
     }
 
-    /// Positions of all axes at the start of the path; none where the path leaves no axis free.
+    /// Positions of all axes at the start of the path; none if the path leaves no axis free.
     pub fn start(&self) -> Option<Joints> {
         self.start
     }
 
-    /// True if `axis` is one of them.
+    /// True if `axis` is free.
     pub(crate) fn has(&self, axis: usize) -> bool {
         self.still.iter().any(|(a, _)| *a == axis) || self.moving.iter().any(|(a, _)| *a == axis)
     }
 
-    /// Path lengths inside the path where a third derivative may jump, increasing.
+    /// Inner path lengths at which a third derivative may jump, increasing.
     pub(crate) fn knots(&self) -> Vec<f64> {
         let intervals = self.moving.first().map_or(0, |(_, c)| c.len() - 3);
         (1..intervals).map(|i| self.length * i as f64 / intervals as f64).collect()

@@ -4,36 +4,36 @@ use seamwright_machine::{AxisKind, Joints};
 use std::collections::HashSet;
 use std::f64::consts::{FRAC_PI_3, TAU};
 
-/// Spacing of samples of a rotary axis (rad) and number over a linear one, if there is room for as many.
+/// Spacing of samples of a rotary axis (rad) and number over a linear one, if the number of samples allows.
 const ROTARY_STEP: f64 = 15.0 * std::f64::consts::PI / 180.0;
 const LINEAR_SAMPLES: usize = 9;
-/// Samples are no closer together than this, rad and mm, but for three over any range.
+/// Minimum spacing of samples, rad and mm, except for three over any range.
 const FINEST_TURN: f64 = 0.15 * std::f64::consts::PI / 180.0;
 const FINEST_MM: f64 = 0.5;
-/// Free axes move by at most this many samples from one station to the next, or as far as the others.
+/// Maximum move of a free axis from one station to the next, in samples, or up to the limit of the others.
 const WINDOW: f64 = 3.01;
-/// Rotary axes turn by at most this, rad: farther is another branch.
-const MOST_TURN: f64 = FRAC_PI_3;
-/// Different ways that are refined, if they cost no more than so many times the best and so much more at each station.
+/// Maximum turn of a rotary axis, rad: a larger one is another branch.
+const MAX_TURN: f64 = FRAC_PI_3;
+/// Maximum number of different paths that are refined, their maximum cost relative to the best, and the additional cost
+/// per station.
 const WAYS: usize = 16;
 const MORE: f64 = 3.0;
 const MORE_A_STATION: f64 = 0.02;
-/// Ways that prove not to be continuous are struck out, up to this many edges.
-const MOST_STRUCK: usize = 60;
+/// Maximum number of rounds in which discontinuous edges are struck out.
+const MAX_STRIKE_ROUNDS: usize = 60;
 /// Units of effort of joining two stations.
 const EDGE_WORK: u64 = 64;
-/// Steps between two stations that such a proof takes.
+/// Steps between two stations in the test of continuity.
 const WALKED: usize = 8;
 
 /// A branch of the inverse at one station and one sample of the free axes.
 pub(super) struct Node {
     pub(super) q: Joints,
-    /// Cost of standing here.
+    /// Cost of the node itself.
     place: f64,
-    /// Least cost of going on from here to the end, and over which node of the next station.
+    /// Minimum cost from here to the end, and the next station's node on that path.
     onward: (f64, usize),
-    /// Least cost of coming here from the start, and over which node of the station before; infinite if there is no
-    /// way.
+    /// Minimum cost from the start to here, and the previous station's node on that path; infinite without a path.
     pub(super) total: f64,
     from: usize,
 }
@@ -46,15 +46,15 @@ pub(super) struct Graph<'t, 'a> {
     task: &'t Task<'a>,
     pub(super) places: Vec<Place>,
     pub(super) nodes: Vec<Vec<Node>>,
-    /// Samples of each free axis where all stations have the same, and their spacing.
+    /// Samples of each free axis if all stations have the same, and their spacing.
     grids: Vec<Vec<f64>>,
     pub(super) steps: Vec<f64>,
-    /// Edges (station, from, to) that look short but are not continuous.
+    /// Edges (station, from, to) that look short but are discontinuous.
     struck: Struck,
 }
 
 impl<'t, 'a> Graph<'t, 'a> {
-    /// The whole ranges of the free axes, with about `samples` of them at each station, and the ways through them.
+    /// Builds the graph over the whole ranges of the free axes, with about `samples` combinations at each station.
     pub(super) fn new(task: &'t Task<'a>, stations: usize, samples: usize) -> Self {
         let grids = grids(task, samples);
         let steps = grids.iter().zip(&task.free).map(|(g, &axis)| spacing(task, axis, g)).collect();
@@ -74,8 +74,8 @@ impl<'t, 'a> Graph<'t, 'a> {
         let mut graph = Self { task, places, nodes, grids, steps, struck: HashSet::new() };
         task.effort.begin(SearchStage::Joining);
         let mut from = 1;
-        for round in 0..MOST_STRUCK {
-            if !task.effort.spend(1, round as f64 / MOST_STRUCK as f64) {
+        for round in 0..MAX_STRIKE_ROUNDS {
+            if !task.effort.spend(1, round as f64 / MAX_STRIKE_ROUNDS as f64) {
                 break;
             }
             graph.solve(from);
@@ -84,16 +84,15 @@ impl<'t, 'a> Graph<'t, 'a> {
             if broken.is_empty() {
                 break;
             }
-            // Stations before the first edge that is struck out stay as they are.
+            // Stations before the first edge that is struck out keep their totals.
             from = broken[0];
             graph.struck.extend(broken.into_iter().map(|k| (k, way[k - 1], way[k])));
         }
         graph
     }
 
-    /// Positions along the best way, and along others that cost little more and are the best through places as far from
-    /// each other as can be: samples cannot show the cost of acceleration, by which one of these may turn out best.
-    /// Empty if there is no way.
+    /// Positions along the best path, and along others of similar cost through nodes as far apart as possible: the
+    /// samples do not include the cost of acceleration, by which one of these may be best. Empty without a path.
     pub(super) fn ways(&mut self) -> Vec<Vec<Joints>> {
         let Some(best) = self.way() else { return Vec::new() };
         self.solve_onward();
@@ -110,7 +109,7 @@ impl<'t, 'a> Graph<'t, 'a> {
             parts.sum()
         };
         let mut chosen = vec![best[middle]];
-        // The farthest from all that are chosen is next.
+        // Takes the node farthest from all chosen ones next.
         let mut nearest: Vec<f64> = close.iter().map(|&i| apart(chosen[0], i)).collect();
         while chosen.len() < WAYS {
             let Some(next) = (0..close.len()).max_by(|&a, &b| nearest[a].total_cmp(&nearest[b])) else { break };
@@ -133,7 +132,7 @@ impl<'t, 'a> Graph<'t, 'a> {
         ways
     }
 
-    /// Positions along a way, axes that turn without end counted on.
+    /// Positions along a path, with continuous axes unwrapped.
     fn positions(&self, way: &[usize]) -> Vec<Joints> {
         let mut rows: Vec<Joints> = Vec::with_capacity(way.len());
         for (k, &i) in way.iter().enumerate() {
@@ -148,12 +147,12 @@ impl<'t, 'a> Graph<'t, 'a> {
         rows
     }
 
-    /// Home with each combination of samples in it.
+    /// The base positions with each combination of samples.
     pub(super) fn samples(&self) -> Vec<Joints> {
         combinations(self.task, &self.task.base, &self.grids)
     }
 
-    /// Dynamic programming: the least total at every node of station `first` (at least 1) and later ones.
+    /// Dynamic programming: computes the minimum total at every node of station `first` (at least 1) and later ones.
     fn solve(&mut self, first: usize) {
         if first == 1 {
             self.nodes[0].iter_mut().for_each(|n| n.total = n.place);
@@ -181,12 +180,12 @@ impl<'t, 'a> Graph<'t, 'a> {
         }
     }
 
-    /// True if the edge to node `j` of station `k` from node `i` of the one before proved not to be continuous.
+    /// True if the edge to node `j` of station `k` from node `i` of the previous one proved discontinuous.
     pub(super) fn is_struck(&self, k: usize, i: usize, j: usize) -> bool {
         struck(&self.struck, k, i, j)
     }
 
-    /// The same from the end: the least cost of going on at every node.
+    /// Dynamic programming from the end: computes the minimum onward cost at every node.
     fn solve_onward(&mut self) {
         let end = self.nodes.len() - 1;
         self.nodes[end].iter_mut().for_each(|n| n.onward.0 = 0.0);
@@ -211,7 +210,7 @@ impl<'t, 'a> Graph<'t, 'a> {
         }
     }
 
-    /// Nodes of the best way, station by station.
+    /// Nodes of the best path, station by station.
     fn way(&self) -> Option<Vec<usize>> {
         let last = self.nodes.last()?;
         let end = (0..last.len()).min_by(|&a, &b| last[a].total.total_cmp(&last[b].total))?;
@@ -224,7 +223,7 @@ impl<'t, 'a> Graph<'t, 'a> {
         Some(way)
     }
 
-    /// True if walking from node `a` of the station before `k`, in small steps, comes to node `b` of station `k`.
+    /// True if small steps from node `a` of the station before `k` lead to node `b` of station `k`.
     fn continuous(&self, k: usize, a: usize, b: usize) -> bool {
         let task = self.task;
         let (start, end) = (&self.nodes[k - 1][a].q, &self.nodes[k][b].q);
@@ -248,8 +247,8 @@ fn struck(all: &Struck, k: usize, i: usize, j: usize) -> bool {
     !all.is_empty() && all.contains(&(k, i, j))
 }
 
-/// The best way through nodes closer together about the way `rough`: half the spacing `steps`, twice the stations. None
-/// if there is none.
+/// The best path through finer nodes about the path `rough`: half the spacing `steps`, twice the stations. None if no
+/// path exists.
 pub(super) fn finer(task: &Task, rough: &[Joints], steps: &[f64]) -> Option<Vec<Joints>> {
     let stations = 2 * (rough.len() - 1);
     let places = task.places(stations);
@@ -275,7 +274,7 @@ pub(super) fn finer(task: &Task, rough: &[Joints], steps: &[f64]) -> Option<Vec<
     Some(graph.positions(&way))
 }
 
-/// Samples of each free axis: some `samples` combinations in all.
+/// Samples of each free axis: about `samples` combinations in total.
 fn grids(task: &Task, samples: usize) -> Vec<Vec<f64>> {
     let range = |axis: usize| task.machine.axes[axis].range.filter(|_| !task.winds(axis));
     let wanted = |&axis: &usize| match (task.machine.axes[axis].kind, range(axis)) {
@@ -284,7 +283,7 @@ fn grids(task: &Task, samples: usize) -> Vec<Vec<f64>> {
         (AxisKind::Rotary, None) => (TAU / ROTARY_STEP).ceil(),
     };
     let mut counts: Vec<f64> = task.free.iter().map(wanted).collect();
-    // All axes get finer or coarser alike.
+    // Scales the number of samples of all axes by the same factor.
     let factor = (samples as f64 / counts.iter().product::<f64>()).powf(1.0 / counts.len() as f64);
     let most = |axis: usize| {
         let span = range(axis).map_or(TAU, |(low, high)| high - low);
@@ -308,8 +307,8 @@ fn spacing(task: &Task, axis: usize, grid: &[f64]) -> f64 {
     task.way(axis, grid[0], grid[1]).abs()
 }
 
-/// Every branch at every combination of the samples, on every turn that is told apart within the ranges; `part` of the
-/// stage is done. Where the inverse has no closed form, the branch that continues from `near`.
+/// Every branch at every combination of the samples, on every distinct turn within the ranges; `part` of the stage is
+/// done. For an inverse without closed form, the branch that continues from `near`.
 fn nodes(task: &Task, place: &Place, near: &Joints, grids: &[Vec<f64>], part: f64) -> Vec<Node> {
     let mut nodes = Vec::new();
     for q in combinations(task, near, grids) {
@@ -322,7 +321,7 @@ fn nodes(task: &Task, place: &Place, near: &Joints, grids: &[Vec<f64>], part: f6
     nodes
 }
 
-/// Nodes at `q`, on every turn that is told apart.
+/// Nodes at `q`, on every distinct turn.
 fn turned(task: &Task, place: &Place, q: &Joints) -> Vec<Node> {
     let node = |q: Joints| {
         let cost = task.cost.place(&q, place).iter().map(|r| r * r).sum();
@@ -331,7 +330,7 @@ fn turned(task: &Task, place: &Place, q: &Joints) -> Vec<Node> {
     turns(task, q).into_iter().map(node).collect()
 }
 
-/// `near` with each combination of samples of the free axes in it; the first axis' sample changes first.
+/// `near` with each combination of samples of the free axes; the first axis' sample changes first.
 fn combinations(task: &Task, near: &Joints, grids: &[Vec<f64>]) -> Vec<Joints> {
     let count: usize = grids.iter().map(Vec::len).product();
     let combination = |mut index: usize| {
@@ -345,14 +344,14 @@ fn combinations(task: &Task, near: &Joints, grids: &[Vec<f64>]) -> Vec<Joints> {
     (0..count).map(combination).collect()
 }
 
-/// `q` with its decided rotary axes on every turn within their ranges that is told apart; none if an axis has no turn in
-/// its range.
+/// `q` with its dependent rotary axes on every distinct turn within their ranges; empty if an axis has no turn in its
+/// range.
 fn turns(task: &Task, q: &Joints) -> Vec<Joints> {
     let mut all = vec![*q];
     for (i, axis) in task.machine.axes.iter().enumerate() {
         let Some((low, high)) = axis.range else { continue };
         if task.winds(i) {
-            // Any turn does: the one nearest to home, where ranges cost least.
+            // Turns are equivalent here: takes the one nearest to home, at which ranges cost least.
             let home = ((axis.home - q[i]) / TAU).round();
             let turns = axis.turns_within((q[i], q[i]), home).unwrap_or(home);
             all.iter_mut().for_each(|q| q[i] += TAU * turns);
@@ -376,12 +375,12 @@ fn turns(task: &Task, q: &Joints) -> Vec<Joints> {
     all
 }
 
-/// Cost of the motion from `a` to `b`, divided as the places' own; none if it is too far.
+/// Cost of the motion from `a` to `b`, on the same scale as that of the nodes; none if too far.
 fn edge(task: &Task, places: &[Place], steps: &[f64], a: &Joints, b: &Joints) -> Option<f64> {
     for (&axis, step) in task.free.iter().zip(steps) {
         let most = match task.machine.axes[axis].kind {
             AxisKind::Linear => WINDOW * step,
-            AxisKind::Rotary => MOST_TURN.max(WINDOW * step),
+            AxisKind::Rotary => MAX_TURN.max(WINDOW * step),
         };
         if task.way(axis, a[axis], b[axis]).abs() > most {
             return None;
@@ -391,7 +390,7 @@ fn edge(task: &Task, places: &[Place], steps: &[f64], a: &Joints, b: &Joints) ->
     let mut cost = 0.0;
     for (i, axis) in task.machine.axes.iter().enumerate() {
         let d = task.way(i, a[i], b[i]);
-        if axis.kind == AxisKind::Rotary && d.abs() > MOST_TURN && !task.free.contains(&i) {
+        if axis.kind == AxisKind::Rotary && d.abs() > MAX_TURN && !task.free.contains(&i) {
             return None;
         }
         cost += Cost::rate(d / h * task.cost.speed[i]);

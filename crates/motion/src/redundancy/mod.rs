@@ -1,15 +1,14 @@
-//! Axes that a path leaves free: a machine with more axes than a point and a direction need can weld the same seam in
-//! many ways, and the best one as a whole is looked for.
+//! Redundancy resolution: a machine with more axes than a point and a direction need can weld the same seam with many
+//! axis motions. The best one over the whole path is searched.
 //!
-//! First a graph: at stations along the path the free axes are sampled, every branch of the inverse is a node, and
-//! dynamic programming finds the way of least cost through the nodes; then again with nodes closer together about that
-//! way. Then the free axes become uniform cubic B-splines, and Levenberg and Marquardt's method moves their
-//! coefficients to the least of the true cost at 1,000 stations. Nothing is random: the same path gives the same
-//! motion.
+//! The first step is a graph: at stations along the path the free axes are sampled, and every branch of the inverse is
+//! a node. Dynamic programming finds the path of minimum cost through the nodes, then again with finer nodes about that
+//! path. Then the free axes become uniform cubic B-splines, and the Levenberg-Marquardt method moves their coefficients
+//! to the minimum of the true cost at 1,000 stations. The search is deterministic: the same path gives the same motion.
 //!
-//! Where the inverse has no closed form, nodes are found by continuation (`continuation.rs`): a full search costs thousands
-//! of times as much. Wide ranges are looked through by the turn: nodes a whole turn apart are one node, and only if the
-//! way found does not fit into the ranges are they told apart.
+//! For an inverse without closed form, nodes are found by continuation (`continuation.rs`): a full search costs
+//! thousands of times as much. In wide ranges nodes a whole turn apart are merged; they are distinguished only if the
+//! path found does not fit into the ranges.
 
 mod banded;
 mod continuation;
@@ -33,32 +32,32 @@ use thiserror::Error;
 
 /// Stations of the graph's first level and samples of the free axes there: a quick search, then a thorough one.
 const EFFORTS: [(usize, usize); 2] = [(24, 216), (48, 800)];
-/// The same where the inverse has no closed form.
+/// Stations and samples for an inverse without closed form.
 const NUMERIC_EFFORTS: [(usize, usize); 2] = [(24, 64), (48, 120)];
-/// Nodes a whole turn apart are told apart if there are at most so many for one.
+/// Maximum number of turns per node up to which nodes a whole turn apart are distinguished.
 const MAX_TURNS: f64 = 8.0;
-/// Levels of the graph after the first.
+/// Number of levels of the graph after the first.
 const FINER: usize = 2;
-/// Stations and spline intervals of the refinement of every way, and of the best one after that.
+/// Stations and spline intervals of the refinement of every path, and of the best one after that.
 const FIRST_STAGE: (usize, usize) = (40, 8);
 const STAGES: [(usize, usize); 2] = [(120, 16), (1000, 48)];
 
 /// Distance to obstacles, for the choice of the free axes.
 #[derive(Clone, Copy)]
 pub struct Clearance<'a> {
-    /// Least distance (mm) at axis positions, negative inside an obstacle; continuous.
+    /// Minimum distance (mm) at axis positions, negative inside an obstacle; continuous.
     pub distance: &'a dyn Fn(&Joints) -> f64,
-    /// Distance from which on more is not better, mm, more than 0.
+    /// Distance above which more has no benefit, mm; greater than 0.
     pub wanted_mm: f64,
 }
 
-/// Why an axis cannot be held as asked.
+/// Error of an invalid hold of an axis.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum HoldError {
     /// The machine has no such axis, or it does not carry the torch.
     #[error("there is no axis {axis} between the work and the torch")]
     Unknown {
-        /// Name asked for.
+        /// Requested name.
         axis: String,
         /// Names of the axes that carry the torch.
         axes: String,
@@ -66,23 +65,23 @@ pub enum HoldError {
     /// A torch pose needs every axis.
     #[error("axis {axis} cannot be held: a torch pose decides all axes here")]
     Decided {
-        /// Name asked for.
+        /// Requested name.
         axis: String,
     },
-    /// The other axes cannot give every torch pose.
+    /// The other axes cannot reach every torch pose.
     #[error("with {held} held the other axes cannot give every torch pose")]
     TooFew {
         /// The first of the axes to hold.
         axis: String,
-        /// All of them.
+        /// All axes to hold.
         held: String,
-        /// How many can be held.
+        /// Number of axes that can be held.
         redundant: usize,
     },
     /// The position lies outside the axis' range.
     #[error("axis {axis} does not go there")]
     Range {
-        /// Name asked for.
+        /// Requested name.
         axis: String,
         /// The range, in the file's unit.
         range: String,
@@ -100,7 +99,7 @@ impl HoldError {
         }
     }
 
-    /// What would be allowed.
+    /// Allowed axes, number or range.
     pub fn allowed(&self) -> String {
         match self {
             Self::Unknown { axes, .. } => axes.clone(),
@@ -112,11 +111,11 @@ impl HoldError {
     }
 }
 
-/// The machine with the axes that `wishes` holds left free by the torch's pose: `machine` itself if they are free
-/// already, else the one of [`Machine::freeing`].
+/// The machine with the axes held by `wishes` free of the torch's pose: `machine` itself if they are already free, else
+/// the one of [`Machine::freeing`].
 ///
 /// # Errors
-/// An axis that cannot be held, or a position outside its range.
+/// An axis whose hold is invalid, or a position outside its range.
 pub fn holding<'m>(machine: &'m Machine, wishes: &SpareAxes) -> Result<Cow<'m, Machine>, HoldError> {
     let held = held(machine, wishes)?;
     let wanted: AxisSet = held.iter().map(|(axis, _)| *axis).collect();
@@ -133,7 +132,7 @@ pub fn holding<'m>(machine: &'m Machine, wishes: &SpareAxes) -> Result<Cow<'m, M
     freed.map(Cow::Owned).ok_or_else(|| HoldError::TooFew { axis, held: names.join(", "), redundant })
 }
 
-/// The axes that `wishes` holds, with their positions in mm or rad.
+/// The axes held by `wishes`, with their positions in mm or rad.
 fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, HoldError> {
     let chain = machine.heads[0].chain.axes();
     let mut held = Vec::new();
@@ -154,26 +153,26 @@ fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, Hold
     Ok(held)
 }
 
-/// What the free axes are chosen for.
+/// Criteria for the choice of the free axes.
 #[derive(Clone, Copy)]
 pub(crate) struct Aim<'a> {
-    /// Highest speed along the path, mm/s.
+    /// Maximum speed along the path, mm/s.
     pub(crate) speed: f64,
     pub(crate) wishes: &'a SpareAxes,
     /// Obstacles to keep clear of.
     pub(crate) clearance: Option<Clearance<'a>>,
-    /// Welding positions that come before those preferred.
+    /// Welding positions that take precedence over the preferred ones.
     pub(crate) positions: Option<AllowedPositions<'a>>,
-    /// False if nobody asks why there is no way: without a closed form it takes long to find out.
+    /// False if the reason for a missing path is not needed: without a closed form it is slow to find.
     pub(crate) explains: bool,
 }
 
-/// The free axes of `machine` along `path`, welded at up to `speed` mm/s: continuous, twice continuously
-/// differentiable, within their ranges, of least cost by the weights of `wishes`. Nothing to choose gives the default.
-/// They are those of the machine of [`holding`].
+/// Resolves the free axes of `machine` along `path`, welded at up to `speed` mm/s: continuous, twice continuously
+/// differentiable, within their ranges, of minimum cost by the weights of `wishes`. Without free axes returns the
+/// default. They are those of the machine of [`holding`].
 ///
 /// # Errors
-/// Findings of pass `pass` that say where there is no way, and because of what.
+/// Findings of pass `pass` with the stretches without a path and the reasons.
 pub fn resolve(
     machine: &Machine,
     path: &dyn TorchPath,
@@ -187,7 +186,7 @@ pub fn resolve(
     resolve_within(&Effort::new(None), &machine, path, aim, pass)
 }
 
-/// Returns what [`resolve`] does for a `machine` whose held axes are free, with `effort` to stop the search.
+/// Resolves as [`resolve`], for a `machine` whose held axes are free; `effort` may stop the search.
 pub(crate) fn resolve_within(
     effort: &Effort,
     machine: &Machine,
@@ -201,7 +200,7 @@ pub(crate) fn resolve_within(
     let still = held(machine, aim.wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
     let two = path.second(0.0).is_some();
     if let (true, Some(&(axis, _))) = (two, still.first()) {
-        // Two torches decide every axis.
+        // Two torches determine every axis.
         let error = HoldError::Decided { axis: machine.axes[axis].name.clone() };
         return Err(vec![explain::hold(&error, path.length(), pass)]);
     }
@@ -222,29 +221,29 @@ pub(crate) fn resolve_within(
     Ok(other.map_or(alike.free, |found| found.free))
 }
 
-/// The free axes found, and whether all axes stay in their ranges with them.
+/// The free axes found, with a flag that all axes stay in their ranges.
 struct Found {
     free: FreeAxes,
     inside: bool,
 }
 
-/// What is looked for.
+/// Problem of the search.
 struct Task<'a> {
     effort: &'a Effort<'a>,
     machine: &'a Machine,
     path: &'a dyn TorchPath,
-    /// The axes that are looked for.
+    /// The axes to resolve.
     free: Vec<usize>,
-    /// Home, with the axes that are held where they are held.
+    /// Home, with the held axes at their positions.
     base: Joints,
-    /// Axes whose positions a whole turn apart are one.
+    /// Axes whose positions a whole turn apart are equivalent.
     winding: AxisSet,
     /// See [`Aim::explains`].
     explains: bool,
     cost: Cost<'a>,
 }
 
-/// A place along the path.
+/// A station of the path.
 struct Place {
     s: f64,
     target: Target,
@@ -266,18 +265,18 @@ impl<'a> Task<'a> {
         let looked_for = machine.free().different(still);
         let cost = Cost::new(machine, aim, (looked_for, still), &base);
         let winding = (0..machine.axes.len()).filter(|&axis| {
-            // A free axis is sampled over one turn: the way may need another one.
+            // A free axis is sampled over one turn: the path may need another one.
             let turns = if looked_for.has(axis) { 2.0 } else { 1.0 };
             let a = &machine.axes[axis];
             let wide = a.range.is_none_or(|(low, high)| high - low >= turns * TAU * (1.0 - 1e-9));
-            // A table of pitch errors does not come round.
+            // A table of pitch errors is not periodic.
             a.kind == AxisKind::Rotary && wide && (a.range.is_none() || a.pitch_error.is_none())
         });
         let winding = winding.collect();
         Self { effort, machine, path, free: looked_for.iter().collect(), base, winding, explains: aim.explains, cost }
     }
 
-    /// A quick search, then a thorough one if that found nothing inside the ranges.
+    /// Runs a quick search, then a thorough one if that found no path inside the ranges.
     fn search(&self, still: &[(usize, f64)], pass: usize) -> Result<Found, Vec<Finding>> {
         let mut best: Option<Found> = None;
         let mut last = None;
@@ -296,7 +295,7 @@ impl<'a> Task<'a> {
                 if inside {
                     return Ok(found);
                 }
-                // What it lacks, the survey says.
+                // The survey reports the axes out of range.
                 best = best.or(Some(found));
             }
             last = Some(graph);
@@ -313,13 +312,13 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// Axes without ends of their range.
+    /// Rotary axes without a limited range.
     fn endless(&self) -> AxisSet {
         let rotary = |axis: &usize| self.machine.axes[*axis].kind == AxisKind::Rotary;
         (0..self.machine.axes.len()).filter(rotary).filter(|&axis| self.machine.axes[axis].range.is_none()).collect()
     }
 
-    /// About how many nodes there would be for one if turns of all axes with ranges were told apart.
+    /// Approximate number of nodes per node if turns of all axes with ranges were distinguished.
     fn telling_turns(&self) -> f64 {
         let ranges = self.winding.iter().filter_map(|axis| self.machine.axes[axis].range);
         ranges.map(|(low, high)| ((high - low) / TAU).ceil()).product()
@@ -335,7 +334,7 @@ impl<'a> Task<'a> {
         Place { s, target: self.path.pose(s).into(), face: self.path.face(s), tangent }
     }
 
-    /// The way through nodes ever closer about `way`, whose own are `steps` apart.
+    /// The path through successively finer nodes about `way`, whose nodes are `steps` apart.
     fn closer(&self, mut way: Vec<Joints>, mut steps: Vec<f64>) -> Vec<Joints> {
         for _ in 0..FINER {
             way = graph::finer(self, &way, &steps).unwrap_or(way);
@@ -344,19 +343,19 @@ impl<'a> Task<'a> {
         way
     }
 
-    /// True if positions of `axis` a whole turn apart are one.
+    /// True if positions of `axis` a whole turn apart are equivalent.
     fn winds(&self, axis: usize) -> bool {
         self.winding.has(axis)
     }
 
-    /// The least way of `axis` from `a` to `b`, by any number of turns where these are one.
+    /// Shortest displacement of `axis` from `a` to `b`, modulo turns if these are equivalent.
     fn way(&self, axis: usize, a: f64, b: f64) -> f64 {
         let d = b - a;
         if self.winds(axis) { d - TAU * (d / TAU).round() } else { d }
     }
 
-    /// Turns the axes that wind by whole turns, so that they stay in their ranges if they can, and as near to home as can
-    /// be.
+    /// Turns winding axes by whole turns, so that they stay in their ranges if possible, and as near to home as
+    /// possible.
     fn turn_home(&self, way: &mut [Joints]) {
         for (i, axis) in self.machine.axes.iter().enumerate().filter(|(i, _)| self.winds(*i)) {
             let (low, high) =

@@ -5,21 +5,21 @@ use super::{FIRST_STAGE, Place, STAGES, Task};
 use crate::effort::SearchStage;
 use seamwright_machine::{AxisKind, Joints, MAX_AXES};
 
-/// Most steps of a stage.
+/// Maximum number of steps of a stage.
 const STEPS: usize = 40;
-/// A step that gains less than this part is the last.
+/// Minimum relative gain of a step; one with less is the last.
 const ENOUGH: f64 = 1e-5;
-/// Most that a coefficient moves in one step: rad, or part of a linear axis' range.
-const MOST_TURN: f64 = 0.3;
-const MOST_STROKE: f64 = 0.1;
+/// Maximum move of a coefficient in one step: rad, or fraction of a linear axis' range.
+const MAX_TURN: f64 = 0.3;
+const MAX_STROKE: f64 = 0.1;
 /// Difference for derivatives by free axes, rad; 100 times as many mm.
 const DIFFERENCE: f64 = 1e-6;
 
-/// Coefficients that a row can touch: those at three neighbouring stations.
+/// Maximum number of coefficients in a row: those of three neighbouring stations.
 const SPAN: usize = 5;
 
-/// The free axes of least cost near any of `ways`, which are positions at equal stations, and whether all axes stay in
-/// their ranges; none if no axis positions follow the splines, or if the effort is stopped.
+/// The free axes of minimum cost near any of `ways`, which are positions at equal stations, with a flag that all axes
+/// stay in their ranges. None if no axis positions follow the splines, or if the effort is stopped.
 pub(super) fn refine(task: &Task, ways: &[Vec<Joints>], still: Vec<(usize, f64)>) -> Option<(FreeAxes, bool)> {
     let stage = |(stations, intervals): (usize, usize), way: &[Joints]| {
         let mut stage = Stage::new(task, stations, intervals, through(task, way, intervals), way)?;
@@ -46,7 +46,8 @@ pub(super) fn refine(task: &Task, ways: &[Vec<Joints>], still: Vec<(usize, f64)>
     Some((FreeAxes { length: task.path.length(), still, moving, start: way.first().copied() }, inside))
 }
 
-/// Coefficients of splines near the way: its values where each coefficient counts most, continued straight at the ends.
+/// Coefficients of splines near the path: its values at the peak of each coefficient's basis function, extrapolated
+/// linearly at the ends.
 fn through(task: &Task, way: &[Joints], intervals: usize) -> Vec<f64> {
     let value = |x: f64, axis: usize| {
         let i = (x as usize).min(way.len() - 2);
@@ -71,7 +72,7 @@ struct Stage<'t, 'a> {
     places: Vec<Place>,
     basis: Vec<Basis>,
     intervals: usize,
-    /// By place along the path, then by free axis.
+    /// By position along the path, then by free axis.
     coefficients: Vec<f64>,
     rows: Vec<Row>,
     cost: f64,
@@ -98,7 +99,7 @@ impl<'t, 'a> Stage<'t, 'a> {
         Some(stage)
     }
 
-    /// Levenberg and Marquardt's method.
+    /// Runs the Levenberg-Marquardt method.
     fn run(&mut self) {
         let mut damping = 1e-3;
         for _ in 0..STEPS {
@@ -125,8 +126,8 @@ impl<'t, 'a> Stage<'t, 'a> {
         for (i, d) in step.iter().enumerate() {
             let axis = &self.task.machine.axes[self.task.free[i % count]];
             let most = match (axis.kind, axis.range) {
-                (AxisKind::Linear, Some((low, high))) => MOST_STROKE * (high - low),
-                _ => MOST_TURN,
+                (AxisKind::Linear, Some((low, high))) => MAX_STROKE * (high - low),
+                _ => MAX_TURN,
             };
             part = part.min(most / d.abs());
         }
@@ -140,7 +141,7 @@ impl<'t, 'a> Stage<'t, 'a> {
         better
     }
 
-    /// All stations with the splines' coefficients, on the branches of `near`; none where there is no solution.
+    /// All stations with the splines' coefficients, on the branches of `near`; none if a station has no solution.
     fn follow(&self, coefficients: &[f64], near: impl Fn(usize) -> Joints) -> Option<Vec<Row>> {
         let count = self.task.free.len();
         let row = |k: usize| {
@@ -163,7 +164,7 @@ impl<'t, 'a> Stage<'t, 'a> {
         Some(Row { q, residuals: self.task.cost.place(&q, &self.places[k]) })
     }
 
-    /// Length of a cell, mm, and as a part of the path.
+    /// Length of a cell, mm, and as a fraction of the path.
     fn cell(&self) -> (f64, f64) {
         let cells = (self.places.len() - 1) as f64;
         (self.task.path.length() / cells, 1.0 / cells)

@@ -1,7 +1,7 @@
-//! Motion along taught points, as many as there may be: read as they are needed, in constant memory.
+//! Motion along any number of taught points: read on demand, in constant memory.
 //!
-//! Points near the chord of their neighbours are left out, the rest become a cubic spline in axis space, twice
-//! continuously differentiable between corners. At a corner the motion stops or goes through a blend.
+//! Points near the chord of their neighbours are left out; the others form a cubic spline in axis space, twice
+//! continuously differentiable between corners. At a corner the motion stops or follows a blend.
 
 mod path;
 mod spline;

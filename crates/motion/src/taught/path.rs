@@ -6,57 +6,56 @@ use crate::tip_channels::TipChannels;
 use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
 use std::collections::VecDeque;
 
-/// What happens at a corner of the taught points.
+/// Motion at a corner of the taught points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Corner {
-    /// The motion stops exactly there.
+    /// Exact stop at the corner.
     Stop,
-    /// It goes through a blend, twice continuously differentiable, that passes the corner within this distance of the
-    /// tip (mm).
+    /// Blend, twice continuously differentiable, that passes the corner within this distance of the tip (mm).
     Blend(f64),
 }
 
-/// The axes' path through taught points, loaded as it is needed.
+/// The axes' path through taught points, loaded on demand.
 ///
-/// The parameter is the length of the tip's chords (mm) where the tip moves at the asked speed; where an axis would
-/// have to move faster than it can, or the tip stands still, it counts the time that axis needs, times the asked
-/// speed. Guarantee: passes through every point kept, and within the tolerance of those left out, but for blends at
-/// corners. Between points it is the cubic spline through them: a bend too small for a corner is rounded over the
-/// distance of the points there. Where the spline would swing by more than a tenth of that distance, points between
-/// are added.
+/// The parameter is the length of the tip's chords (mm) while the tip moves at the requested speed. If an axis would
+/// exceed its speed, or the tip rests, it counts the time of that axis times the requested speed. Guarantee: passes
+/// through every kept point, and within the tolerance of omitted ones, except in blends at corners. Between points it
+/// is the cubic spline through them: a bend too small for a corner is rounded over the distance of the points there. If
+/// the spline would swing by more than a tenth of that distance, points are added.
 pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
     machine: &'a Machine,
-    /// Of the axes, then of the tip if it has any.
+    /// Limits of the axes, then of the tip if it has any.
     limits: Vec<Limits>,
     speed: f64,
     corner: Corner,
     points: std::iter::Peekable<Thinned<Tips<'a, I>>>,
     pieces: VecDeque<Piece>,
-    /// Points of the run being read with their parameters, the first one's slope if pieces end there already.
+    /// Points of the current run with their parameters, and the slope of the first one if pieces already end there.
     run: Vec<(f64, Kept)>,
-    /// How far the tip (mm) and each axis (mm or rad) may be from a point left out.
+    /// Maximum distance of the tip (mm) and each axis (mm or rad) from an omitted point.
     tolerance: (f64, Joints),
     slope: Option<Joints>,
-    /// The last piece before a corner, until it is known what follows.
+    /// The last piece before a corner, until the next piece is known.
     held: Option<Piece>,
     stops: Vec<f64>,
     complete: bool,
 }
 
-/// Pieces made at once, and points that must be known after the last of them: slopes beyond have no influence left
-/// (each point passes on about 0.4 of it at most).
+/// Number of pieces built together, and of points that must be known after the last of them: the influence of later
+/// slopes is negligible (each point passes on at most about 0.4 of it).
 const AT_ONCE: usize = 64;
 const AHEAD: usize = 32;
 /// Turn of the path (in axis space, axes by their speeds) that makes a point a corner.
 const CORNER_COS: f64 = 0.866;
-/// A piece may leave the straight way between its ends by this part of it: an even turn by 30 degrees takes 0.065.
+/// Maximum deviation of a piece from the chord between its ends, as a fraction of it: an even turn by 30 degrees takes
+/// 0.065.
 const SWING: f64 = 0.1;
-/// A blend takes at most this part of the pieces beside it.
+/// Maximum fraction of the neighbouring pieces that a blend takes.
 const PART_OF_PIECE: f64 = 0.45;
 
 impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
-    /// The path of `machine` through the axis positions `points` at `speed` (mm/s) of the tip; points may be left out
-    /// that are within `tolerance` (mm; rotary axes: as much at 100 mm) of the way.
+    /// Creates the path of `machine` through the axis positions `points` at `speed` (mm/s) of the tip. Points within
+    /// `tolerance` (mm; rotary axes: the same at 100 mm) of the path may be omitted.
     pub fn new(machine: &'a Machine, points: I, speed: f64, corner: Corner, tolerance: f64) -> Self {
         let near = |i: usize| match machine.axes.get(i).map(|a| a.kind) {
             Some(AxisKind::Rotary) => tolerance / 100.0,
@@ -80,7 +79,7 @@ impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
     }
 }
 
-/// Points with the places of their tips.
+/// Points with the positions of their tips.
 struct Tips<'a, I> {
     machine: &'a Machine,
     points: I,
@@ -106,7 +105,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         self.machine.tip_derivatives(&self.piece(u, false).derivatives(u))[0].length()
     }
 
-    /// True if there is a way to go at all: two different points.
+    /// True if the path has no motion: no two points differ.
     pub fn is_empty(&mut self) -> bool {
         while self.pieces.is_empty() && !self.complete {
             self.extend();
@@ -125,7 +124,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         axes.fold(a.tip.distance(b.tip) / self.speed, f64::max) * self.speed
     }
 
-    /// Whether the way turns sharply at `at`.
+    /// True if the path has a corner at `at`.
     fn is_corner(&self, before: &Taught, at: &Taught, after: &Taught) -> bool {
         let way = |a: &Taught, b: &Taught| -> Joints {
             std::array::from_fn(|i| self.machine.axes.get(i).map_or(0.0, |axis| (b.q[i] - a.q[i]) / axis.max_speed))
@@ -135,7 +134,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         dot(&a, &b) < CORNER_COS * (dot(&a, &a) * dot(&b, &b)).sqrt()
     }
 
-    /// Reads points until pieces can be made, and makes them.
+    /// Reads points until pieces can be built, and builds them.
     fn extend(&mut self) {
         let mut ended = false;
         while self.run.len() < AT_ONCE + AHEAD {
@@ -167,7 +166,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         }
     }
 
-    /// Turns the run into pieces: all of it if it has ended, else all but what later points still change.
+    /// Turns the run into pieces: all of it if it has ended, else without the part that later points still change.
     fn make_pieces(&mut self, ended: bool) {
         let pieces = loop {
             let pieces = self.spline();
@@ -199,11 +198,11 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         if ended {
             self.slope = None;
         }
-        // What was left out before the first point belongs to pieces that are made.
+        // Points omitted before the first point belong to finished pieces.
         self.run.first_mut().into_iter().for_each(|(_, first)| first.left_out.clear());
     }
 
-    /// The spline through the run as it is.
+    /// The spline through the current run.
     fn spline(&self) -> Vec<Piece> {
         let u: Vec<f64> = self.run.iter().map(|r| r.0).collect();
         let q: Vec<Joints> = self.run.iter().map(|r| r.1.point.q).collect();
@@ -212,7 +211,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         (0..u.len() - 1).map(piece).collect()
     }
 
-    /// The point left out in piece `i` that is farthest from it, if that is beyond the tolerance.
+    /// The omitted point of piece `i` that is farthest from it, if that is beyond the tolerance.
     fn farthest(&self, i: usize, piece: &Piece) -> Option<usize> {
         let left_out = &self.run[i + 1].1.left_out;
         let away = left_out.iter().enumerate().map(|(k, point)| (k, self.away(piece, point, k, left_out.len())));
@@ -220,11 +219,11 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         (most > 1.0).then_some(k)
     }
 
-    /// How far `point` (number `k` of `count` left out) is from a piece, as a part of the tolerance.
+    /// Distance of `point` (number `k` of `count` omitted ones) from a piece, as a fraction of the tolerance.
     fn away(&self, piece: &Piece, point: &Taught, k: usize, count: usize) -> f64 {
         let (tip, axes) = &self.tolerance;
         let off = |q: &Joints, i: usize| (point.q[i] - q[i]) / axes[i];
-        // The place on it that is nearest, by Newton's method without the curvature.
+        // Nearest parameter on it, by Newton's method without the curvature.
         let mut u = piece.from + (piece.to - piece.from) * (k + 1) as f64 / (count + 1) as f64;
         for _ in 0..3 {
             let [q, d1, ..] = piece.derivatives(u);
@@ -239,7 +238,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         by_axes.max(self.machine.forward(&q).point.distance(point.tip) / tip)
     }
 
-    /// Whether a piece swings farther from the straight way between its ends than an even turn would, and the
+    /// True if a piece deviates from the chord between its ends by more than an even turn and by more than the
     /// tolerance.
     fn swings(&self, piece: &Piece) -> bool {
         let axes = &self.tolerance.1;
@@ -259,7 +258,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
             && [0.25, 0.5, 0.75].into_iter().any(|p| off(p) > 1.0 + SWING * square.sqrt())
     }
 
-    /// Makes two pieces of one: at the middle one of the points left out, or halfway between its ends.
+    /// Splits a piece into two: at the middle one of the omitted points, or halfway between its ends.
     fn halve(&mut self, i: usize, piece: &Piece) {
         let [a, b] = [piece.from, piece.to].map(|u| piece.derivatives(u)[0]);
         let left_out = &mut self.run[i + 1].1.left_out;
@@ -271,7 +270,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         self.take_back(i, middle);
     }
 
-    /// Puts point `k` left out in piece `i` back into the run.
+    /// Puts the omitted point `k` of piece `i` back into the run.
     fn take_back(&mut self, i: usize, k: usize) {
         let mut before = std::mem::take(&mut self.run[i + 1].1.left_out);
         let after = before.split_off(k + 1);
@@ -284,7 +283,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         self.run.insert(i + 1, (begin, Kept { point, left_out: before }));
     }
 
-    /// The first piece after a corner, or of all.
+    /// Adds the first piece after a corner, or of the path.
     fn begin_run(&mut self, mut after: Piece) {
         let Some(mut before) = self.held.replace(after) else { return };
         let Corner::Blend(distance) = self.corner else {
@@ -295,7 +294,8 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         let u = before.to;
         let room = PART_OF_PIECE * (before.to - before.from).min(after.to - after.from);
         let corner = self.machine.forward(&before.derivatives(u)[0]).point;
-        // The tip passes a corner of straight lines at 3/16 of what their slopes differ by: less room until it does.
+        // The tip passes a corner of straight lines at 3/16 of the difference of their slopes: reduces the width until
+        // it fits.
         let mut half = room;
         for _ in 0..60 {
             (before.to, after.from) = (u - half, u + half);

@@ -5,7 +5,7 @@ use seamwright_machine::{Joints, MAX_AXES};
 pub(crate) struct Piece {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    /// Where its own parameter is zero.
+    /// Parameter at which the powers' variable is zero.
     origin: f64,
     /// Coefficients, lowest power first.
     c: [Joints; 6],
@@ -26,8 +26,7 @@ impl Piece {
         Self { from, to, origin: from, c }
     }
 
-    /// The quintic that goes on from `before` at its end and into `after` at its start, twice continuously
-    /// differentiable.
+    /// The quintic from the end of `before` to the start of `after`, twice continuously differentiable.
     pub(crate) fn blend(before: &Self, after: &Self) -> Self {
         let (from, to) = (before.to, after.from);
         let start = |[q, d1, d2, _]: [Joints; 4]| [q, d1, d2];
@@ -71,9 +70,9 @@ impl Piece {
     }
 }
 
-/// Slopes at the knots of the cubic spline through `q` at the parameters `u` (at least two): twice continuously
-/// differentiable. Its first two and its last two pieces are one cubic each (de Boor's "not a knot"; with fewer than
-/// four knots it has no curvature at its ends), or its slope at the start is `first`.
+/// Slopes at the knots of the twice continuously differentiable cubic spline through `q` at the parameters `u` (at
+/// least two). Its first two and its last two pieces are one cubic each (de Boor's "not a knot"; with fewer than four
+/// knots the curvature is 0 at its ends), or its slope at the start is `first`.
 pub(crate) fn slopes(u: &[f64], q: &[Joints], first: Option<&Joints>) -> Vec<Joints> {
     let n = u.len();
     // Rows of the tridiagonal system, eliminated as they are made.
@@ -105,12 +104,12 @@ struct Row {
 }
 
 impl Row {
-    /// That of knot `i`.
+    /// The equation of knot `i`.
     fn new(u: &[f64], q: &[Joints], i: usize) -> Self {
         let n = u.len();
         let width = |i: usize| u[i + 1] - u[i];
         let mean = |k: usize, i: usize| (q[i + 1][k] - q[i][k]) / width(i);
-        // The end's own piece and the one beside it.
+        // The piece at the end and the one beside it.
         let end = |own: usize, beside: usize| {
             let (a, b) = (width(own), width(beside));
             let right = |k: usize| ((3.0 * a + 2.0 * b) * b * mean(k, own) + a * a * mean(k, beside)) / (a + b);
@@ -164,7 +163,7 @@ mod tests {
                 assert!((piece(i).derivatives(middle)[0][3] - at(middle)[3]).abs() < 1e-6);
             }
         }
-        // A window that goes on with a slope known is the same spline.
+        // A window that continues from a known slope is the same spline.
         let later = super::slopes(&u[20..], &q[20..], Some(&slopes[20]));
         assert!((0..40).all(|i| (0..MAX_AXES).all(|k| (later[i][k] - slopes[20 + i][k]).abs() < 1e-12)));
     }

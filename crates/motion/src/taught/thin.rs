@@ -8,35 +8,33 @@ pub(crate) struct Taught {
     pub(crate) tip: DVec3,
 }
 
-/// A point that is kept, and those left out since the one kept before.
+/// A kept point, and the points omitted since the previous kept one.
 #[derive(Debug, Clone)]
 pub(crate) struct Kept {
     pub(crate) point: Taught,
     pub(crate) left_out: Vec<Taught>,
 }
 
-/// Points whose tips are nearer than this (mm) and whose axes too (mm or rad) are the same point: the length that
-/// counts as nothing in all rooms.
+/// Maximum distance of equal points, of their tips (mm) and of their axes (mm or rad).
 pub(crate) const SAME: f64 = 1e-6;
 
-/// Most points left out one after the other.
-const MOST: usize = 64;
-/// A distance between kept points may be this many times the next one; else points left out come back.
+/// Maximum number of consecutive omitted points.
+const MAX_OMITTED: usize = 64;
+/// Maximum ratio of a distance between kept points to the next one; above it omitted points are put back.
 const SHRINK: f64 = 2.5;
 
-/// Leaves out points that the straight line between those kept passes within a tolerance, in axis space and at the tip,
-/// and lets the distances of those kept change gradually: a spline through them swings where a long piece meets a short
-/// one.
+/// Omits points within a tolerance of the straight line between kept ones, in axis space and at the tip. Distances of
+/// kept points change gradually, since a spline swings if a long piece meets a short one.
 pub(crate) struct Thinned<I> {
     points: I,
-    /// How far (mm for the tip and linear axes, rad for rotary ones) a point left out may be from the line.
+    /// Maximum distance of an omitted point from the line, mm for the tip and linear axes, rad for rotary ones.
     tolerance: (f64, Joints),
-    /// The last point kept, and those since.
+    /// The last kept point, and the points since.
     kept: Option<Taught>,
     run: Vec<Taught>,
-    /// Points to be given, in order.
+    /// Points of the output, in order.
     ready: std::collections::VecDeque<Kept>,
-    /// Points left out between the last two kept, and the first of the two.
+    /// Points omitted between the last two kept ones, and the first of the two.
     before: Option<(Taught, Vec<Taught>)>,
     ended: bool,
 }
@@ -47,18 +45,18 @@ impl<I> Thinned<I> {
             points,
             tolerance,
             kept: None,
-            run: Vec::with_capacity(MOST),
+            run: Vec::with_capacity(MAX_OMITTED),
             ready: std::collections::VecDeque::new(),
             before: None,
             ended: false,
         }
     }
 
-    /// Whether every point since the last one kept is near the line from there to `to`.
+    /// True if every point since the last kept one is near the line from there to `to`.
     fn is_straight(&self, from: &Taught, to: &Taught) -> bool {
         let chord = to.tip - from.tip;
         let square = chord.length_squared();
-        // How far along it: by the tip, or by the axis that moves most if the tip stands still.
+        // The fraction along it follows from the tip, or from the axis that moves most if the tip rests.
         let lead = (0..MAX_AXES).fold(0, |a, b| if moved(from, to, b) > moved(from, to, a) { b } else { a });
         self.run.iter().all(|p| {
             let part = if square > SAME * SAME {
@@ -75,7 +73,7 @@ impl<I> Thinned<I> {
         })
     }
 
-    /// Keeps `point`; where the way to it is much shorter than the one before, points left out before come back.
+    /// Keeps `point`; if its distance is much shorter than the previous one, omitted points are put back.
     fn keep(&mut self, point: Taught, left_out: Vec<Taught>) {
         let Some(last) = self.kept.replace(point) else { return };
         let mut since = Vec::new();
@@ -106,7 +104,7 @@ fn moved(a: &Taught, b: &Taught, axis: usize) -> f64 {
     (a.q[axis] - b.q[axis]).abs()
 }
 
-/// How far two points are apart: the way of the tip or of the axis that moves most.
+/// Distance of two points: the maximum move of the tip and the axes.
 fn apart(a: &Taught, b: &Taught) -> f64 {
     (0..MAX_AXES).map(|i| moved(a, b, i)).fold(a.tip.distance(b.tip), f64::max)
 }
@@ -138,7 +136,7 @@ impl<I: Iterator<Item = Taught>> Iterator for Thinned<I> {
             if apart(self.run.last().unwrap_or(&kept), &point) <= SAME {
                 continue;
             }
-            if (self.run.len() >= MOST || !self.is_straight(&kept, &point))
+            if (self.run.len() >= MAX_OMITTED || !self.is_straight(&kept, &point))
                 && let Some(last) = self.run.pop()
             {
                 let left_out = std::mem::take(&mut self.run);

@@ -4,23 +4,23 @@ use super::grid::Grid;
 /// Comparison-integral: the faster axis makes a pulse every clock, the others follow in the same clock.
 ///
 /// On the ellipse the integrals of `b^2 x dx` and of `-a^2 y dy` from the start are equal. A pulse from x to x + s
-/// adds the trapezoid `b^2 (x s + 1/2)`, which is the integral without error. The faster axis is x where
-/// `b^2 |x| < a^2 |y|` (tangent at most 45 degrees from x), else y. Each clock it makes one pulse; the slower axis
-/// makes one too if, with half a pulse more, its integral would still not have gone past the faster axis' one. In the
-/// deviation function, twice the sum of both integrals, that is the sign of F half a pulse ahead on the slower axis;
-/// it is computed from the position in integers, so that nothing adds up.
+/// adds the trapezoid `b^2 (x s + 1/2)`, which is the exact integral. The faster axis is x if `b^2 |x| < a^2 |y|`
+/// (tangent at most 45 degrees from x), else y. Each clock it makes one pulse. The slower axis makes one too if its
+/// integral half a pulse ahead would not exceed that of the faster axis. In the deviation function, twice the sum of
+/// both integrals, that is the sign of F half a pulse ahead on the slower axis. It is computed from the position in
+/// integers, so no error accumulates.
 ///
-/// An axis that is more than half a pulse behind before the clock, as it may be next to the start, where the faster
-/// axis changes and at an end of the ellipse that is sharper than a pulse, catches up alone first.
+/// An axis more than half a pulse behind before the clock catches up alone first. That happens next to the start, at a
+/// change of the faster axis and at an end of the ellipse that is sharper than a pulse.
 ///
-/// Guarantee: the slower axis is right within half a pulse, since the ellipse moves by at most one pulse on it in a
-/// clock. So every point is at most half a pulse from the ellipse, except next to the start and the end, which are the
-/// lattice points nearest to the path's (at most 0.71 pulse; what leads to them less than 1), and where the radius of
-/// curvature is below some pulses (less than 1).
+/// Guarantee: the slower axis is exact within half a pulse, since the ellipse moves by at most one pulse on it in a
+/// clock. So every point is at most half a pulse from the ellipse, with two exceptions. Start and end are the lattice
+/// points nearest to the path's (at most 0.71 pulse; the pulses to them less than 1). At a radius of curvature below
+/// some pulses the distance is less than 1.
 ///
-/// Saddle: x and y so on their circle; z by a third comparison against the faster axis, see [`Grid::height_pulse`], in
-/// the same clock. z too moves by at most one pulse for one of the faster axis and is right within half a pulse: at
-/// most 0.71 pulse in space.
+/// Saddle: x and y as above on their circle; z by a third comparison against the faster axis, see
+/// [`Grid::height_pulse`], in the same clock. z also moves by at most one pulse for one of the faster axis and is exact
+/// within half a pulse: at most 0.71 pulse in space.
 ///
 /// Weakness: along a diagonal both axes move, so that the speed along the seam rises to 1.41 of the clock's.
 pub(super) struct ComparisonIntegral {
@@ -48,7 +48,7 @@ impl ComparisonIntegral {
         let x_lags = |y: i64| lags(grid.deviation_at_half_pulses(2 * x + sx, 2 * y), 2 * x + sx, sx);
         let y_lags = |x: i64| lags(grid.deviation_at_half_pulses(2 * x, 2 * y + sy), 2 * y + sy, sy);
         let pulse = |lags: bool, sign: i64| if lags { sign } else { 0 };
-        // What is half a pulse behind already catches up before the faster axis goes on.
+        // An axis half a pulse behind catches up before the faster axis continues.
         let behind = if x_first { [0, pulse(open_y && y_lags(x), sy)] } else { [pulse(open_x && x_lags(y), sx), 0] };
         let height = grid.height_pulse([x + behind[0], y + behind[1], z]);
         if behind != [0, 0] || height != 0 {
@@ -60,7 +60,7 @@ impl ComparisonIntegral {
     }
 }
 
-/// Whether the slower axis, half a pulse ahead of its place, is still behind the ellipse on its way `sign`.
+/// True if the slower axis, half a pulse ahead of its position in the direction `sign`, is still behind the ellipse.
 fn lags(deviation: i128, half_pulses: i64, sign: i64) -> bool {
     let outwards = half_pulses * sign > 0;
     if outwards { deviation < 0 } else { deviation > 0 }

@@ -1,10 +1,10 @@
 use super::grid::{Grid, leaving};
 
-/// A walk over the lattice from the path's start to its end: position, quadrant and what is left to do.
+/// A walk over the lattice from the path's start to its end: position, quadrant and remaining crossings.
 ///
-/// Up to the last quadrant only crossings are counted. In the last one each axis moves towards the end's coordinate
-/// and stops on it; an axis that had gone past it before (the quadrant's first point may be one pulse off) is put right
-/// by closing pulses, one axis at a time. So a walk always ends on the lattice point nearest to the path's end.
+/// Up to the last quadrant only crossings are counted. In the last one each axis moves towards the end's coordinate and
+/// stops on it. An axis already past it (the quadrant's first point may be one pulse off) is corrected by closing
+/// pulses, one axis at a time. So a walk always ends on the lattice point nearest to the path's end.
 pub(super) struct Course {
     pub(super) grid: Grid,
     at: [i64; 3],
@@ -17,7 +17,7 @@ impl Course {
         Self { at: grid.start, quadrant: leaving(grid.start), left: grid.crossings, grid }
     }
 
-    /// Where the walk is, pulses.
+    /// Current position, pulses.
     pub(super) fn at(&self) -> [i64; 3] {
         self.at
     }
@@ -32,7 +32,7 @@ impl Course {
         }
     }
 
-    /// Whether x and y may still pulse.
+    /// Flags for x and y that may still pulse.
     pub(super) fn open(&self) -> (bool, bool) {
         let (sx, sy) = self.signs();
         let end = self.grid.end;

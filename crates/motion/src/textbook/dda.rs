@@ -5,26 +5,26 @@ use seamwright_geometry::Curve;
 /// Fraction bits of a saddle's z integrand, which is a quotient.
 const QUOTIENT_BITS: u32 = 20;
 
-/// Digital differential analyser: one integer accumulator an axis; each clock adds its integrand, and what leaves the
-/// register's range is a pulse.
+/// Digital differential analyser: one integer accumulator per axis; each clock adds its integrand, and each overflow of
+/// the register is a pulse.
 ///
 /// Integrands of the ellipse, counter-clockwise: `-a^2 y` for x and `b^2 x` for y, with x and y the pulses made so
 /// far: the solution of `dx/du = -(a/b) y, dy/du = (b/a) x`. Saddle: `-y`, `x` and `-x y / z` (rounded to 2^-20 pulse).
 ///
-/// - Width: w bits, the fewest that hold two pulses more than the largest integrand; so at most one overflow an
-///   axis and clock as long as the drift is below two pulses.
+/// - Width: w bits, the minimum for two pulses more than the largest integrand; so at most one overflow per axis and
+///   clock while the drift is below two pulses.
 /// - Pre-load: half of 2^w, which makes the truncation of the pulses a rounding.
-/// - Rate: a clock is a step of `du = a b / 2^w` (saddle `2^20 / 2^w`) of the eccentric angle; where an
-///   axis is fastest it makes between half a pulse and one a clock. The number of clocks is the path's span by du,
-///   rounded; their frequency is such that the whole path takes its length over the nominal speed. The speed varies as
-///   that of equal angles.
-/// - Start: the lattice point nearest to the path's start; its rounding is never taken back.
+/// - Rate: a clock is a step of `du = a b / 2^w` (saddle `2^20 / 2^w`) of the eccentric angle; an axis makes between
+///   half a pulse and one per clock at its maximum speed. The number of clocks is the path's span divided by du,
+///   rounded. Their frequency gives the whole path the time length / nominal speed. The speed varies as that of equal
+///   angles.
+/// - Start: the lattice point nearest to the path's start; its rounding is never corrected.
 ///
-/// Weakness: nothing compares the result with the curve. The x and y before the clock are used for both axes (Euler's
-/// method), so that the path spirals outwards: at a radius of n pulses by `n u du / 2` after the angle u, which is 1.6
-/// to 3.1 pulses a turn of a circle (the rounding of the pulses makes it 2 or 3). On a long ellipse the rounding of the
-/// start on the short axis comes on top, enlarged by the ratio of the axes. Neither the end nor the start of a full
-/// turn is met. It is not corrected here: it is what the method does.
+/// Weakness: the method has no feedback from the curve. The x and y before the clock are used for both axes (Euler's
+/// method), so the path spirals outwards: at a radius of n pulses by `n u du / 2` after the angle u. That is 1.6 to 3.1
+/// pulses per turn of a circle (2 or 3 with the rounding of the pulses). On a long ellipse the rounding of the start on
+/// the short axis is added, enlarged by the ratio of the axes. Neither the end nor the start of a full turn is met.
+/// This error belongs to the method and is not corrected.
 pub(super) struct Dda {
     grid: Grid,
     saddle: bool,
@@ -65,7 +65,7 @@ impl Dda {
     fn integrands(&self) -> [i128; 3] {
         let [x, y, z] = self.at.map(i128::from);
         let height = if self.saddle {
-            // A drift larger than z itself, next to a tangent nozzle, must not divide by zero.
+            // Prevents division by zero for a drift larger than z itself, next to a tangent nozzle.
             let z = z.max(1);
             (-self.by_x * x * y + z / 2).div_euclid(z).clamp(-self.range, self.range)
         } else {
@@ -75,7 +75,7 @@ impl Dda {
     }
 }
 
-/// The fewest bits w with `value <= 2^w`.
+/// Minimum number of bits w with `value <= 2^w`.
 fn needed_bits(value: i128) -> u32 {
     128 - (value - 1).leading_zeros()
 }
@@ -126,7 +126,7 @@ mod tests {
         assert_eq!([1, 2, 3, 4, 5, 1024, 1025].map(needed_bits), [0, 1, 2, 2, 3, 10, 11]);
     }
 
-    /// The radius n grows by pi n / 2^w pulses a turn, as Euler's method makes it; rounding may add one pulse.
+    /// The radius n grows by pi n / 2^w pulses a turn by Euler's method; rounding may add one pulse.
     #[test]
     fn a_circle_spirals_outwards_as_derived() {
         for n in [300.0f64, 500.0, 510.0, 1000.0, 1020.0, 4000.0, 20000.0, 32700.0] {

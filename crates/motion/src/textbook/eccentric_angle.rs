@@ -2,13 +2,13 @@ use super::method::AngleRule;
 use super::path::Path;
 use super::point::Point;
 
-/// A remainder of less than this part of a step is no step of its own.
+/// Minimum remainder that gets its own step, as a fraction of a step.
 const NO_REMAINDER: f64 = 1e-9;
 
 /// Steps of the angle; see [`AngleRule`].
 ///
-/// Rounding adds up in the angle alone, some 1e-16 rad a step; the point is computed from the angle afresh each time
-/// and so lies on the curve.
+/// Rounding accumulates in the angle alone, some 1e-16 rad a step. Each point is computed from the angle and lies on
+/// the curve.
 pub(super) struct EccentricAngle {
     path: Path,
     rule: AngleRule,
@@ -29,7 +29,7 @@ impl EccentricAngle {
         Self { polar: polar(a, b, u_rad), path, rule, step, period, next, number: 0 }
     }
 
-    /// The angle one step on from the point; moves the polar angle along.
+    /// The angle one step after the point; also advances the polar angle.
     fn advance(&mut self, from: &Point) -> f64 {
         let direction = self.path.direction();
         // On a saddle the centre is the nozzle's axis.
@@ -39,7 +39,7 @@ impl EccentricAngle {
             AngleRule::Polar => {
                 let (a, b) = self.path.plan_axes();
                 self.polar += by_radius;
-                // The polar angle of the ellipse with its axes exchanged is the way back.
+                // The inverse is the polar angle of the ellipse with exchanged axes.
                 polar(b, a, self.polar)
             }
             AngleRule::Tangent => from.u_rad + direction * self.step / self.path.jet_at(from.u_rad).d1.length(),

@@ -1,12 +1,12 @@
 use thiserror::Error;
 
-/// Why a request cannot be interpolated. Nothing is computed when one of these comes back.
+/// Error of an invalid interpolation request, found before any computation.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Error {
     /// A size, speed, period or pulse must be finite and greater than zero.
     #[error("{what} must be a finite number greater than 0, not {value}")]
     NotPositive {
-        /// Which value.
+        /// Name of the value.
         what: &'static str,
         /// The value given.
         value: f64,
@@ -14,7 +14,7 @@ pub enum Error {
     /// A coordinate or an angle is not finite.
     #[error("{what} must be a finite number, not {value}")]
     NotFinite {
-        /// Which value.
+        /// Name of the value.
         what: &'static str,
         /// The value given.
         value: f64,
@@ -33,7 +33,7 @@ pub enum Error {
         y_mm: f64,
         /// Distance from the ellipse, mm.
         distance_mm: f64,
-        /// Greatest distance accepted, mm.
+        /// Maximum accepted distance, mm.
         tolerance_mm: f64,
         /// x of the nearest point on the ellipse, mm.
         near_x_mm: f64,
@@ -48,12 +48,12 @@ pub enum Error {
         /// Shell radius, mm.
         shell_mm: f64,
     },
-    /// The sweep is zero or goes around too often.
+    /// The sweep is zero or has too many turns.
     #[error("the sweep must be other than 0 and at most {limit_rad} rad either way, not {sweep_rad}")]
     Sweep {
         /// Sweep given, rad.
         sweep_rad: f64,
-        /// Greatest sweep either way, rad.
+        /// Maximum absolute sweep, rad.
         limit_rad: f64,
     },
     /// The step is not small against the path.
@@ -64,7 +64,7 @@ pub enum Error {
     StepTooLong {
         /// Speed times period, mm.
         step_mm: f64,
-        /// Longest step accepted, mm.
+        /// Maximum accepted step, mm.
         limit_mm: f64,
     },
     /// The pulse is not small against the shape.
@@ -72,10 +72,10 @@ pub enum Error {
     PulseTooLarge {
         /// Pulse equivalent, mm.
         pulse_mm: f64,
-        /// Largest pulse accepted, mm.
+        /// Maximum accepted pulse, mm.
         limit_mm: f64,
     },
-    /// More steps or pulses than anyone can want.
+    /// The number of steps or pulses exceeds the limit.
     #[error("this needs about {steps:.3e} steps or pulses; the limit is {limit:.0e}")]
     TooManySteps {
         /// Estimate of the number of steps.
@@ -83,17 +83,17 @@ pub enum Error {
         /// The limit.
         limit: f64,
     },
-    /// The curve itself cannot be made or measured.
+    /// The curve itself cannot be constructed or measured.
     #[error(transparent)]
     Geometry(#[from] seamwright_geometry::Error),
 }
 
-/// Passes on a finite value greater than zero.
+/// Checks that a value is finite and greater than zero.
 pub(super) fn positive(what: &'static str, value: f64) -> Result<f64, Error> {
     if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::NotPositive { what, value }) }
 }
 
-/// Passes on a finite value.
+/// Checks that a value is finite.
 pub(super) fn finite(what: &'static str, value: f64) -> Result<f64, Error> {
     if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { what, value }) }
 }

@@ -5,11 +5,11 @@ use super::point::Point;
 use glam::DVec3;
 use seamwright_geometry::{ByLength, Curve};
 
-/// A remainder of less than this part of a step is no step of its own.
+/// Minimum remainder that gets its own step, as a fraction of a step.
 const NO_REMAINDER: f64 = 1e-10;
 
-/// Most approaches to the next point; only where the curve touches the distance without crossing it are more than
-/// a few dozen needed.
+/// Maximum number of approaches to the next point; more than a few dozen are needed only if the curve touches the
+/// distance without crossing it.
 const APPROACHES: usize = 10_000;
 
 /// Equal steps along the path; see [`EqualStep`].
@@ -18,7 +18,7 @@ pub(super) struct Exact {
     equal: EqualStep,
     step: f64,
     period: f64,
-    /// Number of the last point given and its distance along the path; none before the start and after the end.
+    /// Number of the last point and its distance along the path; none before the start and after the end.
     last: Option<(u64, f64, DVec3)>,
     started: bool,
 }
@@ -35,17 +35,17 @@ impl Exact {
         Point { t_s: periods * self.period, u_rad, position: path.point(u_rad) }
     }
 
-    /// Distance along the path and travelled angle of the next point, or nothing if the end is nearer.
+    /// Distance along the path and travelled angle of the next point; none if the end is nearer.
     fn next_by_arc(&self, number: u64) -> Option<(f64, f64)> {
         let along = (number + 1) as f64 * self.step;
         (along < self.path.length() - NO_REMAINDER * self.step).then(|| (along, self.path.parameter(along)))
     }
 
-    /// The same for the first point along the path that is a step away from the last one at `from`.
+    /// Distance along the path and travelled angle of the first point a step away from the last one at `from`.
     ///
-    /// However the curve bends, its distance from a point grows by no more than the length along it. So going on by
-    /// what is missing never passes the first point at the wanted distance, and what is missing shrinks each time: by
-    /// a factor of 1 - cos(angle between curve and chord).
+    /// The distance of the curve from a point never grows faster than the length along it. So advancing by the missing
+    /// distance never passes the first point at the wanted distance. The missing distance shrinks each time, by a
+    /// factor of 1 - cos(angle between curve and chord).
     fn next_by_chord(&self, along: f64, from: DVec3) -> Option<(f64, f64)> {
         let path = self.path.curve();
         let end = self.path.length() - NO_REMAINDER * self.step;
@@ -126,7 +126,7 @@ mod tests {
         (run.path().clone(), run.collect())
     }
 
-    /// A shape and a step that it accepts, mostly short but some as long as allowed.
+    /// A shape with a valid step, mostly short but sometimes of maximum length.
     fn case(random: &mut Random) -> (Shape, f64) {
         loop {
             let shape = if random.unit() < 0.5 { random.ellipse(0.5, 50.0) } else { random.saddle(5.0, 100.0, 0.98) };
@@ -202,7 +202,8 @@ mod tests {
             }
             assert!(*last < step * (1.0 + 1e-9), "{shape:?} {step}: {last}");
             assert!(points[points.len() - 1].position.distance(path.point(path.end_rad())) < 1e-15);
-            // Nothing between two points is a step away already: they are the first at the distance.
+            // Points of the curve between two points are less than a step away: each point is the first at the
+            // distance.
             for w in points.windows(2) {
                 for i in 1..50 {
                     let u = w[0].u_rad + (w[1].u_rad - w[0].u_rad) * f64::from(i) / 50.0;

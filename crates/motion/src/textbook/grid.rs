@@ -3,13 +3,13 @@ use glam::DVec3;
 use seamwright_geometry::Curve;
 use std::f64::consts::FRAC_PI_2;
 
-/// Most fraction bits of a size counted in pulses.
+/// Maximum number of fraction bits of a size counted in pulses.
 const FRACTION_BITS: u32 = 16;
 
-/// A path on the lattice of whole pulses, in integers: sizes, ends and the deviation functions. Nothing here can drift.
+/// A path on the lattice of whole pulses, in integers: sizes, ends and the deviation functions, all free of drift.
 ///
-/// Sizes are rounded to 2^-k pulse, k = 16 or as many bits as leave a size below 2^29 (k >= 1 at the most pulses
-/// allowed). A path that goes clockwise is mirrored (y to -y), so that the rules know only counter-clockwise motion.
+/// Sizes are rounded to 2^-k pulse, k = 16 or the number of bits that keeps a size below 2^29 (k >= 1 at the maximum
+/// number of pulses). A clockwise path is mirrored (y to -y), so that the rules handle only counter-clockwise motion.
 #[derive(Debug, Clone)]
 pub(super) struct Grid {
     pulse_mm: f64,
@@ -25,12 +25,12 @@ pub(super) struct Grid {
     /// Lattice points nearest to the path's ends, in pulses.
     pub(super) start: [i64; 3],
     pub(super) end: [i64; 3],
-    /// How many times the path goes from one quadrant into the next.
+    /// Number of changes of the path from one quadrant to the next.
     pub(super) crossings: u32,
 }
 
 impl Grid {
-    /// The path must have been checked: semi-axes of at least 4 pulses and no size over 2^28 pulses.
+    /// Builds the lattice of a checked path: semi-axes of at least 4 pulses and sizes up to 2^28 pulses.
     pub(super) fn new(path: &Path, pulse_mm: f64) -> Self {
         let size = path.size() / pulse_mm;
         let fraction = FRACTION_BITS.min((28.0 - size.log2().floor()).max(0.0) as u32);
@@ -74,14 +74,14 @@ impl Grid {
         self.deviation_at_half_pulses(2 * at[0], 2 * at[1])
     }
 
-    /// True where the ellipse's tangent leans to the x axis: x is the faster axis.
+    /// True if x is the faster axis: the ellipse's tangent is closer to the x axis.
     pub(super) fn x_is_faster(&self, at: [i64; 3]) -> bool {
         self.b2 * i128::from(at[0].abs()) < self.a2 * i128::from(at[1].abs())
     }
 
-    /// The pulse of z, -1, 0 or 1, that brings z nearest to the saddle over the lattice point: the third comparison,
-    /// of `z^2` with `R^2 - y^2` where y is the faster axis and with `R^2 - r^2 + x^2`, which is the same on the
-    /// circle, where x is: the faster axis says best how far along the path the point is.
+    /// The pulse of z, -1, 0 or 1, that brings z nearest to the saddle over the lattice point. It is the third
+    /// comparison: of `z^2` with `R^2 - y^2` if y is the faster axis, else with `R^2 - r^2 + x^2`, which is equal on
+    /// the circle. The faster axis gives the most accurate position along the path.
     pub(super) fn height_pulse(&self, at: [i64; 3]) -> i64 {
         let Some((shell2, difference)) = self.shell else { return 0 };
         let square = |v: i64| i128::from(v).pow(2) << (2 * self.fraction);
@@ -97,7 +97,7 @@ impl Grid {
     }
 }
 
-/// Quadrant 0..4 in which a counter-clockwise path goes on from a point; on an axis it is the one behind it.
+/// Quadrant 0..4 in which a counter-clockwise path leaves a point; on an axis the next one.
 pub(super) fn leaving(at: [i64; 3]) -> u32 {
     let [x, y, _] = at;
     if x > 0 && y >= 0 {
@@ -111,14 +111,14 @@ pub(super) fn leaving(at: [i64; 3]) -> u32 {
     }
 }
 
-/// Quadrant in which a counter-clockwise path comes to a point; on an axis it is the one before it.
+/// Quadrant in which a counter-clockwise path arrives at a point; on an axis the previous one.
 fn arriving(at: [i64; 3]) -> u32 {
-    // A quarter turn back, what arrives looks like what leaves, mirrored.
+    // Arrival is the mirror image of leaving, a quarter turn back.
     let [x, y, z] = at;
     3 - leaving([x, -y, z])
 }
 
-/// Number of quadrant changes of a path from quadrant `from` to quadrant `to` that goes through the angle `span`.
+/// Number of quadrant changes of a path from quadrant `from` to quadrant `to` over the angle `span`.
 fn crossings(from: u32, to: u32, span: f64) -> u32 {
     let least = (4 + to - from) % 4;
     // The angle is within a quarter turn of the crossings' own; whole turns are four crossings.

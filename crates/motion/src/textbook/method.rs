@@ -1,4 +1,4 @@
-/// How to get from one point to the next.
+/// Interpolation method: the rule from one point to the next.
 ///
 /// | method | points | speed along the seam | drift |
 /// |---|---|---|---|
@@ -9,10 +9,10 @@
 /// | [`Method::Dda`] | whole pulses | that of equal angles | outwards, 2 or 3 pulses a turn |
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Equal steps along the curve. The method the others are measured by.
+    /// Equal steps along the curve: the reference of the other methods.
     Exact(EqualStep),
     /// A step of the angle computed from the wanted step along the curve (ELLIPSE-2015; for a saddle SADDLE-2020).
-    /// Every point is on the curve to the rounding of its coordinates, whatever the speed does.
+    /// Every point is on the curve to the rounding of its coordinates, at any speed error.
     EccentricAngle(AngleRule),
     /// Point-by-point comparison: one pulse of one axis a clock, by the sign of the deviation function. The classical
     /// rule that ELLIPSE-2015 compares with; see [`Request::pulse_mm`](super::Request::pulse_mm).
@@ -20,8 +20,8 @@ pub enum Method {
     /// Comparison-integral: the faster axis pulses every clock, another axis pulses in the same clock if its integral
     /// has fallen half a pulse behind. The other method that ELLIPSE-2015 compares with.
     ComparisonIntegral,
-    /// Digital differential analyser: an integer accumulator an axis, whose overflows are the pulses. ELLIPSE-2015
-    /// names it in its text. It has no feedback from the curve, so that its error adds up.
+    /// Digital differential analyser: an integer accumulator per axis, whose overflows are the pulses. ELLIPSE-2015
+    /// names it in its text. It has no feedback from the curve, so its error accumulates.
     Dda,
 }
 
@@ -32,7 +32,7 @@ impl Method {
     }
 }
 
-/// What is equal from step to step in [`Method::Exact`]. The last step, which closes the path, is shorter.
+/// Quantity that is equal for all steps of [`Method::Exact`]. The last step, which closes the path, is shorter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EqualStep {
     /// The length along the curve: constant speed. Every full step is speed times period within 1e-9 of it for paths
@@ -40,12 +40,12 @@ pub enum EqualStep {
     /// measured 4e-10 at 2.3e6 steps).
     Arc,
     /// The straight distance from point to point: the next point is the first one along the curve at that distance, to
-    /// 1e-12 of it or the rounding of the coordinates (some 1e-15 of the shape's size), whichever is more.
-    /// Where the curve turns back within a step, what it does there is passed over.
+    /// 1e-12 of it or the rounding of the coordinates (some 1e-15 of the shape's size), whichever is more. A part of
+    /// the curve that turns back within a step is skipped.
     Chord,
 }
 
-/// How the step of the angle follows from the step `dL` (speed times period), evaluated at the step's start.
+/// Rule for the step of the angle from the step `dL` (speed times period), evaluated at the step's start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AngleRule {
     /// `dt = dL / |OM|`, `|OM|` the distance of the point from the centre, as printed in ELLIPSE-2015; the printed
@@ -54,10 +54,10 @@ pub enum AngleRule {
     /// radius r, this is equal angles `dL / r`: the uneven speed that SADDLE-2020 warns of.
     Printed,
     /// `dpsi = dL / |OM|` of the polar angle, `tan(psi) = (b/a) tan(t)`, as ELLIPSE-2015 derives it: the step across
-    /// the radius is right, the one along it comes on top; the speed is up to `(a/b + b/a)/2` times nominal. On a
-    /// saddle, whose plan is a circle, the same as [`AngleRule::Printed`].
+    /// the radius is exact, the one along it is added; the speed is up to `(a/b + b/a)/2` times nominal. On a saddle,
+    /// whose plan is a circle, equal to [`AngleRule::Printed`].
     Polar,
-    /// `dt = dL / sqrt(a^2 sin(t)^2 + b^2 cos(t)^2)`, on a saddle `dL / |dP/dt|` (SADDLE-2020): along the tangent. What
-    /// is left is of first order in `dL` over the shape's size and of either sign.
+    /// `dt = dL / sqrt(a^2 sin(t)^2 + b^2 cos(t)^2)`, on a saddle `dL / |dP/dt|` (SADDLE-2020): along the tangent. The
+    /// remaining error is of first order in `dL` over the shape's size and of either sign.
     Tangent,
 }

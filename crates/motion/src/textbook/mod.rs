@@ -1,7 +1,7 @@
-//! The textbook interpolators, for comparison side by side with the exact one.
+//! Textbook interpolators, for comparison with the exact one.
 //!
 //! A [`Request`] names a [`Shape`] (ellipse or saddle), a [`Method`], speed, period and pulse. [`Request::interpolate`]
-//! gives its points one by one, [`Request::statistics`] what they amount to. Lengths are mm, angles rad, times s.
+//! gives its points one by one, [`Request::statistics`] their statistics. Lengths are mm, angles rad, times s.
 //!
 //! Sources: ELLIPSE-2015 (Li, Zhao, Huang: ellipse interpolation by the change of the eccentric angle, and the methods
 //! it is compared with), SADDLE-2020 (Li, Guo, Sun: direct interpolation of the saddle), INTERSECT-2006 (equal angles).

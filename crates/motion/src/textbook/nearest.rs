@@ -11,17 +11,17 @@ pub struct Nearest {
     pub distance_mm: f64,
 }
 
-/// Samples of the window searched on a saddle when Newton's method alone cannot be trusted.
+/// Samples of the search window on a saddle if Newton's method alone is unreliable.
 const SAMPLES: usize = 256;
 
 impl Path {
-    /// The nearest point to `p` on the whole closed curve, ends disregarded: the normal distance.
+    /// The nearest point to `p` on the whole closed curve, without regard to its ends: the normal distance.
     ///
     /// For an ellipse it is the global minimum: in the point's own quadrant the distance has one stationary point,
-    /// found by Newton's method kept within a shrinking bracket. For a saddle it is the global minimum whenever `p` is
-    /// nearer than a hundredth of the nozzle's radius and of the curve's radius of curvature; farther off it is the
-    /// best of 256 samples over the window that must hold it, improved by the same method. The distance is exact to
-    /// the rounding of coordinates.
+    /// found by Newton's method within a shrinking bracket. For a saddle it is the global minimum if `p` is nearer than
+    /// a hundredth of the nozzle's radius and of the curve's radius of curvature. Farther off it is the best of 256
+    /// samples over the window that must contain it, improved by the same method. The distance is exact to the rounding
+    /// of coordinates.
     pub fn nearest(&self, p: DVec3) -> Nearest {
         let u = match self.base() {
             Base::Ellipse { a, b, .. } => nearest_on_ellipse(*a, *b, p.truncate()),
@@ -65,7 +65,7 @@ impl Path {
 
 /// Eccentric angle, in (-pi, pi], of the point of the ellipse nearest to `p`.
 fn nearest_on_ellipse(a: f64, b: f64, p: DVec2) -> f64 {
-    // In the first quadrant, and there the squared distance falls to one minimum and then rises.
+    // In the first quadrant the squared distance has a single minimum.
     let (x, y) = (p.x.abs(), p.y.abs());
     let slope = |t: f64| {
         let (sin, cos) = t.sin_cos();
@@ -82,9 +82,9 @@ fn nearest_on_ellipse(a: f64, b: f64, p: DVec2) -> f64 {
     }
 }
 
-/// The root in [low, high] of a function that is at most zero at `low` and at least zero at `high`, growing through it.
-/// `f` gives value and derivative. Newton's method from `guess`; halving wherever that leaves the bracket or the
-/// function does not grow.
+/// The root in [low, high] of a function that is at most zero at `low`, at least zero at `high`, and increasing at the
+/// root. `f` gives value and derivative. Uses Newton's method from `guess`, and bisection if a step leaves the bracket
+/// or the function does not increase.
 fn bracketed_root(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, guess: f64) -> f64 {
     let mut u = guess;
     for _ in 0..200 {
@@ -95,7 +95,7 @@ fn bracketed_root(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, gu
                 return u;
             }
         }
-        // At an end of the bracket the sign is given, whatever rounding makes of it.
+        // At an end of the bracket the sign is known, also with rounding.
         if u >= high || (u > low && value > 0.0) {
             high = u;
         } else {

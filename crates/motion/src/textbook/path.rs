@@ -2,7 +2,7 @@ use super::error::Error;
 use glam::DVec3;
 use seamwright_geometry::{ByLength, Curve, Ellipse, Jet, TubeIntersection};
 
-/// The closed curve that a path is a piece of.
+/// The closed curve of a path.
 #[derive(Debug, Clone)]
 #[allow(clippy::large_enum_variant, reason = "there is one a path")]
 pub(super) enum Base {
@@ -54,7 +54,7 @@ impl Path {
         self.span
     }
 
-    /// +1 where the angle grows along the path, -1 where it falls.
+    /// +1 if the angle increases along the path, -1 if it decreases.
     pub fn direction(&self) -> f64 {
         self.direction
     }
@@ -94,7 +94,7 @@ impl Path {
         }
     }
 
-    /// The largest coordinate that the path can have, mm.
+    /// Maximum coordinate of the path, mm.
     pub(super) fn size(&self) -> f64 {
         match self.base {
             Base::Ellipse { a, b, .. } => a.max(b),

@@ -3,19 +3,19 @@ use super::grid::Grid;
 
 /// Point-by-point comparison: every clock one axis makes one pulse.
 ///
-/// Plan: where `F = b^2 x^2 + a^2 y^2 - a^2 b^2 >= 0` the pulse goes inwards along the axis on which the path, in this
-/// quadrant, comes nearer to the centre; where `F < 0` it goes outwards along the other one. F is computed from the
-/// position in integers, so that no error adds up and no quadrant is special.
+/// Plan: if `F = b^2 x^2 + a^2 y^2 - a^2 b^2 >= 0` the pulse goes inwards along the axis on which the path, in this
+/// quadrant, approaches the centre; if `F < 0` it goes outwards along the other one. F is computed from the position in
+/// integers, so no error accumulates and all quadrants are alike.
 ///
-/// Guarantee: a pulse either stays on its side of the ellipse and comes nearer to it, or crosses it and then ends less
-/// than a pulse from where it crossed. So after the start every point is less than one pulse from the ellipse.
+/// Guarantee: a pulse either stays on its side of the ellipse and comes nearer to it, or crosses it and ends less than
+/// a pulse from the crossing. So after the start every point is less than one pulse from the ellipse.
 ///
-/// Saddle: x and y so on their circle; z by a third comparison, see [`Grid::height_pulse`], whose pulses come first.
-/// After its own clocks z is right within half a pulse; after a pulse of x or y it lags by one more at most. In space
-/// every point is less than two pulses from the saddle (measured: 1.26).
+/// Saddle: x and y as above on their circle; z by a third comparison, see [`Grid::height_pulse`], whose pulses come
+/// first. After its own clocks z is exact within half a pulse; after a pulse of x or y it lags by at most one more. In
+/// space every point is less than two pulses from the saddle (measured: 1.26).
 ///
-/// Weakness: pulses along one axis at a time, so that along a diagonal the torch makes 1.41 pulses for one of way: the
-/// speed along the seam falls to 0.71 of the clock's (less still while z moves).
+/// Weakness: pulses along one axis at a time, so that along a diagonal the torch makes 1.41 pulses per pulse of path
+/// length: the speed along the seam falls to 0.71 of the clock's (lower while z moves).
 pub(super) struct PointByPoint {
     course: Course,
     clock: u64,

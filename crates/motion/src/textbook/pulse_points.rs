@@ -9,7 +9,7 @@ pub(super) struct PulsePoints<I> {
     grid: Grid,
     clock_s: f64,
     lattice: I,
-    /// Angle of the last point, to go on from without a jump of a turn.
+    /// Angle of the last point, to unwrap the next one.
     u: f64,
 }
 

@@ -13,10 +13,10 @@ use super::shape::Shape;
 use super::statistics::{Statistics, Tally};
 use std::f64::consts::TAU;
 
-/// Most steps or pulses that a request may need.
+/// Maximum number of steps or pulses of a request.
 pub const STEP_LIMIT: f64 = 1e9;
 
-/// What to interpolate and how.
+/// Request of an interpolation: curve, method, speed, period and pulse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
     /// The curve.
@@ -54,7 +54,7 @@ impl Request {
         self.speed_mm_s * self.period_s
     }
 
-    /// Starts the interpolation. Points are made one by one as they are asked for, in constant memory.
+    /// Starts the interpolation. Points are computed one by one on demand, in constant memory.
     ///
     /// # Errors
     /// Any [`Error`]: the request is checked in full before the first point.
@@ -124,8 +124,8 @@ impl Request {
             if pulse > limit {
                 return Err(Error::PulseTooLarge { pulse_mm: pulse, limit_mm: limit });
             }
-            // Along each of three axes no more than sqrt(3) times the length together; and the sizes must count in
-            // integers, also where the path is only a short piece.
+            // The moves of three axes sum to at most sqrt(3) times the length. The sizes must fit in integers, also for
+            // a short piece of the curve.
             steps = steps.max(3f64.sqrt() * length / pulse).max(4.0 * path.size() / pulse);
         }
         if steps > STEP_LIMIT { Err(Error::TooManySteps { steps, limit: STEP_LIMIT }) } else { Ok(()) }
@@ -181,7 +181,7 @@ mod tests {
         }
     }
 
-    /// A request anywhere in, at and beyond the edges of what is accepted.
+    /// A request inside, at and beyond the limits of valid requests.
     fn any(random: &mut Random) -> Request {
         let shape = if random.unit() < 0.6 {
             let (a, b) = (random.log(1e-3, 1e3), random.log(1e-3, 1e3));
@@ -231,7 +231,8 @@ mod tests {
                 continue;
             }
             whole += 1;
-            // All rules but the printed one step by at least the wanted step; pulses are at most 3 for one of way.
+            // All rules but the printed one step by at least the wanted step; at most 3 pulses per pulse of path
+            // length.
             let (a, b) = path.plan_axes();
             let most = 3.0 * length / step * if extra > 0.0 { (a / b).max(b / a) } else { 1.0 } + 20.0;
             let mut tally = request.tally().unwrap();

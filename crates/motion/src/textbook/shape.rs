@@ -4,16 +4,16 @@ use glam::{DVec2, DVec3};
 use seamwright_geometry::{Ellipse, Quadric, Tube, TubeIntersection};
 use std::f64::consts::TAU;
 
-/// How far a start or end point may lie off the ellipse and still be taken as its nearest point, mm.
+/// Maximum distance of a start or end point from the ellipse, mm; within it the nearest point is used.
 pub const ON_ELLIPSE_TOLERANCE_MM: f64 = 1e-3;
 
-/// Greatest sweep of a saddle either way, rad: ten turns.
+/// Maximum absolute sweep of a saddle, rad: ten turns.
 pub const SWEEP_LIMIT_RAD: f64 = 10.0 * TAU;
 
-/// Below this many rad between start and end, an ellipse is one full turn.
+/// Angle between start and end, rad, below which an ellipse is one full turn.
 const SAME_POINT_RAD: f64 = 1e-9;
 
-/// A curve to follow, with where to start, where to end and which way round.
+/// A curve with start, end and direction of travel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
     /// The ellipse `x = a cos(u), y = b sin(u), z = 0` (ELLIPSE-2015); `u` is the eccentric angle.
@@ -22,11 +22,11 @@ pub enum Shape {
         a_mm: f64,
         /// Semi-axis along y, mm; it may be the longer one.
         b_mm: f64,
-        /// Where to start, mm; within [`ON_ELLIPSE_TOLERANCE_MM`] of the ellipse.
+        /// Start point, mm; within [`ON_ELLIPSE_TOLERANCE_MM`] of the ellipse.
         start_mm: DVec2,
-        /// Where to end, mm, likewise; none, or the start itself, for one full turn.
+        /// End point, mm, with the same tolerance; none, or the start itself, for one full turn.
         end_mm: Option<DVec2>,
-        /// True to go clockwise seen from the tip of z, that is with falling eccentric angle.
+        /// True for clockwise travel seen from the tip of z, that is with decreasing eccentric angle.
         clockwise: bool,
     },
     /// The saddle `x = r cos(u), y = r sin(u), z = sqrt(R^2 - r^2 sin(u)^2)`: a nozzle of radius r about the z axis on
@@ -36,9 +36,10 @@ pub enum Shape {
         nozzle_radius_mm: f64,
         /// Shell radius R, mm; greater than r.
         shell_radius_mm: f64,
-        /// Angle about the nozzle's axis where it starts, rad.
+        /// Start angle about the nozzle's axis, rad.
         start_rad: f64,
-        /// Angle to go, rad; negative for clockwise seen from the tip of z; at most [`SWEEP_LIMIT_RAD`] either way.
+        /// Angle of travel, rad; negative for clockwise seen from the tip of z; absolute value up to
+        /// [`SWEEP_LIMIT_RAD`].
         sweep_rad: f64,
     },
 }
@@ -95,7 +96,7 @@ fn angle_of(path: &Path, which: &'static str, p: DVec2) -> Result<f64, Error> {
     finite("a point's x", p.x)?;
     finite("a point's y", p.y)?;
     let near = path.nearest(p.extend(0.0));
-    // Not the comparison the other way round: that would let NaN, from an overflow, pass.
+    // This form of the comparison rejects NaN from an overflow.
     if near.distance_mm <= ON_ELLIPSE_TOLERANCE_MM {
         return Ok(near.u_rad);
     }
@@ -125,7 +126,7 @@ fn saddle(nozzle: f64, shell: f64, start: f64, sweep: f64) -> Result<Path, Error
     let tube = Tube::new(DVec3::ZERO, DVec3::Z, DVec3::X, nozzle)?;
     let body = Quadric::cylinder(DVec3::ZERO, DVec3::X, shell)?;
     let curve = TubeIntersection::new(tube, body)?;
-    // Near zero the angle is stored finest.
+    // Resolution of the angle is best near zero.
     let start = start.rem_euclid(TAU);
     Ok(Path::new(Base::Saddle { curve, nozzle, shell }, start, sweep.signum(), sweep.abs()))
 }

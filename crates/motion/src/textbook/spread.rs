@@ -1,9 +1,9 @@
-/// How a distance that should be constant spreads.
+/// Spread of a nominally constant distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// How many distances. With none, all else is NaN.
+    /// Number of distances. If 0, all other values are NaN.
     pub count: u64,
-    /// What the percentages refer to, mm: the wanted step, or for pulse methods the mean.
+    /// Reference of the percentages, mm: the wanted step, or for pulse methods the mean.
     pub reference_mm: f64,
     /// Smallest, mm.
     pub min_mm: f64,

@@ -2,29 +2,29 @@ use super::path::Path;
 use super::point::Point;
 use super::spread::{Moments, Spread};
 
-/// Points of the curve looked at between two interpolated points.
+/// Samples of the curve between two interpolated points.
 const BETWEEN: usize = 7;
 
-/// What an interpolation amounted to; the same for every method, so that they can be set side by side.
+/// Statistics of an interpolation; the same for every method, for comparison.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Statistics {
     /// Number of steps: points less one.
     pub steps: u64,
-    /// Straight distance from each point to the next, against the wanted step (pulse methods: against the mean). The
-    /// shorter step that closes the path is left out. For a pulse method it tells only whether one, two or three axes
-    /// moved at once; see `per_period` for its speed.
+    /// Straight distance from each point to the next, relative to the wanted step (pulse methods: to the mean). The
+    /// shorter step that closes the path is left out. For a pulse method it only shows the number of axes that moved
+    /// together; see `per_period` for its speed.
     pub step: Spread,
-    /// Straight distance travelled in each whole period, from the positions at its start and end; a pulse method stays
-    /// where it is between two pulses. Divided by the period it is the speed along the seam. Against the same value as
-    /// `step`; for the other methods also the same distances. With few pulses a period, single pulses show in it.
+    /// Straight distance travelled in each whole period, from the positions at its start and end; a pulse method rests
+    /// between two pulses. Divided by the period it is the speed along the seam. It has the same reference as `step`;
+    /// for the other methods also the same distances. With few pulses a period, single pulses show in it.
     pub per_period: Spread,
     /// Largest normal distance of a point from the true curve, mm.
     pub deviation_max_mm: f64,
     /// Root of the mean square of these distances, mm.
     pub deviation_rms_mm: f64,
-    /// Largest distance of a point of the true curve from the straight step over it, mm: the chord error. The curve is
-    /// looked at in seven places between the nearest points of the step's ends and the largest of them improved by
-    /// a parabola.
+    /// Maximum distance of a point of the true curve from the straight step over it, mm: the chord error. The curve is
+    /// sampled at seven points between the nearest points of the step's ends, and the maximum of them improved by a
+    /// parabola.
     pub chord_error_max_mm: f64,
     /// Sum of all steps, the closing one included, mm.
     pub length_mm: f64,
@@ -83,7 +83,7 @@ impl Tally {
     /// Takes in the next point.
     pub fn add(&mut self, point: &Point) {
         self.points += 1;
-        // A pulse method's angle is already that of the nearest point; the others' is not taken on trust.
+        // A pulse method's angle is already that of the nearest point; the others' is checked.
         let off = match self.wanted {
             Some(_) => self.path.nearest(point.position).distance_mm,
             None => self.path.point(point.u_rad).distance(point.position),
@@ -91,7 +91,7 @@ impl Tally {
         self.deviation_max = self.deviation_max.max(off);
         self.deviation_squares += off * off;
         if let Some(last) = self.last {
-            // Periods that ended before this point did so at the last one.
+            // Periods that ended before this point ended at the last one.
             self.sample_until(&last, point.t_s - 1e-6 * self.period);
             let chord = last.position.distance(point.position);
             self.length += chord;

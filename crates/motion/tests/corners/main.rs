@@ -58,7 +58,7 @@ fn a_corner_is_refused_with_both_choices_unless_the_pass_says_what_to_do() {
 fn stops_asked_for_are_exact_and_a_note() {
     let (machine, route) = (machine("ellipse-xy"), bent(90.0));
     let mut asked = pass(80.0, 10.0, AtCorner::Stop);
-    // The way to and from a stop is no shortcoming of the axes.
+    // Deceleration to and acceleration from a stop are not findings.
     asked.on_limit = OnLimit::Refuse;
     let motion = PassMotion::plan(&machine, &route, &asked, 1).unwrap();
     let stops = of_kind(&motion.findings, "stop");
@@ -72,7 +72,7 @@ fn stops_asked_for_are_exact_and_a_note() {
     assert!(motion.path.blends().is_empty());
     assert!(motion.law.speed(40.0) < 1e-6);
     assert!(machine.forward(&motion.path.at(40.0)).point.distance(route.pose(40.0).point) < 1e-9);
-    // A stop is slower than any least speed.
+    // A stop is slower than any minimum speed.
     asked.least_speed_mm_s = Positive::new(5.0);
     let found = PassMotion::plan(&machine, &route, &asked, 1).unwrap_err();
     let slow: Vec<&Finding> = of_kind(&found, "least_speed").into_iter().filter(|f| !f.allowed).collect();
@@ -100,7 +100,7 @@ fn a_right_angle_is_blended_as_wide_as_the_closed_form_says() {
     for mm in [0.003, 0.02, 0.2, 0.5] {
         let motion = plan(&machine, &route, 30.0, blend(mm)).unwrap();
         let (from, to) = motion.path.blends()[0];
-        // In its middle a quintic between straight ways stands off each of them by 3/16 of its half width.
+        // The middle of a quintic between straight lines is 3/16 of its half width away from each of them.
         let half = 0.999 * mm * 16.0 / 3.0;
         assert!(
             (from - (40.0 - half)).abs() < 1e-3 * half && (to - (40.0 + half)).abs() < 1e-3 * half,
@@ -108,12 +108,12 @@ fn a_right_angle_is_blended_as_wide_as_the_closed_form_says() {
         );
         assert!(motion.findings.iter().all(|f| f.kind != "stop"));
         let notes = of_kind(&motion.findings, "blend");
-        // What no drive keeps to is not worth a note.
+        // Deviations below the accuracy of drives get no note.
         assert_eq!(notes.len(), usize::from(0.999 * mm >= 0.005), "{notes:#?}");
         let told = |note: &&Finding| note.message.contains(&format!("{:.3} mm", 0.999 * mm)) && note.cure.is_empty();
         assert!(notes.iter().all(told), "{notes:#?}");
     }
-    // No wider than half the way to the ends of the path.
+    // Limited to half the distance to the ends of the path.
     let short = Route::new(DVec3::ZERO, vec![Part::line(0.0, 1.0), Part::line(90.0, 40.0)]);
     let (from, to) = plan(&machine, &short, 30.0, blend(0.5)).unwrap().path.blends()[0];
     assert!((from - 0.5).abs() < 1e-9 && (to - 1.5).abs() < 1e-9);
@@ -145,7 +145,7 @@ fn a_rounded_rectangle_goes_round_without_a_stop() {
     let motion = plan(&machine, &route, 20.0, blend(0.05)).unwrap();
     assert!(motion.path.blends().len() == 7 && motion.law.legs().len() == 1);
     let (least, greatest) = motion.certificate.band().unwrap();
-    // Where the rate of the tip changes, the law keeps a reserve of a thousandth and more.
+    // The profile keeps a reserve of a thousandth and more if the rate of the tip changes.
     assert!(least > 20.0 * (1.0 - 2e-3) && greatest <= 20.0 * (1.0 + 1e-9), "{least} {greatest}");
     let shares = [&motion, &stopping].map(|m| m.certificate.at_asked);
     assert!(shares[0] > 0.95 && shares[0] > shares[1], "{shares:?}");

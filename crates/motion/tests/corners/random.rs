@@ -94,8 +94,8 @@ fn random_corners_are_smooth_near_to_the_seam_and_within_all_limits() {
     assert!(faster as f64 > 0.98 * cornered as f64, "{faster} of {cornered}");
 }
 
-/// Positions and two derivatives are those of both neighbours where a blend begins and ends, and the derivatives are
-/// those of the positions by differences.
+/// Positions and two derivatives are continuous at both ends of a blend, and the derivatives match differences of the
+/// positions.
 fn smooth(case: &Case, what: &str) {
     let path = &case.motion.path;
     for &(from, to) in path.blends() {
@@ -131,7 +131,7 @@ fn smooth(case: &Case, what: &str) {
     }
 }
 
-/// The tip keeps its distance from the seam everywhere, by brute force; blends that are as wide as there is room.
+/// The tip stays within its distance from the seam everywhere, by brute force; blends are as wide as possible.
 fn near(case: &Case, what: &str) -> usize {
     let Case { machine, route, mm, motion, .. } = case;
     let mut wide = 0;
@@ -154,7 +154,7 @@ fn near(case: &Case, what: &str) -> usize {
         });
         let turned = turned.fold(0.0, f64::max);
         assert!(turned < 10.1, "{what}: {turned}");
-        // As wide as can be: up to the tolerance, or up to half the way to what is beside.
+        // As wide as possible: up to the tolerance, or to half the distance to the next corner or end.
         let places: Vec<f64> = std::iter::once(0.0)
             .chain(case.stopping.law.legs()[1..].iter().map(|l| l.from))
             .chain(std::iter::once(route.length()))
@@ -172,15 +172,15 @@ fn near(case: &Case, what: &str) -> usize {
     wide
 }
 
-/// The greatest part of a limit that an axis uses if the tip goes through a blend at the asked speed all the time, by
-/// differences; none where they would be rounding.
+/// Maximum use of a limit by an axis if the tip passes a blend at constant requested speed, by differences; none if
+/// these would be rounding.
 fn used_at_constant_speed(case: &Case, (from, to): (f64, f64)) -> Option<f64> {
     let Case { machine, motion, speed, .. } = case;
     let tip = |s: f64| machine.forward(&motion.path.at(s)).point;
     let (mut rows, mut s, period) = (Vec::new(), from, (to - from) / speed / 150.0);
     while s < to {
         rows.push(motion.path.at(s));
-        // The place one period on, by the length of the chord.
+        // The station one period later, by the length of the chord.
         let way = period * speed;
         let mut step = way;
         for _ in 0..20 {
@@ -204,7 +204,7 @@ fn from_chord(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     p.distance(a.lerp(b, along.clamp(0.0, 1.0)))
 }
 
-/// Outside the blends the path is the one that stops.
+/// Outside the blends the path equals the one with stops.
 fn untouched(case: &Case, what: &str) {
     let (path, exact) = (&case.motion.path, &case.stopping.path);
     assert!((path.length() - exact.length()).abs() < 1e-12);
@@ -242,7 +242,7 @@ fn in_time(case: &Case, what: &str) -> usize {
             assert!((way / PERIOD / speed - 1.0).abs() < 1e-6, "{what}: {} at {}", way / PERIOD, w[0].law.s);
             cruised += 1;
         } else if way / PERIOD > 0.1 * speed {
-            // The speed told is the tip's own, in blends as well.
+            // The reported speed is the tip's own, also in blends.
             let mean = 0.5 * (motion.tip_speed(machine, w[0].law) + motion.tip_speed(machine, w[1].law));
             assert!((way / PERIOD / mean - 1.0).abs() < 0.02, "{what}: {} {mean} at {}", way / PERIOD, w[0].law.s);
         }

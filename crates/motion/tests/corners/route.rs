@@ -1,4 +1,4 @@
-//! Paths with corners: straight lines and arcs one after the other, turns between them, a torch that leans.
+//! Paths with corners: sequences of straight lines and arcs, turns between them, a torch with changing attitude.
 
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
@@ -12,7 +12,7 @@ pub(crate) struct Part {
     pub(crate) length: f64,
     /// 1 / mm, positive to the left.
     pub(crate) curvature: f64,
-    /// How fast the torch leans about x and y, rad/mm.
+    /// Rate of the torch's lean about x and y, rad/mm.
     pub(crate) lean: [f64; 2],
 }
 
@@ -26,7 +26,7 @@ impl Part {
     }
 }
 
-/// Where a part begins.
+/// Start of a part.
 #[derive(Clone, Copy)]
 struct Start {
     s: f64,
@@ -41,12 +41,12 @@ pub(crate) struct Route {
 }
 
 impl Route {
-    /// From `point`, along x if the first part does not turn.
+    /// Creates a route from `point`, along x if the first part does not turn.
     pub(crate) fn new(point: DVec3, parts: Vec<Part>) -> Self {
         Self::leaning(point, [0.0; 2], parts)
     }
 
-    /// The same, the torch leaning about x and y (rad) at the start.
+    /// Creates a route with the torch leaning about x and y (rad) at the start.
     pub(crate) fn leaning(point: DVec3, lean: [f64; 2], parts: Vec<Part>) -> Self {
         let mut next = Start { s: 0.0, point, heading: 0.0, lean };
         let mut starts = Vec::new();
@@ -59,7 +59,7 @@ impl Route {
         Self { parts, starts }
     }
 
-    /// Path lengths of the places between parts.
+    /// Path lengths of the joints between parts.
     pub(crate) fn places(&self) -> Vec<f64> {
         self.starts[1..self.parts.len()].iter().map(|start| start.s).collect()
     }
@@ -74,7 +74,7 @@ impl Route {
     }
 }
 
-/// The place `x` mm into a part.
+/// The state `x` mm into a part.
 fn along(part: &Part, start: &Start, x: f64) -> Start {
     let turned = part.curvature * x;
     // Chord of an arc: its length times sin(t / 2) / (t / 2), in the mean direction.

@@ -1,4 +1,4 @@
-//! Air moves: clear all along by dense sampling, or refused with the reason; legs within every limit.
+//! Transfer moves: clear everywhere by dense sampling, or refused with the reason; legs within every limit.
 
 #![allow(clippy::float_cmp, reason = "ends of legs are met without rounding")]
 
@@ -45,7 +45,7 @@ fn goes_round_a_wall_over_a_table() {
     let way = route(&machine, &around, &from, &to, AxisSet::default()).unwrap();
     assert!(way.len() > 2 && way[0] == from && way[way.len() - 1] == to);
     check_clear(&machine, &around, &way);
-    // The same question has the same answer; without the wall the way is straight.
+    // The same request has the same result; without the wall the move is straight.
     assert_eq!(way, route(&machine, &around, &from, &to, AxisSet::default()).unwrap());
     let free = Surroundings::new(&machine, &Clamped::default()).unwrap();
     assert_eq!(route(&machine, &free, &from, &to, AxisSet::default()).unwrap().len(), 2);
@@ -100,7 +100,7 @@ fn legs_keep_every_limit_and_end_where_they_should() {
             assert!(full > 0.99, "{name}: some limit is used");
         }
     }
-    // Without a highest jerk the full acceleration takes 20 ms.
+    // Without a maximum jerk the full acceleration takes 20 ms.
     let mut machine = read("ellipse-xy");
     let (from, mut to) = (machine.home(), machine.home());
     to[0] += 100.0;
@@ -122,7 +122,7 @@ impl Dice {
     }
 }
 
-/// A leg held, reversed and slowed at random places keeps to its line and to every limit, by differences.
+/// A leg held, reversed and slowed at random times keeps to its line and to every limit, by differences.
 #[test]
 fn legs_can_be_held() {
     let machine = read("torch-5axis");

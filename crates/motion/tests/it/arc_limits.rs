@@ -1,4 +1,4 @@
-//! What the process asks while the arc is on, found again by walking along the set-points.
+//! Requirements of the process while the arc is on, verified by walking along the set-points.
 
 use glam::DVec3;
 use seamwright_document::{NonNegative, Positive};
@@ -10,7 +10,7 @@ use seamwright_weld::Welding;
 
 const RADIUS: f64 = 100.0;
 
-/// A straight line along y that goes over into an arc, or a full circle without the line.
+/// A straight line along y tangent to an arc, or a full circle without the line.
 struct LineAndArc {
     line: f64,
     arc: f64,
@@ -57,7 +57,7 @@ fn findings(plan: Result<PassMotion, Vec<Finding>>, kind: &str) -> Vec<Finding> 
     all.into_iter().filter(|f| f.kind == kind).collect()
 }
 
-/// Stretches of the set-points slower than `least`, as (from, to, least speed).
+/// Stretches of the set-points slower than `least`, as (from, to, minimum speed).
 fn slow(points: &[(f64, f64)], least: f64) -> Vec<(f64, f64, f64)> {
     let mut runs: Vec<(f64, f64, f64)> = Vec::new();
     let mut open = false;
@@ -87,7 +87,7 @@ fn stretches_below_the_least_speed_are_those_of_the_set_points() {
         assert!(found.iter().all(|f| f.allowed == (f.from_mm <= 0.0 || f.to_mm >= length)), "{least}: {found:#?}");
         let mut found: Vec<(f64, f64)> = found.iter().map(|f| (f.from_mm, f.to_mm)).collect();
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // A slow stretch that the run-up or run-down passes into is told in two parts.
+        // A slow stretch that contains the end of the acceleration or deceleration phase is reported in two parts.
         let (mut joined, gap) = (Vec::<(f64, f64)>::new(), speed * period);
         for part in found {
             match joined.last_mut().filter(|last| part.0 - last.1 < gap) {
@@ -112,7 +112,7 @@ fn the_slowest_place_and_what_binds_there_are_told() {
     let (machine, circle) = (machine(), LineAndArc { line: 0.0, arc: 2.0 * std::f64::consts::PI * RADIUS });
     let plan = PassMotion::plan(&machine, &circle, &pass(circle.length(), 130.0, Some(110.0)), 1);
     let found: Vec<Finding> = findings(plan, "least_speed").into_iter().filter(|f| !f.allowed).collect();
-    // Where the circle runs along an axis that axis alone has the tip's speed: 100 mm/s.
+    // At a tangent along an axis that axis alone has the tip's speed: 100 mm/s.
     for f in &found {
         let middle = 0.5 * (f.from_mm + f.to_mm) / RADIUS;
         let axis = if middle.cos().abs() > middle.sin().abs() { "axis y" } else { "axis x" };

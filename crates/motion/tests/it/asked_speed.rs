@@ -1,5 +1,5 @@
-//! An asked speed that changes along the pass: the law follows it however long the pass is, no limit is blamed that is not
-//! used up, and a lower speed is offered only where it helps.
+//! A requested speed that changes along the pass: the profile follows it on a pass of any length, a binding limit is
+//! always used up, and a lower speed is offered only if it helps.
 
 use crate::pace_law::Uniform;
 use seamwright_document::Positive;
@@ -63,8 +63,8 @@ fn speed_findings(findings: &[Finding]) -> Vec<&Finding> {
     findings.iter().filter(|f| f.kind == "speed").collect()
 }
 
-/// A valley of the asked speed a few millimetres wide costs the law next to no time on a seam of one and a half metres, and
-/// the tip must not be slower in it all the same. Bends that are slow enough for every axis are no findings.
+/// Missing a valley of the requested speed, a few millimetres wide, costs almost no time on a seam of one and a half
+/// metres. The profile must follow it nevertheless. Bends that every axis can follow are no findings.
 #[test]
 fn a_bend_of_the_asked_speed_is_followed_on_a_long_weld() {
     for (low, way) in [(4.4, 2.5), (2.0, 5.0), (5.8, 1.0), (3.0, 12.0)] {
@@ -72,7 +72,7 @@ fn a_bend_of_the_asked_speed_is_followed_on_a_long_weld() {
     }
 }
 
-/// Also at any place, and in any valley no steeper than 0.5 mm/s in a millimetre.
+/// Also at any path length, and in any valley up to 0.5 mm/s per millimetre.
 #[test]
 fn any_bend_of_the_asked_speed_is_followed() {
     let mut random = Uniform::new(42);
@@ -99,7 +99,8 @@ fn follows(valley: Valley) {
     assert!(slowest > 1.0 - 4e-3, "{valley:?}: {slowest}");
 }
 
-/// A stretch on which the asked speed falls over `way` mm from `before` to `low` mm/s, and rises again over as much.
+/// A stretch on which the requested speed falls over `way` mm from `before` to `low` mm/s, and rises again over the
+/// same distance.
 #[derive(Debug, Clone, Copy)]
 struct Valley {
     at: f64,
@@ -108,7 +109,7 @@ struct Valley {
     way: f64,
 }
 
-/// Beads of a groove that opens and closes, in layers of which some end on the way: steep ramps of the speed, and every
+/// Beads of a groove that opens and closes, in layers of which some end inside: steep ramps of the speed, and every
 /// axis far from its limits.
 #[test]
 fn ends_of_layers_are_no_findings() {
@@ -125,7 +126,7 @@ fn ends_of_layers_are_no_findings() {
     }
 }
 
-/// Where the certificate says that a limit binds, that limit is used up there or where the speed comes from or goes to.
+/// A binding limit of the certificate is used up there, or in the stretches before or after with changing speed.
 #[test]
 fn no_limit_is_blamed_that_is_not_used_up() {
     let cases: [&[(f64, f64)]; 4] = [
@@ -179,7 +180,7 @@ fn no_limit_is_blamed_that_is_not_used_up() {
     }
 }
 
-/// A lower speed in a cure is lower than the one asked for, and with it the weld can be made.
+/// A lower speed in a cure is lower than the requested one, and the weld is feasible with it.
 #[test]
 fn a_lower_speed_is_offered_only_where_it_helps() {
     let cases: [&[(f64, f64)]; 4] = [
@@ -209,7 +210,7 @@ fn a_lower_speed_is_offered_only_where_it_helps() {
     assert!(offered > 0);
 }
 
-/// Notes ask for nothing, and whatever asks for something says what.
+/// Notes have no cure, and every finding against the weld has one.
 #[test]
 fn no_finding_has_a_cure_that_is_none() {
     let slow = Case::new(&[(0.0, 200.0)], OnLimit::Slow).plan().unwrap();
@@ -221,7 +222,7 @@ fn no_finding_has_a_cure_that_is_none() {
     assert!(slow.path.length() > 0.0 && Case::new(&[(0.0, 5.0)], OnLimit::Refuse).welding.path(0).length() > 0.0);
 }
 
-/// Times that no weld takes are refused with their key before anything is planned: what follows from them would never end.
+/// Excessive times are refused with their key before planning, which would never end.
 #[test]
 fn times_that_no_weld_takes_are_refused() {
     let refused = |from: &str, to: &str, key: &str| {
@@ -234,11 +235,11 @@ fn times_that_no_weld_takes_are_refused() {
         let name = key.split(' ').next().unwrap();
         refused(key, &format!("{name} = 1e6"), &format!("sequence.{name}"));
     }
-    // Below what any file may ask for, and days along this seam.
+    // Below the minimum of any file, and days along this seam.
     refused("speed_mm_s = 10", "speed_mm_s = 1e-9", "weld.speed_mm_s");
     let slow = refused("speed_mm_s = 10", "speed_mm_s = 0.01", "weld.speed_mm_s");
     assert!(slow.contains("would travel for"), "{slow}");
-    // The highest speeds that it may ask for are bounded by the axes, and cost no more than others.
+    // The maximum speed in a file is bounded by the axes, and costs no more than others.
     let fast = Case::new(&[(0.0, 1e5)], OnLimit::Slow).plan().unwrap();
     assert!(fast.law.cells() < 20_000 && fast.law.duration() > 1.0, "{}", fast.law.cells());
 }

@@ -286,7 +286,7 @@ fn random_job() -> impl Strategy<Value = String> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: cases(60), failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever the job, set-points keep every limit, and nowhere is the weld slower than it must be by much.
+    /// For every job set-points keep every limit, and the weld is nearly as fast as possible.
     #[test]
     fn random_welds_keep_every_limit(text in random_job()) {
         let Ok(welding) = Welding::read("random.toml", &text) else { return Ok(()) };
@@ -302,7 +302,7 @@ proptest! {
             fastest = fastest.max(p.law.v);
         }
         prop_assert!(check.worst <= 1.0 + 1e-9, "{}", check.worst);
-        // It runs at the asked speed somewhere, or at some axis' limit.
+        // The weld reaches the requested speed, or some axis' limit.
         let full = fastest > 0.999 * pass.speed_at(0.0);
         prop_assert!(full || check.worst > 0.95, "{} of {}: {}", fastest, pass.speed_at(0.0), check.worst);
     }

@@ -121,7 +121,7 @@ proptest! {
                 prop_assert!((near.v[i] - end.v[i]).abs() < 1e-10 * speed);
                 prop_assert!((near.a[i] - end.a[i]).abs() < 1e-9 * speed / period);
             }
-            // Inside it is a cubic: the fourth difference of five equally spaced values is none.
+            // Inner segments are cubic: the fourth difference of five equally spaced values is 0.
             if s > 0 && s + 1 < segments.len() {
                 let v: Vec<f64> = (0..5).map(|k| segment.at(0.2 * f64::from(k)).q[1]).collect();
                 prop_assert!((v[0] - 4.0 * v[1] + 6.0 * v[2] - 4.0 * v[3] + v[4]).abs() < 1e-10);

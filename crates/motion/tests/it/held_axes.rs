@@ -1,4 +1,4 @@
-//! Redundant axes that stand still by wish, or have next to no range.
+//! Redundant axes that are held, or have almost no range.
 
 use seamwright_machine::Machine;
 use seamwright_motion::redundancy::{HoldError, holding};
@@ -74,7 +74,7 @@ fn as_many_axes_as_are_redundant_can_be_held_and_others_say_why_not() {
     }
     let four = wishes(&[("u", 0.0), ("w", 0.0), ("e", 0.0), ("c", 0.0)]);
     assert!(matches!(holding(&eight, &four), Err(HoldError::TooFew { redundant: 3, .. })));
-    // Without z the others stay in a plane, whatever the table does flat.
+    // Without z the others stay in a plane, at every rotation of the level table.
     let flat = wishes(&[("z", 1200.0), ("u", 0.0), ("b", 20.0)]);
     assert!(matches!(holding(&eight, &flat), Err(HoldError::TooFew { .. })));
     let none = wishes(&[("tilt", 0.0)]);

@@ -1,4 +1,5 @@
-//! All tests in one program, which is compiled and linked once. Those that count what a process takes are beside it.
+//! All tests in one program, which is compiled and linked once. Tests that count the resources of a process are
+//! separate programs.
 
 mod air;
 mod arc_limits;

@@ -4,10 +4,10 @@ use crate::pace_law::{self, Case, Uniform, cases};
 use seamwright_motion::pace::{AxisLimits, Command, Limits, Pace, PaceError, Played, Timed};
 
 const PERIOD: f64 = 0.002;
-/// Places looked at in a period.
+/// Samples in a period.
 const LOOKS: u32 = 3;
 
-/// What was seen over a run.
+/// Extremes observed over a run.
 #[derive(Debug, Default, Clone, Copy)]
 struct Seen {
     off_path: f64,
@@ -31,7 +31,7 @@ impl Seen {
         }
     }
 
-    /// Plays a period and looks at a few places in it.
+    /// Plays a period and checks a few samples in it.
     fn step(&mut self, case: &Case, pace: &mut Pace<pace_law::Law>, last: &Played) -> Played {
         let now = pace.step();
         let mut before = *last;
@@ -115,7 +115,7 @@ fn run(seed: u32, case: &Case) -> Seen {
     let end = rest(&mut pace);
     let law = if end.faster { &case.faster } else { &case.base };
     assert!(end.theta >= law.duration() && end.rates.tip.s >= law.length, "seed {seed}: {end:?}");
-    // The two laws' lengths are sums of their own.
+    // The lengths of the two profiles are separate sums.
     let off = end.rates.q.iter().zip(case.base.position(case.base.length)).map(|(a, b)| (a - b).abs());
     assert!(off.fold(0.0, f64::max) <= 1e-9, "seed {seed}: {end:?}");
     seen
@@ -162,7 +162,7 @@ fn differences_of_positions_stay_in_limits() {
         for w in q.windows(4) {
             for (i, l) in case.limits.iter().enumerate() {
                 let [a, b, c, d] = [w[0][i], w[1][i], w[2][i], w[3][i]];
-                // Differences are means of the derivatives: never above their greatest, but for rounding.
+                // Differences are means of the derivatives: never above their maximum, except for rounding.
                 assert!(((b - a) / h).abs() <= l.speed * (1.0 + 1e-6) + 1e-9, "seed {seed}");
                 assert!(((c - 2.0 * b + a) / (h * h)).abs() <= l.acceleration * (1.0 + 1e-6) + 1e-5, "seed {seed}");
                 let jerk = ((d - 3.0 * c + 3.0 * b - a) / (h * h * h)).abs();
@@ -173,7 +173,7 @@ fn differences_of_positions_stay_in_limits() {
     assert!(changed > 3000, "{changed}");
 }
 
-/// Periods until a hold stands still.
+/// Periods until a hold comes to rest.
 fn periods_to_stand(pace: &mut Pace<pace_law::Law>) -> u32 {
     pace.command(Command::Hold).unwrap();
     let mut periods = 0;
@@ -184,7 +184,7 @@ fn periods_to_stand(pace: &mut Pace<pace_law::Law>) -> u32 {
     periods
 }
 
-/// On a straight axis at constant speed the law's own run-down is the quickest stop there is.
+/// On a straight axis at constant speed the profile's own deceleration phase is the quickest stop.
 #[test]
 fn a_hold_stops_nearly_as_quickly_as_can_be() {
     let mut ratios = vec![];
@@ -207,7 +207,7 @@ fn a_hold_stops_nearly_as_quickly_as_can_be() {
     assert!(ratios[199] < 1.35, "{ratios:?}");
 }
 
-/// Wherever it is asked for, a hold stands still before the law's own end, and mostly after its run-down's time.
+/// A hold at any time comes to rest before the profile's own end, and mostly within the time of its deceleration phase.
 #[test]
 fn a_hold_anywhere_on_a_curved_path_stands_still() {
     let mut ratios = vec![];
@@ -236,7 +236,7 @@ fn a_hold_anywhere_on_a_curved_path_stands_still() {
     assert!(of(0.5) < 2.0, "{ratios:?}");
 }
 
-/// It stops at a place exactly or says that it does not: hardly ever at a pace that leaves room.
+/// A stop is exact or reported as dropped: hardly ever at an override that leaves room.
 #[test]
 fn a_stop_at_a_place_is_exact_from_both_sides() {
     let mut given_up = [0, 0];

@@ -1,4 +1,4 @@
-//! A run under orders: the process follows, nothing goes on without end.
+//! A run under orders: the process follows, every run ends.
 
 #![allow(clippy::float_cmp, reason = "what rests does not move at all")]
 
@@ -9,7 +9,7 @@ use seamwright_program::AtHold;
 
 const PERIOD: f64 = 0.002;
 
-/// Random orders: the arc rests only where it is meant to, the whole seam is welded, a beam never slows down to rest.
+/// Random orders: the arc burns at rest only in its phases, the whole seam is welded, a beam never slows down to rest.
 #[test]
 fn runs_weld_the_whole_seam_and_never_burn_at_rest() {
     let mut aborted = 0;
@@ -87,7 +87,7 @@ fn an_aborted_run_goes_on_where_it_ended() {
             goes_on += 1;
         }
         assert!(done >= case.base.length, "seed {seed}: {done} of {}", case.base.length);
-        // Nothing is left to weld.
+        // The whole seam is welded.
         let pace = Pace::new(&case.limits(), PERIOD, &case.base).unwrap().from_place(done).unwrap();
         let mut run = Run::new(pace, sequence(at_hold), &[]);
         run.order(Order::Resume).unwrap();
@@ -133,7 +133,8 @@ fn overrides_next_to_nothing_hold() {
     }
 }
 
-/// An arc that does not burn: nothing travels before it does, nothing is welded after it went out, and a restart overlaps.
+/// An arc that does not burn: travel waits for it, the seam after extinction counts as not welded, and a restart
+/// overlaps.
 #[test]
 fn without_an_arc_nothing_is_welded() {
     let case = Case::straight(20.0, 200.0, 4000.0);
@@ -187,7 +188,7 @@ fn without_an_arc_nothing_is_welded() {
     }
 }
 
-/// A law that has no numbers beyond a time.
+/// A motion that is NaN beyond a time.
 struct Broken<'a>(&'a Law, f64);
 
 impl Timed for Broken<'_> {
@@ -212,7 +213,7 @@ impl Timed for Broken<'_> {
     }
 }
 
-/// The process goes off and the run waits, whatever is asked of it.
+/// The process goes off and the run waits, under every order.
 #[test]
 fn what_cannot_go_on_is_an_error_and_the_arc_goes_off() {
     let case = Case::straight(20.0, 200.0, 4000.0);
@@ -237,7 +238,7 @@ fn what_cannot_go_on_is_an_error_and_the_arc_goes_off() {
     assert_eq!(stuck, 3);
 }
 
-/// It holds at the very place, or just behind one that is too near; what is welded already is refused.
+/// A step holds exactly at its path length, or just behind one that is too near; welded path lengths are refused.
 #[test]
 fn steps_to_places_hold_there() {
     let (mut exact, mut steps) = (0, 0);

@@ -1,4 +1,4 @@
-//! A hold soon after a way through the air has begun.
+//! A hold soon after the start of a transfer move.
 
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::air::Leg;
@@ -6,12 +6,12 @@ use seamwright_motion::pace::{Command, Limits, Pace};
 
 const PERIOD: f64 = 1e-3;
 
-/// Periods after the start in which a hold comes, and in which it must be over: it took up to 2,900 where courses failed for what
-/// changes within a period, or were left for slower ones that end nearer to standing.
+/// Periods after the start in which a hold is commanded, and maximum number of periods until rest. It took up to 2,900
+/// when courses failed because of changes within a period, or were replaced by slower ones that end nearer to rest.
 const FIRST: i32 = 80;
-const MOST: usize = 450;
+const MAX_PERIODS_TO_REST: usize = 450;
 
-/// Held in any of the first periods, on ways of all lengths: hardly anything moves yet, and soon nothing does.
+/// A hold in any of the first periods of a move of any length: the speed is still low, and soon 0.
 #[test]
 fn a_hold_just_after_the_start_is_no_slow_stop() {
     let mut state = 11u64;
@@ -45,7 +45,7 @@ fn a_hold_just_after_the_start_is_no_slow_stop() {
                     !rests
                 });
                 let took = took.count();
-                if took > MOST {
+                if took > MAX_PERIODS_TO_REST {
                     slow.push(format!("{name}, way {way}: held after {periods} periods, at rest {took} later"));
                 }
                 worst = worst.max(took);

@@ -1,4 +1,4 @@
-//! Passes beside the seam, that begin elsewhere, run back, cover a part, or change their speed: the tip's way and speed by
+//! Passes beside the seam, with another start, reversed, partial, or with changing speed: the tip's path and speed by
 //! differences of set-points.
 
 use proptest::prelude::*;
@@ -15,7 +15,7 @@ const EXAMPLES: [&str; 3] = [
     include_str!("../../../../examples/head-nozzle.toml"),
 ];
 
-/// How far below the asked speed the law may stay where nothing but that holds it back.
+/// Maximum relative shortfall of the profile against the requested speed if no limit binds.
 const NEARLY: f64 = 3e-3;
 
 fn cases(count: u32) -> ProptestConfig {
@@ -74,8 +74,7 @@ fn spans(pass: &mut Pass, length: f64, speeds: &[(f64, f64)]) {
     pass.spans = speeds.iter().enumerate().map(span).collect();
 }
 
-/// A random pass as parts: where it begins, how long it is, which way, rows beside each other, speeds as parts of the
-/// example's.
+/// A random pass as fractions: start, length, direction, parallel rows, speeds as fractions of the example's.
 #[derive(Debug, Clone)]
 struct Case {
     example: usize,
@@ -112,7 +111,7 @@ impl Case {
 proptest! {
     #![proptest_config(cases(24))]
 
-    /// The tip's rate by the axes is that of the path, and the tip goes where the path says.
+    /// The tip's rate by the axes is that of the path, and the tip is on the path.
     #[test]
     fn the_rate_of_the_axes_is_that_of_the_bead(case in case(), parts in prop::collection::vec(0.01..0.99f64, 40)) {
         let Planned { welding, machine, motion } = case.planned();
@@ -124,8 +123,8 @@ proptest! {
         }
     }
 
-    /// By differences of set-points the tip is never faster than asked, and as fast within the law's reserve wherever no
-    /// limit holds it back.
+    /// By differences of set-points the tip is never faster than requested, and as fast within the profile's reserve if
+    /// no limit binds.
     #[test]
     fn the_tip_has_the_asked_speed(case in case()) {
         let Planned { welding, machine, motion } = case.planned();

@@ -1,4 +1,4 @@
-//! Welding positions that a procedure allows come before those that are only preferred.
+//! Welding positions that a procedure allows take precedence over preferred ones.
 
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::{Terms, WeldMotion};
@@ -12,7 +12,7 @@ const GIRTH: &str = "schema = 1\ntitle = \"t\"\nmachine = \"ebw-7axis\"\n[placem
     [seam.girth]\nradius_mm = 200\ndirection = [0, 0, 1]\n[part]\nwatched = false\n[start]\nphi_deg = 30\n\
     overlap_mm = 60\n[weld]\nspeed_mm_s = 15\n";
 
-/// What stands against the plan of a job under a procedure that allows these positions.
+/// Findings against the plan of a job under a procedure that allows these positions.
 fn findings(job: &str, machine: &Machine, process: u32, positions: &str) -> Vec<Finding> {
     let text = format!(
         "schema = 1\nnumber = \"W\"\ntitle = \"t\"\nprocess = {process}\n[[runs]]\npasses = \"1\"\npositions = {positions}\n"

@@ -1,4 +1,4 @@
-//! Planned passes against a procedure: heat input against the energy of the set-points, windows against closed forms and
+//! Planned passes under a procedure: heat input against the energy of the set-points, windows against closed forms and
 //! dense sampling, positions against a frame built from the machine's poses.
 
 use glam::{DMat3, DVec3};
@@ -65,7 +65,7 @@ fn heat_input_adds_up_to_the_energy_of_the_set_points() {
     let curve = &held.held.heat_input;
     let (from, to) = (curve[0].0, curve[curve.len() - 1].0);
     let area: f64 = curve.windows(2).map(|p| 0.5 * (p[0].1 + p[1].1) * (p[1].0 - p[0].0)).sum();
-    // In time, from the law alone.
+    // In time, from the speed profile alone.
     let law = &held.motion.law;
     let (start, end) = (law.time(from), law.time(to));
     let n = 200_000;
@@ -124,8 +124,8 @@ fn windows_on_ramps_end_where_the_ramps_cross_them() {
     assert_eq!(findings(&held).len(), 3 + heat.len());
 }
 
-/// Rotation that takes the work's coordinates with the axes at `q` to those with the work's axes `a` and `c` at zero: the
-/// tool's slides point where they point, and where that is in the work the torch tip shows.
+/// Rotation from the work's coordinates with the axes at `q` to those with the work's axes `a` and `c` at zero. The
+/// tool's slides have fixed directions in space; the torch tip gives these directions in the work.
 fn work_to_zero(machine: &Machine, q: &Joints) -> DMat3 {
     let axis = |name: &str| machine.axis(name).unwrap();
     let slides = |q: &Joints| {
@@ -168,7 +168,7 @@ fn positions_are_seen_from_the_part_as_the_machine_turns_it() {
         assert!((finding.from_mm, finding.to_mm) == (stretch.from_mm, stretch.to_mm), "{finding:?}");
         assert!(finding.message.contains(&stretch.position.to_string()) && finding.message.contains("PB, PC"));
     }
-    // With gravity along the axis that turns the part nothing depends on the turn.
+    // With gravity along the axis that turns the part the result is independent of the turn.
     let level = hold(&[], &saddle_welder(""), "passes = \"1\"\npositions = [\"PB\"]\n");
     assert!(level.held.findings.is_empty() && level.held.positions.len() == 1, "{:?}", level.held.positions);
 }

@@ -1,9 +1,9 @@
 //! Pulses of random position streams with reversals: counts, distances, the direction line, evenness. Everything is
-//! checked on the edges alone, against floating-point sums that know nothing of the generator's whole numbers.
+//! checked on the edges alone, against floating-point sums independent of the generator's integers.
 
 use seamwright_motion::pulses::{Edge, Error, Generator, Lines, Timing};
 
-/// How many times the usual number of cases: more in `make soak`.
+/// Number of cases, from the usual one: more in `make soak`.
 fn cases(usual: u32) -> u32 {
     usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|n| n.parse().ok()).unwrap_or(1)
 }
@@ -36,7 +36,7 @@ fn random_timing(random: &mut Random) -> Timing {
     Timing { period, width, spacing, setup: random.whole(0, 80), hold: random.whole(0, 80) }
 }
 
-/// What a driver and a counter on the two lines would see, checked edge by edge.
+/// Model of a driver and a counter on the two lines, checked edge by edge.
 struct Driver {
     timing: Timing,
     count: i64,
@@ -75,8 +75,8 @@ impl Driver {
     }
 }
 
-/// How far `ticks` stray from the equally spaced places that fit them best, ticks: half the least width of a strip that
-/// holds them all. The width is convex in the strip's slope, so that a ternary search finds the least.
+/// Maximum deviation of `ticks` from the best-fitting equally spaced ones, ticks: half the minimum width of a strip
+/// that contains them all. The width is convex in the strip's slope, so a ternary search finds the minimum.
 fn jitter(ticks: &[u64]) -> f64 {
     let n = ticks.len();
     if n < 3 {
@@ -129,7 +129,7 @@ fn random_streams_of_several_axes() {
                     break;
                 }
                 Err((axis, Error::Crowded { pulses })) => {
-                    // It is said only of a period that really has no room: direction and pulses need more than it has.
+                    // The error occurs only if direction and pulses need more time than the period has.
                     let t = start[axis].0;
                     let needed = 2 * t.spacing + t.width + t.hold + t.setup + pulses * t.spacing;
                     assert!(needed >= t.period, "{needed} in {}", t.period);
@@ -195,7 +195,7 @@ fn pulses_lie_on_the_straight_line() {
     }
 }
 
-/// A million periods there and back, with a way that no double holds exactly: not a step is lost or won.
+/// A million periods there and back, over a distance that no double represents exactly: no step is lost or gained.
 #[test]
 fn no_drift_over_a_million_periods() {
     let timing = Timing { period: 10_000, width: 25, spacing: 50, setup: 50, hold: 50 };

@@ -1,4 +1,4 @@
-//! What is said of axes beyond their ranges, and that its cures cure.
+//! Findings for axes beyond their ranges, and the effect of their cures.
 
 use glam::DVec3;
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
@@ -17,8 +17,8 @@ fn planned(job: &str) -> Result<(), Vec<Finding>> {
     PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).map(|_| ())
 }
 
-/// The branch that lacks a tenth of a degree at four places is the one to speak of, not the one that lacks half a turn all
-/// along.
+/// The finding describes the branch that exceeds its range by a tenth of a degree at four stations, not the one that
+/// exceeds it by half a turn everywhere.
 #[test]
 fn a_range_finding_is_that_of_the_branch_that_lacks_least() {
     let found = planned(CIRCLE).unwrap_err();
@@ -28,7 +28,7 @@ fn a_range_finding_is_that_of_the_branch_that_lacks_least() {
     assert!(found.iter().map(|f| f.to_mm - f.from_mm).sum::<f64>() < 100.0);
 }
 
-/// The job with the cure that a finding offers done to it.
+/// The job after applying a finding's cure.
 fn cured(job: &str, cure: &str) -> Option<String> {
     let mut table: Welding = Welding::read("job.toml", job).unwrap();
     let program: &mut Program = &mut table.program.value;
@@ -62,7 +62,7 @@ fn a_cure_that_is_offered_cures() {
     planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure));
 }
 
-/// On a machine that turns about the nozzle a shift of the work only moves what is lacking to the other side.
+/// On a machine that turns about the nozzle a shift of the work only moves the excess to the other side.
 #[test]
 fn no_cure_is_offered_where_none_helps() {
     let wide = SADDLE.replace("radius_mm = 250 ", "radius_mm = 700 ").replace("radius_mm = 800 ", "radius_mm = 2500 ");
@@ -73,7 +73,7 @@ fn no_cure_is_offered_where_none_helps() {
     assert!(!range.is_empty() && range.iter().all(|f| f.cure.starts_with("none was found")), "{found:#?}");
 }
 
-/// Pass after pass goes on turning where the range has room: forty thousand degrees are a hundred turns.
+/// Passes continue turning within the range: forty thousand degrees are a hundred turns.
 #[test]
 fn nothing_unwinds_while_the_range_has_room() {
     let job = "schema = 1\ntitle = \"t\"\nmachine = \"cb.toml\"\n[seam.girth]\nradius_mm = 600\ndirection = [1, 0, 0]\n\
@@ -122,7 +122,7 @@ fn cure_of_first(weld: &[Welding]) -> String {
     found.into_iter().find(|f| f.kind == "range" && f.pass == 1).unwrap().cure
 }
 
-/// The work is moved with all its passes: what brings one of them into the ranges may not take another one out of them.
+/// The work is moved with all its passes: a cure of one pass must not take another one out of its range.
 #[test]
 fn no_cure_of_one_pass_takes_another_out_of_its_range() {
     let alone = cure_of_first(&[line(700.0, 850.0)]);
@@ -131,10 +131,10 @@ fn no_cure_of_one_pass_takes_another_out_of_its_range() {
     assert_eq!(both, alone);
     let opposed = cure_of_first(&[line(700.0, 850.0), line(-790.0, -700.0)]);
     assert!(!opposed.starts_with("move the work"), "{opposed}");
-    // With as much out of range before as after it stays that pass's own matter.
+    // Another pass with the same excess before and after leaves the cure valid for this pass alone.
     let outside = cure_of_first(&[line(700.0, 850.0), line(-990.0, -900.0)]);
     assert!(outside.starts_with("move the work by -50.") && outside.contains("tried for this pass"), "{outside}");
-    // Of a pass whose weld is not known nothing is said of others.
+    // Without a known weld the cure covers this pass only.
     let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
     let single = line(700.0, 850.0);
     let found = PassMotion::plan(&machine, &single.path(0), &single.program.value.passes[0], 1).unwrap_err();
@@ -143,12 +143,12 @@ fn no_cure_of_one_pass_takes_another_out_of_its_range() {
 
 #[test]
 fn a_reason_names_only_changes_that_were_tried() {
-    // A rotary axis lacks more than work angles of 20 degrees give: no shift of the work helps it, and none is tried.
+    // A rotary axis exceeds its range by more than work angles of 20 degrees can cure; no shift of the work is tried.
     let steep = CIRCLE.replace("work_angle_deg = -35.1", "work_angle_deg = -70").replace("0, 0, 200", "0, 0, 500");
     let found = planned(&steep).unwrap_err();
     let range = found.iter().find(|f| f.kind == "range").unwrap_or_else(|| panic!("{found:#?}"));
     assert_eq!(range.cure, "none was found: changing the work angle was tried");
-    // Out of reach: there is nothing by which the work could be moved.
+    // Out of reach: no shift of the work can be derived.
     let far = Welding::read(
         "job.toml",
         "schema = 1\ntitle = \"t\"\nmachine = \"scara.toml\"\n[seam.line]\nstart_mm = [800, -20, 0]\n\

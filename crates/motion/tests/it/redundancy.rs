@@ -1,4 +1,4 @@
-//! Axes to spare: against an exhaustive search, on the example, on random work, and where there is no way.
+//! Redundancy resolution: against an exhaustive search, on the example, on random work, and without a feasible path.
 
 use glam::DVec3;
 use proptest::prelude::*;
@@ -49,7 +49,7 @@ fn girth(random: &mut impl FnMut(f64, f64) -> f64, rest: &str) -> String {
     )
 }
 
-/// Positions of all axes at `stations + 1` equal places along the path.
+/// Positions of all axes at `stations + 1` evenly spaced path lengths.
 fn rows(machine: &Machine, path: &dyn TorchPath, free: &FreeAxes, stations: usize) -> Vec<Joints> {
     let mut q = free.start().unwrap();
     let place = |i: usize| path.length() * i as f64 / stations as f64;
@@ -79,7 +79,7 @@ fn turn(machine: &Machine, [a, b, c]: [&Joints; 3], h: f64, v: f64, motion: f64)
     machine.axes.iter().enumerate().map(bend).sum::<f64>() + motion * speed_cost(machine, b, c, h, v)
 }
 
-/// Dynamic programming over pairs of nodes: the least cost of all ways through `nodes`.
+/// Dynamic programming over pairs of nodes: the minimum cost of all paths through `nodes`.
 fn exhaustive(machine: &Machine, nodes: &[Vec<Joints>], h: f64, v: f64, motion: f64) -> (f64, Vec<usize>) {
     let count = |k: usize| nodes[k].len();
     let mut totals: Vec<f64> = Vec::new();
@@ -119,8 +119,8 @@ fn exhaustive(machine: &Machine, nodes: &[Vec<Joints>], h: f64, v: f64, motion: 
     (totals[end], way)
 }
 
-/// The least discrete cost, found by exhaustive search over the whole ranges, then about its own best way with ever
-/// closer nodes until no neighbour is better.
+/// The minimum discrete cost, found by exhaustive search over the whole ranges, then about its own best path with
+/// successively finer nodes until no neighbour is better.
 fn least_cost(machine: &Machine, path: &dyn TorchPath, free: &[usize], stations: usize, v: f64, motion: f64) -> f64 {
     let h = path.length() / stations as f64;
     let target = |k: usize| path.pose(h * k as f64);
@@ -217,7 +217,7 @@ fn the_example_keeps_the_beam_on_the_normal_and_the_seam_flat() {
         let q = motion.path.at(s);
         assert!(machine.outside(&q).is_none());
         let tip = machine.forward(&q);
-        // The tube stands along z: the surface's normal is level and points away from its axis.
+        // The tube's axis is z: the surface's normal is level and points away from it.
         let normal = (tip.point - tip.point.dot(axis_z) * axis_z).normalize();
         assert!((-tip.direction).angle_between(normal).to_degrees() < 0.1);
         assert!((tip.point - path.pose(s).point).length() < 1e-9);
@@ -241,7 +241,7 @@ fn check_motion(machine: &Machine, welding: &Welding, motion: &PassMotion) {
         assert!((machine.forward(&p.q).point - path.pose(at(i)).point).length() < 1e-9);
         for k in 0..machine.axes.len() {
             let unit = machine.axes[k].max_speed;
-            // Taylor from both ends: what is left is of third order in the step.
+            // Taylor from both ends: the remainder is of third order in the step.
             let middle = 0.5 * h * (last.d1[k] + p.d1[k]) - (p.q[k] - last.q[k]);
             assert!(middle.abs() < 1e-6 * unit, "{} at {}: {middle}", machine.axes[k].name, at(i));
             let slope = 0.5 * h * (last.d2[k] + p.d2[k]) - (p.d1[k] - last.d1[k]);
@@ -324,7 +324,7 @@ fn obstacles_are_kept_clear_of() {
         rows(&machine, &welding.path(0), &free, 400).iter().map(|q| q[u].to_degrees()).fold(f64::INFINITY, f64::min)
     };
     let freely = least(None);
-    // Something that the table comes near to when it lies flatter than ten degrees more than it would.
+    // An obstacle that the table approaches below ten degrees more than its free tilt.
     let distance = |q: &Joints| (q[u].to_degrees() - freely - 10.0) * 2.0;
     let clear = least(Some(Clearance { distance: &distance, wanted_mm: 10.0 }));
     println!("{freely} {clear}");
@@ -349,13 +349,13 @@ fn where_there_is_no_way_it_says_why() {
     // With the table level the normals are level too, and the gun cannot lie down.
     let level = refused(&ebw, &EXAMPLE.replace("# hold = { u = 90 } ", "hold = { u = 0 } "));
     assert!(level.iter().all(|f| f.kind == "range" && (f.message.contains("axis v") || f.message.contains("axis q"))));
-    // A table that turns less than the seam goes round: every place can be reached, one after the other they cannot.
+    // A table with less range than the seam's turn: every station can be reached, but not in sequence.
     let text = shipped("ebw-7axis").unwrap().text.replace("continuous = true", "range_deg = [-105, 105]");
     let short = Machine::read("m", &text).unwrap();
     let jump = refused(&short, &EXAMPLE.replace("position = \"flat\"", "position = \"any\""));
     let turns = |f: &Finding| f.message.contains("axis w") || f.message.contains("axis q");
     assert!(jump.len() == 1 && jump[0].kind == "jump" && turns(&jump[0]));
-    // Held where it cannot be.
+    // An invalid hold.
     let hold = refused(&ebw, &EXAMPLE.replace("# hold = { u = 90 } ", "hold = { tilt = 0 } "));
     assert!(hold[0].kind == "hold" && hold[0].cure.contains("u") && hold[0].cure.contains("w"));
 }

@@ -1,4 +1,4 @@
-//! What counts as run-up, and travels that are too short or too long for it.
+//! Extent of the acceleration phase, and travels that are too short or too long for it.
 
 use seamwright_document::{NonNegative, Positive};
 use seamwright_machine::{Machine, shipped};
@@ -63,10 +63,10 @@ fn a_rise_that_an_axis_cannot_follow_is_no_run_up() {
         "{:#?}",
         motion.findings
     );
-    // From rest to a steady speed it takes as long, and all of it is the run-up.
+    // From rest to a steady speed the time is the same, and all of it is the acceleration phase.
     let motion = plan(&slow, &rising(OnLimit::Refuse, true)).unwrap_or_else(|f| panic!("{f:#?}"));
     assert!(motion.law.legs()[0].run_up_end > 400.0, "{:?}", motion.law.legs());
-    // Where the axes follow, so is what it takes to the asked speed.
+    // If the axes can follow, the acceleration phase lasts up to the requested speed.
     let motion = plan(&machine(&[]), &rising(OnLimit::Refuse, false)).unwrap_or_else(|f| panic!("{f:#?}"));
     assert!(motion.law.legs()[0].run_up_end < 10.0, "{:?}", motion.law.legs());
 }
@@ -80,7 +80,7 @@ fn a_weld_too_short_for_its_speed_that_may_slow_down_has_a_note() {
     assert!(short.severity() == Severity::Note && short.cure.is_empty(), "{short:#?}");
 }
 
-/// At the asked speed it would take minutes; the axes make days of it.
+/// Minutes at the requested speed become days within the axes' limits.
 #[test]
 fn a_travel_that_slow_axes_draw_out_over_days_is_refused() {
     let slow = machine(&[("max_speed_mm_s = 100", "max_speed_mm_s = 0.001")]);

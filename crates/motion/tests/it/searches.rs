@@ -1,4 +1,4 @@
-//! Searches end: how much they try is bounded, and who watches them can stop them.
+//! Searches end: their number of trials is bounded, and a watch can stop them.
 
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
@@ -16,12 +16,12 @@ const ARM_JOB: &str = include_str!("../../../../tests/data/field-trial/u3.toml")
 const ARM: &str = include_str!("../../../../tests/data/field-trial/ur10e_near.toml");
 const TABLE_JOB: &str = include_str!("../../../../tests/data/field-trial/u1.toml");
 const ARM_AND_TABLE: &str = include_str!("../../../../tests/data/field-trial/ur10e-pos.toml");
-/// With the table level by wish.
+/// The table is held level.
 const LEVEL_JOB: &str = include_str!("../../../../tests/data/field-trial/u1h.toml");
 const OTHER_JOB: &str = include_str!("../../../../tests/data/field-trial/i1.toml");
 const OTHER_ARM: &str = include_str!("../../../../tests/data/field-trial/irb.toml");
 
-/// Stops after so many units of work, and keeps what it saw.
+/// Stops after a number of units of work, and stores the progress seen.
 struct Counts {
     most: u64,
     last: Cell<SearchProgress>,
@@ -101,7 +101,7 @@ impl StopsIn {
         Self { stage, time, part, seen: RefCell::default() }
     }
 
-    /// How often the stage has begun.
+    /// Number of starts of the stage.
     fn begun(&self) -> usize {
         self.seen.borrow().iter().filter(|seen| seen.stage == self.stage && seen.begins).count()
     }
@@ -140,7 +140,7 @@ const OBLIQUE_GIRTH: &str = include_str!("../../../../examples/oblique-girth.tom
 const CIRCLE: &str = include_str!("../../../../tests/data/field-trial/circle-80deg.toml");
 const FAST_WEAVE: &str = include_str!("../../../../tests/data/field-trial/saddle-weave-8hz.toml");
 
-/// What was not tried is not said to have been tried in vain.
+/// The cure of a search that was cut off states the number of changes tried.
 #[test]
 fn cures_that_are_cut_off_say_how_many_changes_were_tried() {
     let wide = SADDLE.replace("radius_mm = 250 ", "radius_mm = 700 ").replace("radius_mm = 800 ", "radius_mm = 2500 ");
@@ -166,7 +166,7 @@ fn cures_that_are_cut_off_say_how_many_changes_were_tried() {
     assert!(all.contains("work angles up to 15 degrees"), "{all}");
 }
 
-/// Ranges are not all that may stand against a weld with a change.
+/// A change that cures the ranges may cause other findings.
 #[test]
 fn a_cure_is_planned_as_a_whole_before_it_is_offered() {
     let watch = StopsIn::new(SearchStage::Cure, usize::MAX, 0.0);
@@ -177,8 +177,8 @@ fn a_cure_is_planned_as_a_whole_before_it_is_offered() {
     assert!(trials.filter(|seen| seen.stage == SearchStage::Speed && seen.begins).count() > 0);
 }
 
-/// A weld may be clear of what is in the way with other positions of redundant axes: if the search for them was cut off, this
-/// is among the findings.
+/// A weld may be clear with other positions of redundant axes: if the search for them was cut off, a finding reports
+/// it.
 #[test]
 fn a_search_for_a_clear_way_that_is_cut_off_is_a_finding() {
     let free = StopsIn::new(SearchStage::Sampling, usize::MAX, 0.0);
@@ -223,7 +223,7 @@ impl TorchPath for Circle {
     }
 }
 
-/// Less of the seam than lies between two searches along it: 14 of 1440 places.
+/// A part of the seam shorter than the distance of two searches along it: 14 of 1440 samples.
 #[test]
 fn a_hundredth_of_a_seam_out_of_an_arm_s_reach_is_found() {
     let mut pass = Welding::read("job.toml", ARM_JOB).unwrap().program.value.passes[0].clone();

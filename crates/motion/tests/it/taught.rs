@@ -30,7 +30,7 @@ fn saddle(phi: f64) -> Joints {
     axes([25.0, -z * tilt.sin(), z * tilt.cos(), tilt, phi])
 }
 
-/// The saddle every `step` mm of the tip's way, and its end.
+/// The saddle every `step` mm of the tip's path, and its end.
 fn cut(machine: &Machine, step: f64) -> Vec<Joints> {
     let tip = |phi: f64| machine.forward(&saddle(phi)).point;
     let mut points = vec![saddle(0.0)];
@@ -49,7 +49,7 @@ fn cut(machine: &Machine, step: f64) -> Vec<Joints> {
     points
 }
 
-/// What a run along points did.
+/// Result of a run along points.
 struct Run {
     duration: f64,
     stops: usize,
@@ -100,7 +100,7 @@ fn any_segmentation_is_the_same_weld() {
         }
         durations.push(run.duration);
     }
-    // The same law on the path in closed form takes 8.1346 s (tests/law).
+    // The same profile on the path in closed form takes 8.1346 s (tests/law).
     assert!(durations.iter().all(|d| (d / 8.1346 - 1.0).abs() < 1e-3), "{durations:?}");
 }
 
@@ -213,15 +213,15 @@ fn the_way_is_kept_where_points_are_left_out() {
             let few = points.iter().step_by((count / 160).max(1));
             let missed = few.map(|p| away(p, &driven)).fold(0.0, f64::max);
             assert!(missed < 0.0101, "case {case}, points every {step} mm: {missed}");
-            // And between points the way is not left by more than the rounding of a bend there.
+            // Between points the deviation is at most the rounding of a bend there.
             let off = driven.iter().step_by(7).map(|p| away(p, &points)).fold(0.0, f64::max);
             assert!(off < 0.0101 + 0.1 * step, "case {case}, points every {step} mm: {off}");
         }
     }
 }
 
-/// A walk with steps of very different lengths: some of nothing, some of a nanometre, some straight back, some of one
-/// axis only while the tip stands still.
+/// A walk with steps of very different lengths: some of zero, some of a nanometre, some straight back, some of one axis
+/// only with the tip at rest.
 fn walk(rng: &mut TestRng, count: usize) -> Vec<Joints> {
     use proptest::prelude::RngExt;
     let mut random = || rng.random::<f64>();
@@ -262,7 +262,7 @@ fn rough_walks_are_followed_within_limits_to_their_end() {
         let end = run.rows[run.rows.len() - 1];
         assert!(end.1 < 1.0, "{case}: {} mm/s at the end", end.1);
         assert!((0..MAX_AXES).all(|i| (end.2[i] - last[i]).abs() < 0.02), "{case}");
-        // Never far from the way between the points.
+        // Never far from the path between the points.
         let tips: Vec<DVec3> = points.iter().map(|p| machine.forward(p).point).collect();
         let mut worst = 0.0f64;
         for (_, _, q) in run.rows.iter().step_by(7) {

@@ -1,4 +1,4 @@
-//! Limits of the torch tip's own: kept in every direction along a weld, whatever an operator commands; said where
+//! Limits of the torch tip: kept in every direction along a weld, under every command of an operator; reported where
 //! they bind.
 
 use glam::DVec3;
@@ -10,7 +10,7 @@ use seamwright_weld::Welding;
 const TIP: TipLimits = TipLimits { speed: 25.0, acceleration: 40.0, jerk: 300.0 };
 const PERIOD: f64 = 1e-3;
 
-/// The saddle on the trunnion table, asked for 30 mm/s: more than the tip may.
+/// The saddle on the trunnion table, at a requested 30 mm/s: more than the tip's limit.
 fn planned() -> (Machine, PassMotion) {
     let text = include_str!("../../../../examples/trunnion-saddle.toml");
     let line = |l: &str| match l {
@@ -27,7 +27,7 @@ fn planned() -> (Machine, PassMotion) {
     (machine, motion)
 }
 
-/// Greatest speed, acceleration and jerk of the tip by differences of its places, as parts of the limits.
+/// Maximum speed, acceleration and jerk of the tip by differences of its positions, as fractions of the limits.
 fn used(machine: &Machine, rows: &[Joints]) -> [f64; 3] {
     let most = |v: &[DVec3]| v.iter().map(|v| v.length()).fold(0.0, f64::max);
     let slope = |v: &[DVec3]| -> Vec<DVec3> { v.windows(2).map(|w| (w[1] - w[0]) / PERIOD).collect() };

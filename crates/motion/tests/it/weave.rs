@@ -1,5 +1,5 @@
-//! Woven passes as motion: limits by differences, the speed of the line, the weave's frequency in time, and the highest
-//! one that is possible.
+//! Woven passes as motion: limits by differences, the speed of the centre line, the weave's frequency in time, and its
+//! maximum.
 
 use proptest::prelude::*;
 use seamwright_geometry::Pose;
@@ -59,8 +59,8 @@ fn worst(machine: &Machine, motion: &PassMotion, period: f64) -> f64 {
 proptest! {
     #![proptest_config(cases(8))]
 
-    /// Whatever the weave, slowed down where it has to be: every set-point is within every limit, the tip is where the
-    /// woven path is, and the line is never passed faster than asked.
+    /// For every weave, slowed down if necessary: every set-point is within every limit, the tip is on the woven path,
+    /// and the centre line is never passed faster than requested.
     #[test]
     fn random_weaves_are_within_all_limits(
         arc in any::<bool>(),
@@ -121,12 +121,12 @@ fn the_frequency_stays_over_a_ramp_of_the_speed() {
     }
     assert!(crossings.len() > 60, "{}", crossings.len());
     for w in crossings.windows(2) {
-        // In a ramp the tip stays a little below the asked speed.
+        // In a ramp the tip stays slightly below the requested speed.
         assert!((w[1] - w[0] - 0.4).abs() < 0.004 * 0.4, "{w:?}");
     }
 }
 
-/// What a finding says is possible, is; a little more is not.
+/// The frequency of a finding is feasible; a slightly higher one is not.
 #[test]
 fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
     // A short seam: it is planned a dozen times for every figure.
@@ -141,13 +141,13 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
         println!("{figure}: {told} Hz");
         assert!(plan(&text(false, &keys(0.97 * told))).1.is_ok(), "{figure}");
         assert!(plan(&text(false, &keys(1.05 * told))).1.is_err(), "{figure}");
-        // A sine of 8 mm against 5000 mm/s^3: its jerk is 4 (2 pi f)^3, and the whole of it is used but for the reserve.
+        // A sine of 8 mm against 5000 mm/s^3: its jerk is 4 (2 pi f)^3, all of which is used except for the reserve.
         if figure == "sine" {
             let exact = (5000.0_f64 / 4.0).cbrt() / std::f64::consts::TAU;
             assert!((told / exact - 1.0).abs() < 0.015, "{told} {exact}");
         }
     }
-    // By pitch the shortest one is told; a weld that is too fast without any weave is told as such.
+    // For a pitch the minimum is reported; a weld that is too fast without any weave is reported as such.
     let findings = plan(&text(false, "width_mm = 8\npitch_mm = 0.8\n")).1.unwrap_err();
     let told = findings[0].cure.split("pitch_mm of ").nth(1).unwrap().split(',').next().unwrap();
     let told: f64 = told.parse().unwrap();
@@ -157,7 +157,7 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
     assert!(findings.iter().all(|f| !f.message.contains("the weave")), "{findings:#?}");
 }
 
-/// A torch path that counts how often its pose is asked for, of slower weaves along it too.
+/// A torch path that counts the evaluations of its pose, also those of its slower weaves.
 struct Counted<'a> {
     path: Box<dyn TorchPath + 'a>,
     poses: &'a AtomicU64,
@@ -198,7 +198,7 @@ impl TorchPath for Counted<'_> {
     }
 }
 
-/// Refusing a weave and telling how fast it can be costs about as much as planning it like that: it took a dozen plans.
+/// Refusing a weave with its maximum frequency costs about one plan; it once took a dozen.
 #[test]
 fn the_highest_frequency_costs_about_a_plan() {
     let text = include_str!("../../../../tests/data/field-trial/saddle-weave-8hz.toml").replace("procedure = ", "# ");
@@ -214,7 +214,7 @@ fn the_highest_frequency_costs_about_a_plan() {
         let motion = PassMotion::plan(&machine, &counted, &welding.program.value.passes[0], 1);
         let poses = poses.load(Ordering::Relaxed);
         let mut findings = motion.err().unwrap_or_default();
-        // That the machine has too few axes for the direction is of no interest here.
+        // Ignores that the machine has too few axes for the direction.
         findings.retain(|f| f.kind != "attitude");
         (findings, poses)
     };

@@ -1,5 +1,5 @@
-//! Programs of several passes: axes unwind between them, every set-point of the whole within every limit, no jump;
-//! what is in the way is told or gone round.
+//! Programs of several passes: axes unwind between them, every set-point is within every limit, without jumps;
+//! obstacles are reported or avoided.
 
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
@@ -8,7 +8,7 @@ use seamwright_motion::{Phase, WeldMotion};
 use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_weld::Welding;
 
-/// An example's program with as many passes as asked.
+/// An example's program with `passes` passes.
 fn program(example: &str, passes: usize) -> Welding {
     let one = Welding::read("job.toml", example).unwrap();
     let mut program = one.program.value.clone();
@@ -30,7 +30,7 @@ fn plan(machine: &Machine, welding: &Welding, clamped: &Clamped) -> Result<WeldM
 }
 
 /// Plays the whole motion from home to home and checks every set-point by differences: ranges, speeds, accelerations,
-/// rates as told; the last position.
+/// reported rates; the last position.
 fn check(machine: &Machine, motion: &WeldMotion) {
     let period = 2e-3;
     let mut last: Vec<Joints> = Vec::new();
@@ -105,7 +105,7 @@ fn seven_and_ten_axes_play_several_passes() {
     }
 }
 
-/// The torch has a nozzle as the work has: which is which is said.
+/// Torch and work both have a nozzle: the names distinguish them.
 #[test]
 fn the_nearest_things_are_named_as_in_findings() {
     let welding = program(include_str!("../../../../examples/head-nozzle.toml"), 1);
@@ -115,7 +115,7 @@ fn the_nearest_things_are_named_as_in_findings() {
     assert!(between.contains("(part)"), "{between}");
 }
 
-/// A post beside the seam: the weld passes it too near, and says where and who.
+/// A post beside the seam: the weld passes too near, and the finding names path length and solids.
 #[test]
 fn what_is_too_near_is_told() {
     let welding = program(include_str!("../../../../examples/head-nozzle.toml"), 1);
@@ -137,15 +137,15 @@ fn what_is_too_near_is_told() {
     println!("{}: s = {} to {}", f.message, f.from_mm, f.to_mm);
     assert!(f.message.contains("clamp") && f.message.contains("torch"));
     assert!(f.from_mm < 0.4 * length && f.to_mm > 0.4 * length && f.to_mm - f.from_mm < 0.2 * length);
-    // Far enough it may stay, and the least distance is told.
+    // Far enough away it is no finding, and the minimum distance is reported.
     let clear = with(60.0).unwrap();
     let nearest = clear.clearance[0].as_ref().unwrap();
     assert!(nearest.nearest.is_some() && free.clearance[0].is_some());
     assert!(nearest.at_least.iter().all(|c| c.1 >= 2.0));
-    // Asking for more than the distances that are told is no fault.
+    // A required clearance above the maximum reported distance is valid.
     let wide = Clamped { fixtures: ball(500.0), least_mm: 100.0, ..Clamped::default() };
     assert!(plan(&machine, &welding, &wide).is_ok());
-    // A ball round home blocks the air moves.
+    // A ball round home blocks the transfer moves.
     let home = machine.forward(&machine.home()).point + DVec3::new(0.0, 0.0, 100.0);
     let at_home = Solid::new("hook", Shape::Sphere { radius: 5.0 }, DAffine3::from_translation(home)).unwrap();
     let blocked = plan(&machine, &welding, &Clamped { fixtures: vec![at_home], least_mm: 2.0, ..Clamped::default() });

@@ -1,4 +1,4 @@
-//! Jogging: within every limit and clear whatever is commanded, stops within what is promised, ends met.
+//! Jogging: within every limit and clear under every command, stops within the guaranteed distance, ends met.
 
 #![allow(clippy::float_cmp, reason = "what rests does not move at all")]
 
@@ -64,7 +64,7 @@ impl<'a> Follower<'a> {
         Self { machine, period, last: vec![start.q; 3] }
     }
 
-    /// The greatest share of a limit that this set-point uses.
+    /// Maximum use of a limit by this set-point, as a fraction.
     pub(crate) fn next(&mut self, state: &State) -> f64 {
         let h = self.period;
         self.last.push(state.q);

@@ -1,4 +1,4 @@
-//! Point to point: limits, arrival at once, targets replaced, and the library's traps.
+//! Point to point: limits, synchronised arrival, replaced targets, and the library's pitfalls.
 
 use crate::{Follower, Random, cases, read};
 use seamwright_machine::{Joints, MAX_AXES};

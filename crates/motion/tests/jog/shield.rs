@@ -1,4 +1,4 @@
-//! Whatever is commanded: limits hold, ends are met, nothing comes nearer than allowed.
+//! Under every command limits hold, ends are met, and clearances are kept.
 
 use crate::{Follower, ON, Random, cases, read};
 use glam::{DAffine3, DVec3};
@@ -14,7 +14,7 @@ fn block(at: DVec3) -> Clamped {
     Clamped { part, least_mm: 3.0, ..Clamped::default() }
 }
 
-/// Where the tip is with all axes in the middle.
+/// Position of the tip with all axes in the middle of their ranges.
 fn middle(machine: &Machine) -> DVec3 {
     let mut q = Joints::default();
     for (q, axis) in q.iter_mut().zip(&machine.axes) {
@@ -34,7 +34,7 @@ fn any_command(random: &mut Random, machine: &Machine, around: &Surroundings) ->
             Command::Tip { frame, velocity }
         }
         4 | 5 => {
-            // Into what is in the way, if the machine can get there.
+            // Into the obstacle, if the machine can reach it.
             let mut there = std::iter::repeat_with(|| random.joints(machine)).take(200);
             there.find(|q| !around.is_clear(q)).map_or(Command::Rest, Command::To)
         }
@@ -56,7 +56,7 @@ fn nothing_comes_nearer_than_allowed_and_every_limit_holds() {
     let mut watched = 0;
     for (k, name) in names.into_iter().enumerate() {
         let machine = read(name);
-        // A coarse period shows what happens between set-points too.
+        // A coarse period also reveals violations between set-points.
         let settings = JogSettings { period_s: 4e-3, ..JogSettings::default() };
         for (clamped, seed) in [(Clamped::default(), 1), (block(middle(&machine)), 2)] {
             let around = Surroundings::new(&machine, &clamped).unwrap();
@@ -130,7 +130,7 @@ fn axes_slow_down_in_time_and_stop_at_their_ends() {
             let way: Joints = std::array::from_fn(|_| if random.unit() < 0.5 { 1.0 } else { -1.0 });
             let speeds =
                 |share: f64| std::array::from_fn(|i| machine.axes.get(i).map_or(0.0, |a| share * way[i] * a.max_speed));
-            // Turned round once on the way.
+            // Reversed once in between.
             jog.command(&Command::Speeds(speeds(-0.7))).unwrap();
             for i in 0..40_000 {
                 if i == 100 {
@@ -156,7 +156,7 @@ fn axes_slow_down_in_time_and_stop_at_their_ends() {
     }
 }
 
-/// Down onto a block: it halts before it, tells the watch, and goes back up after it is acknowledged.
+/// Down onto a block: the jog halts before it, names the watch, and moves up again after the acknowledgement.
 #[test]
 fn halts_before_what_is_in_the_way_and_goes_back() {
     let machine = read("torch-5axis");
@@ -174,21 +174,21 @@ fn halts_before_what_is_in_the_way_and_goes_back() {
     assert!(around.names(watch).1.contains("part") || around.names(watch).0.contains("part"));
     assert!(jog.state().rests());
     let room = around.nearest(&jog.state().q, 100.0).unwrap().1.distance - 3.0;
-    // Less than a period's way at full speed.
+    // Less than a period's travel at full speed.
     assert!((0.0..0.2).contains(&room), "{room}");
     jog.command(&Command::Rest).unwrap();
     speeds[z] = 20.0;
     jog.command(&Command::Speeds(speeds)).unwrap();
     (0..1000).for_each(|_| _ = jog.step(&ON));
     assert!(jog.halt().is_none() && jog.state().q[z] > 60.0);
-    // Where something is too near nothing begins.
+    // A start that is too near is refused.
     let mut low = start;
     low[z] = 40.0;
     let refused = Jog::new(&machine, Some(&around), &low, JogSettings::default()).map(|_| ());
     assert!(matches!(refused, Err(JogError::NotClear { distance_mm: 0.0, .. })), "{refused:?}");
 }
 
-/// Steps add up exactly, a hold in the middle changes nothing, and mistakes are told by name.
+/// Steps add up exactly, also across a hold, and errors name the wrong value.
 #[test]
 fn steps_overrides_holds_and_mistakes() {
     let machine = read("torch-5axis");

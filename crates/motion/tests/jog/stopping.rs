@@ -1,10 +1,10 @@
-//! Stops against the library's own solution of the same problem, and against what is promised.
+//! Stops against the library's own solution of the same problem, and against the guarantee.
 
 use crate::{Random, cases, read};
 use rsruckig::prelude::*;
 use seamwright_motion::jog::{AxisLimits, Command, Halt, Jog, JogError, JogSettings, Signals};
 
-/// Greatest distance from where it is on the fastest stop, by the library, sampled.
+/// Maximum distance from the start on the fastest stop, by the library, sampled.
 fn farthest(limits: &AxisLimits, v: f64, a: f64) -> f64 {
     let mut ruckig = Ruckig::<1, ThrowErrorHandler>::new(None, 1e-3);
     let mut input = InputParameter::new(None);
@@ -47,8 +47,8 @@ fn no_stop_takes_longer_than_promised_and_some_take_as_long() {
     assert!(tightest > 1.0 - 1e-9, "{tightest}");
 }
 
-/// The switch let go, or the panel silent, at thousands of states of a jog: the axes and the tip come to rest within
-/// what was promised, and nothing moves again before it is acknowledged.
+/// Released switch or silent panel at thousands of states of a jog: the axes and the tip come to rest within the
+/// guaranteed distance, and stay at rest until the acknowledgement.
 #[test]
 fn a_lost_signal_stops_within_the_promised_distance() {
     for name in ["torch-5axis", "ebw-7axis"] {

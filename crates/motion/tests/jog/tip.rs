@@ -30,7 +30,7 @@ fn the_tip_keeps_to_its_line_and_its_direction() {
                     let pose = machine.forward(&jog.state().q);
                     let off = pose.point - first.point;
                     let stops = velocity == 0.0;
-                    // On the way to rest every axis stops for itself.
+                    // During a stop every axis decelerates independently.
                     let allowed = if stops { 1.0 } else { 1e-9 };
                     assert!(off.reject_from(along).length() < allowed, "{name} {off}");
                     assert!(stops || pose.direction.distance(first.direction) < 1e-9);

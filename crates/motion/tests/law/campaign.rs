@@ -1,4 +1,4 @@
-//! Random paths and limits by the ten thousand: limits hold, the end is reached exactly, nothing gets stuck.
+//! Tens of thousands of random paths and limits: limits hold, and the end is reached exactly without getting stuck.
 
 use crate::check::{check, check_ends};
 use crate::random::{Path, Uniform, path};
@@ -18,7 +18,7 @@ fn passes(path: &Path) {
     assert!(found.jump.iter().all(|j| *j <= 1e-9), "jumps: {found:?}");
 }
 
-/// Runs `count` paths of these sizes; which ones fail is said by their seeds, at once. A long run says how far it is.
+/// Runs `count` paths of these sizes and prints the seeds of failed ones. A long run prints its progress.
 fn run(first: u32, count: u32, most_axes: u32, most_pieces: u32) {
     let mut failed = Vec::new();
     for (done, seed) in (first..first + cases(count)).enumerate() {
@@ -66,8 +66,9 @@ fn large_paths() {
     run(300_000_000, 100, 10, 16);
 }
 
-/// Once a jerk was 0.4 % above its limit, near rest, where the squared speed changes much in a cell; and laws were up
-/// to 28 % too slow, with cells that cost digits, where a break lies at the end of a run-up or begin of a run-down.
+/// Failures of earlier versions. A jerk was 0.4 % above its limit near rest, where the squared speed changes much in a
+/// cell. Profiles were up to 28 % too slow, with cells that cost digits, if a break lies at the end of an acceleration
+/// phase or the start of a deceleration phase.
 #[test]
 fn found_by_longer_runs() {
     passes(&path(&mut Uniform::new(200_047_217), 6, 4));

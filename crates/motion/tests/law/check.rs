@@ -1,15 +1,15 @@
-//! Whether a law keeps what it promises, looked at apart from how it was made.
+//! Check of a speed profile's guarantees, independent of its computation.
 
 use seamwright_motion::law::{Channels, LawPoint, SpeedLaw};
 
-/// What a check found.
+/// Result of a check.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Found {
-    /// Greatest use of speeds, accelerations and jerks, and greatest speed of the tip by the asked one.
+    /// Maximum use of speeds, accelerations and jerks, and maximum ratio of the tip's speed to the requested one.
     pub used: [f64; 4],
-    /// Greatest jump of parameter, speed and acceleration between cells, each by what it may be.
+    /// Maximum jump of parameter, speed and acceleration between cells, each relative to its tolerance.
     pub jump: [f64; 3],
-    /// Cell, part of it, channel, and limit (0 to 3) with the greatest use.
+    /// Cell, part of it, channel, and limit (0 to 3) with the maximum use.
     pub at: (usize, f64, usize, usize),
 }
 
@@ -23,7 +23,7 @@ fn inside(s: f64, middle: f64) -> f64 {
     s + (middle - s) * 1e-9 + (middle - s).signum() * (4.0 * f64::EPSILON * s.abs()).min((middle - s).abs())
 }
 
-/// Looks at `law` along `path` at `parts + 1` places in every cell.
+/// Checks `law` along `path` at `parts + 1` samples in every cell.
 pub fn check(path: &dyn Channels, law: &SpeedLaw, parts: u32) -> Found {
     let limits = path.limits();
     let mut found = Found::default();
@@ -72,7 +72,7 @@ pub fn check_ends(path: &dyn Channels, law: &SpeedLaw) {
     let (begin, end) = (law.at(0.0, &mut cursor), law.at(duration, &mut cursor));
     assert!((begin.s - from).abs() <= 1e-12 * length && begin.v == 0.0, "{begin:?}");
     assert_eq!((end.s, end.v, end.a), (to, 0.0, 0.0));
-    // Just before its end it is all but there.
+    // Just before its end it is very near the end.
     let last = law.in_cell(law.cells() - 1, 1.0);
     assert!((last.s - to).abs() <= 1e-9 * length && last.v * duration <= 1e-6 * length, "{last:?}");
     let mut before = from;
@@ -81,7 +81,7 @@ pub fn check_ends(path: &dyn Channels, law: &SpeedLaw) {
         let p = law.at(t, &mut cursor);
         assert!(p.s >= before - 1e-12 * length, "backward at {t}");
         before = p.s;
-        // Where it hardly moves, a place says little about a time.
+        // At very low speed a position does not determine the time well.
         if p.v * duration > 1e-3 * length {
             assert!((law.time(p.s) - t).abs() <= 1e-9 * duration, "time {} of {t}, duration {duration}", law.time(p.s));
             assert!((law.speed(p.s) - p.v).abs() <= 1e-8 * p.v, "speed {} of {}", law.speed(p.s), p.v);

@@ -61,8 +61,8 @@ impl Channels for Spline {
     }
 }
 
-/// A path with breaks added evenly between its own ones: a law with limits of jerk has a cell's border at each, so
-/// about `cells` cells at least.
+/// A path with breaks added evenly between its own ones: a profile with limits of jerk has a cell's border at each, so
+/// at least about `cells` cells.
 pub struct Finely<P> {
     path: P,
     breaks: Vec<f64>,

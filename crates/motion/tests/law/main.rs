@@ -1,4 +1,4 @@
-//! The jerk-limited speed law on paths that are not made by our own kinematics.
+//! The jerk-limited speed profile on paths independent of our own kinematics.
 
 #![allow(unreachable_pub, clippy::float_cmp, reason = "one test program; exact ends are exact")]
 

@@ -1,4 +1,4 @@
-//! Paths at the edge of what a path is, and what is none.
+//! Extreme and invalid paths.
 
 use crate::check::{check, check_ends};
 use crate::curves::{Saddle, Spline};
@@ -121,7 +121,7 @@ fn stations_and_breaks_next_to_each_other() {
 
 #[test]
 fn a_rotary_that_moves_while_the_tip_stands_still() {
-    // Channel 0 is the tip: it stands still over the middle third, while channel 1 turns.
+    // Channel 0 is the tip: it rests over the middle third, while channel 1 turns.
     let zero = |x: f64| vec![0.0, x];
     let moves = |a: f64, b: f64| [vec![a, 0.0], vec![b, 0.0], vec![0.0, 1.0], vec![0.0, 0.0]];
     let still = [zero(0.0), zero(0.0), zero(1.0), zero(0.0)];
@@ -190,7 +190,7 @@ fn near_singular_poses() {
 fn stretches_in_which_nothing_moves() {
     let zero = || vec![0.0];
     let still = || [zero(), zero(), zero(), zero()];
-    // From the cubic's end on nothing moves: x^2 (3 - 2 x) ends at rest by its parameter too.
+    // After the cubic's end the path is constant: x^2 (3 - 2 x) also ends at rest by its parameter.
     let path = spline(&[0.0, 1.0, 2.0], vec![[vec![-2.0], vec![3.0], zero(), zero()], still()]);
     let law = SpeedLaw::new(&path);
     assert!(law.is_ok_and(|law| law.duration().is_finite()));

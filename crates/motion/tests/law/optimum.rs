@@ -1,18 +1,18 @@
-//! Laws against a slow optimiser of another kind: in time instead of path length, without interior points.
+//! Profiles against a slow optimiser of another kind: in time instead of path length, without interior points.
 
 use crate::check::check_ends;
 use crate::curves::Spline;
 use crate::random::{Path, Uniform};
 use seamwright_motion::law::{Channels, Limits, SpeedLaw};
 
-/// Steps of constant jerk along the path in the reference's law.
+/// Number of steps of constant jerk along the path in the reference profile.
 const STEPS: usize = 100;
-/// A law that breaks no limit by more than this part counts as found.
+/// Maximum relative excess over a limit of a profile that counts as found.
 const FOUND: f64 = 1.5e-3;
 
-/// Looks for a law from rest to rest in the time `duration` within all limits of `path`, a single piece: the jerks
-/// along the path in equal steps of time that minimise the sum of squares of what is beyond a limit (Levenberg and
-/// Marquardt's method). Returns the greatest excess left.
+/// Searches a profile from rest to rest in the time `duration` within all limits of `path`, a single piece. The jerks
+/// along the path in equal steps of time minimise the sum of squares of the excess over limits (Levenberg-Marquardt).
+/// Returns the maximum remaining excess.
 fn excess(path: &Path, duration: f64, start: impl Fn(f64) -> f64) -> f64 {
     let h = duration / STEPS as f64;
     // Jerks from third differences of the start.
@@ -39,7 +39,7 @@ fn excess(path: &Path, duration: f64, start: impl Fn(f64) -> f64) -> f64 {
     now.worst
 }
 
-/// What is beyond the limits, with slopes by the jerks.
+/// Excess over the limits, with slopes by the jerks.
 struct Excess {
     sum: f64,
     worst: f64,
@@ -180,7 +180,7 @@ fn at_most_two_percent_slower_than_a_slow_optimiser_in_time() {
         assert!(shorter.iter().all(|e| *e > FOUND), "seed {seed}: a law of {} s is possible", 0.98 * t);
         refound += u32::from(longer < FOUND);
     }
-    // The reference would find faster laws if there were any: it finds nearly as fast ones without ours.
+    // The reference is able to find faster profiles: it finds nearly as fast ones without ours.
     assert!(refound >= 18, "{refound} of 20");
 }
 
@@ -188,7 +188,7 @@ fn at_most_two_percent_slower_than_a_slow_optimiser_in_time() {
 fn seven_segments(length: f64, l: Limits) -> f64 {
     let Limits { speed: v, acceleration: a, jerk: j } = l;
     let ramp = |v: f64| if v * j < a * a { 2.0 * (v / j).sqrt() } else { v / a + a / j };
-    // Run-up and run-down cover v times the time of one of them.
+    // Acceleration and deceleration phase cover v times the time of one of them.
     if v * ramp(v) <= length {
         return ramp(v) + length / v;
     }

@@ -29,17 +29,17 @@ impl Uniform {
     }
 }
 
-/// A spline with an asked speed of its tip, the first `tip` axes, and its parameter scaled.
+/// A spline with a requested speed of its tip, the first `tip` axes, and its parameter scaled.
 pub struct Path {
     pub spline: Spline,
     pub tip: usize,
-    /// Asked speeds, each from its parameter on.
+    /// Requested speeds, each from its parameter on.
     pub asked: Vec<(f64, f64)>,
     pub breaks: Vec<f64>,
 }
 
 impl Path {
-    /// A spline without an asked speed.
+    /// A spline without a requested speed.
     pub fn free(spline: Spline) -> Self {
         let breaks = spline.breaks();
         Self { spline, tip: 0, asked: vec![(f64::NEG_INFINITY, f64::INFINITY)], breaks }
@@ -97,7 +97,7 @@ pub fn natural(knots: Vec<f64>, points: &[Vec<f64>], limits: Vec<Limits>) -> Spl
     Spline { knots, pieces, limits }
 }
 
-/// How the points of a channel lie.
+/// Random positions of the points of a channel.
 fn values(random: &mut Uniform, parts: &[f64]) -> Vec<f64> {
     let size = random.decades(1e-2, 1e3);
     let rise = size * random.in_range(-1.0, 1.0);
@@ -146,7 +146,7 @@ pub fn path(random: &mut Uniform, most_axes: u32, most_pieces: u32) -> Path {
     path
 }
 
-/// Asks for a speed of the tip, and here and there for another one.
+/// Requests a speed of the tip, with random changes.
 fn ask(random: &mut Uniform, path: &mut Path) {
     path.tip = path.limits().len().min(3);
     let (from, to) = path.range();

@@ -1,4 +1,4 @@
-//! Laws from a sliding window against the law of the whole path.
+//! Profiles from a sliding window against the profile of the whole path.
 
 use crate::curves::{Saddle, Spline};
 use seamwright_motion::law::{Channels, Feed, LawPoint, LawStream, Limits, SpeedLaw};
@@ -55,7 +55,7 @@ impl<P: Channels> Feed for Window<P> {
     }
 }
 
-/// Plays a stream to its end at a period; every point is within the limits, and the law goes on smoothly.
+/// Plays a stream to its end at a period; every point is within the limits, and the profile is smooth.
 fn play<P: Channels>(path: P, horizon: f64) -> (f64, usize) {
     let mut stream = LawStream::new(Window::new(path), horizon).unwrap();
     let mut d = vec![[0.0; 3]; stream.path().limits().len()];
@@ -73,7 +73,7 @@ fn play<P: Channels>(path: P, horizon: f64) -> (f64, usize) {
             assert!(used.iter().all(|u| u.abs() <= 1.0 + 1e-9), "{k}: {used:?}");
         }
         if let Some(last) = last {
-            // Speed is the mean of the way, by Simpson's rule with the accelerations at both ends.
+            // The speed is the mean over the period, by Simpson's rule with the accelerations at both ends.
             let mean = 0.5 * (last.v + p.v) + period / 12.0 * (last.a - p.a);
             let jerk = last.j.abs().max(p.j.abs()) + 1e-3;
             assert!((p.s - last.s - mean * period).abs() < 0.5 * period.powi(3) * jerk, "{k} {p:?} {last:?}");

@@ -2,7 +2,7 @@ use crate::check::{check, check_ends};
 use crate::curves::{Finely, Saddle, Spline};
 use seamwright_motion::law::SpeedLaw;
 
-/// Part by which a law may be slower than the fine grid of toppra.
+/// Maximum relative slowness of a profile against the fine grid of toppra.
 const WITHIN: f64 = 1e-3;
 
 #[test]

@@ -1,4 +1,4 @@
-//! A motion that is limited in jerk, on a curved path of several axes, built in closed form: nothing of the planner's.
+//! A jerk-limited motion on a curved path of several axes, built in closed form, independent of the planner.
 
 #![allow(dead_code, unreachable_pub, reason = "each user has its own part")]
 
@@ -56,7 +56,7 @@ pub struct Law {
 }
 
 impl Law {
-    /// Stretches (jerk, duration) that begin and end at rest.
+    /// Builds a motion from stretches (jerk, duration) that start and end at rest.
     fn new(axes: &[Wave], stretches: &[(f64, f64)]) -> Self {
         let mut now = Stretch { t: 0.0, s: 0.0, v: 0.0, a: 0.0, j: 0.0 };
         let mut all = Vec::new();
@@ -200,7 +200,7 @@ fn distance(v: f64, stretches: &[(f64, f64)]) -> f64 {
     s
 }
 
-/// Rest to rest over `length` with speed `v`, with waves of full jerk on the way if `busy`.
+/// Builds a motion from rest to rest over `length` with speed `v`, with waves of full jerk in between if `busy`.
 fn law(axes: &[Wave], length: f64, v: f64, a: f64, j: f64, busy: Option<&mut Uniform>) -> Law {
     let (mut up, mut down) = (Vec::new(), Vec::new());
     change(&mut up, v, a, j);
@@ -224,7 +224,7 @@ fn law(axes: &[Wave], length: f64, v: f64, a: f64, j: f64, busy: Option<&mut Uni
     law
 }
 
-/// A base law, one for 1.5 times its speed, and limits of which they use at most 0.999.
+/// A base motion, one for 1.5 times its speed, and limits of which they use at most 0.999.
 pub struct Case {
     pub base: Law,
     pub faster: Law,
@@ -268,7 +268,7 @@ impl Case {
         case
     }
 
-    /// One straight axis, where the best stop is known: the law's own.
+    /// One straight axis, for which the best stop is known: the motion's own.
     pub fn straight(v: f64, a: f64, j: f64) -> Self {
         let axes = [Wave { slope: 1.0, size: 0.0, wave: 0.0, phase: 0.0 }];
         let base = law(&axes, 20.0 * v, v, a, j, None);

@@ -1,4 +1,4 @@
-//! Orders to a run, and what must hold of the instants it gave.
+//! Orders to a run, and invariants of its instants.
 
 use super::Uniform;
 use seamwright_document::NonNegative;
@@ -28,7 +28,7 @@ pub fn random_order(random: &mut Uniform) -> Order {
     }
 }
 
-/// Path length welded without a gap beyond `before`; checks the phases on the way.
+/// Path length welded without a gap beyond `before`; also checks the phases.
 pub fn welded(before: f64, log: &[Instant], at_hold: AtHold, seed: u32) -> f64 {
     let mut welded = before;
     for w in log.windows(2) {
@@ -42,7 +42,7 @@ pub fn welded(before: f64, log: &[Instant], at_hold: AtHold, seed: u32) -> f64 {
             RunPhase::Move => {}
             _ => assert!(v == 0.0, "moves, {here}"),
         }
-        // What was on in the period that ends here.
+        // The phase of the period that ends here.
         if w[0].phase == RunPhase::Travel {
             welded = welded.max(s);
         }

@@ -5,19 +5,19 @@ use crate::welds::{self, Weld};
 use seamwright_machine::Joints;
 use seamwright_motion::pace::{Command, Pace, PassTimed, Played, Timed};
 
-/// Places looked at in a period.
+/// Samples in a period.
 const PLACES: u32 = 3;
 
-/// What was seen over runs.
+/// Extremes observed over runs.
 #[derive(Debug, Default, Clone, Copy)]
 struct Seen {
-    /// Greatest distance of the tip, by forward kinematics, from the seam, mm.
+    /// Maximum distance of the tip, by forward kinematics, from the seam, mm.
     off_seam: f64,
-    /// Greatest part of a limit, by the rates that are played.
+    /// Maximum use of a limit, by the played rates.
     limits: f64,
     /// The same by differences of positions alone, less their rounding.
     differences: f64,
-    /// Greatest distance of an axis from where it ends without commands.
+    /// Maximum distance of an axis from its end position without commands.
     off_end: f64,
     periods: u64,
     on_faster: u64,
@@ -35,7 +35,7 @@ impl Seen {
         }
     }
 
-    /// Differences are means of the derivatives: never above their greatest.
+    /// Differences are means of the derivatives: never above their maximum.
     fn differ(&mut self, weld: &Weld, q: &[Joints; 4], h: f64) {
         for (i, axis) in weld.machine.axes.iter().enumerate() {
             let [a, b, c, d] = q.map(|q| q[i]);
@@ -51,7 +51,7 @@ impl Seen {
     }
 }
 
-/// A pace that is played and looked at.
+/// A feed override that is played and checked.
 struct Watched<'a> {
     weld: &'a Weld,
     pace: Pace<'a, PassTimed<'a>>,
@@ -102,7 +102,7 @@ fn command(random: &mut Uniform, here: f64, length: f64) -> Command {
     }
 }
 
-/// Random commands from a place near one of the weld's ends, so that it need not be waited for, and then to that end.
+/// Random commands from a station near one of the weld's ends, to save time, and then to that end.
 fn run(seed: u32, welds: &[(&Weld, PassTimed, PassTimed)]) -> Seen {
     let random = &mut Uniform::new(seed);
     let (weld, base, faster) = &welds[random.below(welds.len() as u32) as usize];

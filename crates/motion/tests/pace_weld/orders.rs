@@ -6,10 +6,10 @@ use crate::welds::{self, Weld};
 use seamwright_motion::pace::{Instant, Order, Pace, PaceError, PassTimed, Run, RunPhase, Timed};
 use seamwright_program::AtHold;
 
-/// Periods with random orders; after them it is only told to go on.
+/// Periods with random orders; after them the only order is to continue.
 const BUSY: usize = 1500;
 
-/// What a run gave until it ended.
+/// Instants of a run until its end.
 fn log<'a>(weld: &Weld, run: &mut Run<'a, PassTimed<'a>>, random: &mut Uniform, seed: u32) -> Vec<Instant> {
     let mut log: Vec<Instant> = vec![];
     run.order(Order::Resume).unwrap();
@@ -22,7 +22,7 @@ fn log<'a>(weld: &Weld, run: &mut Run<'a, PassTimed<'a>>, random: &mut Uniform, 
         if log.len() < BUSY && random.below(60) == 0 {
             run.order(random_order(random)).or_else(|e| if e == PaceError::Zero { Ok(()) } else { Err(e) }).unwrap();
         } else if log.len() == BUSY {
-            // It may be on its way back to the start of a long seam.
+            // The run may be moving back to the start of a long seam.
             run.order(Order::Hold).unwrap();
         } else if log.len() > BUSY && i.phase == RunPhase::Held {
             run.order(Order::Override(1.0)).unwrap();

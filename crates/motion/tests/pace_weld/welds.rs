@@ -7,7 +7,7 @@ use seamwright_program::TorchPath;
 use seamwright_weld::Welding;
 use std::sync::OnceLock;
 
-/// Name, text, and how many times its speed the axes are asked for where their limits are to bind.
+/// Name, text, and the factor of its speed at which the axes' limits bind.
 const EXAMPLES: [(&str, &str, f64); 6] = [
     ("saddle", include_str!("../../../../examples/saddle.toml"), 40.0),
     ("head-nozzle", include_str!("../../../../examples/head-nozzle.toml"), 40.0),
@@ -66,7 +66,7 @@ impl Weld {
         self.motion.path.at(s)
     }
 
-    /// How far the tip, by the machine's forward kinematics, is from the seam's own place at the path length, mm.
+    /// Distance of the tip, by the machine's forward kinematics, from the seam's point at the path length, mm.
     pub(crate) fn off_seam(&self, r: &Rates) -> f64 {
         (self.machine.forward(&r.q).point - self.welding.path(0).pose(r.tip.s).point).length()
     }

@@ -1,4 +1,4 @@
-//! Arcs through three places of the plan.
+//! Arcs through three points of the plan.
 
 use crate::part_program::Arc;
 use glam::DVec3;

@@ -14,8 +14,8 @@ pub struct Block {
     pub tip: DVec3,
     /// Duration by the plan, s.
     pub duration: f64,
-    /// True if the block only turns: its linear motion is too small for the control's least feed and is left to a later
-    /// block.
+    /// True if the block only turns: its linear motion is too small for the control's minimum feed and is left to a
+    /// later block.
     pub turns_only: bool,
     /// True if the torch stops at its end, at a corner.
     pub stops: bool,
@@ -67,7 +67,7 @@ pub struct Linearisation {
     pub start: Block,
     /// The blocks.
     pub blocks: Vec<Block>,
-    /// Greatest distance found between the path of the blocks and the planned one of the tip, mm.
+    /// Maximum distance found between the path of the blocks and the planned one of the tip, mm.
     pub chord_error_mm: f64,
 }
 

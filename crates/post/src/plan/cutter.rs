@@ -34,9 +34,9 @@ const TURN: f64 = 1e-7;
 pub(crate) struct Cutting<'a> {
     /// Level at which the control interpolates.
     pub(crate) level: Level,
-    /// Greatest distance from the planned path, mm.
+    /// Maximum distance from the planned path, mm.
     pub(crate) tolerance_mm: f64,
-    /// Greatest deviation of the tip's speed from the planned one inside a block, as a part of that.
+    /// Maximum deviation of the tip's speed from the planned one inside a block, as a part of that.
     pub(crate) speed: f64,
     /// Whether the control raises feeds below [`MIN_FEED`].
     pub(crate) least_feed: bool,
@@ -299,7 +299,7 @@ impl Cutter<'_> {
         if halved && self.good(here, &middle, CHECKS) { middle.s } else { end }
     }
 
-    /// True if the control will not run the block faster than planned: its feed is above the least one, or its linear
+    /// True if the control will not run the block faster than planned: its feed is above the minimum, or its linear
     /// motion is small enough to be left to a later block.
     fn feed_is_kept(&self, written: &Block, here: &Block, b: &Block) -> bool {
         if !self.cutting.least_feed {
@@ -320,7 +320,7 @@ impl Cutter<'_> {
         self.linear(written, b) / b.duration * 60.0 < MARGIN * MIN_FEED
     }
 
-    /// True if a rotary axis moves in the block by more than its words can say.
+    /// True if a rotary axis moves in the block by more than the resolution of its words.
     fn turns(&self, a: &Block, b: &Block) -> bool {
         let axes = self.machine.axes.iter().zip(a.q.iter().zip(&b.q));
         axes.filter(|(x, _)| x.kind == AxisKind::Rotary).any(|(_, (a, b))| (a - b).abs() > TURN)

@@ -18,8 +18,8 @@ const SPEED_USED: f64 = 0.9;
 const ATTITUDE: f64 = 0.1 * std::f64::consts::PI / 180.0;
 
 impl Cutter<'_> {
-    /// True if a block that ends at `b` keeps to tolerance, timing and attitude at so many places within it, and is not
-    /// too long.
+    /// True if a block that ends at `b` keeps to tolerance, timing and torch attitude at `checks` stations within it,
+    /// and is not too long.
     pub(super) fn good(&self, a: &Block, b: &Block, checks: usize) -> bool {
         if b.duration > self.cutting.longest_s {
             return false;
@@ -34,7 +34,7 @@ impl Cutter<'_> {
         near && self.is_even(a, b) && self.keeps_speed(a, b, if n > CHECKS { n } else { EvenSpeed::parts(b.duration) })
     }
 
-    /// Greatest distance from the planned path within a block, mm.
+    /// Maximum distance from the planned path within a block, mm.
     pub(super) fn chord_error(&self, a: &Block, b: &Block) -> f64 {
         (1..CHECKS).map(|k| self.deviation(a, b, k as f64 / CHECKS as f64)[0]).fold(0.0, f64::max)
     }

@@ -32,10 +32,11 @@ use steps::Steps;
 pub struct Options {
     /// Level at which the control interpolates.
     pub level: Level,
-    /// Greatest distance of the blocks' path from the planned one of the tip, mm.
+    /// Maximum distance of the blocks' path from the planned one of the tip, mm.
     pub tolerance_mm: f64,
-    /// Greatest deviation of the tip's speed from the planned one inside blocks between run-up and run-down, percent, as
-    /// far as the control's block rate allows: see [`BRIEFEST_S`]. Passes that weave are not held to it.
+    /// Maximum deviation of the tip's speed from the planned one inside blocks between the acceleration and
+    /// deceleration phases, percent. The control's block rate limits it: see [`BRIEFEST_S`]. Passes that weave are
+    /// exempt.
     pub speed_percent: f64,
     /// Kind of blocks. LinuxCNC and grblHAL have lines and arcs alone, Sinumerik polynomials too.
     pub interpolation: Interpolation,
@@ -129,7 +130,7 @@ pub fn part_program(
 }
 
 /// A program of axis positions as a part program, without its planned motion: the way from one pass to the next is a
-/// straight one. None if a pass has to be planned for this control.
+/// straight one. `None` if a pass has to be planned for this control.
 pub fn points_part_program(machine: &Machine, control: &Control, program: &Program) -> Option<PartProgram> {
     let mut steps = Steps::new(machine, control, program, &Options::default());
     let mut here: Option<Joints> = None;
@@ -225,7 +226,8 @@ fn blocks(
     if spline { spline::splines(machine, planned, &breaks, &cutting) } else { cut(machine, planned, &breaks, &cutting) }
 }
 
-/// The arcs of the control: none if its X, Y and Z are not the axes of these names.
+/// The arcs of the control: [`Arcs::None`] unless at least two (at tip level three) of its X, Y and Z are axes of these
+/// names.
 fn arcs_of(control: &Control, level: Level) -> Arcs {
     let there = control.axes_xyz().iter().flatten().count();
     if there < 2 || (level == Level::Tip && there < 3) {
@@ -248,7 +250,7 @@ impl Control {
     /// Whether the machine file has an output or code for `event`.
     fn can(&self, event: &Event) -> bool {
         let output = match event {
-            // Always said, and left out by the writer where the control has no word for it.
+            // Always present, and left out by the writer if the control has no word for it.
             Event::Arc(_) => Some(0),
             Event::Gas(_) => self.io.gas,
             Event::Wire(_) => self.io.wire,

@@ -32,7 +32,7 @@ pub(crate) fn weave_breaks(pass: &Pass) -> Vec<f64> {
     weaving.cuts(((time / SHORTEST_S / 4.0).floor() as u32).clamp(1, SWING_STEPS / 4) * 4)
 }
 
-/// The number of steps of which there is room for `most`.
+/// Number of steps that fit if at most `most` are possible.
 fn steps(most: f64) -> u32 {
     (most.floor() as u32).clamp(1, STEPS)
 }
@@ -48,7 +48,7 @@ pub(crate) struct RestStep {
     pub(crate) slopes: bool,
 }
 
-/// A rest of `time` s that begins with a slope of `slopes.0` s and ends with one of `slopes.1` s, in steps.
+/// A rest of `time` s that starts with a slope of `slopes.0` s and ends with one of `slopes.1` s, in steps.
 pub(crate) fn rest_steps(time: f64, slopes: (f64, f64)) -> Vec<RestStep> {
     let parts = [(slopes.0, true), (time - slopes.0 - slopes.1, false), (slopes.1, true)];
     let mut begin = 0.0;

@@ -17,7 +17,7 @@ pub(crate) const TICK: f64 = 2.5e-7;
 const SHORTEST_S: f64 = 5e-4;
 /// Values that change sooner than this are late by half a block at most, s.
 const STEADY_S: f64 = 0.02;
-/// Blocks that a leg begins with, at least.
+/// Minimum number of blocks of a leg at first.
 const FEWEST: f64 = 6.0;
 /// Stations checked within a block.
 const CHECKS: u32 = 4;
@@ -85,7 +85,7 @@ fn finer(count: f64, duration: f64, fits: bool) -> f64 {
     (2.0 * count).min(limit).max(count + 1.0)
 }
 
-/// Least time between places where values change, s.
+/// Minimum time between positions where values change, s.
 fn least_step(motion: &PassMotion, breaks: &[f64]) -> f64 {
     breaks.windows(2).map(|w| motion.law.time(w[1]) - motion.law.time(w[0])).fold(f64::INFINITY, f64::min)
 }
@@ -112,8 +112,8 @@ impl Plan<'_> {
         Block { s, q, tip, duration, turns_only: false, stops: false, shape: Shape::Spline }
     }
 
-    /// Control points, the first of them at the start of the leg. At each knot except the first and the last one the
-    /// spline `(p[i - 1] + 4 p[i] + p[i + 1]) / 6` is the planned position.
+    /// Control points, the first of them at the start of the leg. At all knots except the first and last the planned
+    /// position is `(p[i - 1] + 4 p[i] + p[i + 1]) / 6`.
     fn control_points(&self, begin: f64, step: f64, moves: usize) -> Vec<Row> {
         let place = |i: usize| self.row(self.s(begin + (i as f64 + 1.0) * step));
         let mut points = vec![self.row(self.s(begin)); moves + 1];

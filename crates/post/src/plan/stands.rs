@@ -62,11 +62,11 @@ impl Steps<'_> {
             self.stand_at(start);
         }
         if along == Some(Along::Arc) || rests_first(pass) || (again && !first && way.is_empty()) {
-            // Controls have to know where an arc or a rest begins, and go there if they start again here.
+            // Controls need the start of an arc or a rest, and move there if they start again here.
             ends(self.machine, pass).into_iter().for_each(|(start, _)| self.stand_at(&start));
         }
         let (machine, control) = (self.machine, self.control);
-        // Switched at its start, and the values that it begins with.
+        // Events at its start, and its first values.
         blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Begin { all: again });
         self.begin(&short, &course);
         blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Blocks);
@@ -86,7 +86,7 @@ impl Steps<'_> {
         self.dwell(sequence.preflow_s.get(), "before");
         let delay = sequence.travel_delay_s.get();
         if pass.has_arc() && !self.arc {
-            // At once: what LinuxCNC switches with a motion it keeps until another motion says otherwise.
+            // At once: LinuxCNC keeps outputs switched with a motion until another motion changes them.
             self.event(Event::Arc(true), true);
             self.arc = true;
         }

@@ -90,7 +90,7 @@ impl<'a> Steps<'a> {
         self.level = level;
     }
 
-    /// A pass with the air moves before and after it.
+    /// A pass with the transfer moves before and after it.
     pub(super) fn pass(
         &mut self,
         cut: &Linearisation,
@@ -109,7 +109,7 @@ impl<'a> Steps<'a> {
         left.into_iter().for_each(|(_, event)| self.event(event, true));
         let end = cut.blocks.last().unwrap_or(&cut.start);
         if let Some(to) = to {
-            // LinuxCNC keeps what M62 said until a motion says otherwise.
+            // LinuxCNC keeps the outputs of M62 until a motion changes them.
             if self.control.dialect == Dialect::Linuxcnc && pass.has_arc() {
                 self.event(Event::Arc(false), false);
             }
@@ -295,7 +295,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Switches something, if the machine file says how.
+    /// Switches `event`, if the machine file has an output or code for it.
     pub(super) fn event(&mut self, event: Event, at_once: bool) {
         if self.control.can(&event) {
             self.program.push(What::Event { event, at_once });

@@ -38,10 +38,11 @@ fn can_arc(dialect: Dialect, arc: &ArcThrough) -> bool {
     }
 }
 
-/// An arc's axis that is as near as this to that of a plane of two axes is along it: places have rounded coordinates.
+/// Maximum deviation of an arc's axis from that of a plane of two axes to count as along it: positions have rounded
+/// coordinates.
 const UPRIGHT: f64 = 1e-12;
 
-/// The arc of a span that begins and ends at these places.
+/// The arc of a span with these start and end points.
 fn arc(span: &PointSpan, start: DVec3, end: DVec3) -> Option<ArcThrough> {
     ArcThrough::new(start, span.via_mm?.get(), end, span.normal.map(Direction::unit))
 }
@@ -116,7 +117,7 @@ pub(crate) fn steps(
 struct Steps<'a> {
     machine: &'a Machine,
     points: &'a Points,
-    /// Channels with the columns that say them.
+    /// Channels with their columns.
     channels: Vec<(usize, usize)>,
     /// Values of the other channels.
     base: Vec<f64>,

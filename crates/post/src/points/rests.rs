@@ -6,7 +6,7 @@ use seamwright_program::{PointEvent, Sequence, Slope};
 pub(super) enum Gap {
     /// Rest without motion: whether the arc is on, the duration, s, and the process values.
     Rest(bool, f64, Vec<f64>),
-    /// Something is switched or said.
+    /// Event or message.
     Event(PointEvent),
 }
 
@@ -96,8 +96,8 @@ impl Rests {
         events
     }
 
-    /// The sequence of a pass that begins with these rests and ends with `end`; `names` are those of the process values,
-    /// `first` and `last` their values when it begins to travel and when it ends.
+    /// The sequence of a pass that starts with these rests and ends with `end`; `names` are those of the process
+    /// values, `first` and `last` their values at the start and the end of its travel.
     pub(super) fn sequence(&self, names: &[String], (first, last): (&[f64], &[f64]), end: &End) -> Sequence {
         let of = |on: bool| {
             self.0.iter().filter_map(move |gap| match gap {

@@ -52,7 +52,7 @@ impl Expressions {
         c.blanks();
         let from = c.at;
         if c.at_number() && c.look(1) != b'(' {
-            // Nearly always it is a number and nothing else.
+            // Fast path: it is nearly always a plain number.
             let mut ahead = *c;
             let value = ahead.number();
             let behind = ahead.at;

@@ -106,7 +106,7 @@ impl<'a> Cursor<'a> {
         rest.trim()
     }
 
-    /// Text up to `close`, which is then read; nothing if it is not in the line.
+    /// Text up to `close`, which is then read; `None` if it is not in the line.
     pub(super) fn until(&mut self, close: char) -> Option<&'a str> {
         let rest = self.of(Span { from: self.at, to: self.end });
         let length = rest.find(close)?;

@@ -91,7 +91,7 @@ struct Frame {
     sub: Option<(usize, u32)>,
 }
 
-/// Bytes of a usual block: room is made for so many moves.
+/// Bytes of a usual block: memory is reserved for so many moves.
 const USUAL_LINE: usize = 60;
 /// Calls within calls; LinuxCNC allows 10, Siemens 12.
 const DEEPEST: usize = 10;
@@ -130,7 +130,7 @@ fn run(state: &mut State, text: &str) -> Read {
     }
 }
 
-/// A dialect: what its lines mean.
+/// A dialect: the meaning of its lines.
 trait Lines {
     /// Reads one line.
     fn line(&mut self, state: &mut State, c: &mut Cursor, programs: &Programs) -> Read<Flow>;
@@ -204,7 +204,7 @@ fn leave(frames: &mut Vec<Frame>, programs: &Programs) {
     }
 }
 
-/// Says if there is something behind the end of the main program.
+/// Notes text behind the end of the main program.
 fn rest(state: &mut State, text: &str, main: &Frame) {
     let rest = text.get(main.at.min(main.to)..main.to).unwrap_or_default();
     let something = rest.lines().position(|line| {

@@ -1,4 +1,4 @@
-//! Blocks that move: where to, along what, and for how long.
+//! Blocks that move: their end, path and duration.
 
 use super::error::{Fault, Read, Span};
 use super::state::{FeedMode, Motion, State};
@@ -37,7 +37,7 @@ pub(super) struct Block {
 pub(super) const INCH: f64 = 25.4;
 
 impl Block {
-    /// Place of the first word that only arcs have.
+    /// Position of the first word that only arcs have.
     pub(super) fn arc_word(&self) -> Option<Span> {
         let words = self.centre.iter().chain(&self.middle).flatten().map(|w| w.2);
         let others = [self.radius.map(|r| r.1), self.angle.map(|a| a.1), self.turns.map(|t| t.1)];
@@ -132,7 +132,7 @@ impl State<'_> {
         Ok(())
     }
 
-    /// After a change of the level X, Y and Z are where the kinematics say: a block must say all three.
+    /// After a change of the level X, Y and Z follow from the kinematics: a block must give all three.
     fn find_again(&mut self, motion: Motion, place: Span) -> Read {
         let said = |k: usize| {
             let word = self.addresses.xyz[k].and_then(|channel| self.target.get(channel));
@@ -173,7 +173,7 @@ impl State<'_> {
             }
             FeedMode::InverseTime => self.control.inverse_time(feed, 0.0),
             FeedMode::PerMinute => {
-                // LinuxCNC counts degrees alone when nothing linear moves: those are not in inches.
+                // LinuxCNC counts degrees alone without linear motion: those are not in inches.
                 let linear = (0..self.row.len()).any(|i| self.is_length(i) && (self.row[i] - self.next[i]).abs() > 0.0);
                 let in_inches = self.inch_feed && (linear || self.control.dialect != Dialect::Linuxcnc);
                 let feed = if in_inches { INCH * feed } else { feed };

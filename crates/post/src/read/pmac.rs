@@ -238,7 +238,7 @@ fn is_variable(c: &Cursor) -> bool {
     digits && ahead.peek() == b'='
 }
 
-/// A label; alone in its line, but for a remark, it begins a pass.
+/// A label; alone in its line, except for a remark, it starts a pass.
 fn label(state: &mut State, c: &mut Cursor, from: usize) -> Read {
     let number = c.whole()?;
     if state.number.is_some() {

@@ -1,4 +1,4 @@
-//! Sub-programs that stand in the same text: Siemens' archive sections and LinuxCNC's O-words.
+//! Sub-programs in the same text: Siemens' archive sections and LinuxCNC's O-words.
 
 use super::error::{Fault, Read, Span};
 use super::lexer::{Cursor, same};

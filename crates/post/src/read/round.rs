@@ -19,7 +19,7 @@ impl State<'_> {
         DVec3::from_array(self.addresses.xyz.map(|channel| channel.map_or(0.0, |i| row[i])))
     }
 
-    /// The arc that the block says.
+    /// The arc of the block.
     pub(super) fn arc(&mut self, motion: Motion, block: &Block) -> Read<Arc> {
         let (start, end) = (self.place_of(&self.row), self.place_of(&self.next));
         if motion == Motion::Through {
@@ -92,7 +92,7 @@ impl State<'_> {
         })
     }
 
-    /// The arc's centre as said by I, J and K, if it is.
+    /// The arc's centre by I, J and K, if they are given.
     fn centre(&self, block: &Block, start: DVec3) -> Read<Option<(DVec3, Span)>> {
         let Some(span) = block.centre.iter().flatten().map(|c| c.2).next() else { return Ok(None) };
         let mut centre = start;

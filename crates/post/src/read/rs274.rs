@@ -245,7 +245,7 @@ fn comment(state: &mut State, c: &mut Cursor, from: usize) -> Read {
     Ok(())
 }
 
-/// N and the block's number. On grblHAL one alone in its line, but for a remark, begins a pass.
+/// N and the block's number. On grblHAL one alone in its line, except for a remark, starts a pass.
 fn label(state: &mut State, c: &mut Cursor) -> Read {
     let from = c.at - 1;
     let number = c.whole()?;

@@ -306,7 +306,7 @@ fn longer_name(c: &Cursor) -> bool {
     ahead > 1 && (c.look(ahead) == b'_' || (c.look(ahead) == b'=' && c.look(ahead + 1) != b'='))
 }
 
-/// A sub-program's name without the ending that it may be called with.
+/// A sub-program's name without the extension of a call.
 fn program_name(name: &str) -> &str {
     name.strip_suffix("_SPF").or_else(|| name.strip_suffix("_MPF")).unwrap_or(name)
 }

@@ -85,7 +85,7 @@ pub(super) struct State<'a> {
     pub(super) absolute_centre: bool,
     pub(super) mode: FeedMode,
     pub(super) feed: Option<f64>,
-    /// Least time of a block, s: PMAC's TA and TS.
+    /// Minimum time of a block, s: PMAC's TA and TS.
     pub(super) least_time: f64,
     pub(super) rule: FeedRule,
     pub(super) exact_stop: bool,
@@ -149,7 +149,7 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Something that people should know, said once for each `key`.
+    /// Adds a note for the user, once for each `key`.
     pub(super) fn note(&mut self, key: &'static str, text: &str) {
         if !self.noted.contains(&key) {
             self.noted.push(key);
@@ -263,7 +263,7 @@ impl<'a> State<'a> {
         true
     }
 
-    /// The control switches to this level: where X, Y and Z are is known again when a block says them.
+    /// Switches the control to this level: X, Y and Z are unknown until a block gives them.
     pub(super) fn switch_level(&mut self, level: Level, span: Span) -> Read {
         if level != self.level {
             if self.addresses.xyz.contains(&None) {
@@ -303,7 +303,7 @@ impl<'a> State<'a> {
         Ok(())
     }
 
-    /// Changes what F means; F must then be said anew, as all the controls want it.
+    /// Changes the meaning of F; F must then be given anew, as all the controls need it.
     pub(super) fn set_mode(&mut self, mode: FeedMode) {
         if self.mode != mode {
             self.feed = None;

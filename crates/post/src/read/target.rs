@@ -46,14 +46,14 @@ impl Target {
         Self { words: vec![none; width], now: 1, count: 0 }
     }
 
-    /// A new block begins.
+    /// Starts a new block.
     #[inline]
     pub(super) fn clear(&mut self) {
         self.now = self.now.wrapping_add(1);
         self.count = 0;
     }
 
-    /// The block says `value` for a channel.
+    /// Sets `value` of a channel in the block.
     #[inline]
     pub(super) fn put(&mut self, channel: usize, value: f64, how: How, speed: Option<f64>, span: Span) -> Read {
         if self.words[channel].stamp == self.now {
@@ -74,7 +74,7 @@ impl Target {
         if word.stamp == self.now { Some(word) } else { None }
     }
 
-    /// Place of the first word.
+    /// Position of the first word.
     pub(super) fn span(&self) -> Option<Span> {
         self.words.iter().filter(|w| w.stamp == self.now).map(|w| w.span).min_by_key(|s| s.from)
     }

@@ -24,9 +24,9 @@ pub struct Planned<'a> {
     pub program: &'a Program,
     /// Its motion.
     pub motion: &'a WeldMotion,
-    /// Greatest distance of the blocks' path from the planned one of the tip, mm.
+    /// Maximum distance of the blocks' path from the planned one of the tip, mm.
     pub tolerance_mm: f64,
-    /// Greatest deviation of the tip's speed inside blocks that are not brief, percent, see [`crate::Options`].
+    /// Maximum deviation of the tip's speed inside blocks that are not brief, percent, see [`crate::Options`].
     pub speed_percent: f64,
 }
 
@@ -48,19 +48,20 @@ pub struct PassVerification {
     pub name: String,
     /// Whether its blocks are the program's own points: then they have no planned path to deviate from.
     pub as_it_stands: bool,
-    /// Greatest distance of the tip from the planned path, mm.
+    /// Maximum distance of the tip from the planned path, mm.
     pub tip_mm: f64,
-    /// Greatest deviation of a linear axis from the planned path, mm, and its name.
+    /// Maximum deviation of a linear axis from the planned path, mm, and its name.
     pub linear: Option<(f64, String)>,
-    /// Greatest deviation of a rotary axis, degrees, and its name.
+    /// Maximum deviation of a rotary axis, degrees, and its name.
     pub rotary: Option<(f64, String)>,
-    /// Greatest deviation of the torch's direction, degrees.
+    /// Maximum deviation of the torch's direction, degrees.
     pub direction_deg: f64,
     /// Maximum lead or lag of the tip against the plan, mm.
     pub lag_mm: f64,
-    /// Greatest deviation of the tip's mean speed in a block, percent of the planned one.
+    /// Maximum deviation of the tip's mean speed in a block, percent of the planned one.
     pub speed_percent: f64,
-    /// Greatest deviation of the tip's speed inside blocks between run-up and run-down, percent of the planned one,
+    /// Maximum deviation of the tip's speed inside blocks between the acceleration and deceleration phases, percent of
+    /// the planned one.
     pub speed_inside_percent: f64,
     /// and that in blocks that are long enough to be cut for it, of passes that do not weave.
     #[serde(skip)]

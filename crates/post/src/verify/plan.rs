@@ -86,7 +86,7 @@ struct Checker<'a> {
     path: TipPath<'a>,
     /// Comparison of the tip's speed with the plan.
     even: EvenSpeed<'a>,
-    /// When the torch begins to travel, on the text's clock, s.
+    /// Start of the torch's travel on the text's clock, s.
     travel: f64,
     cursor: usize,
     greatest: Vec<(usize, String, f64)>,

@@ -39,7 +39,7 @@ pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, s
             let line = told.steps[t.step].line;
             format!("block {} (line {line})", k + 1)
         };
-        // A rest in which an output changes is a block that nothing moves in.
+        // A rest in which an output changes is a block without motion.
         let level = |s: &Segment| s.level.filter(|_| goes(asked, s));
         if level(a) != level(t) {
             return Err(format!("{}: it moves where it should rest, or at another level", place()));
@@ -89,7 +89,7 @@ fn goes(program: &PartProgram, segment: &Segment) -> bool {
     (0..program.channels.len()).any(|i| program.channels[i].kind != ChannelKind::Stepped && moves(i))
 }
 
-/// Segments in which something moves or time passes.
+/// Segments with motion or of some duration.
 fn moves(program: &PartProgram, start: &[f64]) -> Vec<Segment> {
     let all = play(program, start).into_iter();
     all.filter(|s| s.seconds > 0.0 || s.start() != s.end()).collect()
@@ -121,7 +121,7 @@ fn events<'a>(control: &Control, program: &'a PartProgram) -> Vec<&'a Event> {
     events
 }
 
-/// Greatest difference between two segments inside them.
+/// Maximum difference between two segments inside them.
 fn between(a: &Segment, t: &Segment) -> f64 {
     let (mut asked, mut told) = (Vec::new(), Vec::new());
     let mut most = 0.0f64;

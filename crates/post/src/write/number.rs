@@ -41,8 +41,8 @@ pub(crate) fn push(out: &mut Vec<u8>, value: f64, point: u8) {
     }
 }
 
-/// Adds a feed or a centre to `out`, with nine decimals: six would be too few digits of a slow feed, and centres are not
-/// places that an axis must go to.
+/// Appends a feed or a centre to `out`, with nine decimals: six would be too few digits of a slow feed, and centres are
+/// no positions of an axis.
 pub(super) fn push_fine(out: &mut Vec<u8>, value: f64, point: u8) {
     const PARTS: u64 = 1_000_000_000;
     if value.is_nan() || value.abs() > LARGEST {

@@ -6,14 +6,14 @@ use crate::part_program::{Arc, Level, Move, Path};
 /// Delta Tau's Turbo PMAC.
 #[derive(Default)]
 pub(super) struct Pmac {
-    /// The move mode, if it was said in this pass.
+    /// The move mode, if this pass has set it.
     mode: Option<Mode>,
     /// The last time (ms) or feed in this mode.
     time: Option<f64>,
     feed: Option<f64>,
-    /// The normal vector that was said last.
+    /// The last normal vector written.
     normal: Option<[f64; 3]>,
-    /// Whether the last line that does something is a move.
+    /// Whether the last line with an effect is a move.
     moved: bool,
 }
 
@@ -114,7 +114,7 @@ impl Pmac {
         }
     }
 
-    /// The state that a pass begins with.
+    /// The state at the start of a pass.
     fn state(&mut self, w: &mut Writer) {
         w.text.word("ABS TA0 TS0");
         if w.options.feed == Feed::PerMinute {

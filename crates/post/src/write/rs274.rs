@@ -14,7 +14,7 @@ pub(super) struct Rs274 {
     plane: Option<usize>,
 }
 
-/// The state that every program begins with.
+/// The state at the start of every program.
 pub(super) const STATE: &str = "G21 G17 G90 G40 G49 G80 G94";
 
 impl Rs274 {
@@ -64,7 +64,7 @@ impl Rs274 {
         Ok(())
     }
 
-    /// The feed to be said, after the mode that it is in.
+    /// The feed to be written, after its mode.
     fn feed(&mut self, w: &mut Writer, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
         let (mode, feed) = self.mode.said(w, step, arc, to);
         mode.into_iter().for_each(|mode| w.text.line(mode));
@@ -114,7 +114,7 @@ fn words(w: &mut Writer, to: &[f64], square: Option<usize>) {
     }
 }
 
-/// Adds what waits for the move, and ends the line.
+/// Adds the words that wait for the move, and ends the line.
 fn flush(w: &mut Writer) {
     w.text.glue(&w.pending);
     w.pending.clear();

@@ -78,7 +78,7 @@ impl Text {
         self.glue(self.comment.1);
     }
 
-    /// Ends the line; whether it is short enough for the control is kept for [`Text::fits`].
+    /// Ends the line; [`Text::fits`] reports whether all lines are short enough for the control.
     pub(super) fn end(&mut self) {
         self.too_long |= self.out.len() - self.line > self.longest;
         self.out.push(b'\n');

@@ -5,7 +5,7 @@ use crate::part_program::{Event, Level, Move};
 
 /// A dialect, with its state between lines.
 pub(super) trait Tongue {
-    /// Whether several passes become sub-programs, and whether these stand before the main part.
+    /// Whether several passes become sub-programs, and whether these come before the main part.
     const SUBS: Option<bool>;
 
     /// The very first lines, before the comments.
@@ -35,7 +35,7 @@ pub(super) trait Tongue {
     /// Called before actions at once, with the machine at rest.
     fn wait(&mut self, _w: &mut Writer) {}
 
-    /// A block of motion to the row `to`; what changed is in `w`.
+    /// A block of motion to the row `to`; the changes are in `w`.
     fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem>;
 
     /// Sets a process value.
@@ -44,7 +44,7 @@ pub(super) trait Tongue {
     /// Switches a digital output.
     fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool);
 
-    /// Says something to the operator.
+    /// Shows a message to the operator.
     fn message(&mut self, w: &mut Writer, text: &str);
 
     /// Switches events that need no output; false if the dialect has no word for this one.

@@ -20,7 +20,7 @@ impl Problem {
 
 /// Slower blocks lose digits of their feed, s.
 const LONGEST_S: f64 = 3600.0;
-/// Remarks up to this length stand behind a dwell.
+/// Maximum length of remarks behind a dwell.
 const SHORT: usize = 40;
 
 /// The text so far and the state of the control.
@@ -322,7 +322,7 @@ impl<'a> Writer<'a> {
         DVec3::from_array(self.control.axes_xyz().map(|i| i.map_or(0.0, |i| row[i])))
     }
 
-    /// The arc of a move that begins where the last one ended.
+    /// The arc of a move from the end of the last one.
     pub(super) fn arc(&self, index: u32) -> Result<Arc, Problem> {
         let cure = "begin the pass with a rapid move or a line";
         let start = Problem::new("an arc whose start the control has not been told", cure);

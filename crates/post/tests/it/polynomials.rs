@@ -49,7 +49,7 @@ struct Case {
     feed: f64,
 }
 
-/// A random text that begins at zero.
+/// A random text that starts at zero.
 fn case(seed: u64) -> Case {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let mut between = |low: f64, high: f64| {

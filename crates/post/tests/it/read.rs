@@ -72,7 +72,7 @@ fn inches_and_millimetres() {
 
 #[test]
 fn feeds_by_each_controls_rule() {
-    // G93: 60 / F. Siemens' F stays in force, the others say it in every block.
+    // G93: 60 / F. Siemens' F stays in force, the others need it in every block.
     let program = good(Sinumerik, "G93 G1 X10 F6\nX20\nC1=90\n");
     assert!(moves(&program).iter().all(|m| (m.seconds - 10.0).abs() < 1e-12));
     for dialect in [Linuxcnc, Grblhal] {
@@ -270,7 +270,7 @@ fn labels_begin_passes_where_there_are_no_sub_programs() {
         assert_eq!(*whats[2], What::Pass("N2000".into()));
         assert_eq!(program.steps[0].number, Some(1000));
     }
-    // grblHAL also where a numbered line says the whole modal state.
+    // grblHAL also with a numbered line that has the whole modal state.
     let text = "(title)\nN10 G90 (no pass)\nN1000 G21 G17 G90 G94 (root)\nN1010 G0 X1\nN2000 G21 G17 G90\n";
     let passes: Vec<What> = good(Grblhal, text).steps.into_iter().map(|s| s.what).collect();
     assert_eq!(passes[1], What::Pass("root".into()));

@@ -7,7 +7,7 @@ use seamwright_post::Dialect::{Grblhal, Linuxcnc, Pmac, Sinumerik};
 use seamwright_post::{Arc, Dialect, PartProgram, Path};
 use std::f64::consts::{PI, TAU};
 
-/// The arc of the last move, with where it begins and ends.
+/// The arc of the last move, with its start and end.
 fn last_arc(program: &PartProgram) -> (Arc, DVec3, DVec3, f64) {
     let moves = moves(program);
     let m = moves.last().unwrap();

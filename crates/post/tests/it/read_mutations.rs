@@ -75,7 +75,7 @@ const BITS: [&str; 48] = [
     "TRAORI\n",
 ];
 
-/// Reads with every dialect, strictly and leniently, and checks what comes of it.
+/// Reads with every dialect, strictly and leniently, and checks the result.
 fn survives(controls: &[Control; 4], text: &str) -> Result<(), String> {
     for control in controls {
         for lenient in [false, true] {

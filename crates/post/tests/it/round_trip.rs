@@ -91,7 +91,7 @@ fn program(random: &mut Random, dialect: Dialect, machine: &str, rotary: [&str; 
                     );
                 }
                 1 | 2 => {
-                    // A circle or helix in one of the planes, or anywhere for those who can.
+                    // A circle or helix in one of the planes, or anywhere if the control can.
                     let plane = random.below(3) as usize;
                     let (u, v) = ((plane + 1) % 3, (plane + 2) % 3);
                     let (radius, from) = (random.between(0.5, 60.0), TAU * random.part());
@@ -175,7 +175,7 @@ fn outputs(control: &Control, program: &PartProgram) -> Vec<Event> {
     all
 }
 
-/// Greatest difference of two plays, sampled at the same parts of the same blocks: an arc may be two in the second.
+/// Maximum difference of two plays, sampled at the same parts of the same blocks: an arc may be two in the second.
 fn difference(a: &[Block], b: &[Block], about: &str) -> f64 {
     let (mut one, mut other, mut most) = (Vec::new(), Vec::new(), 0.0f64);
     let mut rest = b.iter();

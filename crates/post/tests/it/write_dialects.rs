@@ -294,7 +294,7 @@ fn passes_at_tip_level() {
         let written = write(&control, &program, &WriteOptions::default()).unwrap();
         assert_eq!(written.matches(on).count(), 4, "{dialect:?}");
         assert!(written.matches(off).count() >= 4, "{dialect:?}");
-        // Every sub-program begins with all axes, on the level that its air moves have.
+        // Every sub-program starts with all axes, on the level of its transfer moves.
         text::read(&control, &written);
     }
     let control = Control::new(&planned.machine, Dialect::Grblhal).unwrap();

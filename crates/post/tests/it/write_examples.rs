@@ -125,8 +125,8 @@ fn a_wrong_text_is_no_proof() {
     assert!(verify(&program, &back.program, &start, strict).unwrap_err()[0].contains("leaves the planned path"));
 }
 
-/// Inside blocks, too, the tip goes as fast as planned, within the bound that is asked for; and the proof says how much it
-/// is off there, not only what blocks come to as a whole. Speeds here are differences over a thousandth of a block.
+/// Inside blocks, too, the tip has the planned speed, within the requested bound. The proof has the deviation there,
+/// not only that of whole blocks. Speeds here are differences over a thousandth of a block.
 #[test]
 fn inside_blocks_the_tip_keeps_its_speed() {
     const BOUND: f64 = 0.5;
@@ -167,8 +167,8 @@ fn inside_blocks_the_tip_keeps_its_speed() {
     }
 }
 
-/// Greatest deviation of the tip's speed from the planned one inside blocks longer than 10 ms, percent, between run-up and
-/// run-down of the only pass.
+/// Maximum deviation of the tip's speed from the planned one inside blocks longer than 10 ms, percent. Compared between
+/// the acceleration and deceleration phases of the only pass.
 fn speed_inside(planned: &Planned, program: &PartProgram) -> f64 {
     let (range, motion) = (passes(program).remove(0), &planned.motion.passes[0]);
     let band = motion.law.report();
@@ -279,7 +279,7 @@ examples!(
     tube_plate "tube-plate", weave "weave", y_branch "y-branch",
 );
 
-/// At tip level the words are the tip's places.
+/// At tip level the words are the tip's positions.
 #[test]
 fn tip_level() {
     let planned = Planned::example("trunnion-saddle");

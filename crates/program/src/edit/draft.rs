@@ -281,7 +281,7 @@ impl PointsDraft {
         self.columns.iter().position(|c| c == name)
     }
 
-    /// Columns of the places between which there are lines and arcs: the tip's, or those of axes x, y and z.
+    /// Columns of the positions between which there are lines and arcs: the tip's, or those of axes x, y and z.
     pub(super) fn places(&self) -> Option<[usize; 3]> {
         let names = if self.known().pose > 0 { ["x_mm", "y_mm", "z_mm"] } else { ["x", "y", "z"] };
         let [x, y, z] = names.map(|name| self.column(name));

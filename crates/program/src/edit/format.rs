@@ -145,7 +145,7 @@ fn is_table_of_points(array: &Array) -> bool {
     array.iter().next().is_some_and(Value::is_array)
 }
 
-/// A line a point, comments above and behind; what stands before the first line is to go above the key.
+/// A line a point, comments above and behind; returns the comments before the first line, which go above the key.
 fn dress_rows(new: &mut Array, old: &Array) -> Vec<String> {
     let split = |text: &str| {
         let (first, rest) = text.split_once('\n').unwrap_or(("", text));

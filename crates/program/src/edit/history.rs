@@ -45,7 +45,7 @@ impl Patch {
     }
 }
 
-/// `text` with `to` for the `from` that stands at `at`; in a text that was changed since, for the only one there is.
+/// Replaces the `from` at `at` of `text` by `to`; in a text that was changed since, the only `from` in it.
 fn exchanged(text: &str, at: usize, (from, to): (&str, &str)) -> Option<String> {
     let here = text.get(at..).is_some_and(|rest| rest.starts_with(from));
     let alone = || text.find(from).filter(|i| !from.is_empty() && text.rfind(from) == Some(*i));
@@ -127,11 +127,11 @@ impl History {
         Ok(out)
     }
 
-    /// Reads what [`History::to_json_lines`] wrote, calling it `file` in errors; and whether it is that of `text`: false
-    /// if the text was changed since.
+    /// Reads the lines of [`History::to_json_lines`], with `file` as their name in errors. Returns also whether the
+    /// history is that of `text`: false if the text was changed since.
     ///
     /// # Errors
-    /// What is wrong with a line.
+    /// The fault of a line.
     pub fn from_json_lines(file: &str, lines: &str, text: &str) -> Result<(Self, bool), DocumentError> {
         let empty = seamwright_document::Document::<toml::Table>::read(file, "")?;
         let wrong = |line: usize, what: String| {

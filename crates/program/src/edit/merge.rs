@@ -152,7 +152,7 @@ pub(super) fn rebuild(list: &mut ArrayOfTables, from: &[Option<usize>]) {
     }
 }
 
-/// Printed where it stands in its parent, not where it stood in the text.
+/// Printed at its position in the parent, not at that in the old text.
 pub(super) fn forget_positions(table: &mut Table) {
     table.set_position(None);
     for (_, item) in table.iter_mut() {

@@ -63,7 +63,7 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// Makes the edit in a draft; `Format` changes nothing in it.
+    /// Makes the edit in a draft; `Format` leaves it unchanged.
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         match self {
             Self::SetPoint(o) => o.apply(draft),

@@ -160,7 +160,7 @@ impl PointsDraft {
             for row in &span.rows {
                 let there = row.place(columns);
                 if let Some(among) = among.filter(|_| span.is_cubic()) {
-                    // One that stands at an end leaves it towards the other.
+                    // A cubic with zero speed at an end leaves it towards the other.
                     let travel = |speeds: &[f64]| DVec3::from_array(among.map(|k| speeds[k])).try_normalize();
                     let way = (there - here).try_normalize();
                     out.push(travel(begin).or(way).zip(travel(&row.speeds).or(way)));

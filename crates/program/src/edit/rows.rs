@@ -133,7 +133,7 @@ fn joined(tail: &str, lead: &str) -> String {
     format!("{tail}{}{lead}", if needs { "\n" } else { "" })
 }
 
-/// At the end of the first line: what comes before, and the rest from there.
+/// Splits the text at the end of its first line.
 fn at_line_end(text: &str) -> (&str, &str) {
     match text.find('\n') {
         Some(i) => text.split_at(if text[..i].ends_with('\r') { i - 1 } else { i }),

@@ -60,7 +60,7 @@ impl WrittenSpeeds {
         }
     }
 
-    /// The row of speeds at a point of a span, or where it begins, if it is not used yet.
+    /// The row of speeds at a point of a span, or at its start, if it is not used yet.
     fn from(&mut self, span: usize, point: usize) -> Option<usize> {
         let ((first_point, points), (first, speeds)) = (self.points[span], self.speeds[span]);
         let k = (point + 1).checked_sub(first_point).filter(|k| *k <= points && *k < speeds)?;

@@ -71,7 +71,8 @@ pub(super) fn reordered(
     out
 }
 
-/// When a switch goes on and off (after how many points) in the new order, from when it did; in order of points.
+/// Numbers of points after which an output goes on and off in the new order, from those of the old one; in order of
+/// points.
 fn new_steps(steps: &[(usize, bool)], count: usize, old_way: impl Fn(usize) -> usize) -> Vec<(usize, bool)> {
     let state = |way: usize| steps.iter().rev().find(|(after, _)| *after <= way).is_some_and(|(_, on)| *on);
     let said_at_start = steps.first().is_some_and(|(after, _)| *after == 0);

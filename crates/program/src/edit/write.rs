@@ -32,7 +32,7 @@ pub(super) fn write(text: &str, draft: &Draft) -> Result<String, DocumentError> 
     Ok(document.to_string())
 }
 
-/// A new table of variables stands before the other tables.
+/// Puts a new table of variables before the other tables.
 fn variables_first(document: &mut DocumentMut) {
     let Some(item) = document.get_mut("variables") else { return };
     if let Ok(mut table) = std::mem::take(item).into_table() {

@@ -1,4 +1,4 @@
-//! The welding procedure (WPS): what each pass must keep to.
+//! The welding procedure specification (WPS): limits of each pass.
 
 mod pass_numbers;
 mod position;
@@ -92,7 +92,7 @@ pub struct Run {
     pub ranges: BTreeMap<String, Window>,
 }
 
-/// Ranges with keys of their own: they cannot stand in `ranges`.
+/// Ranges with keys of their own: they must not be in `ranges`.
 const OWN_KEYS: [&str; 6] =
     ["speed_mm_s", "heat_input_kj_mm", "travel_angle_deg", "work_angle_deg", "preheat_c", "interpass_c"];
 
@@ -167,7 +167,7 @@ impl Procedure {
         toml::to_string(self)
     }
 
-    /// Checks the procedure that stands in `file` in the table `table` (empty: it is the whole file).
+    /// Checks the procedure in the table `table` of `file` (empty: it is the whole file).
     ///
     /// # Errors
     /// With the key's address.

@@ -48,8 +48,8 @@ pub struct Inclination {
 }
 
 impl Inclination {
-    /// Inclination of a weld with the unit vectors `tangent` (direction of travel), `face` (from the root to the middle
-    /// of the face) and `up` against gravity, in one frame.
+    /// Inclination of a weld, from unit vectors in one frame: `tangent` (direction of travel), `face` (from the root to
+    /// the middle of the face) and `up` against gravity.
     pub fn new(tangent: DVec3, face: DVec3, up: DVec3) -> Self {
         let (rise, level) = (tangent.dot(up), tangent.cross(up).length());
         let face = face.reject_from_normalized(tangent);
@@ -135,14 +135,14 @@ impl Default for FilletLimits {
 pub struct PositionStretch {
     /// The position.
     pub position: WeldingPosition,
-    /// Path length at which it begins, mm.
+    /// Path length at its start, mm.
     pub from_mm: f64,
     /// Path length at which it ends, mm.
     pub to_mm: f64,
 }
 
 impl PositionLimits {
-    /// True if nothing differs from the defaults.
+    /// True if all values are the defaults.
     pub fn is_usual(&self) -> bool {
         *self == Self::default()
     }
@@ -186,7 +186,7 @@ impl PositionLimits {
     /// The position of a weld; on a limit that of the earlier letter.
     pub fn position(&self, joint: FilletOrButt, at: Inclination) -> WeldingPosition {
         let beyond = |p: &WeldingPosition| self.beyond(joint, *p, at);
-        // The ranges meet without a gap: the least is 0 or below but for rounding.
+        // The ranges meet without a gap: to rounding, the minimum is 0 or below.
         let least = WeldingPosition::ALL.iter().map(beyond).fold(f64::INFINITY, f64::min).max(0.0);
         WeldingPosition::ALL.into_iter().find(|p| beyond(p) <= least).unwrap_or(WeldingPosition::Pa)
     }
@@ -221,7 +221,7 @@ impl PositionLimits {
         all
     }
 
-    /// Checks the limits at `path` of a file: they increase and leave every position some room.
+    /// Checks the limits at `path` of a file: they increase and leave every position a range.
     ///
     /// # Errors
     /// With the key's address.

@@ -24,7 +24,7 @@ fn plain(row: &[Finite]) -> Vec<f64> {
     row.iter().map(|n| n.get()).collect()
 }
 
-/// A pass of one cubic through random points, or of one as `more` says behind it.
+/// A pass of one cubic through random points, with the text `more` behind it.
 fn random_cubic(random: &mut Random, count: usize, more: &str) -> String {
     let mut row = |low: f64, high: f64, n: usize| -> Vec<String> {
         (0..n).map(|_| format!("{:?}", random.within(low, high))).collect()

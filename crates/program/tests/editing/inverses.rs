@@ -1,4 +1,4 @@
-//! Edits and their ways back give the same program; what an edit does not speak of stays.
+//! Edits and their inverses give the same program; parts outside the edit stay.
 
 use super::random::{Random, cases, program};
 use seamwright_program::edit::{Editor, Operation};

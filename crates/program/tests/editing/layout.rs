@@ -10,7 +10,7 @@ fn lost(text: &str, comments: usize) -> Vec<String> {
     (found < comments).then(|| format!("{found} of {comments}")).into_iter().collect()
 }
 
-/// Operations that take away what comments speak of.
+/// Operations that remove the subject of comments.
 const TAKING: [&str; 7] =
     ["delete_points", "delete_pass", "delete_event", "reduce", "join_spans", "reverse_pass", "shift_start"];
 

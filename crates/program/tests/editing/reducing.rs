@@ -1,4 +1,4 @@
-//! Points reduced to lines and arcs: ends exact, every point near what replaces it, by brute force.
+//! Points reduced to lines and arcs: ends exact, every point near its replacement, by brute force.
 
 use super::random::{Random, cases};
 use glam::DVec3;
@@ -41,7 +41,7 @@ fn rows(points: &Points) -> Vec<Vec<f64>> {
     points.rows().map(|row| row.iter().map(|v| v.get()).collect()).collect()
 }
 
-/// Many places on the lines and arcs of a pass, by the way to each point.
+/// Many points on the lines and arcs of a pass, by the way to each point.
 fn traced(points: &Points) -> Vec<Vec<DVec3>> {
     let mut here = DVec3::from_slice(&rows(points)[0]);
     let mut out = Vec::new();

@@ -40,7 +40,7 @@ fn a_ramp_leaves_its_window_exactly_where_it_crosses() {
     assert!(with > 1000);
 }
 
-/// Every one of many places is outside the window exactly if it is in a stretch, but for places on its ends.
+/// Each of many positions is outside the window exactly if it is in a stretch, except positions at its ends.
 fn dense(found: &[Outside], (a, b): (f64, f64), outside: impl Fn(f64) -> bool) {
     for i in 0..=60 {
         let s = a + (b - a) * f64::from(i) / 60.0;

@@ -62,7 +62,7 @@ impl Figures {
         Self { raw, path: points }
     }
 
-    /// Greatest distance of a raw point from the program, mm.
+    /// Maximum distance of a raw point from the program, mm.
     pub fn raw_error(&self) -> Option<f64> {
         self.raw.iter().map(|p| p.from_program).reduce(f64::max)
     }
@@ -75,7 +75,7 @@ pub fn from_nominal(nominal: &SeamLine, point: DVec3) -> Option<(f64, f64)> {
     Some((off.dot(foot.at.normal.cross(foot.along)), off.dot(foot.at.normal)))
 }
 
-/// Length of stretches that nobody saw, mm.
+/// Length of unseen stretches, mm.
 pub fn bridged(outcome: &Outcome) -> f64 {
     outcome.line.ways().windows(2).map(|w| w[1] - w[0]).filter(|gap| *gap > 1.0).sum()
 }

@@ -31,7 +31,7 @@ impl<'a> Ground<'a> {
         Some(self.planned.path.at(way.min(self.planned.path.length())))
     }
 
-    /// Positions of the axes where the planned weld begins.
+    /// Positions of the axes at the start of the planned weld.
     pub fn start(&self) -> Joints {
         self.planned.path.at(0.0)
     }
@@ -41,7 +41,7 @@ impl<'a> Ground<'a> {
         &self.around
     }
 
-    /// The machine with its eye and its axes at `axes`.
+    /// The machine with its camera and its axes at `axes`.
     pub fn carrier<'b>(
         &'b self,
         (machine, sensor): (&'b Machine, &'b Sensor),

@@ -1,4 +1,5 @@
-//! Teaching by eye: what command line and panel do alike, from a job's nominal seam to the program of the seam that was found.
+//! Teaching by camera: the functions common to command line and panel, from a job's nominal seam to the program of the
+//! seam found.
 
 mod figures;
 mod ground;
@@ -93,8 +94,8 @@ pub fn reduced(
     Ok((reduced, written))
 }
 
-/// Unit vectors from the joint to the torch at each point of the line: as it was found, with the angles that the job's
-/// first pass has at the place beside it.
+/// Unit vectors from the joint to the torch at each point of the line: as found, with the angles of the job's first
+/// pass at the position beside it.
 fn torch(loaded: &Loaded, nominal: &SeamLine, line: &[LinePoint]) -> Result<Vec<DVec3>, Failure> {
     let (program, seam) = (&loaded.welding.program, loaded.seam()?);
     let Some(pass) = program.value.passes.first() else { return Ok(line.iter().map(|p| p.normal).collect()) };

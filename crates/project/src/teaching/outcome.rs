@@ -12,15 +12,15 @@ pub struct Outcome {
     pub smooth: Vec<LinePoint>,
     /// A note of each frame.
     pub notes: Vec<EyeNote>,
-    /// Why the operator was asked, each time.
+    /// Reason of each question to the operator.
     pub asked: Vec<String>,
     /// Time of the last frame, s.
     pub seconds: f64,
-    /// Why it ended, in a word.
+    /// Reason of the end, in a word.
     pub ended: &'static str,
     /// Distance of the end of a closed line from its start, mm.
     pub gap_mm: Option<f64>,
-    /// Why the joint was not taught to its end.
+    /// Reason why the joint was not taught to its end.
     pub finding: Option<String>,
     /// True distance from the seam; known in a simulation only.
     pub truth: Option<Truth>,
@@ -29,7 +29,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Of a crawl; `said_end`: the operator said that the joint ends there.
+    /// Of a joint following; `said_end`: the operator has ended the joint there.
     pub fn of(crawl: &Crawl, run: &TaughtRun, said_end: bool) -> Self {
         let finding = unfinished(run, said_end);
         let ended = match (&run.end, &finding) {
@@ -60,7 +60,7 @@ impl Outcome {
     }
 }
 
-/// Why a crawl did not come to its end.
+/// Reason why the joint following did not reach its end.
 fn unfinished(run: &TaughtRun, said_end: bool) -> Option<String> {
     match &run.end {
         Some(End::Closed { .. } | End::JointEnd) => None,
@@ -72,7 +72,7 @@ fn unfinished(run: &TaughtRun, said_end: bool) -> Option<String> {
     }
 }
 
-/// Why the joint was not taught to its end, `way` mm along it.
+/// Finding that the joint was taught for `way` mm only.
 pub fn finding(why: String, way: f64) -> Finding {
     Finding {
         kind: "teach",

@@ -1,4 +1,4 @@
-//! The last frame with what was found in it, as in Fig. 4 of EBW-2004.
+//! The last frame with the joint found in it, as in Fig. 4 of EBW-2004.
 
 use crate::failure::Failure;
 use crate::overlay::{COASTED, CROSS, MOTION, Overlay, ZONE, sureness};
@@ -8,12 +8,12 @@ use seamwright_geometry::HeightTable;
 use seamwright_tracking::teach::{Command, Row, Settings};
 use seamwright_vision::Image;
 
-/// Half the length of an arm of the cross, and of the mark where the midline begins, pixels.
+/// Half the length of an arm of the cross, and of the mark at the start of the midline, pixels.
 const ARMS: (i32, f64) = (14, 24.0);
 /// Two pixels thick.
 const THICK: [f64; 2] = [0.0, 1.0];
 
-/// A frame and what is drawn over it, pixels.
+/// A frame and its overlay, pixels.
 pub struct Picture {
     image: Image,
     rows: Vec<Row>,
@@ -41,7 +41,7 @@ impl Picture {
         }
     }
 
-    /// A frame in which nothing was looked for, of work at `height` (mm in the camera's frame): the cross alone.
+    /// A frame without a search, of work at `height` (mm in the camera's frame): the cross alone.
     pub fn plain(image: Image, table: &HeightTable, height: f64) -> Self {
         Self { image, rows: Vec::new(), aim: None, cross: table.to_px(DVec3::Z * height).ok(), to: None }
     }

@@ -15,7 +15,7 @@ struct Heat {
     joule: f64,
     way: f64,
     time: f64,
-    /// The torch rested or ramped here: it is no measure of the travel.
+    /// The torch rested or ramped here, which is no steady travel.
     unsteady: bool,
 }
 
@@ -23,9 +23,9 @@ struct Heat {
 #[derive(Debug, Clone, Default)]
 struct Pass {
     heat: Vec<Heat>,
-    /// Of each column of deviations, place and value of the greatest in each bin.
+    /// Of each column of deviations, position and value of the maximum in each bin.
     deviations: Vec<Vec<(f64, f64)>>,
-    /// Places in the list of values.
+    /// Indices in the list of values.
     judged: Vec<usize>,
 }
 
@@ -33,7 +33,7 @@ struct Pass {
 #[derive(Debug, Clone)]
 struct Gathered {
     judged: Judged,
-    /// Its place in a row; none of the heat input.
+    /// Its index in a row; `None` for the heat input.
     column: Option<usize>,
     least: f64,
     greatest: f64,
@@ -100,14 +100,14 @@ fn outside(value: f64, (least, greatest): (f64, f64)) -> bool {
 /// Gathers the figures row by row.
 pub(super) struct Tally {
     columns: Vec<String>,
-    /// Place of the column that says where the tip is.
+    /// Index of the column of the tip's position.
     tip: usize,
-    /// Place of the column that says whether the pass is travelled steadily, if there is one.
+    /// Index of the column for steady travel, if there is one.
     steady: Option<usize>,
-    /// Places and scales of the columns whose product is the power.
+    /// Indices and scales of the columns whose product is the power.
     power: Vec<(usize, f64)>,
     efficiency: f64,
-    /// Places of the columns of deviations.
+    /// Indices of the columns of deviations.
     deviations: Vec<usize>,
     passes: BTreeMap<u32, Pass>,
     values: Vec<Gathered>,

@@ -38,7 +38,7 @@ fn acknowledged<S: serde::Serializer>(value: &Option<(String, Moment)>, out: S) 
     value.as_ref().map(|(by, at)| format!("{by}, {at}")).serialize(out)
 }
 
-/// Something that happened and is no alarm.
+/// An event that is no alarm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Event {
     /// When.
@@ -67,7 +67,7 @@ fn alarm(row: &Row<'_>) -> rusqlite::Result<Alarm> {
 }
 
 impl Library {
-    /// Keeps an alarm, of a weld or of none; its number.
+    /// Adds an alarm, with or without a weld. Returns its number.
     ///
     /// # Errors
     /// If the library cannot be written.
@@ -82,7 +82,7 @@ impl Library {
         Ok(self.db.last_insert_rowid())
     }
 
-    /// Somebody has seen the alarm; the first to say so counts.
+    /// Acknowledges the alarm; the first acknowledgement counts.
     ///
     /// # Errors
     /// If there is no such alarm, or the library cannot be written.
@@ -103,7 +103,7 @@ impl Library {
         self.run("UPDATE alarm SET listed = 1 WHERE id = ?1", [alarm]).map(drop)
     }
 
-    /// Somebody knows all alarms on the panel's list; how many.
+    /// Acknowledges all alarms on the panel's list. Returns their number.
     ///
     /// # Errors
     /// If the library cannot be written.
@@ -113,7 +113,7 @@ impl Library {
         self.run(sql, params![by, at.0])
     }
 
-    /// Somebody knows the alarms of this name on the panel's list; how many.
+    /// Acknowledges the alarms of this name on the panel's list. Returns their number.
     ///
     /// # Errors
     /// If the library cannot be written.
@@ -139,7 +139,7 @@ impl Library {
         self.all(&format!("{SELECT} WHERE weld = ?1 ORDER BY id"), [weld], alarm)
     }
 
-    /// Keeps an event, of a weld or of none.
+    /// Adds an event, with or without a weld.
     ///
     /// # Errors
     /// If the library cannot be written.

@@ -8,7 +8,7 @@ use rusqlite::{TransactionBehavior, params};
 pub struct AuditEntry {
     /// When.
     pub at: Moment,
-    /// Who.
+    /// User of the command.
     pub user: String,
     /// Where from.
     pub station: String,
@@ -29,7 +29,7 @@ pub struct AuditQuery {
     pub before: Option<i64>,
     /// Only entries whose number is higher.
     pub after: i64,
-    /// Only entries with this in one of their texts, whatever the case of plain letters; empty: all.
+    /// Only entries with this in one of their texts, ignoring the case of plain letters; empty: all.
     pub text: String,
     /// So many at most.
     pub most: u32,
@@ -48,8 +48,8 @@ pub struct AuditCheck {
 const BEGIN: &str = "0000000000000000000000000000000000000000000000000000000000000000";
 
 impl AuditEntry {
-    /// SHA-256 of the hash before, the number and all fields, each with its length, so that nothing can move from one
-    /// into the next.
+    /// SHA-256 of the hash before, the number and all fields. Each has its length, so that no text can move from one
+    /// field into the next.
     fn hash(&self, id: i64, before: &str) -> String {
         let mut bytes = before.as_bytes().to_vec();
         bytes.extend_from_slice(&id.to_le_bytes());
@@ -122,8 +122,8 @@ impl Library {
         self.all(sql, params![before, pattern(&query.text), query.most, query.after], numbered)
     }
 
-    /// Checks every link of the audit log. Entries cut off its end are found by the count that SQLite keeps beside the
-    /// table; who changes that too is found only by a hash kept elsewhere.
+    /// Checks every link of the audit log. Entries cut off its end are detected by the count that SQLite keeps beside
+    /// the table. A change of that count too is detected only by a hash kept elsewhere.
     ///
     /// # Errors
     /// If the library cannot be read.

@@ -16,7 +16,7 @@ pub enum DocumentKind {
 }
 
 impl DocumentKind {
-    /// As the table has it.
+    /// Name in the table.
     pub fn name(self) -> &'static str {
         match self {
             Self::Job => "job",

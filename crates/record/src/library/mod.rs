@@ -1,6 +1,6 @@
-//! The library: one SQLite file of everything that welds are made from and come to.
+//! The library: one SQLite file of the inputs and results of all welds.
 //!
-//! It is in write-ahead mode and synced at every commit: what a call has returned from is on the disk. Reading never waits
+//! It is in write-ahead mode and synced at every commit: data are on the disk when a call returns. Reading never waits
 //! for writing. `docs/records.md` has the tables.
 
 mod alarm;
@@ -33,7 +33,7 @@ pub struct Library {
 }
 
 impl Library {
-    /// Opens the library at `path` to read and write; made if missing, brought up to this version's schema if older.
+    /// Opens the library at `path` to read and write; created if missing, migrated to this version's schema if older.
     ///
     /// # Errors
     /// If it cannot be written, is damaged, is no library, or is of a later version.
@@ -48,10 +48,10 @@ impl Library {
         Ok(library)
     }
 
-    /// Writes a copy as it is at this moment; nobody has to wait.
+    /// Writes a copy of the present state, without blocking other users.
     ///
     /// # Errors
-    /// If `to` is there or cannot be written.
+    /// If `to` exists or cannot be written.
     pub(crate) fn copy_to(&self, to: &Path) -> Result<(), Error> {
         let sql = "VACUUM INTO ?1";
         self.db.execute(sql, [to.to_string_lossy()]).map(drop).map_err(|e| self.failed(e))
@@ -71,7 +71,7 @@ impl Library {
         }
         let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let library = match Self::connect(path, flags) {
-            // In a folder where SQLite cannot put its shared memory, nobody writes either.
+            // In a folder where SQLite cannot create its shared memory, there are no writers either.
             Err(Error::ReadOnly { .. }) if !path.with_extension("sqlite-wal").exists() => {
                 let address = format!("file:{}?immutable=1", escaped(path));
                 Self::connect(Path::new(&address), flags | OpenFlags::SQLITE_OPEN_URI)
@@ -172,7 +172,7 @@ impl Library {
         self.db.query_row(sql, params, |row| row.get(0)).map_err(|e| self.failed(e))
     }
 
-    /// The one row of a query, if there is one.
+    /// The one row of a query, if any.
     fn row<T>(
         &self,
         sql: &str,
@@ -204,7 +204,7 @@ impl Library {
     }
 }
 
-/// A path as it stands in a URI.
+/// A path escaped for a URI.
 fn escaped(path: &Path) -> String {
     path.display().to_string().replace('%', "%25").replace('?', "%3f").replace('#', "%23")
 }

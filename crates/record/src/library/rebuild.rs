@@ -27,7 +27,7 @@ fn empty(db: Connection, version: i64) -> rusqlite::Result<Connection> {
 }
 
 impl Library {
-    /// Compares the schema with the one that its version has: what is foreign, changed or missing, in words.
+    /// Compares the schema with that of its version. Returns descriptions of foreign, changed and missing parts.
     ///
     /// # Errors
     /// If the library cannot be read.
@@ -48,11 +48,11 @@ impl Library {
         Ok(problems)
     }
 
-    /// Copies the rows of a library of foreign origin into a new file: nothing but rows that fit our schema comes along. True if archives
-    /// of its version have a manifest.
+    /// Copies the rows of a library of foreign origin into a new file: only rows that fit our schema are copied. True
+    /// if archives of its version have a manifest.
     ///
     /// # Errors
-    /// A file that is no library or damaged, a schema that is not ours, rows that do not fit, a disk that is full.
+    /// A file that is no library or damaged, a foreign schema, rows that do not fit, a full disk.
     pub(crate) fn rebuild(from: &Path, to: &Path) -> Result<bool, Error> {
         let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let source = Self::connect(from, flags)?;
@@ -79,7 +79,7 @@ fn copy(db: &Connection, from: &Path) -> rusqlite::Result<()> {
     db.execute_batch("PRAGMA foreign_keys = ON; PRAGMA trusted_schema = OFF; PRAGMA synchronous = FULL")?;
     db.execute("ATTACH DATABASE ?1 AS source", [from.to_string_lossy()])?;
     db.execute_batch("BEGIN")?;
-    // Those that others name come first: in the order in which they were made.
+    // Referenced tables come first: in the order of creation.
     let tables: Vec<String> = db
         .prepare("SELECT name FROM main.sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite\\_%' ESCAPE '\\' ORDER BY rowid")?
         .query_map((), |row| row.get(0))?

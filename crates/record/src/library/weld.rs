@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// Result of a weld.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WeldResult {
-    /// It runs, or the program that welded it crashed and nobody has recovered it.
+    /// It runs, or the program that welded it crashed and the weld has not been recovered.
     Running,
     /// Done, within its tolerance.
     Good,
@@ -25,7 +25,7 @@ impl WeldResult {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::Running, Self::Good, Self::Deviating, Self::Stopped, Self::Interrupted];
 
-    /// As the table has it.
+    /// Name in the table.
     pub fn name(self) -> &'static str {
         match self {
             Self::Running => "running",
@@ -52,7 +52,7 @@ impl FromStr for WeldResult {
     }
 }
 
-/// A weld that begins. Documents by their numbers.
+/// A weld at its start. Documents by their numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewWeld {
     /// Number of the part, as the shop has it.
@@ -69,7 +69,7 @@ pub struct NewWeld {
     pub machine: i64,
     /// The welding procedure.
     pub procedure: Option<i64>,
-    /// Who welded.
+    /// Name of the welder.
     pub welder: Option<String>,
     /// When.
     pub begun: Moment,
@@ -97,17 +97,17 @@ pub struct WeldFile {
 pub struct WeldEnd {
     /// When.
     pub ended: Moment,
-    /// With what result.
+    /// Result of the weld.
     pub result: WeldResult,
     /// Further remarks, for example on missing parts of the record; may be empty.
     pub note: String,
-    /// Least, mean and greatest heat input, kJ/mm.
+    /// Minimum, mean and maximum heat input, kJ/mm.
     pub heat_input_kj_mm: Option<[f64; 3]>,
-    /// Greatest distance of the torch tip from the seam (mm), and where (mm).
+    /// Maximum distance of the torch tip from the seam (mm), and its position (mm).
     pub worst_deviation_mm: Option<(f64, f64)>,
     /// Values against their windows.
     pub values: Vec<Value>,
-    /// The trace and what else there is.
+    /// The trace and further files.
     pub files: Vec<WeldFile>,
 }
 
@@ -141,11 +141,11 @@ pub struct WeldRecord {
     pub machine: (String, i64),
     /// Number and version of the procedure.
     pub procedure: Option<(String, i64)>,
-    /// Who welded.
+    /// Name of the welder.
     pub welder: Option<String>,
-    /// Least, mean and greatest heat input, kJ/mm.
+    /// Minimum, mean and maximum heat input, kJ/mm.
     pub heat_input_kj_mm: Option<[f64; 3]>,
-    /// Greatest distance of the torch tip from the seam (mm), and where (mm).
+    /// Maximum distance of the torch tip from the seam (mm), and its position (mm).
     pub worst_deviation_mm: Option<(f64, f64)>,
 }
 
@@ -188,15 +188,15 @@ impl Library {
         Ok(self.db.last_insert_rowid())
     }
 
-    /// Removes a weld of which nothing but its beginning was kept. Its number is not given again.
+    /// Removes a weld of which only the start was recorded. Its number is not given again.
     ///
     /// # Errors
-    /// If the library cannot be written, or something names the weld.
+    /// If the library cannot be written, or refers to the weld.
     pub(crate) fn take_back_weld(&self, id: i64) -> Result<(), Error> {
         self.run("DELETE FROM weld WHERE id = ?1 AND result = 'running'", [id]).map(drop)
     }
 
-    /// Keeps the end of a weld: all of it, or, if that fails, nothing.
+    /// Records the end of a weld in one transaction.
     ///
     /// # Errors
     /// If the library cannot be written.
@@ -276,10 +276,10 @@ impl Library {
             .map_err(|e| Error::damaged(&self.path, format!("weld {id}: {e}"), "a whole library"))
     }
 
-    /// The program of a weld, as it was.
+    /// The program of a weld, at the time of welding.
     ///
     /// # Errors
-    /// If there is no such weld.
+    /// If no weld has that number.
     pub fn program_of(&self, id: i64) -> Result<Document, Error> {
         self.weld(id)?;
         self.document(self.one("SELECT program FROM weld WHERE id = ?1", [id])?)
@@ -332,7 +332,7 @@ impl Library {
     }
 }
 
-/// Welds with the names of what they are made from.
+/// Welds with the names of their inputs.
 pub(super) const SELECT: &str = "SELECT weld.id, part, title, simulated, begun, ended, result, note,
     j.name, j.version, p.name, p.version, p.sha256, m.name, m.version, w.name, w.version, welder.name,
     heat_input_min_kj_mm, heat_input_mean_kj_mm, heat_input_max_kj_mm, worst_deviation_mm, worst_deviation_at_mm

@@ -40,7 +40,7 @@ impl Kind {
 pub struct Column {
     /// Name, which ends in the unit.
     pub name: String,
-    /// Unit; `1` of what has none.
+    /// Unit; `1` for numbers without a unit.
     pub unit: String,
     /// Storage type of its values.
     pub kind: Kind,

@@ -1,7 +1,7 @@
-/// A trace in few rows, of which none is far from its neighbours and no column's peak is lost.
+/// A trace reduced to few rows: none is far from its neighbours, and every column keeps its peaks.
 ///
-/// About half of the rows are evenly taken, the first and the last among them. The trace is also cut into buckets of
-/// rows, and of each bucket the row with the least and the row with the greatest value of every column is taken.
+/// About half of the rows are evenly spaced, the first and the last among them. The trace is also cut into buckets of
+/// rows. From each bucket the rows with the minimum and the maximum of every column are taken.
 #[derive(Debug)]
 pub struct Outline {
     rows: u64,
@@ -11,7 +11,7 @@ pub struct Outline {
     number: u64,
     taken: u64,
     bucket: u64,
-    /// Of the bucket: the row with the least value of each column, then the row with the greatest of each.
+    /// Of the bucket: the row with the minimum of each column, then the row with the maximum of each.
     peaks: Vec<Option<Row>>,
     /// Of the bucket: rows that were evenly taken.
     due: Vec<Row>,
@@ -22,7 +22,7 @@ pub struct Outline {
 type Row = (u64, Vec<f64>);
 
 impl Outline {
-    /// The least number of rows that an outline of so many columns can have: two, and two a column.
+    /// The minimum number of rows of an outline of so many columns: two, and two a column.
     pub fn least(columns: usize) -> usize {
         2 + 2 * columns
     }
@@ -94,7 +94,7 @@ impl Outline {
     }
 }
 
-/// In the place that is there: a row costs no allocation.
+/// Reuses the existing memory: a row costs no allocation.
 fn put(peak: &mut Option<Row>, number: u64, values: &[f64]) {
     match peak {
         Some((of, row)) => {

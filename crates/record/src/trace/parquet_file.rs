@@ -14,7 +14,7 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Rows of a row group: what is in memory at once.
+/// Rows of a row group, which is in memory at once.
 const ROW_GROUP: usize = 65_536;
 
 /// Values of one column.
@@ -46,7 +46,7 @@ impl Values {
     }
 }
 
-/// Writes what is whole of `raw` to the Parquet file `path`; how many rows.
+/// Writes the whole blocks of `raw` to the Parquet file `path`. Returns the number of rows.
 pub(super) fn write(raw: &mut RawReader, path: &Path) -> Result<u64, Error> {
     let mut file = whole_file::create(path)?;
     let header = raw.header.clone();
@@ -86,7 +86,7 @@ fn writer<W: Write + Send>(out: W, header: &Header) -> Result<SerializedFileWrit
         .set_compression(Compression::SNAPPY)
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .set_key_value_metadata(Some(units.chain(about).collect()));
-    // Neighbouring values share sign, exponent and leading digits: bytes of one place together compress well.
+    // Neighbouring values share sign, exponent and leading digits: bytes of one significance together compress well.
     for column in header.columns.iter().filter(|c| matches!(c.kind, Kind::F64 | Kind::F32)) {
         let path = ColumnPath::from(column.name.as_str());
         properties = properties

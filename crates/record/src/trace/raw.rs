@@ -12,7 +12,7 @@ const FILE_MARK: &[u8; 8] = b"SEAMTRC1";
 const BLOCK_MARK: &[u8; 4] = b"BLCK";
 /// Bytes of a block before its rows.
 const BLOCK_HEAD: usize = 16;
-/// Bytes of rows after which a block is written, whatever the time.
+/// Bytes of rows after which a block is written, regardless of the time.
 const BLOCK_BYTES: usize = 1 << 17;
 /// Maximum length of a header; longer ones are refused.
 const MAX_HEADER: u32 = 1 << 24;
@@ -183,14 +183,14 @@ pub(super) struct RawReader {
     rows: Vec<u8>,
     /// Number of the next row: rows read so far, and those between that could not be written.
     pub(super) next: u64,
-    /// Bytes of the file that are no whole block.
+    /// Bytes of the file that form no whole block.
     pub(super) left: u64,
-    /// Bytes not yet looked at.
+    /// Bytes not yet read.
     ahead: u64,
 }
 
 impl RawReader {
-    /// Opens a file that nobody is writing; none if somebody is.
+    /// Opens a file that is not being written; `None` if it is.
     pub(super) fn open(path: &Path) -> Result<Option<Self>, Error> {
         let failed = |e| Error::io(path, "cannot be read", e);
         let file = File::open(path).map_err(failed)?;
@@ -221,8 +221,8 @@ impl RawReader {
         Ok(Some(Self { file, path, header, row_bytes, rows: Vec::new(), next: 0, left: 0, ahead }))
     }
 
-    /// The rows of the next block, by bytes; none at the end, or where the file is not whole: [`RawReader::left`] then
-    /// says how many bytes are.
+    /// The rows of the next block, by bytes; `None` at the end, or at an incomplete block: [`RawReader::left`] then has
+    /// the number of bytes.
     pub(super) fn block(&mut self) -> Result<Option<&[u8]>, Error> {
         if self.ahead == 0 {
             return Ok(None);
@@ -346,7 +346,7 @@ mod tests {
         assert!(RawReader::open(&path).unwrap().is_none());
         let told = RawWriter::create(&path, &header()).unwrap_err().to_string();
         assert!(told.contains("records recover"), "{told}");
-        // As a program that is being started has it.
+        // A handle as a child process inherits it.
         let _inherited = writer.file.try_clone().unwrap();
         drop(writer);
         assert!(RawReader::open(&path).unwrap().is_some());

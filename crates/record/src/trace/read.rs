@@ -19,7 +19,7 @@ impl Trace {
     /// Opens a trace.
     ///
     /// # Errors
-    /// If the file cannot be read or is no trace.
+    /// If the file cannot be read or is not a trace.
     pub fn open(path: &Path) -> Result<Self, Error> {
         let file = File::open(path).map_err(|e| Error::io(path, "cannot be read", e))?;
         let reader = SerializedFileReader::new(file).map_err(|e| Error::parquet(path, &e))?;

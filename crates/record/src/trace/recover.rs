@@ -11,7 +11,7 @@ pub struct RecoveredPart {
     pub path: PathBuf,
     /// Its rows.
     pub rows: u64,
-    /// Bytes at the raw file's end that are no whole block: a block that was being written. If there are more than one
+    /// Bytes at the raw file's end that form no whole block: a block that was being written. If there are more than one
     /// can have, the raw file is kept under the name `.damaged`.
     pub unread_bytes: u64,
 }
@@ -19,11 +19,11 @@ pub struct RecoveredPart {
 /// Bytes that a block cut off may have; more is damage.
 const TORN: u64 = 1 << 18;
 
-/// Makes Parquet files of all raw files in `folder` that nobody is writing, in the order of their names.
+/// Converts all raw files in `folder` that are not being written to Parquet, in the order of their names.
 ///
 /// # Errors
-/// If the folder cannot be read or written. A raw file without a whole header has no rows; it is moved away under the name
-/// `.damaged` and counts as a part of no rows.
+/// If the folder cannot be read or written. A raw file without a whole header has no rows; it is moved away under the
+/// name `.damaged` and counts as a part of no rows.
 pub fn recover(folder: &Path) -> Result<Vec<RecoveredPart>, Error> {
     let unreadable = |e| Error::io(folder, "cannot be read", e);
     let mut raws = Vec::new();
@@ -64,7 +64,7 @@ fn move_away(raw: &Path) -> Result<(), Error> {
     fs::rename(raw, raw.with_extension("raw.damaged")).map_err(|e| Error::io(raw, "cannot be renamed", e))
 }
 
-/// True if somebody is writing a raw file in `folder`.
+/// True if a raw file in `folder` is being written.
 pub(crate) fn is_written(folder: &Path) -> bool {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut raws = entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "raw"));

@@ -33,14 +33,14 @@ pub struct TraceWriter {
     number: usize,
     /// The part before, of which a Parquet file is being made; one at a time, so that memory is bounded.
     finishing: Option<JoinHandle<Result<Part, Error>>>,
-    /// Parts that are finished, and what went wrong with one.
+    /// Parts that are finished, or the error of one.
     parts: Result<Vec<Part>, Error>,
 }
 
 impl TraceWriter {
-    /// A trace that will be `path` (`trace.parquet`), and `trace-2.parquet` and so on beside it if there are more than
-    /// `most_rows`, an hour of them say; until then the rows are in `trace.raw`, `trace-2.raw`. `about` are (key, value)
-    /// pairs of metadata.
+    /// Creates the trace `path` (`trace.parquet`), and `trace-2.parquet` and so on beside it if there are more than
+    /// `most_rows`, for example an hour of them. Until then the rows are in `trace.raw`, `trace-2.raw`. `about` are
+    /// (key, value) pairs of metadata.
     ///
     /// # Errors
     /// If the file cannot be written, or a crash has left a trace of that name.
@@ -260,7 +260,7 @@ mod tests {
         assert_eq!(recovered, [RecoveredPart { path: path.clone(), rows: 5000, unread_bytes: 9 }]);
         check(&read(&path), 0);
         assert!(!raw.exists() && recover(folder.path()).unwrap().is_empty());
-        // Without a header there is nothing to be had, and nothing is thrown away.
+        // Without a header no rows are readable, and no file is removed.
         fs::write(&raw, &whole[..30]).unwrap();
         assert_eq!(recover(folder.path()).unwrap()[0].rows, 0);
         assert_eq!(fs::read(folder.path().join("trace.raw.damaged")).unwrap(), &whole[..30]);

@@ -161,14 +161,14 @@ fn on_a_small_disk(small: &Path) {
         }
         if i == 60_000 {
             assert!(refused > 0 && writer.lost() > 0);
-            // Room again: the trace goes on, with a gap.
+            // With free space again the trace goes on, with a gap.
             fs::remove_file(&ballast).unwrap();
         }
     }
     assert!(good > 90_000);
     let _ = writer.flush();
     let lost = writer.lost();
-    // There may be no room for the Parquet file: then the raw one stays, and is recovered when there is.
+    // The disk may be full for the Parquet file: then the raw one stays, and is recovered later.
     let finished = writer.finish();
     let left: Vec<_> = fs::read_dir(small).unwrap().map(|f| f.unwrap().file_name()).collect();
     let rows = match finished {

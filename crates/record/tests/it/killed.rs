@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 
 const FOLDER: &str = "SEAMWRIGHT_TEST_WELDS_IN";
 
-/// Welds for ever; says what is on the disk: `position N` after entry N.
+/// Welds for ever; prints the state of the disk: `position N` after entry N.
 fn weld_for_ever(folder: &Path) {
     let mut data = DataFolder::open(folder).unwrap();
     let mut journal = data.journal().unwrap();
@@ -37,7 +37,7 @@ fn weld_for_ever(folder: &Path) {
     }
 }
 
-/// Number and least count of what was said to be on the disk.
+/// Number in the last line of output that starts with `what`.
 fn said(lines: &[String], what: &str) -> Option<u32> {
     lines.iter().rev().find_map(|l| l.strip_prefix(what)?.trim().parse().ok())
 }
@@ -75,7 +75,7 @@ fn kill_at(after: Duration) -> bool {
         assert_eq!(record.result, WeldResult::Interrupted);
         let events = data.library().events(record.id).unwrap();
         assert!(said(&lines, "event").is_none_or(|i| events.iter().any(|e| e.text == format!("row {i}"))));
-        // Every row is what was written, up to the last second of the clock.
+        // Every row equals the written one, up to the last second of the clock.
         let trace = Trace::open(&data.weld_folder(record.id).join("trace.parquet")).unwrap();
         let mut next = 0;
         trace

@@ -83,7 +83,7 @@ fn a_hold_is_no_violation_and_a_violation_has_a_place() {
         };
         let travel = |s: f64| if odd && (70.0..72.0).contains(&s) { 275.0 } else { 240.0 };
         rows(4.0, &|t| (10.0 * t, 1.0, 240.0, 1.0));
-        // A crater at rest, nothing, a strike at rest, and a ramp of the speed.
+        // A crater at rest, the arc off, a strike at rest, and a ramp of the speed.
         rows(0.5, &|t| (40.0, 1.0, 240.0 - 400.0 * t, 0.0));
         rows(2.0, &|_| (40.0, 0.0, 0.0, 0.0));
         rows(0.5, &|t| (40.0, 1.0, 480.0 * t, 0.0));
@@ -343,8 +343,8 @@ fn no_room_no_weld() {
     assert!(data.library().find(&Query::default()).unwrap().is_empty());
 }
 
-/// A library that has lost a weld (as SQLite takes damage to the write-ahead log for its end) is found out by the weld's files, which
-/// no later weld overwrites.
+/// A library that has lost a weld (as SQLite takes damage to the write-ahead log for its end) is detected by the weld's
+/// files. No later weld overwrites them.
 #[test]
 fn a_weld_that_the_library_has_lost_is_told_and_kept() {
     let folder = tempfile::tempdir().unwrap();
@@ -373,7 +373,7 @@ fn a_weld_that_the_library_has_lost_is_told_and_kept() {
     assert_eq!(fs::read(&trace).unwrap(), rows);
 }
 
-/// The folder of a weld is removed while it is recorded: rows are said to be lost, not taken.
+/// The folder of a weld is removed while it is recorded: rows are reported as lost.
 #[test]
 fn a_folder_that_is_removed_in_a_weld_is_told() {
     let folder = tempfile::tempdir().unwrap();
@@ -464,7 +464,7 @@ fn no_weld_ends_before_it_began() {
     let mut data = DataFolder::open(folder.path()).unwrap();
     let recording = data.begin(&plan("P-1")).unwrap();
     let id = recording.id();
-    // As if the clock had been an hour ahead when it began, and was set right since.
+    // As if the clock had been an hour ahead at the start, and was set right since.
     let ahead = Moment::now().0 + 3_600_000;
     let db = rusqlite::Connection::open(data.library().path()).unwrap();
     db.execute("UPDATE weld SET begun = ?1 WHERE id = ?2", [ahead, id]).unwrap();

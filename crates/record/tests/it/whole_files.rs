@@ -1,4 +1,4 @@
-//! A written file takes the place of a plain file only, and leaves links, modes, owners, pipes and devices as they were.
+//! A written file replaces a plain file only, and leaves links, modes, owners, pipes and devices unchanged.
 
 use rustix::fs::{CWD, FileType, Mode, makedev, mknodat};
 use seamwright_record::WholeFile;
@@ -23,7 +23,7 @@ fn mode(path: &Path) -> u32 {
     fs::metadata(path).unwrap().mode() & 0o777
 }
 
-/// Names in a folder: nothing temporary may be left.
+/// Names in a folder, to check that no temporary file is left.
 fn names(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> =
         fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
@@ -59,12 +59,12 @@ fn a_pipe_gets_the_bytes_and_stays_a_pipe() {
 
 #[test]
 fn a_character_device_stays_a_device() {
-    // Only root makes one; the device that everybody has shows that nothing is made beside it either.
+    // Only root can create a device; `/dev/null` exists for all, and no file may be left beside it either.
     write(Path::new("/dev/null")).unwrap();
     assert!(fs::symlink_metadata("/dev/null").unwrap().file_type().is_char_device());
     if is_root() {
         let (_folder, null) = node(FileType::CharacterDevice, (1, 3));
-        // A sandbox may forbid to open it: that is an error, and no file in its place.
+        // A sandbox may forbid to open it: then there is an error, and no file instead of it.
         drop(write(&null));
         assert!(fs::symlink_metadata(&null).unwrap().file_type().is_char_device());
     }
@@ -105,7 +105,7 @@ fn links_are_followed_and_stay() {
         assert!(fs::symlink_metadata(at(name)).unwrap().is_symlink(), "{name}");
     }
     assert_eq!(names(elsewhere.path()), ["missing", "target"]);
-    // Links that lead nowhere are refused and stay too.
+    // Dangling links are refused and stay too.
     symlink("no folder/file", at("nowhere")).unwrap();
     assert_eq!(write(&at("nowhere")).unwrap_err().kind(), ErrorKind::NotFound);
     symlink("round", at("round")).unwrap();

@@ -64,7 +64,7 @@ pub(crate) fn fill(
         let (low, under) = (section.slices.height_of(below), over(below));
         below += layer.share * scale;
         let high = section.slices.height_of(below);
-        // At the root the parts leave little room, and the wire points above it.
+        // At the root the gap between the parts is narrow, and the wire points above it.
         let base = if below <= layer.share * scale { low + ROOT_RISE * (high - low) } else { low };
         let (left, right) = section.slices.edges(base);
         let middle = section.slices.edges(0.5 * (low + high));

@@ -69,7 +69,7 @@ pub(crate) fn layers(section: &Section, runs: &Runs) -> Result<Vec<Layer>, f64> 
     let root = runs.root.as_ref().map_or(0.0, |root| root.area);
     let top = (total - section.slices.area_below(high - runs.cap.layer)).min(total - root);
     let wanted = whole(top / runs.cap.area);
-    // At least what stands above the line from toe to toe, or the layer below would have to fill it.
+    // At least the area above the line from toe to toe, or the layer below would have to fill it.
     let least = (1.3 * section.cap / runs.cap.area).ceil() as usize;
     let counts = [wanted, wanted + 1, wanted.saturating_sub(1).max(1)].map(|count| count.max(least));
     let all = counts.map(|cap| stack(section, runs, cap));

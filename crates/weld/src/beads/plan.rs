@@ -29,7 +29,7 @@ pub struct BeadPlan {
     period: Option<f64>,
 }
 
-/// More stations along a seam are a slip: 100 m of seam at the default distance.
+/// Maximum number of stations along a seam; more are a mistake: 100 m of seam at the default distance.
 pub(crate) const MAX_STATIONS: usize = 20_000;
 /// More beads times stations, or passes times stations, take more memory than a plan is worth.
 pub(crate) const MAX_BEAD_STATIONS: usize = 1_000_000;
@@ -66,7 +66,7 @@ impl Sizes {
 
 impl BeadPlan {
     /// Lays out the beads of `beads` along a seam with a joint. The layers are chosen for the mean area along the seam
-    /// (for the largest one if layers may be left out), and fill the groove everywhere.
+    /// (the largest if layers may be left out). They fill the groove everywhere.
     ///
     /// Guarantee: at every station the beads' areas sum to that of groove and cap.
     ///
@@ -155,8 +155,8 @@ impl BeadPlan {
         &self.beads[i * self.count()..][..self.count()]
     }
 
-    /// Area of a bead (as counted at a station) at path length `s`, linear between stations; from the nearest one where
-    /// its layer ends. None if it is at neither.
+    /// Area of a bead (as counted at a station) at path length `s`, linear between stations; at an end of its layer
+    /// that of the nearest one. `None` if it is absent at both.
     pub(crate) fn area(&self, bead: usize, s: f64) -> Option<f64> {
         let n = self.stations.len();
         let end = self.period.unwrap_or_else(|| self.stations[n - 1]);

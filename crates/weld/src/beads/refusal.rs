@@ -16,7 +16,7 @@ pub(crate) enum NoPlan {
     Positions { passes: usize, stations: usize },
 }
 
-/// Beads smaller than this are the slip, not the groove, mm^2: a wire of 0.6 mm leaves 0.3 mm^2 as it is.
+/// Beads smaller than this are the mistake, not the groove, mm^2: a wire of 0.6 mm leaves 0.3 mm^2 as it is.
 const SMALL_MM2: f64 = 0.3;
 
 impl NoPlan {

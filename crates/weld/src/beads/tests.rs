@@ -1,4 +1,4 @@
-//! Beads over random grooves: areas, order and places, against sums made here.
+//! Beads over random grooves: areas, order and positions, against independent sums.
 
 use super::layers::{Runs, layers};
 use super::{BeadPlan, Beads};
@@ -86,7 +86,7 @@ fn a_hillside_nozzle_is_filled_everywhere_by_speed() {
     fills(&planned);
     let findings = planned.plan.findings(&planned.runs, planned.most, |b| b);
     assert!(findings.is_empty(), "{findings:#?}");
-    // Mirror places of the nozzle have the same beads.
+    // Mirror positions of the nozzle have the same beads.
     let half = 0.5 * planned.seam.length();
     let n = planned.plan.stations.len();
     assert!((planned.plan.stations[n / 2] - half).abs() < planned.plan.stations[1]);

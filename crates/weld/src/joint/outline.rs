@@ -9,8 +9,8 @@ const UNKNOWN: f64 = 0.7;
 const BEYOND: f64 = 1.0;
 
 impl SeamJoint {
-    /// Outlines of the first and the second part around a section, for drawing, mm: as thick as the preparation says
-    /// (or as looks right), and cut off beside the groove.
+    /// Outlines of the first and the second part around a section, for drawing, mm. Their thickness is that of the
+    /// preparation (or a suitable one); they are cut off beside the groove.
     pub fn parts(&self, section: &Section) -> [Vec<DVec2>; 2] {
         let (sin, cos) = (0.5 * section.dihedral).sin_cos();
         let along = [DVec2::new(sin, cos), DVec2::new(-sin, cos)];

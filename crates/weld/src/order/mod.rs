@@ -226,7 +226,7 @@ impl Ordering<'_> {
 /// Names of passes: their kind, copy and part.
 struct Naming<'a> {
     copies: &'a [SeamCopy],
-    /// True if a copy has one pass, which the copy's name says.
+    /// True if a copy has one pass, which has the copy's name.
     one: bool,
 }
 

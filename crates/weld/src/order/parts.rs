@@ -122,7 +122,7 @@ fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64>
     ends.sort_by(f64::total_cmp);
     ends.dedup_by(|later, earlier| *later - *earlier < MIN_PART_MM);
     match all_round.zip(ends.first().copied()) {
-        // From a corner on, so that no part begins between two.
+        // From a corner on, so that all parts start at corners.
         Some((turn, first)) => ends.push(first + turn),
         None => {
             ends.retain(|end| *end > MIN_PART_MM && *end < pass.length() - MIN_PART_MM);

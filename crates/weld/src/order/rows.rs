@@ -25,7 +25,7 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// Checks the table `rows` of a job whose seam stands at `placement`.
+    /// Checks the table `rows` of a job with the seam's frame `placement`.
     ///
     /// # Errors
     /// With the key's address: no copies or very many, copies at the same position or too far away.

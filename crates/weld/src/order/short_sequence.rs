@@ -39,7 +39,7 @@ pub struct ShortSequence {
 }
 
 impl ShortSequence {
-    /// True if nothing is given.
+    /// True if all values are missing.
     pub(crate) fn is_usual(&self) -> bool {
         *self == Self::default()
     }

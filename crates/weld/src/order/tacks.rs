@@ -148,7 +148,7 @@ impl Tacks {
     }
 }
 
-/// An order of `count` places on a ring or a line: the one farthest from all before it, then the one that is left
+/// An order of `count` positions on a ring or a line: the one farthest from all before it, then the remaining one
 /// nearest to its opposite, and again.
 fn opposite_first(count: usize, ring: bool) -> Vec<usize> {
     let apart = |a: usize, b: usize| {

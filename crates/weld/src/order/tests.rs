@@ -31,7 +31,7 @@ fn length(stops: &[Stop], legs: &[Leg], from: Option<DVec3>) -> f64 {
     sum
 }
 
-/// The least length of all orders and ways, by trying all.
+/// The minimum length of all orders and ways, by trying all.
 fn least(stops: &[Stop], from: Option<DVec3>) -> f64 {
     fn go(stops: &[Stop], left: &[usize], at: Option<DVec3>) -> f64 {
         let mut best = if left.is_empty() { 0.0 } else { f64::INFINITY };
@@ -207,7 +207,7 @@ fn from_corner_to_corner_no_direction_jumps() {
         assert!(turns(&welding).is_empty(), "{:#?}", turns(&welding));
         let passes = &welding.program.value.passes;
         assert_eq!(passes.len(), 2);
-        // Each begins where the other ends.
+        // Each starts at the end of the other.
         let sum: f64 = passes.iter().map(Pass::length).sum();
         assert!((sum + 4e-4 - length).abs() < 1e-6, "{sum} of {length}");
         for i in 0..2 {

@@ -16,7 +16,7 @@ const STARTS: usize = 12;
 const STOPS: usize = 2400;
 /// Times that all windows are gone through at most.
 const SWEEPS: usize = 100;
-/// Longest window that is looked at: time grows with its square.
+/// Maximum length of a window: time grows with its square.
 const LONGEST: usize = 48;
 /// In a window of up to this many stops any number of them is moved on, in a longer one a few.
 const SHORT: usize = 12;
@@ -24,7 +24,7 @@ const MOVED: usize = 3;
 /// Minimum gain of a change, mm and as a part of the way; smaller ones are rounding.
 const MIN_GAIN: (f64, f64) = (1e-9, 1e-11);
 
-/// A copy: where its weld begins and ends, mm, welded one way or (if it has two) the other.
+/// A copy: start and end of its weld, mm, welded one way or (if it has two) the other.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Stop {
     pub(crate) row: u32,

@@ -33,7 +33,7 @@ impl Making<'_> {
         let top = toe.1.max(root.1) + self.nozzle_mm;
         match (nozzle.mount, bore(file, nozzle)?) {
             (Mount::SetOn, Some(bore)) => {
-                // A little within the body, so that no gap is left between places.
+                // A little within the body, so that no gap is left between stations.
                 let low = toe.0.min(root.0) - 0.01 * radius;
                 let foot = Foot { centre: origin + low * along, along, radius };
                 let wall = [(radius, 0.0), (radius, top - low)];
@@ -83,7 +83,7 @@ impl Making<'_> {
             Body::Cone { half_angle_deg, apex_mm, axis, .. } => {
                 let (angle, axis) = (half_angle_deg.get().to_radians(), axis.unit());
                 let (from, to) = lengthwise(apex_mm.get(), axis)?;
-                // The inside begins with an apex of its own; a cone that goes on to it is closed there.
+                // The inside starts with an apex of its own; a cone that reaches it is closed there.
                 let (slope, apex) = (angle.tan(), thick / angle.sin());
                 let from = if from > apex { from } else { 0.0 };
                 let inner = from.max(apex);

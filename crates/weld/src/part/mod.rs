@@ -28,7 +28,7 @@ const PLACES: i32 = 360;
 enum Impossible {
     #[error(transparent)]
     Solid(#[from] ClearanceError),
-    /// The body as long as the job says ends within the seam: the least length, mm.
+    /// The body of the job's length ends within the seam; with the minimum length, mm.
     #[error("the body would end within the seam")]
     Short(f64),
     /// The body cannot be read.
@@ -43,7 +43,7 @@ type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 struct Making<'a> {
     seam: &'a SeamCurve,
     nozzle_mm: f64,
-    /// Length of the body, if the job says.
+    /// Length of the body, if the job gives one.
     body_mm: Option<f64>,
     joint: Option<&'a SeamJoint>,
 }
@@ -51,12 +51,12 @@ struct Making<'a> {
 impl Welding {
     /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
     ///
-    /// The part, once at every copy of the seam, is made from the seam, together with the given solids, unless the job
-    /// says that these replace it. It is made of exact cylinders, spheres, cones and boxes. Elliptic tubes and curved
-    /// T-joints are meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It is nowhere smaller than the
-    /// true one, nor larger near the seam. The end of a slanting nozzle may stand out of the far side of its body. Of
-    /// the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are solid, because the torch
-    /// stays outside; only the surroundings of a root that is welded from inside are hollow.
+    /// The part, once at every copy of the seam, is made from the seam, together with the given solids. The job may
+    /// declare that these replace it. It is made of exact cylinders, spheres, cones and boxes. Elliptic tubes and
+    /// curved T-joints are meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It is nowhere smaller
+    /// than the true one, nor larger near the seam. The end of a slanting nozzle may stand out of the far side of its
+    /// body. Of the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are solid, because the
+    /// torch stays outside; only the surroundings of a root that is welded from inside are hollow.
     ///
     /// # Errors
     /// With the key's address: all faults of a solid or an STL file, a body that ends within the seam, a part that is
@@ -143,7 +143,7 @@ impl Making<'_> {
         })
     }
 
-    /// The least value of `f` over the seam: the least of many places, then of ever nearer ones around it.
+    /// Minimum of `f` over the seam: the minimum at many stations, then at ever nearer ones around it.
     fn least(&self, f: impl Fn(DVec3) -> f64) -> f64 {
         let length = self.seam.length();
         let (mut step, mut best) = (length / f64::from(PLACES), (f64::INFINITY, 0.5 * length));
@@ -166,7 +166,8 @@ impl Making<'_> {
         DVec3::from_array(DVec3::AXES.map(|n| self.heights(DVec3::ZERO, n)).map(|(low, high)| 0.5 * (low + high)))
     }
 
-    /// The body's length: as the job says, or the usual one, but beyond the seam (`least`) by no less than the nozzle.
+    /// The body's length: as given by the job, or the usual one, but at least a nozzle's length beyond the seam
+    /// (`least`).
     fn body(&self, usual: f64, least: f64) -> Result<f64, Impossible> {
         match self.body_mm {
             Some(length) if length <= least => Err(Impossible::Short(least)),

@@ -163,7 +163,7 @@ impl Making<'_> {
         Ok(vec![Solid::new("cylinder", Shape::Cylinder { radius, length }, standing(start, along))?])
     }
 
-    /// A tube that goes on to both sides of the cut.
+    /// A tube that extends to both sides of the cut.
     pub(super) fn girth(&self, girth: &Girth) -> Result<Vec<Solid>, Impossible> {
         let (radius, along) = (girth.radius_mm.get(), girth.direction.unit());
         let (low, high) = self.heights(girth.origin_mm.get(), along);

@@ -13,7 +13,7 @@ pub(crate) struct Block {
     pub(crate) shape: Shape,
     /// True if the torch stops at its end.
     pub(crate) stops: bool,
-    /// True if it goes on smoothly from the block before.
+    /// True if it continues the block before smoothly.
     pub(crate) is_continued: bool,
 }
 

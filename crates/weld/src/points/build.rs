@@ -20,10 +20,10 @@ const IN_TIME: f64 = 1e-4;
 
 impl PointPath {
     /// The path of pass `number` (counted from 0) of `program`, which goes through points; `machine` gets the machine's
-    /// axes where the points are positions of them.
+    /// axes if the points are axis positions.
     ///
     /// # Errors
-    /// With the key's address: axes that the machine does not have, an arc through three places on a line, a pass
+    /// With the key's address: axes that the machine does not have, an arc through three points on a line, a pass
     /// without any motion.
     pub fn new(
         program: &Document<Program>,
@@ -285,7 +285,7 @@ impl Builder<'_> {
     }
 }
 
-/// The pass' spans: process values from point to point. Points between which nothing changes are one span.
+/// The pass' spans: process values from point to point. Points between which all values are constant are one span.
 fn spans(points: &Points, columns: &Columns, (reached, pace): (&[f64], f64)) -> Vec<Span> {
     let rows: Vec<&[Finite]> = points.rows().collect();
     let mut spans: Vec<Span> = Vec::new();

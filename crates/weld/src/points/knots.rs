@@ -14,7 +14,7 @@ pub(super) struct Timed {
 /// Knots of a spline.
 pub(super) struct Knots {
     pub(super) rows: Vec<Row>,
-    /// Their numbers among the span's points, 0 where it begins.
+    /// Their numbers among the span's points, 0 at its start.
     pub(super) points: Vec<usize>,
     /// When each is reached, s.
     pub(super) at: Vec<f64>,

@@ -3,8 +3,8 @@
 use super::Row;
 use seamwright_geometry::CubicSpline;
 
-/// Indices of points kept of a recorded run, its first and last among them. The spline through those kept, by the
-/// parameters `at`, is within `tolerance` (a value for each column) of every point left out, at the same parameter.
+/// Indices of points kept of a recorded run, its first and last among them. The spline through those kept has the
+/// parameters `at`. It is within `tolerance` (a value for each column) of every point left out, at the same parameter.
 pub(super) fn kept(at: &[f64], rows: &[Row], tolerance: &Row) -> Vec<usize> {
     let mut kept = vec![0, rows.len() - 1];
     loop {

@@ -63,7 +63,7 @@ fn counts_that_several_keys_multiply_to_are_refused_at_one_of_them() {
     let rows = "[rows]\nrows = 10\ncolumns = 100\nstep_mm = [400, 0, 0]\nrow_step_mm = [0, 400, 0]\n[joint]";
     let e = refused(&with(&[("[joint]", rows), ("wire_mm = 1.2", "wire_mm = 1.2\nstation_mm = 0.2")]));
     assert!(e.message.contains("rows") || e.message.contains("passes"), "{e}");
-    // A step too large for the copies to stand in this world.
+    // A step that puts the copies too far away.
     let far = rows.replace("400, 0, 0", "9e6, 0, 0");
     assert_eq!(refused(&with(&[("[joint]", &far)])).key, "rows.step_mm");
 }

@@ -1,5 +1,5 @@
-//! T-, Y- and K-joints: closed forms of the local dihedral angle, places from gaps and offsets, corners, the unrolled end,
-//! the part, and mistakes.
+//! T-, Y- and K-joints: closed forms of the local dihedral angle, positions from gaps and offsets, corners, the
+//! unrolled end, the part, and mistakes.
 
 use glam::{DAffine3, DVec3};
 use proptest::prelude::Rng;
@@ -157,7 +157,7 @@ fn overlapped_branches_have_corners_on_three_tubes() {
         for _ in 0..20 {
             let p = w.seam.as_ref().unwrap().at(random.within(0.0, 1.0) * w.seam.as_ref().unwrap().length()).point;
             assert!(on(p, k.first) < 1e-9 && on(p, chord).min(on(p, k.other)) < 1e-9);
-            // Nowhere inside another tube.
+            // Outside the other tubes.
             assert!(level(p, chord.0, chord.1, chord.2) > -1e-9 && level(p, k.other.0, k.other.1, k.other.2) > -1e-9);
         }
         // The unrolled ends, outside and inside, roll back onto the tubes and know the corners.

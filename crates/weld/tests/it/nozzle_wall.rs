@@ -317,7 +317,7 @@ fn the_part_is_hollow_around_a_root() {
                 }
                 assert!(distance(&part, p.point - 1.0 * p.bisector) < 2e-3, "{mount} {body}");
             }
-            // A long way up the bore, or in the middle of the vessel, there is room.
+            // A long way up the bore, or in the middle of the vessel, there is air.
             let middle = DVec3::new(20.0, 10.0, if mount == "set_on" { 1.0 } else { 0.0 });
             let heights = (0..90).map(|i| {
                 welding.seam.as_ref().unwrap().at(welding.seam.as_ref().unwrap().length() * f64::from(i) / 90.0).point.z

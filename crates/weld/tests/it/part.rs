@@ -141,8 +141,8 @@ proptest! {
              [seam.nozzle]\nradius_mm = {radius}\norigin_mm = [0, {offset}, 0]\ndirection = [{lean}, 0, 1]\n\
              [seam.nozzle.body.cylinder]\nradius_mm = {shell}\n[weld]\nspeed_mm_s = 5\n"
         );
-        // The whole wall must meet the shell, and not at a glancing angle, where curvature is more than flat faces
-        // stand for.
+        // The whole wall must meet the shell, and not at a glancing angle, where flat faces are too coarse for the
+        // curvature.
         prop_assume!(offset.abs() + radius < 0.8 * shell);
         check(&Welding::read("job.toml", &text).unwrap(), 0.03);
     }
@@ -184,7 +184,7 @@ fn solids_are_given_or_refused_with_their_address() {
     };
     let clamped = with("[[part.solids]]\nshape.box = { size_mm = [1, 2, 3] }\n[[fixtures]]\nname = \"clamp\"\nshape.sphere = { radius_mm = 4 }\nat = { move_mm = [1, 2, 3] }\n[clearance]\nleast_mm = 2\n", NO_STL).unwrap();
     assert!(clamped.part.len() == 3 && clamped.fixtures.len() == 1 && (clamped.least_mm - 2.0).abs() < 1e-15);
-    // The part moves with the placement, fixtures stand in the work frame.
+    // The part moves with the placement, fixtures are in the work frame.
     assert!((clamped.part[0].pose().translation - DVec3::new(0.0, 0.0, -800.0)).length() < 1e-12);
     assert!((clamped.fixtures[0].pose().translation - DVec3::new(1.0, 2.0, 3.0)).length() < 1e-12);
     assert_eq!(error("[[part.solids]]\nshape.stl = { file = \"gone.stl\" }\n").key, "part.solids[0].shape.stl.file");

@@ -11,7 +11,7 @@ use seamwright_weld::{SeamPoint, SeamSurfaces, Welding};
 
 const NO_STL: &dyn Fn(&str) -> std::io::Result<Vec<u8>> = &|_| Err(std::io::ErrorKind::NotFound.into());
 
-/// Radius of the ball that stands for a point, mm.
+/// Radius of the ball that represents a point, mm.
 const BALL_MM: f64 = 1e-6;
 /// Permitted shortfall of the proven distance below the true one near round solids, as a share of the seam's length.
 const SLACK: f64 = 1e-5;

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use seamwright_program::TorchPath;
 use seamwright_weld::Welding;
 
-/// A program of one span through places, at a speed to each.
+/// A program of one span through points, at a speed to each.
 fn spline(along: &str, places: &[DVec3], speeds: &[f64]) -> String {
     let mut text = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[[passes]]\nname = \"p\"\n[passes.points]\n".to_owned();
     let first = places[0];
@@ -27,7 +27,7 @@ fn way(path: &dyn TorchPath, from: f64, to: f64) -> f64 {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
-    /// From point to point of a spline the tip is as fast on the mean as the point says, within 0.1 %.
+    /// From point to point of a spline the tip's mean speed is that of the point, within 0.1 %.
     #[test]
     fn a_spline_is_as_fast_as_asked(
         // It bends at each point, so none is left out of a taught run.

@@ -154,7 +154,7 @@ fn seam(random: &mut Random, kind: usize) -> (String, Faces, bool) {
     (text, faces, matches!(kind, 0..=13 | 15 | 23 | 24))
 }
 
-/// A start on a circle of radius `r`, and a part of it taught: a little outside, between two places.
+/// A start on a circle of radius `r`, and a part of it taught: a little outside, between two positions.
 fn taught(random: &mut Random, r: f64) -> String {
     let (phi, from, to) = (random.written(-90.0, 90.0), random.within(0.05, 0.2), random.within(0.35, 0.8));
     let around = std::f64::consts::TAU * r;
@@ -328,7 +328,7 @@ fn torch(random: &mut Random) -> String {
     )
 }
 
-/// Speeds and currents at places along the weld, a few or very many.
+/// Speeds and currents at stations along the weld, a few or very many.
 fn stations(random: &mut Random, many: bool) -> String {
     let count = if many && random.one_in(2) { 4100 } else { random.of(&[1, 2, 5]) };
     let step = if count > 5 { 0.01 } else { random.written(2.0, 20.0) };

@@ -1,4 +1,4 @@
-//! Speed and process values at several places of a weld.
+//! Speed and process values at several stations of a weld.
 
 use seamwright_weld::Welding;
 

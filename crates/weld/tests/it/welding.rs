@@ -286,7 +286,7 @@ fn girths_that_cannot_be_have_an_address() {
     assert_eq!(error("radius_mm = 90", "radius_mm = 0").key, "seam.girth.radius_mm");
 }
 
-/// Across the knuckle's border nothing jumps but rates, and only there.
+/// Across the knuckle's border only rates jump, and only there.
 #[test]
 fn knots_are_where_the_faces_turn_at_another_rate() {
     let knuckle = include_str!("../../../../examples/knuckle-nozzle.toml");

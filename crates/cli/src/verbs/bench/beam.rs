@@ -10,7 +10,7 @@ use seamwright_program::TorchPath as _;
 use seamwright_weld::Welding;
 
 const JOB: &str = include_str!("../../../../../examples/half-ring.toml");
-/// The later pass begins here.
+/// Start of the later pass.
 const LATER: [&str; 2] = ["phi_deg = 30\n", "phi_deg = 42\n"];
 
 /// Rows of beam mode: from pixels once, and from points with this many seeds.

@@ -53,7 +53,7 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     if outcomes.iter().all(Outcome::is_kept) { Ok(()) } else { Err(Failure::Printed) }
 }
 
-/// The worst of all seeds of a case stands for it.
+/// The worst of all seeds represents a case.
 fn print(
     args: &BenchFaultsArgs,
     machine: &seamwright_machine::Machine,

@@ -34,10 +34,10 @@ struct Table {
 #[derive(Debug, Serialize)]
 struct Line {
     what: String,
-    /// None if nothing could be measured.
+    /// `None` if the measurement failed.
     value: Option<f64>,
     unit: &'static str,
-    /// Whether the limit is the least or the most that the value may be.
+    /// Whether the limit is the minimum or the maximum of the value.
     limit_is: &'static str,
     limit: f64,
     kept: bool,
@@ -78,10 +78,10 @@ impl Table {
         for row in &self.rows {
             let value = row.value.map_or("none".to_owned(), |v| format!("{v:.3} {}", row.unit));
             let sign = if row.limit_is == "most" { "<=" } else { ">=" };
-            // Three decimals at most, as values have; what is smaller stands as it is.
+            // Three decimals at most, as values have; smaller limits stay unrounded.
             let limit = if row.limit.abs() < 0.01 { row.limit } else { (1e3 * row.limit).round() / 1e3 };
             let kept = if row.kept { "yes" } else { "**no**" };
-            // A text has room for everything.
+            // Writing to a String never fails.
             let _ = writeln!(
                 text,
                 "| {} | {} | {sign} {} | {kept} |",

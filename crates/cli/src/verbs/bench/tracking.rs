@@ -107,7 +107,7 @@ fn markdown(rows: &[Row]) -> String {
         .to_owned();
     for row in rows {
         let kept = if row.kept { "yes" } else { "**no**" };
-        // A text has room for everything.
+        // Writing to a String never fails.
         let _ = writeln!(
             text,
             "| {} | {} | {} | {:.3} | {:.3} | {:.3} | {:.3} | {} | {kept} |",

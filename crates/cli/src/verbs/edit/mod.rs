@@ -106,7 +106,7 @@ fn finish(args: &EditArgs, before: &str, editor: &Editor, reports: &[Report]) ->
     print_text(&out)
 }
 
-/// Lines that go and come, with their numbers; what is the same at both ends is left out.
+/// Removed and added lines, with their numbers; common lines at both ends are left out.
 fn difference(before: &str, after: &str) -> Vec<String> {
     let (old, new): (Vec<&str>, Vec<&str>) = (before.lines().collect(), after.lines().collect());
     let first = old.iter().zip(&new).take_while(|(a, b)| a == b).count();

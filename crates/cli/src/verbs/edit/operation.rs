@@ -13,7 +13,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::Path;
 
-/// The operation that a command line asks for; none for those about the history.
+/// The operation of a command line; `None` for those about the history.
 pub(super) fn operation(verb: &EditVerb) -> Result<Option<Operation>, Failure> {
     use EditVerb as V;
     use Operation as O;

@@ -6,11 +6,11 @@ use glam::DVec2;
 use seamwright_vision::Frame;
 use seamwright_vision::joint::{CONFIDENT, Joint, Row, Start, State, Zone};
 
-/// The frame with what was found in it as PNG. The motion vector goes from the start to the last confident place: the move
-/// that teaching would make.
+/// The frame with the joint found in it as PNG. The motion vector goes from the start to the last confident row: the
+/// move that teaching would make.
 pub(super) fn draw(frame: &Frame, joint: &Joint, start: &Start, zone: &Zone) -> Result<Vec<u8>, Failure> {
     let mut picture = Overlay::of(frame);
-    // Large pictures are looked at from farther away.
+    // Large pictures are viewed from farther away.
     let thick = (frame.width() + frame.height()).div_ceil(1500) as i32;
     let across: Vec<f64> = (-thick..=thick).map(f64::from).collect();
     let low = DVec2::new(f64::from(zone.left), f64::from(zone.top));

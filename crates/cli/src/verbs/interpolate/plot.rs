@@ -113,10 +113,10 @@ fn chords(path: &Path, points: &[Point], period: f64, step: f64) -> Vec<(f64, f6
     rows
 }
 
-/// Places at which the distance from the true curve is drawn.
+/// Number of points at which the distance from the true curve is drawn.
 const PLACES: usize = 240;
 
-/// Greatest distance (um) of the points from the true curve within each part of the path, by angle travelled.
+/// Maximum distance (um) of the points from the true curve within each part of the path, by angle travelled.
 fn greatest_distances(path: &Path, points: &[Point]) -> Vec<(f64, f64)> {
     let width = path.span_rad().to_degrees() / PLACES as f64;
     let mut greatest = vec![None; PLACES];

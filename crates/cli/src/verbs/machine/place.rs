@@ -72,7 +72,7 @@ fn wanted(method: PlaceMethod) -> Wanted {
     }
 }
 
-/// Why there is no place.
+/// Reason why there is no placement.
 enum NoPlace {
     Points(Error),
     Input(Failure),
@@ -173,7 +173,7 @@ fn chuck(
     Ok(fitted)
 }
 
-/// Places of the seam whose middle stands for it.
+/// Number of points of the seam whose mean represents its middle.
 const SAMPLES: u32 = 360;
 
 /// True if one of the machine's rotary axes, from home, turns the torch about the tube's axis.

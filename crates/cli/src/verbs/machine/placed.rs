@@ -85,7 +85,7 @@ pub(super) struct Placed {
     residuals: Vec<Residual>,
     side_errors_mm: Option<[f64; 3]>,
     run_out: Option<Axis>,
-    /// One standard deviation; none if no point is to spare.
+    /// One standard deviation; `None` without redundant points.
     uncertainty: Option<Uncertainty>,
     /// Motions of the part that the points do not see.
     free: Vec<String>,

@@ -22,7 +22,7 @@ pub(super) struct Touched {
 
 /// Inputs of a method beside the points.
 pub(super) struct Wanted {
-    /// Names in the column `feature`; none if the column is not looked at.
+    /// Names in the column `feature`; empty if the column is not used.
     pub(super) features: &'static [&'static str],
     /// False if the first of the features is meant where the column is missing.
     pub(super) feature_needed: bool,
@@ -73,7 +73,7 @@ struct Table<'a> {
     wanted: &'a Wanted,
 }
 
-/// Columns of what is read, with their names.
+/// Indices of the columns read, with their names.
 struct Places<'a> {
     /// Of the point, or of the axes.
     point: Vec<(usize, &'a str)>,

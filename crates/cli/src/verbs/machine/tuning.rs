@@ -16,7 +16,7 @@ pub(super) struct AxisTuning {
     /// True if the machine file describes no drive: an assumed one was tuned.
     assumed_drive: bool,
     pub(super) tuned: Option<Settings>,
-    /// Why it cannot be tuned.
+    /// Reason why it cannot be tuned.
     refused: Option<String>,
     #[serde(skip)]
     force_unit: &'static str,
@@ -24,7 +24,7 @@ pub(super) struct AxisTuning {
     response: Vec<(f64, f64, f64)>,
 }
 
-/// Settings and what was measured with them.
+/// Settings and the measurements with them.
 #[derive(Debug, Serialize)]
 pub(super) struct Settings {
     velocity_bandwidth_hz: f64,
@@ -42,7 +42,7 @@ pub(super) struct Settings {
     /// Speed at which all was measured, unit/s.
     speed: f64,
     bandwidth_hz: f64,
-    /// None if the phase never comes to -180 degrees.
+    /// `None` if the phase never reaches -180 degrees.
     gain_margin_db: Option<f64>,
     phase_crossover_hz: Option<f64>,
     phase_margin_deg: f64,
@@ -135,7 +135,7 @@ fn short(v: f64) -> String {
     format_number(v, 4)
 }
 
-/// The table, an axis a row, and under it what could not be tuned.
+/// The table, an axis a row, and under it the axes that could not be tuned.
 pub(super) fn table(machine: &str, tunings: &[AxisTuning]) -> String {
     let mut text = format!("  tuning of {machine}: open loop of each position loop, measured while the axis moves\n\n");
     let head = [

@@ -12,7 +12,7 @@ use seamwright_motion::{PassMotion, SpeedLaw, Stage, WeldMotion};
 use seamwright_program::{Finding, Pass};
 use std::io::Write;
 
-/// Greatest override, for which a law of its own is planned if it is asked for.
+/// Maximum override; a speed profile of its own is planned for it if needed.
 const FASTER: f64 = 1.5;
 /// Longest time from where a run cannot go on until it rests with the process off, s.
 const WIND_DOWN_S: f64 = 600.0;
@@ -67,15 +67,15 @@ struct Point {
     s: f64,
     speed: f64,
     q: Joints,
-    /// None in the air.
+    /// `None` in a transfer move.
     phase: Option<RunPhase>,
-    /// None while the arc is off.
+    /// `None` while the arc is off.
     arc: Option<Clock>,
 }
 
 struct Player<'a> {
     loaded: &'a Loaded,
-    /// Those to come.
+    /// Commands to come.
     commands: &'a [Timed],
     period: f64,
     /// Set-points written.
@@ -189,13 +189,13 @@ impl<'a> Player<'a> {
             if matches!(now.phase, RunPhase::Held | RunPhase::Ended) {
                 break;
             }
-            // Stuck again is no news.
+            // The error has been reported already.
             run.step().ok();
         }
         Ok(())
     }
 
-    /// The law for overrides above 100 %, if one comes or is in force.
+    /// The speed profile for overrides above 100 %, if one comes or is in force.
     fn faster(&self, motion: &PassMotion, pass: &Pass) -> Result<Option<SpeedLaw>, seamwright_motion::law::LawError> {
         let above = |c: &Timed| matches!(c.command, Command::Override(percent) if percent > 100.0);
         let wanted = self.pace > 1.0 || self.commands.iter().any(above);
@@ -238,7 +238,7 @@ fn order(command: Command, welded: f64, length: f64) -> Order {
     }
 }
 
-/// Says on standard error where the run waits; nothing can be done if that is closed.
+/// Reports on standard error where the run waits; errors are ignored.
 fn held(pass: usize, now: &Instant) {
     let s = now.played.rates.tip.s;
     let _ =

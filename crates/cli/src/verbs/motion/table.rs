@@ -6,7 +6,7 @@ use crate::verbs::process::{Clock, ProcessColumns};
 use seamwright_machine::Joints;
 use seamwright_motion::SetPoint;
 
-/// The place along the seam at an instant.
+/// The position along the seam at an instant.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Along {
     /// Counted from 1; 0 in the air.
@@ -15,7 +15,7 @@ pub(super) struct Along {
     pub(super) s: f64,
     /// Speed of the tip, mm/s.
     pub(super) speed: f64,
-    /// None while the arc is off.
+    /// `None` while the arc is off.
     pub(super) arc: Option<Clock>,
 }
 

@@ -5,11 +5,11 @@ use seamwright_machine::Joints;
 use seamwright_motion::fine::{CoarseSpline, Knot, Segment};
 use std::collections::VecDeque;
 
-/// Coarse points at rest that lead a B-spline in and out: (2 - sqrt 3)^24 of a period's way, 2e-14, is left of what the
-/// motion does to them.
+/// Coarse points at rest that lead a B-spline in and out: (2 - sqrt 3)^24 of a period's way, 2e-14, is left of the
+/// motion's effect on them.
 const REST: u32 = 24;
 
-/// Joins coarse set-points by the spline and writes fine ones, or writes what another control joins them by.
+/// Joins coarse set-points by the spline and writes fine ones, or writes the data by which another control joins them.
 pub(super) struct TwoLevel<'a> {
     table: Table<'a>,
     spline: CoarseSpline,
@@ -44,7 +44,7 @@ impl<'a> TwoLevel<'a> {
         self.push(along, q)
     }
 
-    /// Writes what is left.
+    /// Writes the remaining rows.
     pub(super) fn finish(mut self) -> Result<Table<'a>, Failure> {
         if let (Some((along, q)), Some(ExportArg::Spline1)) = (self.last, self.export) {
             self.rest(along, &q)?;

@@ -20,11 +20,11 @@ pub(super) struct Checked {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Loss {
     pub(super) steps: i64,
-    /// Up to when (s) and where nothing was lost; none if there were no pulses.
+    /// Time (s) and position up to which no step was lost; `None` without pulses.
     held: Option<(f64, Place)>,
 }
 
-/// Makes all pulses once, for no one but the motors.
+/// Makes all pulses once, for the motors only.
 pub(super) fn check(play: &mut Play, stepped: &[Stepped], with_motors: bool) -> Result<Checked, Failure> {
     let mut positive: Vec<Option<bool>> = vec![None; stepped.len()];
     let motor = |axis: &Stepped| if with_motors { Motor::new(axis) } else { Ok(None) };

@@ -1,5 +1,5 @@
-//! Step and direction pulses of a job. The motion is played up to three times, since nothing of it is kept: for the
-//! speeds that decide the microstepping, to check every pulse before anything is written, and to write.
+//! Step and direction pulses of a job. The motion is played up to three times, since it is not stored: for the speeds
+//! that decide the microstepping, to check every pulse before writing, and to write.
 
 mod check;
 mod motors;
@@ -60,19 +60,19 @@ pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
     } else if args.output.is_some() {
         print_text(&summary.text())?;
     } else {
-        // Standard output has the pulses; what is to be said of them goes beside.
+        // Standard output has the pulses; remarks go to standard error.
         summary.remarks().for_each(note);
     }
     let lost = checked.lost(&stepped);
     if lost.is_empty() { Ok(()) } else { Err(Failure::Findings(lost)) }
 }
 
-/// A remark on standard error; nothing can be done if that is closed.
+/// A remark on standard error; errors are ignored.
 fn note(remark: &str) {
     let _ = writeln!(std::io::stderr().lock(), "note (resolution): {remark}");
 }
 
-/// Plays the motion for those who ask, and counts.
+/// Plays the motion for its callers, and counts.
 pub(super) struct Play<'a> {
     motion: &'a WeldMotion,
     clock: Clock,

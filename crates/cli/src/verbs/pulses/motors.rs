@@ -14,12 +14,12 @@ pub(super) struct Motor {
     model: StepperMotor,
     positive: bool,
     tick: u64,
-    /// Tick and place of the last pulse up to which nothing was lost.
+    /// Tick and position of the last pulse up to which no step was lost.
     pub(super) held: Option<(u64, Place)>,
 }
 
 impl Motor {
-    /// The motor of an axis, with the axis' load on its shaft; none if the machine file does not describe it.
+    /// The motor of an axis, with the axis' load on its shaft; `None` if the machine file does not describe it.
     pub(super) fn new(axis: &Stepped) -> Result<Option<Self>, Failure> {
         let (Some(motor), Some(Load { inertia, coulomb, viscous, .. })) = (&axis.stepper.motor, axis.load) else {
             return Ok(None);

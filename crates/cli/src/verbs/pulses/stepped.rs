@@ -34,7 +34,7 @@ impl Clock {
         tick * u64::from(self.tick_ns)
     }
 
-    /// Rounded once, so that it reads as what it is.
+    /// Rounded once, so that it prints with few digits.
     pub(super) fn seconds(&self, tick: u64) -> f64 {
         self.nanoseconds(tick) as f64 / 1e9
     }

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 pub(super) fn run(args: &RecoverArgs) -> Result<(), Failure> {
     let folder = folder(args.data.data.as_deref())?;
-    // A folder without a library is a mistake, not a place to begin one.
+    // A folder without a library is a mistake, and no library is created in it.
     if !folder.join("library.sqlite").is_file() {
         Library::open_to_read(&folder.join("library.sqlite"))?;
     }

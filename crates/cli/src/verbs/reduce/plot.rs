@@ -12,7 +12,7 @@ const STEP: f64 = 0.02;
 /// Arms of the crosses at ends, as a part of the drawing.
 const CROSS: f64 = 0.015;
 
-/// The sheet: seen along z, and along y and x if there is something to see.
+/// The sheet: seen along z, and along y and x unless these views are flat.
 pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
     let ends: Vec<DVec3> = ends(points, spans);
     sheet("Points as lines and arcs", &charts(points, &lines_and_arcs(points, spans), &ends))
@@ -23,7 +23,7 @@ pub(in crate::verbs) fn ends(points: &[DVec3], spans: &[Span]) -> Vec<DVec3> {
     spans.iter().map(|s| points[s.first]).chain(points.last().copied()).collect()
 }
 
-/// The spans as drawn, by what they are.
+/// The spans as drawn, by their kind.
 pub(in crate::verbs) fn lines_and_arcs(points: &[DVec3], spans: &[Span]) -> Vec<(&'static str, Vec<DVec3>)> {
     let seen = |shape: fn(&Shape) -> bool| -> Vec<DVec3> {
         spans.iter().filter(|s| shape(&s.shape)).flat_map(|s| drawn(points, s)).collect()
@@ -31,7 +31,7 @@ pub(in crate::verbs) fn lines_and_arcs(points: &[DVec3], spans: &[Span]) -> Vec<
     vec![("lines", seen(|s| *s == Shape::Line)), ("arcs", seen(|s| *s != Shape::Line))]
 }
 
-/// The charts of the sheet: points, named curves that stand for them, and where these begin and end.
+/// The charts of the sheet: points, named curves through them, and the ends of these.
 pub(in crate::verbs) fn charts(points: &[DVec3], curves: &[(&'static str, Vec<DVec3>)], ends: &[DVec3]) -> Vec<Chart> {
     let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
     let size = high - low;
@@ -61,7 +61,7 @@ pub(in crate::verbs) fn charts(points: &[DVec3], curves: &[(&'static str, Vec<DV
     charts
 }
 
-/// A cross that is one in every view.
+/// A cross that is visible in every view.
 fn cross(at: DVec3, arm: f64) -> [DVec3; 9] {
     let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z].map(|way| [at - arm * way, at + arm * way, DVec3::NAN]);
     [x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]]

@@ -1,4 +1,4 @@
-//! The operator's desk: orders in their turn, what happened in words, the record.
+//! The operator's desk: orders in their turn, events in words, the record.
 
 use super::Ended;
 use super::orders::Line;
@@ -58,7 +58,7 @@ pub(in crate::verbs) struct Desk {
     passes: Vec<Place>,
     alarms: Vec<library::Alarm>,
     kept: Vec<library::Event>,
-    /// When its place is to be kept.
+    /// Decides when its position is recorded.
     places: Watch,
 }
 
@@ -89,7 +89,7 @@ impl Desk {
         }
     }
 
-    /// Prints nothing of what happens.
+    /// Does not print events.
     pub(in crate::verbs) fn quiet(self) -> Self {
         Self { quiet: true, ..self }
     }
@@ -153,7 +153,7 @@ impl Desk {
     pub(in crate::verbs) fn shown(&mut self, shown: &Shown) {
         self.now = Some(*shown);
         self.pending &= !self.answered;
-        // Rows that fail to be written are lost and counted; when there is room again the trace goes on.
+        // Rows that fail to be written are lost and counted; with free disk space again the trace goes on.
         if let Some(table) = &mut self.table
             && let Err(failure) = table.row(shown)
         {
@@ -198,7 +198,7 @@ impl Desk {
         None
     }
 
-    /// A script that an alarm has stopped, or whose order was refused, does not go on: nobody is there to look.
+    /// A script does not go on after an alarm or a refused order: it runs unattended.
     fn gives_up(&self, mode: Mode) -> bool {
         let waited_for = matches!(self.lines.front(), Some(Line::Mode(wanted)) if *wanted == mode);
         let down = matches!(mode, Mode::Fault | Mode::Hold) && self.stopped.is_some() && !waited_for;
@@ -320,7 +320,7 @@ impl Desk {
         self.event(t, "alarm", &text, more);
     }
 
-    /// Which axis or condition an alarm is about.
+    /// Axis or condition of an alarm.
     fn detail(&self, alarm: Alarm, detail: u8) -> String {
         let names = match alarm {
             Alarm::Interlock => &self.conditions,
@@ -407,7 +407,7 @@ impl Desk {
         self.stopped.is_some()
     }
 
-    /// Puts what was recorded into `output`, and into the library if it is to be.
+    /// Puts the record into `output`, and into the library if requested.
     pub(in crate::verbs) fn close(&mut self, output: &mut Output, title: &str, ended: &Ended) -> Result<(), Failure> {
         let files = self.files(title, ended);
         for (name, text) in &files {

@@ -122,7 +122,7 @@ fn with_cell(
     let machine = &loaded.machine;
     let work = cell.work(start(loaded, around, motion, asked.from)?).map_err(|e| bad(&e))?;
     let tracking = cell.tracking(asked.from.unwrap_or_default()).map_err(|e| bad(&e))?;
-    // From here on there are devices that nobody may leave as they are.
+    // From here on there are devices that must be left in a safe state.
     let shutdown = Shutdown::default();
     shutdown.on_signals()?;
     shutdown.on_panic();
@@ -142,7 +142,7 @@ fn with_cell(
     desk.judge()
 }
 
-/// Refuses to end as if all were well where a device has not said that its outputs are safe.
+/// Fails if a device has not confirmed that its outputs are safe.
 fn check_safe(lines: &Lines) -> Result<(), Failure> {
     for (name, line) in lines {
         // A device without an answer counts as one whose outputs are on.
@@ -156,7 +156,7 @@ fn check_safe(lines: &Lines) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Those that the machine file names; simulated ones if it names none.
+/// The devices that the machine file names; simulated ones by default.
 fn devices<'a>(
     loaded: &Loaded,
     cell: &'a SimulatedCell<'_>,
@@ -231,7 +231,7 @@ fn real(
         if let Some(cause) = shutdown.cause() {
             desk.ended_by(cause);
         }
-        // It ended in order: nothing is left to power failures.
+        // It ended in order: the journal needs no entry.
         if let Some(places) = places.filter(|_| left.is_ok()) {
             places.end()?;
         }
@@ -265,7 +265,7 @@ fn give_up_late(shutdown: &Shutdown, waits: &mut Option<Instant>) {
     std::process::exit(3);
 }
 
-/// Takes what the cycle has sent and the operator typed, and gives the next order.
+/// Reads the data of the cycle and the lines of the operator, and gives the next order.
 fn look(outside: &mut Outside, typed: &Receiver<String>, desk: &mut Desk) {
     while let Ok(shown) = outside.cycles.pop() {
         desk.shown(&shown);
@@ -284,7 +284,7 @@ fn look(outside: &mut Outside, typed: &Receiver<String>, desk: &mut Desk) {
         }
     }
     if let Some(command) = desk.next() {
-        // A full queue is one whose commands have not been taken for a while: asked again next time.
+        // In a full queue the commands have not been taken for a while: the next look tries again.
         if outside.commands.push(command).is_ok() {
             desk.sent();
         }
@@ -300,7 +300,7 @@ fn look(outside: &mut Outside, typed: &Receiver<String>, desk: &mut Desk) {
 fn typed(urgent: Urgent) -> Receiver<String> {
     let (to, from) = channel();
     let terminal = std::io::stdin().is_terminal();
-    // It may wait for a line for ever: nobody waits for it.
+    // It may wait for a line for ever, so the thread is not joined.
     std::thread::spawn(move || {
         for line in std::io::stdin().lock().lines().map_while(Result::ok) {
             if let Some(ask) = desk::is_urgent(&line).filter(|_| terminal) {

@@ -15,7 +15,7 @@ pub(in crate::verbs) enum Line {
     State,
 }
 
-/// Words that ask for something.
+/// Words of orders.
 const WORDS: [(&str, Ask); 15] = [
     ("on", Ask::SwitchOn),
     ("off", Ask::SwitchOff),
@@ -35,10 +35,10 @@ const WORDS: [(&str, Ask); 15] = [
 ];
 
 impl Line {
-    /// Reads a line; an empty one and one that begins with # say nothing.
+    /// Reads a line; `None` for an empty one and one that starts with #.
     ///
     /// # Errors
-    /// What is wrong, and what is allowed.
+    /// The fault, and the allowed values.
     pub(in crate::verbs) fn read(text: &str) -> Result<Option<Self>, String> {
         let words: Vec<&str> = text.split_whitespace().collect();
         let number = |word: &str, low: f64, high: f64| {

@@ -1,4 +1,4 @@
-//! An image or a profile, by what is in the file.
+//! An image or a profile, by the content of the file.
 
 use crate::csv::CsvReader;
 use crate::failure::Failure;
@@ -37,7 +37,7 @@ fn is_image(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG") || bytes.starts_with(b"\xff\xd8\xff") || pnm
 }
 
-/// Rows of y_mm and z_mm; an empty cell or `nan` is a missing place.
+/// Rows of y_mm and z_mm; an empty cell or `nan` is a missing point.
 fn profile(text: &str, source: &str) -> Result<Vec<DVec2>, Failure> {
     let names = ["y_mm", "z_mm"];
     let (mut reader, _) = CsvReader::open(source, text.as_bytes(), &[&names])?;

@@ -1,4 +1,4 @@
-//! A seam taught by eye, from simulated, recorded or sent frames, or by the operator's points.
+//! A seam taught by camera, from simulated, recorded or sent frames, or by the operator's points.
 
 mod operator;
 mod plot;

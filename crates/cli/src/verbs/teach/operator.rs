@@ -1,4 +1,4 @@
-//! The operator at the terminal, who is asked when the joint is lost.
+//! The operator at the terminal, asked when the joint is lost.
 
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
@@ -46,7 +46,7 @@ impl<'a> Terminal<'a> {
         Self { nominal, progress, picture, png, asks, ended: false }
     }
 
-    /// Whether the operator has said that the joint ends.
+    /// Whether the operator has ended the joint.
     pub(super) fn said_end(&self) -> bool {
         self.ended
     }
@@ -55,7 +55,7 @@ impl<'a> Terminal<'a> {
         let mut err = io::stderr().lock();
         let at = crawl.line().points().last().map_or(crawl.target().point, |p| p.point);
         let (x, y, z, way) = (at.x, at.y, at.z, crawl.line().length());
-        // If standard error is closed the operator answers blindly.
+        // If standard error is closed the operator answers without the question.
         let _ = writeln!(err, "lost after {way:.1} mm, at {x:.3},{y:.3},{z:.3}: {why}");
         if self.draw().is_ok_and(|drawn| drawn) {
             let _ = writeln!(err, "   what was seen: {}", self.png.display());
@@ -78,7 +78,7 @@ impl<'a> Terminal<'a> {
         }
     }
 
-    /// Draws the last frame; whether there is one.
+    /// Draws the last frame. Returns whether there is one.
     fn draw(&self) -> Result<bool, Failure> {
         let picture = self.picture.borrow();
         let Some(picture) = picture.as_ref() else { return Ok(false) };

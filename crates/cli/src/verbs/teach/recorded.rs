@@ -19,7 +19,7 @@ pub(super) fn teach(args: &TeachArgs, folder: &Path, loaded: &Loaded, nominal: &
     play(&session, frames, &folder.display().to_string())
 }
 
-/// Teaches from frames as they come; the joint begins in the middle of the first one. `what` they are, for errors.
+/// Teaches from frames in their order; the joint starts in the middle of the first one. `what` names them in errors.
 pub(super) fn play(session: &Session, mut frames: impl FrameSource, what: &str) -> Result<Outcome, Failure> {
     let first = frames.next()?.ok_or_else(|| Failure::Input(format!("{what}: no frames")))?;
     let begin = start(session.args, session.nominal, middle(session, &first))?;

@@ -1,4 +1,4 @@
-//! A crawl along the joint with whatever carries the eye.
+//! Joint following with any carrier of the camera.
 
 use super::operator::Terminal;
 use super::{camera, follower, settings};
@@ -30,7 +30,7 @@ impl<'a> Session<'a> {
         Ok(Self { args, nominal, machine: &loaded.machine, sensor, table })
     }
 
-    /// Crawls from `start` with the eye that `rig` carries.
+    /// Follows the joint from `start` with the camera of `rig`.
     pub(super) fn crawl(&self, start: EyePose, rig: &mut dyn Rig) -> Result<Outcome, Failure> {
         let Self { args, nominal, machine, sensor, table } = self;
         let mut crawl = Crawl::new(settings(args, nominal)?, table, *nominal, start);

@@ -1,4 +1,5 @@
-//! Teaching in simulation: the seam is where the seed has it, and the report says how far the taught line truly is from it.
+//! Teaching in simulation: the seed determines the seam, and the report has the true distance of the taught line from
+//! it.
 
 use super::session::Session;
 use super::start;

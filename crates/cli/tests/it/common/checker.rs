@@ -2,14 +2,15 @@
 //! tip's position by `kinematics`; it calls no code of the planner.
 //!
 //! Bounds by differences over a period T:
-//! - A first, second or third difference by T, T^2 or T^3 is a weighted mean (weights of a B-spline, none negative) of
-//!   the speed, acceleration or jerk over one, two or three periods. So it never exceeds the maximum of them, nor the
-//!   limit: the only allowance upwards is rounding.
-//! - A number q in the table is off by a few units in its last place and by the axis motion within the rounding of the
-//!   time: `e`. Differences of order n then are off by `2^n e / T^n`.
+//! - A first, second or third difference by T, T^2 or T^3 is a weighted mean of the speed, acceleration or jerk. It
+//!   covers one, two or three periods; the weights are those of a B-spline, none negative. So it never exceeds the
+//!   maximum of them, nor the limit: the only allowance upwards is rounding.
+//! - A number q in the table is off by `e`: a few units in its last place and the axis motion within the rounding of
+//!   the time. Differences of order n then are off by `2^n e / T^n`.
 //! - Downwards, the maximum speed by differences falls short of the true one by at most `T/2` times the maximum
-//!   acceleration, the maximum acceleration by `T` times the maximum jerk. Jerk may jump, but in a weld it lasts for
-//!   many periods, and over one it changes little: [`jerk_short`] bounds the shortfall of its means over three periods.
+//!   acceleration. The maximum acceleration falls short by at most `T` times the maximum jerk. Jerk may jump, but in a
+//!   weld it lasts for many periods, and over one it changes little. [`jerk_short`] bounds the shortfall of its means
+//!   over three periods.
 
 use super::{column, good, run_with, table};
 use serde_json::Value;
@@ -41,7 +42,7 @@ fn axes(item: &Item, limits: &mut Limits) {
             })
         };
         let (speed, acceleration) = (number("max_speed_#_s").unwrap(), number("max_acceleration_#_s2").unwrap());
-        // As docs/machine.md has it: without a jerk, full acceleration within 20 ms.
+        // Default of docs/machine.md: without a jerk, full acceleration within 20 ms.
         let jerk = number("max_jerk_#_s3").unwrap_or(50.0 * acceleration);
         limits.insert(name.to_owned(), [speed, acceleration, jerk]);
     }
@@ -93,9 +94,9 @@ pub fn motion(job: &str, machine: &str, machine_text: &str, period_ms: &str) -> 
 pub struct Checked {
     /// Everything that does not hold.
     pub wrong: Vec<String>,
-    /// Greatest use of each axis' speed, acceleration and jerk by differences.
+    /// Maximum use of each axis' speed, acceleration and jerk by differences.
     pub uses: BTreeMap<String, [f64; 3]>,
-    /// Least and greatest speed of the tip between run-up and run-down.
+    /// Minimum and maximum speed of the tip between the acceleration and deceleration phases.
     pub band: (f64, f64),
     /// Part of the length at the asked speed.
     pub at_asked: f64,
@@ -114,7 +115,7 @@ fn greatest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |m, v| v.abs().max(m))
 }
 
-/// Part of the greatest jerk that its differences over a period may fall short of it.
+/// Maximum shortfall of a jerk's differences over a period, as a part of the maximum jerk.
 fn jerk_short(period: f64) -> f64 {
     0.03 + 15.0 * period
 }
@@ -150,7 +151,8 @@ fn check_axis(m: &Motion, name: &str, q: &[f64], found: &mut Checked) {
         if most > limits[k] + off {
             found.wrong.push(format!("{name}: {} {most} over its limit {}", NAMES[k], limits[k]));
         }
-        // Claims are taken at five places of each of the law's cells; between them there may be a little more.
+        // Claims are taken at five stations of each of the speed profile's cells; between them there may be a little
+        // more.
         let between = 2e-3 * limits[k];
         if most > claimed(k) + off + between {
             found.wrong.push(format!("{name}: {} {most}, claimed {}", NAMES[k], claimed(k)));
@@ -167,7 +169,7 @@ fn check_axis(m: &Motion, name: &str, q: &[f64], found: &mut Checked) {
     found.uses.insert(name.to_owned(), uses);
 }
 
-/// Chords are shorter than what they span by their sagitta; this is far more than any does.
+/// Chords are shorter than their arcs by the sagitta; this is far more than any of them.
 const CHORD: f64 = 1e-5;
 
 fn check_tip(m: &Motion, found: &mut Checked) {
@@ -186,7 +188,7 @@ fn check_tip(m: &Motion, found: &mut Checked) {
     if band.0 < least * (1.0 - CHORD) || band.1 > most * (1.0 + CHORD) {
         found.wrong.push(format!("tip: {band:?}, claimed {least} to {most}"));
     }
-    // A pass without anything between run-up and run-down has no band.
+    // A pass with acceleration and deceleration phases only has no band.
     if band.0.is_finite() && (band.0 > least + change + CHORD * least || band.1 < most - change - CHORD * most) {
         found.wrong.push(format!("tip: only {band:?}, claimed {least} to {most}"));
     }
@@ -194,7 +196,7 @@ fn check_tip(m: &Motion, found: &mut Checked) {
     let at_asked: f64 = speeds.iter().filter(|v| **v >= full).map(|v| v * m.period).sum();
     found.at_asked = at_asked / length;
     let intervals = m.claim["intervals"].as_array().unwrap();
-    // A period at either end of each stretch, and cells of the law that are fast enough in part only.
+    // A period at either end of each stretch, and cells of the speed profile that are fast enough in part only.
     let edge = (2.0 * m.period * asked * (intervals.len() + 1) as f64) / length + 2e-3;
     if (found.at_asked - 0.01 * number("at_asked_percent")).abs() > edge {
         found.wrong.push(format!("at asked: {}, claimed {} %", found.at_asked, number("at_asked_percent")));
@@ -202,8 +204,8 @@ fn check_tip(m: &Motion, found: &mut Checked) {
     check_intervals(m, &speeds, found);
 }
 
-/// Stretches follow one another over the whole path; where only the asked speed binds it is kept; no speed leaves its
-/// band.
+/// Stretches follow one another over the whole path; the programmed speed is reached where it alone binds; all speeds
+/// are within their band.
 fn check_intervals(m: &Motion, speeds: &[f64], found: &mut Checked) {
     let mut end = 0.0;
     for interval in m.claim["intervals"].as_array().unwrap() {

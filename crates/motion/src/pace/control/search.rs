@@ -84,8 +84,8 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
         ends && left <= now.pace.d1.abs() / (self.shield.strength(&rates) * self.boldness) + 2.0 * self.period
     }
 
-    /// Builds the course that approaches the goal for one period, as fast as the axes allow here (or `part` of that),
-    /// and then returns to steady by `home` (delay, strength), so that it does not end beyond the goal.
+    /// Builds the course that approaches the goal for one period, as fast as the axes allow here (or `part` of that).
+    /// It then returns to steady by `home` (delay, strength), so that it does not end beyond the goal.
     fn candidate(&self, now: State, goal: f64, rates: &Rates, home: (f64, f64), part: f64) -> Option<Course> {
         let (delay, back) = home;
         let (period, Pacing { phi, d1, .. }) = (self.period, now.pace);

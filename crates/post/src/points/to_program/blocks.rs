@@ -118,7 +118,7 @@ impl Builder<'_> {
 /// Adds a span of one point, to the last span if both are alike.
 pub(super) fn push(spans: &mut Vec<PointSpan>, span: PointSpan) {
     match spans.last_mut() {
-        // A cubic that begins with other speeds than the last one ended with is another span.
+        // A cubic whose first speeds differ from the last ones before starts another span.
         Some(last)
             if last.along == span.along
                 && last.stops == span.stops

@@ -164,7 +164,7 @@ impl Line {
         Ok(Flow::Next)
     }
 
-    /// On grblHAL a numbered line that says the whole modal state and moves nothing begins a pass, named by its remark.
+    /// On grblHAL a numbered line with the whole modal state and no motion starts a pass, named by its remark.
     fn begin_pass(&self, state: &mut State) {
         let all = PLANE | UNITS | DISTANCE;
         let (Dialect::Grblhal, Some(number)) = (state.control.dialect, state.number) else { return };

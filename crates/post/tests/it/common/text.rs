@@ -230,7 +230,7 @@ fn round(a: DVec3, b: DVec3, centre: DVec3, normal: DVec3) -> f64 {
     (angle * u.length()).hypot((b - a).dot(n))
 }
 
-/// Length of the arc through three places: twice the radius times the angles over both parts' chords.
+/// Length of the arc through three points: twice the radius times the angles over both parts' chords.
 fn through(a: DVec3, middle: DVec3, b: DVec3) -> f64 {
     let (p, q, r) = (a.distance(middle), middle.distance(b), a.distance(b));
     let radius = p * q * r / (2.0 * (middle - a).cross(b - a).length());
