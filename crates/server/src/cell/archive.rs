@@ -277,15 +277,11 @@ impl Archive {
         });
     }
 
-    /// Adds a refusal; repeated ones are counted.
-    pub(crate) fn refused(&self, user: &str, station: &str, command: &str, result: &str) {
+    /// Adds an entry that may be repeated without limit (a refusal, an acknowledgement, a change of control): repeats are
+    /// counted.
+    pub(crate) fn repeatable(&self, user: &str, station: &str, command: &str, result: &str) {
         let [user, station, command, result] = [user, station, command, result].map(plain);
         self.add(|waiting| waiting.refusals.add(&user, &station, &command, &result, Instant::now()));
-    }
-
-    /// Adds a command that changes no state and may be repeated without limit; repeated ones are counted.
-    pub(crate) fn repeatable(&self, user: &str, station: &str, command: &str, result: &str) {
-        self.refused(user, station, command, result);
     }
 
     /// Adds an alarm, of a weld or of none. It stays listed until acknowledged.
@@ -296,16 +292,13 @@ impl Archive {
 
     /// Acknowledges the listed alarm of this name, or all. Skipped if it repeats one since the last alarm.
     pub(crate) fn acknowledge(&self, user: &str, name: Option<String>) {
-        let item = Entry::Acknowledge(plain(user), Moment::now(), name);
-        let Entry::Acknowledge(.., name) = &item else { return };
-        let is_known =
-            |waits: &Entry| matches!(waits, Entry::Acknowledge(.., known) if known.is_none() || known == name);
+        let covers =
+            |entry: &Entry| matches!(entry, Entry::Acknowledge(.., known) if known.is_none() || *known == name);
         let waiting = self.0.0.waiting();
-        let since = waiting.alarms.iter().rev().take_while(|waits| !matches!(waits, Entry::Alarm(..)));
-        let repeats = since.into_iter().any(is_known);
+        let repeats = waiting.alarms.iter().rev().take_while(|entry| !matches!(entry, Entry::Alarm(..))).any(covers);
         drop(waiting);
         if !repeats {
-            self.add_alarm(item);
+            self.add_alarm(Entry::Acknowledge(plain(user), Moment::now(), name));
         }
     }
 }
@@ -391,7 +384,7 @@ mod tests {
         let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 64).unwrap();
         let busy = hold(folder.path());
         for i in 0..20_000 {
-            archive.refused("eve", "panel", "users.read", "refused: role");
+            archive.repeatable("eve", "panel", "users.read", "refused: role");
             if i % 500 == 0 {
                 archive.audit("ada", "panel 1", &format!("order {i}"), ("", ""), "taken");
             }

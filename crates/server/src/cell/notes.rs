@@ -148,7 +148,7 @@ impl Desk {
         let refused = happening("refused", [command.ask.name().to_owned(), why.text.clone()]);
         self.tell(refused.because(why.clone()).by(user.clone()));
         let from = format!("panel {station}");
-        self.archive.refused(user.as_deref().unwrap_or(""), &from, command.ask.name(), &why.text);
+        self.archive.repeatable(user.as_deref().unwrap_or(""), &from, command.ask.name(), &why.text);
         self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
     }
 

@@ -117,7 +117,7 @@ impl Client {
             return Ok(());
         }
         let station = format!("panel {}", self.station);
-        self.panel.cell.archive.refused(&self.session.user, &station, action, "refused: role");
+        self.panel.cell.archive.repeatable(&self.session.user, &station, action, "refused: role");
         let needed = crate::users::least(action).map_or(String::new(), |r| format!(" (from {r:?} on)").to_lowercase());
         Err(lack("role", format!("your role does not allow this{needed}")))
     }

@@ -107,7 +107,7 @@ fn allowed(need: &Need, action: &str, method: &Method, headers: &HeaderMap) -> R
     };
     if !may(session.role, action) {
         let needed = crate::users::least(action).map_or(String::new(), |role| format!("; allowed: from {role:?} on"));
-        panel.cell.archive.refused(&session.user, "panel", action, "refused: role");
+        panel.cell.archive.repeatable(&session.user, "panel", action, "refused: role");
         let text = format!("as {:?} you may not do this ({action}){needed}", session.role);
         return Err(Refused::new(StatusCode::FORBIDDEN, "role", text.to_lowercase()));
     }

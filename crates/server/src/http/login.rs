@@ -110,7 +110,7 @@ pub(super) async fn login(
     if right.is_some() {
         panel.cell.archive.audit(&name, &station, "log in", ("", ""), "logged in");
     } else {
-        panel.cell.archive.refused(&name, &station, "log in", "refused");
+        panel.cell.archive.repeatable(&name, &station, "log in", "refused");
     }
     let wrong = || {
         let text = "name or password is wrong, or the address is an old one";

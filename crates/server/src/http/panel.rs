@@ -22,11 +22,13 @@ pub(crate) type Restores = Option<Arc<(String, Turn)>>;
 pub(crate) struct Loads(Arc<()>);
 
 /// An announced load, until dropped.
-pub(crate) struct Announced(#[allow(dead_code, reason = "held")] Arc<()>);
+pub(crate) struct Announced {
+    _held: Arc<()>,
+}
 
 impl Loads {
     pub(crate) fn announce(&self) -> Announced {
-        Announced(Arc::clone(&self.0))
+        Announced { _held: Arc::clone(&self.0) }
     }
 
     /// Returns true while at least one load is announced.

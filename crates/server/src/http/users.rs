@@ -25,7 +25,7 @@ pub(super) async fn again(
     if checked(panel, from, &session.user, password.unwrap_or_default()).await?.is_some() {
         return Ok(());
     }
-    panel.cell.archive.refused(&session.user, "panel", "own password", "refused");
+    panel.cell.archive.repeatable(&session.user, "panel", "own password", "refused");
     Err(Refused::new(StatusCode::FORBIDDEN, "password", "your own password is needed for this, and it is wrong"))
 }
 
