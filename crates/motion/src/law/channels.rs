@@ -20,7 +20,7 @@ pub trait Channels {
 
     /// Requested speed of the tip at `u`, mm/s; smooth between breaks, and only evaluated inside them. Infinite without
     /// a request. If it or the tip's speed by `u` changes, the profile stays below it by a thousandth, and by at most
-    /// three where no limit binds. Without limits of jerk it is enforced at the ends of cells only.
+    /// four where no limit binds. Without limits of jerk it is enforced at the ends of cells only.
     fn asked(&self, u: f64) -> f64;
 
     /// Parameters inside the range at which a third derivative or the requested speed may jump or bend, increasing.

@@ -213,8 +213,8 @@ mod tests {
     #[test]
     fn blocks_are_not_halved_below_the_briefest_for_the_sake_of_speed() {
         // Of 15 ms to 10 ms, not to 7.5 ms; for the path they are.
-        for (count, is_speed, expected) in [(66.0, true, 99.0), (66.0, false, 132.0), (10.0, true, 20.0)] {
-            assert!((finer(count, 0.99, is_speed) - expected).abs() < 1e-9, "{count}");
+        for (count, fits, expected) in [(66.0, true, 99.0), (66.0, false, 132.0), (10.0, true, 20.0)] {
+            assert!((finer(count, 0.99, fits) - expected).abs() < 1e-9, "{count}");
         }
         for (duration, count) in
             (1..2000).flat_map(|k| [(0.0103 * f64::from(k), f64::from(k)), (0.01 * f64::from(k), 6.0)])
