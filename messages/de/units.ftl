@@ -1,5 +1,6 @@
 # Einheiten mit der Zahl davor.
 quantity = { $value }
+text = { $text }
 unit-mm = { $number } mm
 unit-mm2 = { $number } mm²
 unit-um = { $number } µm

@@ -1,5 +1,6 @@
 # Units, with the number before them. `quantity` is a value by itself.
 quantity = { $value }
+text = { $text }
 unit-mm = { $number } mm
 unit-mm2 = { $number } mm²
 unit-um = { $number } µm

@@ -1,5 +1,6 @@
 # Единицы с числом перед ними.
 quantity = { $value }
+text = { $text }
 unit-mm = { $number } мм
 unit-mm2 = { $number } мм²
 unit-um = { $number } мкм

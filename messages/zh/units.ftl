@@ -1,5 +1,6 @@
 # 带数值的单位。
 quantity = { $value }
+text = { $text }
 unit-mm = { $number } mm
 unit-mm2 = { $number } mm²
 unit-um = { $number } µm

@@ -121,7 +121,7 @@ impl Summary {
             pass,
             from_mm: at,
             to_mm: at,
-            cure: cure.to_owned(),
+            cure: Some(cure.into()),
             allowed,
         };
         let mut findings = Vec::new();
@@ -133,25 +133,25 @@ impl Summary {
                 Some(head) if head.tracked => "look at what tracking tells: sensor, speed and reach of the corrections",
                 Some(_) => "track the seam, or place the part as it was planned",
             };
-            findings.push(finding("path", message, self.path_error_at_mm, cure, false));
+            findings.push(finding("path", message.into(), self.path_error_at_mm, cure, false));
         }
         let (ripple, limit) = (100.0 * self.speed_ripple.unwrap_or(0.0), tolerance.speed_percent.get());
         if ripple > limit {
             let message =
                 format!("the simulated tip's speed deviates {ripple:.1} % from the planned one; {limit} % is allowed");
             let cure = "finer encoders, softer position loops, less friction, or a higher speed";
-            findings.push(finding("ripple", message, self.speed_ripple_at_mm, cure, false));
+            findings.push(finding("ripple", message.into(), self.speed_ripple_at_mm, cure, false));
         }
         if let Some((head, at)) = self.heads.iter().find_map(|h| Some((h, h.stopped_mm?))) {
             let why = head.alarms.last().map_or_else(|| "another head stopped".to_owned(), AlarmAt::text);
             let message = format!("the weld was stopped at {at:.1} mm: {why}; nothing was welded after it");
             let cure = "place the part nearer to where it was planned, mend the sensor, or weld slower";
-            findings.push(finding("stopped", message, at, cure, false));
+            findings.push(finding("stopped", message.into(), at, cure, false));
         }
         for axis in self.axes.iter().filter(|a| a.current > 0.999) {
             let message = format!("the drive of axis {} reaches its current limit", axis.axis);
             let cure = "a stronger drive, or a lower max_acceleration in the machine file";
-            findings.push(finding("drive", message, 0.0, cure, true));
+            findings.push(finding("drive", message.into(), 0.0, cure, true));
         }
         findings
     }

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::progress::Progress;
 use crate::verbs::positive;
+use seamwright_message::Message;
 use seamwright_motion::{SearchProgress, WeldMotion};
 use seamwright_program::Finding;
 use seamwright_project::part::Part;
@@ -39,7 +40,9 @@ fn findings_with_option(failure: Failure) -> Failure {
 
 /// Adds to the cure of a search that was cut off which option gives it more time.
 fn with_option(mut findings: Vec<Finding>) -> Vec<Finding> {
-    findings.iter_mut().filter(|f| f.kind == "search").for_each(|f| f.cure += "; more time: --time-limit S");
+    for cure in findings.iter_mut().filter(|f| f.kind == "search").filter_map(|f| f.cure.as_mut()) {
+        *cure = Message::new("cli-more-time").message("cure", cure.clone());
+    }
     findings
 }
 

@@ -5,6 +5,7 @@
 //! machine or part that is welded, so that no sensible file meets them.
 
 use crate::{Document, DocumentError};
+use seamwright_message::{Message, Unit};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -13,43 +14,43 @@ use toml::de::{DeTable, DeValue};
 pub struct Bound {
     /// Ending of the key.
     pub suffix: &'static str,
-    /// The unit in words.
-    pub unit: &'static str,
+    /// Unit of the bounds.
+    pub unit: Unit,
     /// Smallest magnitude other than 0; 0 if unbounded.
     pub min: f64,
     /// Largest magnitude.
     pub max: f64,
-    /// The reason, for people.
+    /// Code of the reason.
     pub reason: &'static str,
 }
 
-const fn bound(suffix: &'static str, unit: &'static str, range: [f64; 2], reason: &'static str) -> Bound {
+const fn bound(suffix: &'static str, unit: Unit, range: [f64; 2], reason: &'static str) -> Bound {
     Bound { suffix, unit, min: range[0], max: range[1], reason }
 }
 
 /// All bounds, the longer suffix first where one ends in another.
 pub static BOUNDS: [Bound; 21] = [
-    bound("_deg_s3", "deg/s^3", [1e-3, 1e11], "jerk of the fastest scanner"),
-    bound("_deg_s2", "deg/s^2", [1e-3, 1e8], "acceleration of the fastest scanner"),
-    bound("_deg_s", "deg/s", [1e-4, 1e5], "one turn in 40 days to 280 turns a second"),
-    bound("_mm_s3", "mm/s^3", [1e-3, 1e11], "jerk of the fastest scanner"),
-    bound("_mm_s2", "mm/s^2", [1e-3, 1e8], "10,000 times gravity"),
-    bound("_mm_s", "mm/s", [1e-4, 1e5], "0.36 mm an hour to 100 m a second"),
-    bound("_mm_min", "mm/min", [6e-3, 6e6], "0.36 mm an hour to 100 m a second"),
-    bound("_m_min", "m/min", [0.0, 1e3], "ten times the fastest wire feeder"),
-    bound("_mm2", "mm^2", [0.0, 1e6], "a square metre"),
-    bound("_deg", "degrees", [0.0, 1e6], "2,700 turns"),
-    bound("_mm", "mm", [0.0, 1e6], "a kilometre"),
-    bound("_um", "um", [0.0, 1e9], "a kilometre"),
-    bound("_ms", "ms", [0.0, 3.6e6], "an hour"),
-    bound("_us", "us", [0.0, 3.6e9], "an hour"),
-    bound("_hz", "Hz", [0.0, 1e8], "the fastest pulse generator"),
-    bound("_percent", "percent", [0.0, 1e4], "a hundredfold"),
-    bound("_ma", "mA", [0.0, 1e8], "the largest process source"),
-    bound("_kv", "kV", [0.0, 1e3], "the largest beam generator"),
-    bound("_s", "s", [0.0, 3600.0], "an hour"),
-    bound("_a", "A", [0.0, 1e5], "the largest process source"),
-    bound("_v", "V", [0.0, 1e6], "the largest beam generator"),
+    bound("_deg_s3", Unit::DegPerS3, [1e-3, 1e11], "document-bound-scanner-jerk"),
+    bound("_deg_s2", Unit::DegPerS2, [1e-3, 1e8], "document-bound-scanner-acceleration"),
+    bound("_deg_s", Unit::DegPerS, [1e-4, 1e5], "document-bound-turns"),
+    bound("_mm_s3", Unit::MmPerS3, [1e-3, 1e11], "document-bound-scanner-jerk"),
+    bound("_mm_s2", Unit::MmPerS2, [1e-3, 1e8], "document-bound-gravity"),
+    bound("_mm_s", Unit::MmPerS, [1e-4, 1e5], "document-bound-speed"),
+    bound("_mm_min", Unit::MmPerMin, [6e-3, 6e6], "document-bound-speed"),
+    bound("_m_min", Unit::MPerMin, [0.0, 1e3], "document-bound-wire-feeder"),
+    bound("_mm2", Unit::Mm2, [0.0, 1e6], "document-bound-square-metre"),
+    bound("_deg", Unit::Deg, [0.0, 1e6], "document-bound-many-turns"),
+    bound("_mm", Unit::Mm, [0.0, 1e6], "document-bound-kilometre"),
+    bound("_um", Unit::Um, [0.0, 1e9], "document-bound-kilometre"),
+    bound("_ms", Unit::Ms, [0.0, 3.6e6], "document-bound-hour"),
+    bound("_us", Unit::Us, [0.0, 3.6e9], "document-bound-hour"),
+    bound("_hz", Unit::Hz, [0.0, 1e8], "document-bound-pulses"),
+    bound("_percent", Unit::Percent, [0.0, 1e4], "document-bound-hundredfold"),
+    bound("_ma", Unit::MilliA, [0.0, 1e8], "document-bound-process-source"),
+    bound("_kv", Unit::KiloV, [0.0, 1e3], "document-bound-beam-generator"),
+    bound("_s", Unit::S, [0.0, 3600.0], "document-bound-hour"),
+    bound("_a", Unit::A, [0.0, 1e5], "document-bound-process-source"),
+    bound("_v", Unit::V, [0.0, 1e6], "document-bound-beam-generator"),
 ];
 
 /// Tables whose keys are names chosen by the user, of axes and of variables: such a name may end like a unit without
@@ -60,7 +61,7 @@ const NAMED: [&str; 2] = ["hold", "variables"];
 pub(crate) const FARTHEST_MM: f64 = 1e7;
 
 /// Bound of millimetres in rows: coordinates of points, ranges of axes.
-static COORDINATE: Bound = bound("_mm", "mm", [0.0, FARTHEST_MM], "10 km");
+static COORDINATE: Bound = bound("_mm", Unit::Mm, [0.0, FARTHEST_MM], "document-bound-10-km");
 
 impl Bound {
     /// The bound of the values of `key`, if it ends in a unit that has one.
@@ -83,10 +84,13 @@ impl Bound {
         !value.is_finite() || size == 0.0 || (self.min..=self.max).contains(&size)
     }
 
-    /// The bound in words.
-    pub fn allowed(&self) -> String {
-        let least = if self.min > 0.0 { format!("at least {}, ", self.min) } else { String::new() };
-        format!("{least}up to {} {} ({})", self.max, self.unit, self.reason)
+    /// Allowed values, with the reason.
+    pub fn allowed(&self) -> Message {
+        let allowed = match self.min > 0.0 {
+            true => Message::new("document-within").value("min", self.min, self.unit),
+            false => Message::new("document-up-to"),
+        };
+        allowed.value("max", self.max, self.unit).message("reason", Message::new(self.reason))
     }
 }
 
@@ -141,8 +145,9 @@ impl<T> Check<'_, T> {
             }
             other => match (bound, number(other)) {
                 (Some(bound), Some(number)) if !bound.allows(number) => {
-                    let message = if number.abs() > bound.max { "this is too large" } else { "this is too small" };
-                    Err(self.document.error_at(&self.path, message, bound.allowed()))
+                    let too_large = number.abs() > bound.max;
+                    let code = if too_large { "document-too-large" } else { "document-too-small" };
+                    Err(self.document.error_at(&self.path, Message::new(code), bound.allowed()))
                 }
                 _ => Ok(()),
             },

@@ -1,6 +1,7 @@
 use crate::address::{contains, path_at, span_of};
 use crate::bounds;
 use crate::error::{DocumentError, place};
+use seamwright_message::Message;
 use serde::de::DeserializeOwned;
 use std::ops::Range;
 
@@ -63,16 +64,16 @@ impl<T> Document<T> {
 
     /// An error at the key `path` whose value `name` is not among the names `known`, with the one probably meant.
     pub fn unknown_name(&self, path: &str, name: &str, known: &[&str]) -> DocumentError {
-        let error = self.error_at(path, format!("`{name}` is not known"), known.join(", "));
+        let error = self.error_at(path, Message::new("document-unknown-name").text("name", name), known.join(", "));
         DocumentError { help: suggestion(name, known), ..error }
     }
 
     /// An error at the key `path` (like `tool[2].range_mm`), or at the nearest table above it that exists.
-    pub fn error_at(&self, path: &str, message: impl Into<String>, allowed: impl Into<String>) -> DocumentError {
+    pub fn error_at(&self, path: &str, message: impl Into<Message>, allowed: impl Into<Message>) -> DocumentError {
         let span = span_of(&self.text, path);
         DocumentError {
             message: message.into(),
-            allowed: Some(allowed.into()).filter(|a: &String| !a.is_empty()),
+            allowed: Some(allowed.into()).filter(|allowed: &Message| !allowed.is_empty()),
             ..build(&self.file, &self.text, &span, path.to_owned())
         }
     }
@@ -88,7 +89,7 @@ fn build(file: &str, text: &str, span: &Range<usize>, key: String) -> DocumentEr
         column,
         value: if quotable && !key.ends_with(value) { value.to_owned() } else { String::new() },
         key,
-        message: String::new(),
+        message: Message::verbatim(""),
         allowed: None,
         help: None,
         source_line,
@@ -103,52 +104,85 @@ fn explain(file: &str, text: &str, error: &toml::de::Error) -> DocumentError {
     let path = if span.is_empty() { String::new() } else { path_at(text, &span) };
     let mut e = build(file, text, &span, path);
     let (what, expected) = message.split_once(", expected ").unwrap_or((message, ""));
-    if let Some(name) = quoted(what, "unknown field ") {
-        let known = names(expected);
-        e.message = format!("there is no key `{name}` here");
+    let known = if what.starts_with("unexpected keys") { unexpected_key(what) } else { None };
+    if let Some((name, known)) = quoted(what, "unknown field ").map(|name| (name, names(expected))).or(known) {
+        e.message = Message::new("document-unknown-key").key("key", name);
         e.help = suggestion(name, &known);
-        e.allowed = Some(known.join(", "));
-        e.value = String::new();
-    } else if let Some((name, known)) = unexpected_key(what) {
-        e.message = format!("there is no key `{name}` here");
-        e.help = suggestion(name, &known);
-        e.allowed = Some(known.join(", "));
+        e.allowed = Some(Message::verbatim(known.join(", ")));
         e.value = String::new();
     } else if let Some(name) = quoted(what, "unknown variant ") {
         let known = names(expected);
-        e.message = format!("`{name}` is not known");
+        e.message = Message::new("document-unknown-name").text("name", name);
         e.help = suggestion(name, &known);
-        e.allowed = Some(known.join(", "));
+        e.allowed = Some(Message::verbatim(known.join(", ")));
     } else if let Some(name) = quoted(what, "missing field ") {
         e.key = if e.key.is_empty() { name.to_owned() } else { format!("{}.{name}", e.key) };
-        e.message = format!("the key `{name}` is missing");
+        e.message = Message::new("document-missing-key").key("key", name);
         e.value = String::new();
         let unit = stem(name).1.trim_start_matches('_').replacen('_', "/", 1);
-        e.allowed = Some(format!("`{name} = ...`, in {unit}")).filter(|_| !unit.is_empty());
+        let allowed = Message::new("document-key-in-unit").key("key", name).text("unit", unit.clone());
+        e.allowed = Some(allowed).filter(|_| !unit.is_empty());
         if name == "schema" {
-            e.help = Some("begin the file with: schema = 1".to_owned());
+            e.help = Some(Message::new("document-missing-schema"));
         }
+    } else if what.contains("wanted exactly 1 element") {
+        let none = what.contains("found 0");
+        e.message = Message::new(if none { "document-none-given" } else { "document-several-given" });
+        e.value = String::new();
+        e.allowed = Some(Message::new("document-exactly-one"));
     } else {
-        e.message = what.replace("floating point ", "").replace("integer ", "").replace('`', "");
-        if what.contains("wanted exactly 1 element") {
-            e.message = if what.contains("found 0") { "none is given" } else { "several are given" }.to_owned();
-            e.value = String::new();
-            e.allowed = Some("exactly one of them".to_owned());
-            return e;
-        }
+        e.message = fault(what);
         if what.contains("string values must be quoted") {
-            e.help = Some("a number stands alone: its unit is in the key".to_owned());
+            e.help = Some(Message::new("document-number-without-unit"));
         }
-        e.allowed = Some(
-            expected
-                .replace("f64", "a number")
-                .replace("u8", "a whole number from 0 to 255")
-                .replace("u16", "a whole number from 0 to 65535")
-                .replace("struct ", "a table "),
-        )
-        .filter(|a| !a.is_empty());
+        e.allowed = Some(expectation(expected)).filter(|allowed| !allowed.is_empty());
     }
     e
+}
+
+/// The fault in serde's words, or one that [`in_serde`] has put into them.
+fn fault(what: &str) -> Message {
+    let value = |text: &str| text.replace("floating point ", "").replace("integer ", "").replace('`', "");
+    let of = |code, prefix| what.strip_prefix(prefix).map(|text| Message::new(code).text("value", value(text)));
+    from_serde(what)
+        .or_else(|| of("document-invalid-value", "invalid value: "))
+        .or_else(|| of("document-invalid-type", "invalid type: "))
+        .unwrap_or_else(|| Message::verbatim(value(what)))
+}
+
+/// The allowed values in serde's words, or those that [`in_serde`] has put into them.
+fn expectation(expected: &str) -> Message {
+    let whole = |from: i64, to: i64| {
+        Message::new("document-whole-number").text("min", from.to_string()).text("max", to.to_string())
+    };
+    from_serde(expected).unwrap_or_else(|| match expected {
+        "f64" => Message::new("document-number"),
+        "u8" => whole(0, 255),
+        "u16" => whole(0, 65535),
+        other => match other.strip_prefix("struct ") {
+            Some(name) => Message::new("document-table").text("name", name),
+            None => Message::verbatim(other),
+        },
+    })
+}
+
+/// First and last character of a message within serde's text.
+const ENCLOSED: char = '\u{1}';
+
+/// Writes a message so that it passes through serde's errors, which are text, and is a message again in a
+/// [`DocumentError`]: as the error of a `Deserialize`, or as its `expecting`.
+pub fn in_serde(message: &Message) -> String {
+    // A message is names and numbers: writing it as JSON cannot fail.
+    format!("{ENCLOSED}{}{ENCLOSED}", serde_json::to_string(message).unwrap_or_default())
+}
+
+/// Writes a fault and the allowed values so that they pass through serde's errors; see [`in_serde`].
+pub fn fault_in_serde(fault: &Message, allowed: &Message) -> String {
+    format!("{}, expected {}", in_serde(fault), in_serde(allowed))
+}
+
+fn from_serde(text: &str) -> Option<Message> {
+    serde_json::from_str(text.trim().strip_prefix(ENCLOSED)?.strip_suffix(ENCLOSED)?).ok()
 }
 
 /// The first unknown key of an enum's variant, and the known ones: the parser has its own words there.
@@ -179,12 +213,12 @@ fn stem(key: &str) -> (&str, &str) {
 }
 
 /// The known name that was probably meant.
-fn suggestion(name: &str, known: &[&str]) -> Option<String> {
+fn suggestion(name: &str, known: &[&str]) -> Option<Message> {
     if let Some(same) = known.iter().find(|k| stem(k).0 == stem(name).0 && !stem(k).1.is_empty()) {
-        let unit = stem(same).1.trim_start_matches('_');
-        return Some(format!("did you mean `{same}`? This value is given in {}", unit.replacen('_', "/", 1)));
+        let unit = stem(same).1.trim_start_matches('_').replacen('_', "/", 1);
+        return Some(Message::new("document-suggestion-unit").key("name", *same).text("unit", unit));
     }
-    closest(name, known).map(|best| format!("did you mean `{best}`?"))
+    closest(name, known).map(|best| Message::new("document-suggestion").key("name", best))
 }
 
 /// Finds the known name that was probably meant by `name`, if one is close to it.

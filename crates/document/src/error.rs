@@ -1,3 +1,4 @@
+use seamwright_message::Message;
 use std::fmt;
 use std::ops::Range;
 
@@ -18,11 +19,11 @@ pub struct DocumentError {
     /// The value found, as written.
     pub value: String,
     /// Description of the fault.
-    pub message: String,
+    pub message: Message,
     /// Allowed values.
-    pub allowed: Option<String>,
+    pub allowed: Option<Message>,
     /// A suggestion.
-    pub help: Option<String>,
+    pub help: Option<Message>,
     pub(crate) source_line: String,
     pub(crate) marked: usize,
 }
@@ -51,10 +52,10 @@ impl fmt::Display for DocumentError {
             writeln!(f, " {margin} | {}{mark}", " ".repeat(self.column.saturating_sub(1)))?;
         }
         if let Some(allowed) = &self.allowed {
-            writeln!(f, "   allowed: {allowed}")?;
+            writeln!(f, "   {}", Message::new("document-allowed").message("allowed", allowed.clone()))?;
         }
         if let Some(help) = &self.help {
-            writeln!(f, "   help: {help}")?;
+            writeln!(f, "   {}", Message::new("document-help").message("help", help.clone()))?;
         }
         Ok(())
     }

@@ -1,4 +1,6 @@
+use crate::document::in_serde;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use seamwright_message::Message;
 use serde::de::{Error as _, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
@@ -44,7 +46,7 @@ macro_rules! number {
                 impl Visitor<'_> for Number {
                     type Value = $name;
                     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                        f.write_str($what)
+                        f.write_str(&in_serde(&Message::new($what)))
                     }
                     fn visit_f64<E: serde::de::Error>(self, v: f64) -> Result<$name, E> {
                         $name::new(v).ok_or_else(|| E::invalid_value(Unexpected::Float(v), &self))
@@ -82,15 +84,15 @@ macro_rules! number {
 
 number!(
     /// A finite number greater than zero.
-    Positive, "a finite number greater than 0", |v| v > 0.0, { "type": "number", "exclusiveMinimum": 0 }
+    Positive, "document-positive-number", |v| v > 0.0, { "type": "number", "exclusiveMinimum": 0 }
 );
 number!(
     /// A finite number, zero or greater.
-    NonNegative, "a finite number, 0 or greater", |v| v >= 0.0, { "type": "number", "minimum": 0 }
+    NonNegative, "document-non-negative-number", |v| v >= 0.0, { "type": "number", "minimum": 0 }
 );
 number!(
     /// A finite number.
-    Finite, "a finite number", |_| true, { "type": "number" }
+    Finite, "document-finite-number", |_| true, { "type": "number" }
 );
 
 impl Positive {
@@ -120,7 +122,10 @@ impl<'de> Deserialize<'de> for SchemaVersion {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         match i64::deserialize(deserializer)? {
             1 => Ok(Self),
-            other => Err(D::Error::invalid_value(Unexpected::Signed(other), &"1, the version this build reads")),
+            other => Err(D::Error::invalid_value(
+                Unexpected::Signed(other),
+                &in_serde(&Message::new("document-schema-version")).as_str(),
+            )),
         }
     }
 }

@@ -1,7 +1,9 @@
 use crate::Finite;
 use crate::bounds::FARTHEST_MM;
+use crate::document::fault_in_serde;
 use glam::{DAffine3, DQuat, DVec3};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use seamwright_message::{Message, Unit};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
@@ -15,9 +17,10 @@ impl<'de> Deserialize<'de> for Point {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let v = <[Finite; 3]>::deserialize(deserializer)?;
         if v.iter().any(|c| c.get().abs() > FARTHEST_MM) {
-            return Err(D::Error::custom(
-                "a coordinate is out of this world, expected three numbers within 1e7 mm of 0",
-            ));
+            return Err(D::Error::custom(fault_in_serde(
+                &Message::new("document-coordinate-too-large"),
+                &Message::new("document-coordinates").quantity("limit", FARTHEST_MM, Unit::Mm, 0),
+            )));
         }
         Ok(Self(v))
     }
@@ -78,7 +81,10 @@ impl<'de> Deserialize<'de> for Direction {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let v = <[Finite; 3]>::deserialize(deserializer)?;
         if v.iter().all(|c| c.get() == 0.0) {
-            return Err(D::Error::custom("the direction has no length, expected three numbers that are not all 0"));
+            return Err(D::Error::custom(fault_in_serde(
+                &Message::new("document-direction-without-length"),
+                &Message::new("document-direction"),
+            )));
         }
         Ok(Self(v))
     }
@@ -181,7 +187,7 @@ mod tests {
         let unit = |text: &str| toml::from_str::<Doc>(text).map(|d| d.d.unit());
         assert!((unit("d = [0, 1e-300, 0]").unwrap() - DVec3::Y).length() < 1e-15);
         assert!((unit("d = [3e300, 0, 4e300]").unwrap() - DVec3::new(0.6, 0.0, 0.8)).length() < 1e-15);
-        assert!(unit("d = [0, 0, 0]").unwrap_err().to_string().contains("no length"));
+        assert!(unit("d = [0, 0, 0]").unwrap_err().to_string().contains("document-direction-without-length"));
         assert!(unit("d = [0, nan, 1]").is_err());
     }
 }

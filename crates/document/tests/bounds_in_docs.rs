@@ -1,6 +1,7 @@
 //! The table of bounds in docs/job.md is the one that files are held against.
 
 use seamwright_document::BOUNDS;
+use seamwright_message::Message;
 
 #[test]
 fn the_documented_bounds_are_those_of_the_code() {
@@ -13,8 +14,8 @@ fn the_documented_bounds_are_those_of_the_code() {
     assert_eq!(rows.len(), BOUNDS.len());
     for (row, bound) in rows.iter().zip(BOUNDS) {
         let least = if bound.min > 0.0 { bound.min.to_string() } else { String::new() };
-        let expected = [format!("`{}`", bound.suffix), bound.unit.to_owned(), least, bound.max.to_string()];
+        let expected = [format!("`{}`", bound.suffix), bound.unit.to_string(), least, bound.max.to_string()];
         assert_eq!(row[..4], expected, "{row:?}");
-        assert_eq!(row[4], bound.reason);
+        assert_eq!(row[4], Message::new(bound.reason).to_string());
     }
 }

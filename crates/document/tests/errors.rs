@@ -63,7 +63,7 @@ fn numbers_out_of_range() {
     {
         let e = wrong(&format!("schema = 1\n[nozzle]\nradius_mm = {bad}\n"));
         assert_eq!((e.line, e.column, e.key.as_str(), e.value.as_str()), (3, 13, "nozzle.radius_mm", shown));
-        assert_eq!(e.allowed.as_deref(), Some("a finite number greater than 0"));
+        assert_eq!(e.allowed.as_ref().map(ToString::to_string).as_deref(), Some("a finite number greater than 0"));
     }
     let e = wrong("schema = 1\n[[axis]]\nname = \"x\"\n[[axis]]\nname = \"y\"\nrange_mm = [0, nan]\n");
     assert_eq!((e.line, e.key.as_str()), (6, "axis[1].range_mm[1]"));
@@ -74,14 +74,14 @@ fn numbers_beyond_the_bound_of_their_unit_are_refused_where_they_stand() {
     let text = "schema = 1\n[nozzle]\nradius_mm = 9223372036854775807\n";
     let e = wrong(text);
     assert_eq!((e.line, e.column, e.key.as_str()), (3, 13, "nozzle.radius_mm"));
-    assert_eq!((e.value.as_str(), e.message.as_str()), ("9223372036854775807", "this is too large"));
-    assert_eq!(e.allowed.as_deref(), Some("up to 1000000 mm (a kilometre)"));
+    assert_eq!((e.value.as_str(), e.message.to_string().as_str()), ("9223372036854775807", "this is too large"));
+    assert_eq!(e.allowed.as_ref().map(ToString::to_string).as_deref(), Some("up to 1000000 mm (a kilometre)"));
     for (key, value) in [("radius_mm", "1e7"), ("radius_mm", "0x7fffffffff"), ("radius_mm = 1\nspeed_mm_s", "-1e20")] {
         let e = wrong(&format!("schema = 1\n[nozzle]\n{key} = {value}\n"));
-        assert_eq!((e.value.as_str(), e.message.as_str()), (value, "this is too large"));
+        assert_eq!((e.value.as_str(), e.message.to_string().as_str()), (value, "this is too large"));
     }
     let e = wrong("schema = 1\n[nozzle]\nradius_mm = 1\nspeed_mm_s = 1e-300\n");
-    assert_eq!((e.line, e.message.as_str()), (4, "this is too small"));
+    assert_eq!((e.line, e.message.to_string().as_str()), (4, "this is too small"));
     assert!(Document::<File>::read("f", "schema = 1\n[nozzle]\nradius_mm = 1e6\nspeed_mm_s = 0\n").is_ok());
 }
 
@@ -117,7 +117,7 @@ fn keys_are_found_where_they_stand() {
 fn wrong_types() {
     let e = wrong("schema = 1\n[nozzle]\nradius_mm = \"250 mm\"\n");
     assert_eq!((e.line, e.key.as_str(), e.value.as_str()), (3, "nozzle.radius_mm", "\"250 mm\""));
-    assert!(e.message.contains("string"));
+    assert!(e.message.to_string().contains("string"));
     let e = wrong("schema = 1\nnozzle = 3\n");
     assert_eq!((e.line, e.key.as_str()), (2, "nozzle"));
     let e = wrong("schema = 1\n[body.plane]\nnormal = [0, 1]\n");
@@ -129,33 +129,45 @@ fn unknown_keys_and_units() {
     // In an enum's variant too, where the parser has other words for it.
     let e = wrong("schema = 1\n[body.cylinder]\nradius = 5\n");
     assert_eq!(
-        (e.line, e.key.as_str(), e.message.as_str()),
+        (e.line, e.key.as_str(), e.message.to_string().as_str()),
         (3, "body.cylinder.radius", "there is no key `radius` here")
     );
-    assert_eq!(e.help.as_deref(), Some("did you mean `radius_mm`? This value is given in mm"));
-    assert_eq!(e.allowed.as_deref(), Some("radius_mm"));
+    assert_eq!(
+        e.help.as_ref().map(ToString::to_string).as_deref(),
+        Some("did you mean `radius_mm`? This value is given in mm")
+    );
+    assert_eq!(e.allowed.as_ref().map(ToString::to_string).as_deref(), Some("radius_mm"));
     let e = wrong("schema = 1\n[nozzle]\nradus_mm = 250\n");
     assert_eq!((e.line, e.key.as_str()), (3, "nozzle.radus_mm"));
-    assert_eq!(e.help.as_deref(), Some("did you mean `radius_mm`?"));
-    assert_eq!(e.allowed.as_deref(), Some("radius_mm, overlap_mm, speed_mm_s"));
+    assert_eq!(e.help.as_ref().map(ToString::to_string).as_deref(), Some("did you mean `radius_mm`?"));
+    assert_eq!(e.allowed.as_ref().map(ToString::to_string).as_deref(), Some("radius_mm, overlap_mm, speed_mm_s"));
     let e = wrong("schema = 1\n[nozzle]\nradius_mm = 1\nspeed_mm_min = 250\n");
-    assert_eq!(e.help.as_deref(), Some("did you mean `speed_mm_s`? This value is given in mm/s"));
+    assert_eq!(
+        e.help.as_ref().map(ToString::to_string).as_deref(),
+        Some("did you mean `speed_mm_s`? This value is given in mm/s")
+    );
     let e = wrong("schema = 1\n[nozzle]\nradius_inch = 250\n");
-    assert_eq!(e.help.as_deref(), Some("did you mean `radius_mm`? This value is given in mm"));
+    assert_eq!(
+        e.help.as_ref().map(ToString::to_string).as_deref(),
+        Some("did you mean `radius_mm`? This value is given in mm")
+    );
     let e = wrong("schema = 1\n[body.cilinder]\nradius_mm = 250\n");
-    assert_eq!((e.line, e.help.as_deref()), (2, Some("did you mean `cylinder`?")));
+    assert_eq!((e.line, e.help.as_ref().map(ToString::to_string).as_deref()), (2, Some("did you mean `cylinder`?")));
     let e = wrong("schema = 1\ntitel = \"x\"\n");
-    assert_eq!(e.help.as_deref(), Some("did you mean `title`?"));
+    assert_eq!(e.help.as_ref().map(ToString::to_string).as_deref(), Some("did you mean `title`?"));
 }
 
 #[test]
 fn missing_keys() {
     let e = wrong("title = \"x\"\n");
-    assert_eq!((e.key.as_str(), e.help.as_deref()), ("schema", Some("begin the file with: schema = 1")));
+    assert_eq!(
+        (e.key.as_str(), e.help.as_ref().map(ToString::to_string).as_deref()),
+        ("schema", Some("begin the file with: schema = 1"))
+    );
     let e = wrong("schema = 1\n\n[nozzle]\noverlap_mm = 2\n");
     assert_eq!((e.line, e.key.as_str()), (3, "nozzle.radius_mm"));
     let e = wrong("schema = 2\n");
-    assert!(e.allowed.unwrap().starts_with('1'));
+    assert!(e.allowed.unwrap().to_string().starts_with('1'));
 }
 
 #[test]

@@ -3,7 +3,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// A measured or allowed value, with the decimals that are worth showing.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Quantity {
     /// Value in `unit`.
     pub value: f64,
@@ -14,11 +14,13 @@ pub struct Quantity {
 }
 
 /// An argument of a [`Message`].
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "type", content = "value", rename_all = "snake_case")]
 pub enum Argument {
     /// A value with its unit.
     Quantity(Quantity),
+    /// Values from the first to the second, in the same unit.
+    Range(Quantity, Quantity),
     /// A number of things; selects the plural form.
     Count(u64),
     /// Name of an axis, as in the machine file.
@@ -35,6 +37,24 @@ pub enum Argument {
     List(Vec<Argument>),
 }
 
+impl Quantity {
+    /// A value with as many decimals as it has, up to nine.
+    pub fn exact(value: f64, unit: Unit) -> Self {
+        let text = format!("{value}");
+        let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len().min(9));
+        Self { value, unit, decimals: decimals as u8 }
+    }
+}
+
+impl PartialEq for Quantity {
+    /// Compares the bits of the values, so that messages can be compared and counted.
+    fn eq(&self, other: &Self) -> bool {
+        (self.value.to_bits(), self.unit, self.decimals) == (other.value.to_bits(), other.unit, other.decimals)
+    }
+}
+
+impl Eq for Quantity {}
+
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{:.*}", usize::from(self.decimals), self.value)?;
@@ -46,10 +66,11 @@ impl fmt::Display for Argument {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Quantity(quantity) => quantity.fmt(f),
+            Self::Range(from, to) => write!(f, "{from} to {to}"),
             Self::Count(count) => count.fmt(f),
             Self::Pass(pass) => pass.fmt(f),
             Self::Axis(text) | Self::Key(text) | Self::Text(text) => f.write_str(text),
-            Self::Message(message) => write!(f, "({message})"),
+            Self::Message(message) => write!(f, "({})", message.as_data()),
             Self::List(items) => {
                 for (i, item) in items.iter().enumerate() {
                     if i > 0 {

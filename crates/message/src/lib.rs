@@ -1,23 +1,52 @@
-//! Messages as data: a stable code with named, typed arguments.
+//! Messages as data: a stable code with named, typed arguments, and the words of each code in every language.
 //!
-//! Findings, refusals, document errors, alarms and events are [`Message`]s. The words of each code are in one catalogue
-//! per language (crate `seamwright-catalogue`, folder `messages/`); no code reads a sentence back. This crate has no words,
-//! so that a changed sentence rebuilds only what prints.
+//! Findings, refusals, document errors, alarms and events are [`Message`]s. Their words are in one catalogue per language:
+//! [Fluent](https://projectfluent.org) files, one per language and area, in the folder `messages/` of the repository,
+//! which the panel uses too. English is a catalogue like the others. No code reads a sentence back. A catalogue with an
+//! error fails the tests; a code without words is printed with its arguments.
 //!
 //! ```
-//! use seamwright_message::{Message, Unit};
+//! use seamwright_message::{Catalogue, Language, Message, Unit};
 //!
-//! let message = Message::new("axis-range-exceeded")
-//!     .axis("axis", "z")
-//!     .quantity("position", -118.266, Unit::Mm, 3)
-//!     .quantity("limit", -100.0, Unit::Mm, 3);
-//! assert_eq!(message.to_string(), "axis-range-exceeded: axis = z, position = -118.266 mm, limit = -100.000 mm");
+//! let message = Message::new("quantity").quantity("value", 4.4567, Unit::MmPerS, 2);
+//! assert_eq!(message.to_string(), "4.46 mm/s");
+//! assert_eq!(Catalogue::of(Language::German).text(&message), "4,46 mm/s");
 //! ```
 
 mod argument;
+mod catalogue;
+mod gathered;
+mod language;
 mod message;
+mod sources;
 mod unit;
 
 pub use argument::{Argument, Quantity};
+pub use catalogue::Catalogue;
+pub use language::Language;
 pub use message::Message;
+pub use sources::{AREAS, source};
 pub use unit::Unit;
+
+/// Implements [`Display`](std::fmt::Display), in the language of the process, and [`Error`](std::error::Error) for types
+/// whose method `message` gives their [`Message`].
+#[macro_export]
+macro_rules! display_by_message {
+    ($($error:ty),+ $(,)?) => {
+        $(
+            impl ::std::fmt::Display for $error {
+                fn fmt(&self, f: &mut ::std::fmt::Formatter) -> ::std::fmt::Result {
+                    ::std::fmt::Display::fmt(&self.message(), f)
+                }
+            }
+
+            impl ::std::error::Error for $error {}
+
+            impl ::std::convert::From<&$error> for $crate::Message {
+                fn from(error: &$error) -> Self {
+                    error.message()
+                }
+            }
+        )+
+    };
+}

@@ -1,12 +1,13 @@
-use crate::{Argument, Quantity, Unit};
+use crate::{Argument, Catalogue, Language, Quantity, Unit};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// A stable code with named arguments.
 ///
-/// `Display` prints code and arguments, for logs and tests; people read the words of a catalogue.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// `Display` prints its words in the language of the process: English, unless [`Language::speak`] has set another one.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Message {
     /// Code: identifier of the words in the catalogues, lower-case words with hyphens.
     pub code: Cow<'static, str>,
@@ -19,6 +20,36 @@ impl Message {
     /// Creates a message without arguments.
     pub const fn new(code: &'static str) -> Self {
         Self { code: Cow::Borrowed(code), arguments: Vec::new() }
+    }
+
+    /// Creates a message that is `text` in every language: a name, or words from outside.
+    pub fn verbatim(text: impl Into<String>) -> Self {
+        Self::new("text").text("text", text)
+    }
+
+    /// True for text without a character.
+    pub fn is_empty(&self) -> bool {
+        self.code == "text" && self.argument("text") == Some(&Argument::Text(String::new()))
+    }
+
+    /// Returns the words in `language`.
+    pub fn in_language(&self, language: Language) -> String {
+        Catalogue::of(language).text(self)
+    }
+
+    /// Returns code and arguments as one line, for logs.
+    pub fn as_data(&self) -> String {
+        let mut line = self.code.to_string();
+        for (i, (name, argument)) in self.arguments.iter().enumerate() {
+            line.push_str(if i == 0 { ": " } else { ", " });
+            line.push_str(&format!("{name} = {argument}"));
+        }
+        line
+    }
+
+    /// Returns the arguments by name, for JSON.
+    pub fn named_arguments(&self) -> BTreeMap<&str, &Argument> {
+        self.arguments.iter().map(|(name, argument)| (name.as_ref(), argument)).collect()
     }
 
     /// Returns the argument `name`.
@@ -37,6 +68,12 @@ impl Message {
     #[must_use]
     pub fn quantity(self, name: &'static str, value: f64, unit: Unit, decimals: u8) -> Self {
         self.with(name, Argument::Quantity(Quantity { value, unit, decimals }))
+    }
+
+    /// Adds a value with its unit and all its decimals, like one from a file.
+    #[must_use]
+    pub fn value(self, name: &'static str, value: f64, unit: Unit) -> Self {
+        self.with(name, Argument::Quantity(Quantity::exact(value, unit)))
     }
 
     /// Adds a number without a unit and the number of decimals to show.
@@ -90,11 +127,27 @@ impl Message {
 
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&self.code)?;
-        for (i, (name, argument)) in self.arguments.iter().enumerate() {
-            write!(f, "{} {name} = {argument}", if i == 0 { ":" } else { "," })?;
-        }
-        Ok(())
+        f.write_str(&self.in_language(Language::of_process()))
+    }
+}
+
+impl Default for Message {
+    /// Text without a character.
+    fn default() -> Self {
+        Self::verbatim("")
+    }
+}
+
+// Until every sentence has a code.
+impl From<&str> for Message {
+    fn from(text: &str) -> Self {
+        Self::verbatim(text)
+    }
+}
+
+impl From<String> for Message {
+    fn from(text: String) -> Self {
+        Self::verbatim(text)
     }
 }
 

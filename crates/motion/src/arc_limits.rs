@@ -43,11 +43,12 @@ pub(crate) fn stop_findings(machine: &Machine, corners: &[Left], pass: &Pass, nu
             corner.s,
             machine.axes[corner.axis].name,
             corner.why.as_ref().map_or(String::new(), |why| format!("; {why}"))
-        ),
+        )
+        .into(),
         pass: number,
         from_mm: corner.s,
         to_mm: corner.s,
-        cure: cure.to_owned(),
+        cure: Some(cure.into()),
         allowed: pass.corner == AtCorner::Stop,
     };
     corners.iter().map(finding).collect()
@@ -144,13 +145,13 @@ fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Findin
         kind: "least_speed",
         message: format!(
             "the tip goes at {reached:.3} mm/s at s = {at:.3} mm with the arc on, the procedure's least speed is {least:.3} mm/s: {why}"
-        ),
+        ).into(),
         pass,
         from_mm: slow.from,
         to_mm: slow.to,
-        cure: format!(
+        cure: Some(format!(
             "{cure}; or end the weld before it and begin another after it; or lower least_speed_mm_s if the procedure is qualified for that"
-        ),
+        ).into()),
         allowed: false,
     }
 }

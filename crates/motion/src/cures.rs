@@ -90,7 +90,7 @@ impl Trial<'_> {
             return;
         }
         let cure = self.range_cure(count_against(findings));
-        findings.iter_mut().filter(|f| is_of_range(f)).for_each(|f| f.cure.clone_from(&cure));
+        findings.iter_mut().filter(|f| is_of_range(f)).for_each(|f| f.cure = Some(cure.as_str().into()));
     }
 
     /// Words a change with which the pass has fewer findings than `count`, or the reason why the search failed.
@@ -289,7 +289,7 @@ impl Trial<'_> {
                 leans.len()
             ),
         };
-        findings.iter_mut().filter(|f| f.kind == "clearance").for_each(|f| f.cure.clone_from(&cure));
+        findings.iter_mut().filter(|f| f.kind == "clearance").for_each(|f| f.cure = Some(cure.as_str().into()));
     }
 
     /// Tries `change`: this pass must have no findings and keep every clearance, and no other pass may exceed more

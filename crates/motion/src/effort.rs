@@ -170,7 +170,15 @@ impl<'a> Effort<'a> {
             ),
             Stop::Cancelled => (format!("planning was cancelled: {far}"), "plan again".to_owned()),
         };
-        Finding { kind: "search", message, pass, from_mm: 0.0, to_mm: length, cure, allowed: false }
+        Finding {
+            kind: "search",
+            message: message.into(),
+            pass,
+            from_mm: 0.0,
+            to_mm: length,
+            cure: Some(cure.into()),
+            allowed: false,
+        }
     }
 }
 
@@ -203,7 +211,10 @@ mod tests {
         let looks = watch.2.borrow();
         assert!(looks[0].begins && !looks[1].begins && looks[1].pass == 2 && looks[1].passes == 4);
         let found = effort.check(2, 30.0).unwrap_err();
-        assert!(found.len() == 1 && found[0].kind == "search" && found[0].message.contains("5 s"), "{found:?}");
+        assert!(
+            found.len() == 1 && found[0].kind == "search" && found[0].message.to_string().contains("5 s"),
+            "{found:?}"
+        );
     }
 
     #[test]

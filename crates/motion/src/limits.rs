@@ -180,7 +180,15 @@ fn speed_finding(
         (Some(_), Some(lower)) => format!("{lower}, or set weld.on_limit = \"slow\" to slow down there{blend}"),
         (Some(_), None) => format!("set weld.on_limit = \"slow\" to slow down there{blend}"),
     };
-    Some(Finding { kind: "speed", message, pass: number, from_mm: *from, to_mm: *to, cure, allowed: false })
+    Some(Finding {
+        kind: "speed",
+        message: message.into(),
+        pass: number,
+        from_mm: *from,
+        to_mm: *to,
+        cure: Some(cure.into()),
+        allowed: false,
+    })
 }
 
 /// Words a lower speed than that of `pass` that removes all `slow` stretches, as verified by planning. None if no lower
@@ -247,7 +255,15 @@ pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pas
         }
         let cure =
             format!("ask for {:.3} mm/s or less, or set weld.on_limit = \"slow\"", (reached * 1e3).floor() * 1e-3);
-        Some(Finding { kind: "speed", message, pass, from_mm, to_mm, cure, allowed: false })
+        Some(Finding {
+            kind: "speed",
+            message: message.into(),
+            pass,
+            from_mm,
+            to_mm,
+            cure: Some(cure.into()),
+            allowed: false,
+        })
     };
     planned.legs.iter().filter_map(finding).collect()
 }

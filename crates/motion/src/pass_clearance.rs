@@ -42,16 +42,19 @@ pub(crate) fn pass_clearance(
         pass,
         from_mm,
         to_mm,
-        cure: "change the torch angles or the placement, or allow less with clearance.least_mm if the shapes are right"
-            .to_owned(),
+        cure: Some(
+            "change the torch angles or the placement, or allow less with clearance.least_mm if the shapes are right"
+                .into(),
+        ),
         allowed: false,
     };
     let profile = match around.along(path, STATIONS, &limits) {
         Ok(profile) => profile,
         // An unchecked pass counts as not clear.
-        Err(e) => return (None, vec![finding(e.to_string(), 0.0, path.length())]),
+        Err(e) => return (None, vec![finding(e.to_string().into(), 0.0, path.length())]),
     };
-    let findings = profile.stretches.iter().map(|s| finding(too_near(around, s.watch, &s.nearest), s.from, s.to));
+    let findings =
+        profile.stretches.iter().map(|s| finding(too_near(around, s.watch, &s.nearest).into(), s.from, s.to));
     let at_least = (0..STATIONS).filter_map(|i| {
         let (_, cell) = profile.nearest(i)?;
         Some((profile.edges[i + 1], cell.at_least_mm))

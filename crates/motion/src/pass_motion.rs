@@ -323,11 +323,11 @@ fn no_law(machine: &Machine, length: f64, error: LawError, pass: usize) -> Findi
     };
     Finding {
         kind: "speed",
-        message: format!("there is no speed law for the axes of {}: {error}", machine.name),
+        message: format!("there is no speed law for the axes of {}: {error}", machine.name).into(),
         pass,
         from_mm,
         to_mm,
-        cure: "give the machine's axes finite limits above zero, and the pass a speed and a length".to_owned(),
+        cure: Some("give the machine's axes finite limits above zero, and the pass a speed and a length".into()),
         allowed: false,
     }
 }
@@ -338,11 +338,12 @@ fn not_smooth(machine: &Machine, s: f64, pass: usize) -> Finding {
         message: format!(
             "the axes of {} cannot follow the torch smoothly here: it passes a singular attitude",
             machine.name
-        ),
+        )
+        .into(),
         pass,
         from_mm: s,
         to_mm: s,
-        cure: "not tried: other torch angles or another placement of the work may help".to_owned(),
+        cure: Some("not tried: other torch angles or another placement of the work may help".into()),
         allowed: false,
     }
 }

@@ -19,11 +19,11 @@ pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
     ];
     let finding = |(from_mm, to_mm): (f64, f64), message: String, cure: String| Finding {
         kind: "time",
-        message,
+        message: message.into(),
         pass: number,
         from_mm,
         to_mm,
-        cure,
+        cure: Some(cure.into()),
         allowed: false,
     };
     let mut all: Vec<Finding> = times
@@ -51,12 +51,14 @@ pub(crate) fn travels_too_long(law: &SpeedLaw, length: f64, pass: usize) -> Opti
         kind: "time",
         message: format!(
             "with the limits of the axes the travel takes {travel:.3e} s: no pass may take longer than {MAX_PASS_S} s"
-        ),
+        )
+        .into(),
         pass,
         from_mm: 0.0,
         to_mm: length,
-        cure: "give the machine's axes higher speeds and accelerations, or divide the weld into several passes"
-            .to_owned(),
+        cure: Some(
+            "give the machine's axes higher speeds and accelerations, or divide the weld into several passes".into(),
+        ),
         allowed: false,
     })
 }

@@ -63,11 +63,11 @@ pub(crate) fn margins(
     }
     runs.findings(|run| Finding {
         kind: "singular",
-        message: run.message.clone(),
+        message: run.message.clone().into(),
         pass,
         from_mm: run.from,
         to_mm: run.to,
-        cure: "lean the torch or the work a few degrees away to gain room".to_owned(),
+        cure: Some("lean the torch or the work a few degrees away to gain room".into()),
         allowed: true,
     })
 }

@@ -127,11 +127,11 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
 fn reach_finding(machine: &Machine, reason: &str, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
     Finding {
         kind: "reach",
-        message: format!("{}: {reason}", machine.name),
+        message: format!("{}: {reason}", machine.name).into(),
         pass,
         from_mm,
         to_mm,
-        cure: "change the placement of the work, the torch angles or the machine".to_owned(),
+        cure: Some("change the placement of the work, the torch angles or the machine".into()),
         allowed: false,
     }
 }
@@ -171,11 +171,11 @@ fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pas
             machine.name,
             error.to_degrees(),
             tolerance.attitude_deg.get()
-        ),
+        ).into(),
         pass,
         from_mm: at,
         to_mm: at,
-        cure: "change the torch angles, use a machine with one more rotary axis, or allow more with tolerance.attitude_deg".to_owned(),
+        cure: Some("change the torch angles, use a machine with one more rotary axis, or allow more with tolerance.attitude_deg".into()),
         allowed,
     })
 }
@@ -278,12 +278,13 @@ fn range_finding(axis: &Axis, value: f64, limit: f64, (from_mm, to_mm): (f64, f6
         message: format!(
             "axis {} would go to {value:.3} {unit}, {by:.3} {unit} beyond its limit {limit:.3} {unit}",
             axis.name
-        ),
+        )
+        .into(),
         pass,
         from_mm,
         to_mm,
         // Changes are tried when the pass is planned.
-        cure: "place the work so that the axis stays in its range".to_owned(),
+        cure: Some("place the work so that the axis stays in its range".into()),
         allowed: false,
     }
 }

@@ -118,11 +118,11 @@ impl<'a> Woven<'a> {
         let reached = worst.holds * asked;
         let mut finding = Finding {
             kind: "speed",
-            message: binding.cannot_keep(asked, reached),
+            message: binding.cannot_keep(asked, reached).into(),
             pass: number,
             from_mm: over[0].at,
             to_mm: over[over.len() - 1].at,
-            cure: String::new(),
+            cure: Some(String::new().into()),
             allowed: false,
         };
         self.tell_in(&mut finding, factor);
@@ -162,8 +162,9 @@ impl<'a> Woven<'a> {
             "the weave is too fast: {}; {} mm wide it can go at up to {value}",
             finding.message,
             weave.width_mm.get()
-        );
-        finding.cure = format!("{allowed}, or set weld.on_limit = \"slow\" to slow down there");
+        )
+        .into();
+        finding.cure = Some(format!("{allowed}, or set weld.on_limit = \"slow\" to slow down there").into());
     }
 
     /// Maximum factor below 1 of the weave's frequency at which the requested speed can be kept, if any: to [`CLOSE`]

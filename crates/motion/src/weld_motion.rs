@@ -150,11 +150,11 @@ impl WeldMotion {
         let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, super::joint_path::JointPath::length)) };
         let finding = |kind, message: String, cure: &str, allowed| Finding {
             kind,
-            message,
+            message: message.into(),
             pass,
             from_mm: s,
             to_mm: s,
-            cure: cure.to_owned(),
+            cure: Some(cure.into()),
             allowed,
         };
         let what = match i {
@@ -462,11 +462,12 @@ fn unchecked(machine: &Machine) -> Finding {
         message: format!(
             "{} has no shapes: nothing is checked for collisions, and air moves go straight",
             machine.name
-        ),
+        )
+        .into(),
         pass: 1,
         from_mm: 0.0,
         to_mm: 0.0,
-        cure: "describe torch and links with [[shapes.<link>]] in the machine file".to_owned(),
+        cure: Some("describe torch and links with [[shapes.<link>]] in the machine file".into()),
         allowed: true,
     }
 }

@@ -107,7 +107,7 @@ mod tests {
     fn whatever_else_is_refused_with_what_may_stand_there() {
         for bad in ["\"halt\"", "\"blend_mm\"", "\"\"", "0.2", "1", "true", "[0.2]"] {
             let e = read(bad).unwrap_err();
-            let allowed = e.allowed.clone().unwrap_or_default();
+            let allowed = e.allowed.clone().map_or_else(String::new, |allowed| allowed.to_string());
             assert!(e.key == "corner" && allowed.contains("\"stop\" or { blend_mm = 0.2 }"), "{bad}: {e}");
         }
         for bad in ["0", "-1", "nan", "inf", "\"wide\"", "[1]"] {

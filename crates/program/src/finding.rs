@@ -1,24 +1,29 @@
-use serde::Serialize;
+use seamwright_message::{Language, Message};
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 /// A fault that keeps a weld from being made as requested, or a note about it. It has its position on the seam and the
 /// operator action.
 ///
 /// `allowed` and `cure` together give its [`Severity`]; so a warning always has an operator action.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+///
+/// As JSON, `message` and `cure` are English text, and `code`, `arguments`, `cure_code` and `cure_arguments` are the
+/// messages as data.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
     /// Short kind, stable for programs: `reach`, `range`, `speed`, `attitude`, `access`, `singular`, `jump`, `hold`,
     /// `pulses`, `steps`, `pace`, `stop`, `blend`, `least_speed`, `time`, `turn`, `bead`, `procedure`.
     pub kind: &'static str,
     /// Description of the fault, with the value found and the value allowed.
-    pub message: String,
+    pub message: Message,
     /// Pass, counted from 1.
     pub pass: usize,
     /// Path length at its start and end, mm.
     pub from_mm: f64,
     /// See `from_mm`.
     pub to_mm: f64,
-    /// Operator action; empty if none is needed.
-    pub cure: String,
+    /// Operator action, if one is needed.
+    pub cure: Option<Message>,
     /// True if the weld can be made nevertheless (it was asked to slow down, or the shortcoming is only reported).
     pub allowed: bool,
 }
@@ -37,17 +42,42 @@ pub enum Severity {
 
 impl Finding {
     /// A note of pass `pass` (counted from 1) on a range of its path length, mm: information that asks for no action.
-    pub fn note(kind: &'static str, message: String, pass: usize, (from_mm, to_mm): (f64, f64)) -> Self {
-        Self { kind, message, pass, from_mm, to_mm, cure: String::new(), allowed: true }
+    pub fn note(kind: &'static str, message: impl Into<Message>, pass: usize, (from_mm, to_mm): (f64, f64)) -> Self {
+        Self { kind, message: message.into(), pass, from_mm, to_mm, cure: None, allowed: true }
+    }
+
+    /// Returns the words of the operator action; empty if none is needed.
+    pub fn cure_text(&self) -> String {
+        self.cure.as_ref().map_or_else(String::new, ToString::to_string)
     }
 
     /// Severity of the finding: an error forbids the weld, a warning asks for an action, a note informs.
     pub fn severity(&self) -> Severity {
-        match (self.allowed, self.cure.is_empty()) {
+        match (self.allowed, self.cure.is_none()) {
             (false, _) => Severity::Error,
             (true, false) => Severity::Warning,
             (true, true) => Severity::Note,
         }
+    }
+}
+
+impl Serialize for Finding {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { kind, message, pass, from_mm, to_mm, cure, allowed } = self;
+        let mut fields = serializer.serialize_struct("Finding", 11)?;
+        fields.serialize_field("kind", kind)?;
+        fields.serialize_field("message", &message.in_language(Language::English))?;
+        fields.serialize_field("pass", pass)?;
+        fields.serialize_field("from_mm", from_mm)?;
+        fields.serialize_field("to_mm", to_mm)?;
+        let text = cure.as_ref().map(|cure| cure.in_language(Language::English));
+        fields.serialize_field("cure", &text.unwrap_or_default())?;
+        fields.serialize_field("allowed", allowed)?;
+        fields.serialize_field("code", &message.code)?;
+        fields.serialize_field("arguments", &message.named_arguments())?;
+        fields.serialize_field("cure_code", &cure.as_ref().map(|cure| &cure.code))?;
+        fields.serialize_field("cure_arguments", &cure.as_ref().map(Message::named_arguments))?;
+        fields.end()
     }
 }
 
@@ -57,9 +87,9 @@ mod tests {
 
     #[test]
     fn a_warning_has_a_cure_and_a_note_has_none() {
-        let note = Finding::note("blend", "goes round".to_owned(), 2, (1.0, 2.0));
+        let note = Finding::note("blend", "goes round", 2, (1.0, 2.0));
         assert_eq!(note.severity(), Severity::Note);
-        let warning = Finding { cure: "make it wider".to_owned(), ..note.clone() };
+        let warning = Finding { cure: Some("make it wider".into()), ..note.clone() };
         assert_eq!(warning.severity(), Severity::Warning);
         let error = Finding { allowed: false, ..note };
         assert_eq!(error.severity(), Severity::Error);

@@ -1,6 +1,7 @@
 //! Findings with the same message at several positions, gathered so that they are read once.
 
 use crate::{Finding, Severity};
+use seamwright_message::{Argument, Message};
 
 /// Path lengths within this distance are shown alike, mm.
 const SAME_MM: f64 = 5e-4;
@@ -11,9 +12,9 @@ pub struct FindingGroup<'a> {
     /// The first of them.
     pub finding: &'a Finding,
     /// Message of all of them; a number that differs from one to another is a range, as `1.69–5.60`.
-    pub message: String,
+    pub message: Message,
     /// Operator action, in the same way.
-    pub cure: String,
+    pub cure: Option<Message>,
     /// Positions of the findings, in their order.
     pub places: Vec<FindingPlace>,
 }
@@ -51,15 +52,15 @@ pub fn group_findings(findings: &[Finding]) -> Vec<FindingGroup<'_>> {
                 members.push(finding);
             }
             None => {
-                let (message, cure) = (String::new(), String::new());
+                let (message, cure) = (finding.message.clone(), finding.cure.clone());
                 groups.push((FindingGroup { finding, message, cure, places: vec![place] }, vec![finding]));
             }
         }
     }
     for (group, members) in &mut groups {
-        let sentences = |of: fn(&Finding) -> &str| members.iter().map(|f| of(f)).collect::<Vec<_>>();
-        group.message = ranged(&sentences(|f| &f.message));
-        group.cure = ranged(&sentences(|f| &f.cure));
+        group.message = gathered(&members.iter().map(|f| &f.message).collect::<Vec<_>>());
+        let cures: Vec<&Message> = members.iter().filter_map(|f| f.cure.as_ref()).collect();
+        group.cure = (!cures.is_empty()).then(|| gathered(&cures));
     }
     let mut groups: Vec<FindingGroup<'_>> = groups.into_iter().map(|(group, _)| group).collect();
     groups.sort_by_key(|group| std::cmp::Reverse(group.finding.severity()));
@@ -67,17 +68,34 @@ pub fn group_findings(findings: &[Finding]) -> Vec<FindingGroup<'_>> {
 }
 
 fn says_the_same(a: &Finding, b: &Finding) -> bool {
-    let same = |a: &str, b: &str| match b.is_empty() || a == b {
-        true => a == b,
-        false => pieces(a).map(Piece::shape).eq(pieces(b).map(Piece::shape)),
+    let same = |a: &Message, b: &Message| match (verbatim(a), verbatim(b)) {
+        (Some(a), Some(b)) => pieces(a).map(Piece::shape).eq(pieces(b).map(Piece::shape)),
+        _ => a.is_alike(b),
     };
     let exactly = a.severity() == Severity::Error;
     (a.kind, a.allowed) == (b.kind, b.allowed)
         && if exactly {
             (&a.message, &a.cure) == (&b.message, &b.cure)
         } else {
-            same(&a.message, &b.message) && same(&a.cure, &b.cure)
+            let cures = match (&a.cure, &b.cure) {
+                (Some(a), Some(b)) => same(a, b),
+                (a, b) => a == b,
+            };
+            same(&a.message, &b.message) && cures
         }
+}
+
+/// Text of a message that has no code of its own yet.
+fn verbatim(message: &Message) -> Option<&str> {
+    match message.argument("text") {
+        Some(Argument::Text(text)) if message.code == "text" => Some(text),
+        _ => None,
+    }
+}
+
+fn gathered(messages: &[&Message]) -> Message {
+    let texts: Option<Vec<&str>> = messages.iter().map(|message| verbatim(message)).collect();
+    texts.map_or_else(|| Message::gathered(messages), |texts| Message::verbatim(ranged(&texts)))
 }
 
 /// A piece of a sentence.
@@ -179,7 +197,7 @@ mod tests {
     use super::*;
 
     fn note(message: &str, pass: usize, range: (f64, f64)) -> Finding {
-        Finding::note("process", message.to_owned(), pass, range)
+        Finding::note("process", message, pass, range)
     }
 
     #[test]
@@ -189,7 +207,7 @@ mod tests {
         findings.push(note("same", 20, (0.0, 0.0)));
         findings.push(note("other", 14, (0.0, 0.0)));
         let groups = group_findings(&findings);
-        assert_eq!(groups.iter().map(|g| g.message.as_str()).collect::<Vec<_>>(), ["same", "other"]);
+        assert_eq!(groups.iter().map(|g| g.message.to_string()).collect::<Vec<_>>(), ["same", "other"]);
         let place = |first_pass, last_pass, from_mm, to_mm| FindingPlace { first_pass, last_pass, from_mm, to_mm };
         assert_eq!(groups[0].places, [place(2, 14, 0.0, 0.0), place(2, 2, 5.0, 7.0), place(20, 20, 0.0, 0.0)]);
         assert!(groups[0].places[0].is_point() && !groups[0].places[1].is_point());
@@ -205,7 +223,7 @@ mod tests {
         let findings = [unwinds("318.2", 4), unwinds("711.0", 5), unwinds("35.1", 9)];
         let groups = group_findings(&findings);
         let message = "axis j1 of saddle-4axis unwinds by 35.1–711.0 deg from pass 4–9 to pass 5–10, v2.";
-        assert_eq!((groups.len(), groups[0].message.as_str()), (1, message));
+        assert_eq!((groups.len(), groups[0].message.to_string()), (1, message.to_owned()));
         // Another axis is another matter, and so is another machine.
         let other = [note("axis j1 turns", 1, (0.0, 0.0)), note("axis j2 turns", 1, (0.0, 0.0))];
         assert_eq!(group_findings(&other).len(), 2);
@@ -220,28 +238,31 @@ mod tests {
     fn errors_keep_their_numbers() {
         let error = |speed: &str| Finding {
             allowed: false,
-            cure: format!("ask for {speed}"),
+            cure: Some(format!("ask for {speed}").into()),
             ..note(&format!("allows {speed} mm/s"), 1, (0.0, 1.0))
         };
         let findings = [error("4.1"), error("3.9"), error("4.1")];
         let groups = group_findings(&findings);
-        assert_eq!(groups.iter().map(|g| g.cure.as_str()).collect::<Vec<_>>(), ["ask for 4.1", "ask for 3.9"]);
+        assert_eq!(
+            groups.iter().map(|g| g.cure.as_ref().unwrap().to_string()).collect::<Vec<_>>(),
+            ["ask for 4.1", "ask for 3.9"]
+        );
     }
 
     #[test]
     fn what_stands_against_the_weld_comes_first() {
         let note = note("note", 1, (0.0, 1.0));
-        let warning = Finding { cure: "do".to_owned(), message: "warning".to_owned(), ..note.clone() };
-        let error = Finding { allowed: false, message: "error".to_owned(), ..note.clone() };
+        let warning = Finding { cure: Some("do".into()), message: "warning".into(), ..note.clone() };
+        let error = Finding { allowed: false, message: "error".into(), ..note.clone() };
         let findings = [note.clone(), warning, error, note];
         let groups = group_findings(&findings);
-        assert_eq!(groups.iter().map(|g| g.message.as_str()).collect::<Vec<_>>(), ["error", "warning", "note"]);
+        assert_eq!(groups.iter().map(|g| g.message.to_string()).collect::<Vec<_>>(), ["error", "warning", "note"]);
     }
 
     #[test]
     fn another_cure_or_severity_is_another_finding() {
         let one = note("same", 1, (0.0, 1.0));
-        let other = Finding { cure: "do".to_owned(), ..one.clone() };
+        let other = Finding { cure: Some("do".into()), ..one.clone() };
         let against = Finding { allowed: false, ..one.clone() };
         assert_eq!(group_findings(&[one, other, against]).len(), 3);
     }

@@ -50,5 +50,13 @@ fn jumps(pose: impl Fn(f64) -> Pose, s: f64, pass: usize) -> Vec<Finding> {
 }
 
 fn finding((message, cure): (String, &str), s: f64, pass: usize) -> Finding {
-    Finding { kind: "turn", message, pass, from_mm: s, to_mm: s, cure: cure.to_owned(), allowed: false }
+    Finding {
+        kind: "turn",
+        message: message.into(),
+        pass,
+        from_mm: s,
+        to_mm: s,
+        cure: Some(cure.into()),
+        allowed: false,
+    }
 }

@@ -151,7 +151,7 @@ fn evaluate(
             let known: Vec<&str> = variables.keys().map(String::as_str).collect();
             let mut error = document.unknown_name(path, &name, &known);
             if known.is_empty() {
-                error.help = Some("no variables are given: [variables] with name = number".to_owned());
+                error.help = Some("no variables are given: [variables] with name = number".into());
             }
             Err(error)
         }

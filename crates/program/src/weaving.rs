@@ -185,7 +185,7 @@ mod tests {
         let wrong = |from: &str, to: &str| {
             assert!(TEXT.contains(from), "{from}");
             let e = Program::read("p.toml", &TEXT.replacen(from, to, 1)).unwrap_err();
-            (e.key.trim_start_matches("passes[0].").to_owned(), e.message.clone())
+            (e.key.trim_start_matches("passes[0].").to_owned(), e.message.to_string())
         };
         for (from, to, key, message) in [
             ("frequency_hz = 1.5", "", "weave", "how fast the weave goes is not clear"),
@@ -212,7 +212,7 @@ mod tests {
         let fast = TEXT.replacen("= 0.15\ndwell_second_s = 0.1", "= 0", 1).replacen("1.5", "40", 1);
         let e = Program::read("p.toml", &fast).unwrap_err();
         assert_eq!(e.key, "passes[0].weave.frequency_hz");
-        assert!(e.message.contains("0.0750 mm") && e.allowed.unwrap().contains("30.0000 Hz"));
+        assert!(e.message.to_string().contains("0.0750 mm") && e.allowed.unwrap().to_string().contains("30.0000 Hz"));
     }
 
     #[test]

@@ -39,8 +39,8 @@ pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<
         let f = group.finding;
         writeln!(out, "{} ({}): {}", severity_word(f), f.kind, group.message)?;
         writeln!(out, "   where: {}", places_text(group))?;
-        if !group.cure.is_empty() {
-            writeln!(out, "   cure: {}", group.cure)?;
+        if let Some(cure) = &group.cure {
+            writeln!(out, "   cure: {cure}")?;
         }
     }
     Ok(())

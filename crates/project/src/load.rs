@@ -76,7 +76,7 @@ fn load_within(name: &str, text: &str, within: &Within<'_>, own: Own) -> Result<
             let allowed = format!("{}, or the path of a machine file", names());
             let message = format!("there is no such machine, and no file {}", within.folder().join(wanted).display());
             let mut error = welding.program.error_at("machine", message, allowed);
-            error.help = machine_meant(wanted);
+            error.help = machine_meant(wanted).map(Into::into);
             return Err(error.into());
         }
     };
@@ -292,7 +292,15 @@ impl Loaded {
             return None;
         };
         let (message, cure) = (message.to_owned(), cure.to_owned());
-        Some(Finding { kind: "unchecked", message, pass: 1, from_mm: 0.0, to_mm: 0.0, cure, allowed: true })
+        Some(Finding {
+            kind: "unchecked",
+            message: message.into(),
+            pass: 1,
+            from_mm: 0.0,
+            to_mm: 0.0,
+            cure: Some(cure.into()),
+            allowed: true,
+        })
     }
 
     /// The seam.

@@ -95,6 +95,9 @@ mod tests {
         let loaded = load(Path::new(ARM)).unwrap();
         let planning = Planning { limit: Some(Duration::from_millis(1)), ..Planning::default() };
         let Err(findings) = loaded.try_plan_under(&loaded.machine, &planning).unwrap() else { panic!("planned") };
-        assert!(findings.iter().any(|f| f.kind == "search" && f.message.contains("no plan within")), "{findings:?}");
+        assert!(
+            findings.iter().any(|f| f.kind == "search" && f.message.to_string().contains("no plan within")),
+            "{findings:?}"
+        );
     }
 }

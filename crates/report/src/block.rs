@@ -1,9 +1,10 @@
 //! The parts of a page.
 
+use crate::Phrases as _;
 use std::fmt::Write;
 
+use crate::Language;
 use crate::icon;
-use crate::language::Language;
 use crate::text::{escape, minus};
 
 /// One part of a page, in reading order.

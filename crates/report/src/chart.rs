@@ -1,7 +1,7 @@
 //! A chart: curves over one axis, against limits.
 
+use crate::Language;
 use crate::domain::{Domain, usable};
-use crate::language::Language;
 use crate::legend::{Entry, Legend, ROW};
 use crate::limit::{self, LimitLine};
 use crate::plot::{Plot, Scale};

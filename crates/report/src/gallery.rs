@@ -1,4 +1,5 @@
-use crate::language::Language;
+use crate::Language;
+use crate::Phrases as _;
 use crate::number::px;
 use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
 

@@ -2,52 +2,11 @@
 //! panel are in a file for each language, which the panel sends. Sentences about plans are in `findings.json`, those
 //! about welds in `notes.json`. Texts only of reports are in `report.json`, those only of plan reports in `plan.json`.
 
+use seamwright_message::Language;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use std::collections::HashMap;
-use std::str::FromStr;
 use std::sync::LazyLock;
-
-/// A language that a page can be in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Language {
-    /// `en`, the source language.
-    #[default]
-    English,
-    /// `uk`.
-    Ukrainian,
-    /// `zh`, in simplified characters.
-    Chinese,
-    /// `de`.
-    German,
-    /// `ru`.
-    Russian,
-}
-
-impl Language {
-    /// All languages, in the order of the columns of `words/report.json`.
-    pub const ALL: [Self; 5] = [Self::English, Self::Ukrainian, Self::Chinese, Self::German, Self::Russian];
-
-    /// Returns the code (ISO 639).
-    pub fn code(self) -> &'static str {
-        match self {
-            Self::English => "en",
-            Self::Ukrainian => "uk",
-            Self::Chinese => "zh",
-            Self::German => "de",
-            Self::Russian => "ru",
-        }
-    }
-}
-
-impl FromStr for Language {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let codes = Self::ALL.map(Self::code).join(", ");
-        Self::ALL.into_iter().find(|language| language.code() == text).ok_or(format!("allowed: {codes}"))
-    }
-}
 
 /// A phrase in each language, with placeholders `{0}`, `{1}` ..
 pub(crate) type Row = [String; 5];
@@ -149,47 +108,66 @@ fn filled(words: &str, of: &[&str]) -> String {
     text + rest
 }
 
-impl Language {
+/// Words of a language for pages.
+pub(crate) trait Phrases: Sized {
     /// Returns the text of an English phrase or of a key of the panel's words; `None` if both are unknown.
-    pub(crate) fn known(self, text: &str) -> Option<&'static str> {
+    fn known(self, text: &str) -> Option<&'static str>;
+
+    /// Returns the text of an English phrase or of a key of the panel's words.
+    fn say(self, text: &'static str) -> &'static str;
+
+    /// Returns the text with `of` in the placeholders.
+    fn fill(self, text: &'static str, of: &[&str]) -> String;
+
+    /// Translates a unit or another known text; an unknown one is returned unchanged.
+    fn unit(self, text: &str) -> &str;
+
+    /// Returns the separator of two sentences: Chinese full stops include their space.
+    fn between_sentences(self) -> &'static str;
+
+    /// Returns the name of `name` in the panel's words for `kind`, if known.
+    fn named(self, kind: &str, name: &str) -> Option<&'static str>;
+
+    /// Returns the texts of an alarm of the catalogue; `None` in English, whose texts are the catalogue's.
+    fn alarm(self, name: &str) -> Option<&'static AlarmWords>;
+
+    /// Translates a sentence about a plan or a weld by its pattern; `word` translates its arguments.
+    fn sentence(self, text: &str, word: impl Fn(&str) -> String) -> Option<String>;
+}
+
+impl Phrases for Language {
+    fn known(self, text: &str) -> Option<&'static str> {
         let phrase = WORDS.phrases.get(text).map(|row| &row[self as usize]);
         phrase.or_else(|| WORDS.tongues[self as usize].words.get(text)).map(String::as_str)
     }
 
-    /// Returns the text of an English phrase or of a key of the panel's words.
-    pub(crate) fn say(self, text: &'static str) -> &'static str {
+    fn say(self, text: &'static str) -> &'static str {
         let words = self.known(text);
         debug_assert!(words.is_some() || text.is_empty(), "`{text}` has no words");
         words.unwrap_or(text)
     }
 
-    /// Returns the text with `of` in the placeholders.
-    pub(crate) fn fill(self, text: &'static str, of: &[&str]) -> String {
+    fn fill(self, text: &'static str, of: &[&str]) -> String {
         filled(self.say(text), of)
     }
 
-    /// Translates a unit or another known text; an unknown one is returned unchanged.
-    pub(crate) fn unit(self, text: &str) -> &str {
+    fn unit(self, text: &str) -> &str {
         self.known(text).unwrap_or(text)
     }
 
-    /// Returns the separator of two sentences: Chinese full stops include their space.
-    pub(crate) fn between_sentences(self) -> &'static str {
+    fn between_sentences(self) -> &'static str {
         if self == Self::Chinese { "" } else { " " }
     }
 
-    /// Returns the name of `name` in the panel's words for `kind`, if known.
-    pub(crate) fn named(self, kind: &str, name: &str) -> Option<&'static str> {
+    fn named(self, kind: &str, name: &str) -> Option<&'static str> {
         self.known(&format!("{kind}.{}", name.replace(' ', "_")))
     }
 
-    /// Returns the texts of an alarm of the catalogue; `None` in English, whose texts are the catalogue's.
-    pub(crate) fn alarm(self, name: &str) -> Option<&'static AlarmWords> {
+    fn alarm(self, name: &str) -> Option<&'static AlarmWords> {
         WORDS.tongues[self as usize].alarms.get(name)
     }
 
-    /// Translates a sentence about a plan or a weld by its pattern; `word` translates its arguments.
-    pub(crate) fn sentence(self, text: &str, word: impl Fn(&str) -> String) -> Option<String> {
+    fn sentence(self, text: &str, word: impl Fn(&str) -> String) -> Option<String> {
         WORDS.sentences.iter().find_map(|row| {
             let mut of: Vec<(usize, String)> =
                 holes(&row[0], text)?.into_iter().map(|(number, of)| (number, word(of))).collect();

@@ -1,7 +1,8 @@
 //! Layout of three views and a pictorial one, and the mapping from space to them.
 
+use crate::Language;
+use crate::Phrases as _;
 use crate::domain::{Domain, usable};
-use crate::language::Language;
 use crate::projection::Projection::{self, Front, Pictorial, Side, Top};
 use crate::svg::{Anchor, EDGE, Rect, Svg, WIDTH};
 use crate::ticks::Ticks;

@@ -1,7 +1,8 @@
 //! Horizontal limits of a chart.
 
+use crate::Language;
+use crate::Phrases as _;
 use crate::domain::{Domain, usable};
-use crate::language::Language;
 use crate::number::format_number;
 
 /// A value that the data should not cross.

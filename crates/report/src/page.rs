@@ -1,10 +1,11 @@
 //! The report as one HTML file.
 
+use crate::Phrases as _;
 use std::fmt::Write;
 
+use crate::Language;
 use crate::block::{Block, Counters};
 use crate::icon;
-use crate::language::Language;
 use crate::style::page_sheet;
 use crate::text::{escape, fit};
 

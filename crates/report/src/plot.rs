@@ -1,5 +1,6 @@
 //! The plot area of a chart: grid, bands, limits, curves and the labels around it.
 
+use crate::Phrases as _;
 use crate::chart::{Chart, STRIP};
 use crate::domain::{Domain, usable};
 use crate::limit::{self, LimitLine};

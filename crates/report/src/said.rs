@@ -1,8 +1,10 @@
 //! Translation of the English texts of the cell and the library; unknown texts stay as they are.
 
 use crate::Language;
+use crate::Phrases as _;
 use crate::language::value_name;
 use seamwright_cell::executive::{Alarm as Catalogue, Entry};
+use seamwright_message::{Argument, Message};
 use seamwright_record::figures::HEAT_INPUT;
 use seamwright_record::library::Alarm;
 
@@ -102,6 +104,14 @@ pub(crate) fn cause(language: Language, of: &Alarm) -> String {
     let known = entry(&of.name).filter(|(entry, _)| entry.cause == of.cause);
     let words = known.and_then(|(entry, _)| language.alarm(entry.name));
     words.map_or(&of.cause, |words| &words.cause).clone()
+}
+
+/// Returns the words of a message; text without a code is looked up by its sentence.
+pub(crate) fn message(language: Language, message: &Message) -> String {
+    match message.argument("text") {
+        Some(Argument::Text(text)) if message.code == "text" => sentence(language, text),
+        _ => message.in_language(language),
+    }
 }
 
 /// Translates a sentence about a plan or a weld, or an alarm in one. A machine's own messages start with its name.

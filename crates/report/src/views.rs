@@ -1,6 +1,7 @@
 //! A curve in space, drawn in three views.
 
-use crate::language::Language;
+use crate::Language;
+use crate::Phrases as _;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::place;

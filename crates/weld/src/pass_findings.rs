@@ -79,11 +79,11 @@ impl PassPath<'_> {
                 Some(last) => last.to_mm = s,
                 None => findings.push(Finding {
                     kind,
-                    message,
+                    message: message.into(),
                     pass,
                     from_mm: s,
                     to_mm: s,
-                    cure: cure.to_owned(),
+                    cure: Some(cure.into()),
                     allowed: false,
                 }),
             }

@@ -69,7 +69,8 @@ fn a_blend_is_measured_from_the_seam_and_its_speed_along_the_blend() {
         }
     }
     let most = samples.iter().filter(|s| s.travels()).map(|s| s.path_error).fold(0.0, f64::max);
-    let planned: Vec<&String> = motion.findings.iter().filter(|f| f.kind == "blend").map(|f| &f.message).collect();
+    let planned: Vec<String> =
+        motion.findings.iter().filter(|f| f.kind == "blend").map(|f| f.message.to_string()).collect();
     assert!(blended > 50 && most > 0.05 && most < MM + 0.05, "{blended} {most} {planned:?}");
 }
 

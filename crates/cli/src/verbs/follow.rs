@@ -231,12 +231,13 @@ impl<'a, R: BufRead> Points<'a, R> {
     fn unreachable(&self, message: &str) -> Failure {
         Failure::Findings(vec![Finding {
             kind: "reach",
-            message: format!("the point in line {}: {message}", self.reader.line()),
+            message: format!("the point in line {}: {message}", self.reader.line()).into(),
             pass: 1,
             from_mm: 0.0,
             to_mm: 0.0,
-            cure: "change the points, the placement of the work or the machine; the motion ends before this point"
-                .to_owned(),
+            cure: Some(
+                "change the points, the placement of the work or the machine; the motion ends before this point".into(),
+            ),
             allowed: false,
         }])
     }

@@ -15,11 +15,11 @@ pub(super) fn findings(
 ) -> Vec<Finding> {
     let finding = |(from_mm, to_mm): (f64, f64), message: String, cure: &str| Finding {
         kind: "procedure",
-        message,
+        message: message.into(),
         pass: number,
         from_mm,
         to_mm,
-        cure: format!("{cure}; {OTHERWISE}"),
+        cure: Some(format!("{cure}; {OTHERWISE}").into()),
         allowed: false,
     };
     let whole = (0.0, pass.length());

@@ -12,11 +12,11 @@ const NUMERIC_SAMPLES: usize = 4;
 pub(crate) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
     Finding {
         kind: "hold",
-        message: error.to_string(),
+        message: error.to_string().into(),
         pass,
         from_mm: 0.0,
         to_mm: length,
-        cure: format!("allowed: {}", error.allowed()),
+        cure: Some(format!("allowed: {}", error.allowed()).into()),
         allowed: false,
     }
 }
@@ -34,11 +34,11 @@ pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
     }
     let unreachable = runs.findings(|run| Finding {
         kind: if run.message.starts_with("axis") { "range" } else { "reach" },
-        message: format!("{}: wherever its axes to spare stand, {}", task.machine.name, run.message),
+        message: format!("{}: wherever its axes to spare stand, {}", task.machine.name, run.message).into(),
         pass,
         from_mm: run.from,
         to_mm: run.to,
-        cure: "change the placement of the work, the torch angles or the axes held".to_owned(),
+        cure: Some("change the placement of the work, the torch angles or the axes held".into()),
         allowed: false,
     });
     if unreachable.is_empty() {
@@ -54,11 +54,11 @@ fn not_smooth(task: &Task, pass: usize) -> Finding {
         message: format!(
             "wherever the axes to spare of {} stand, the others cannot follow the torch smoothly: it passes a singular attitude or leaves their reach",
             task.machine.name
-        ),
+        ).into(),
         pass,
         from_mm: 0.0,
         to_mm: task.path.length(),
-        cure: "not tried: other torch angles or another placement of the work may help".to_owned(),
+        cure: Some("not tried: other torch angles or another placement of the work may help".into()),
         allowed: false,
     }
 }
@@ -136,11 +136,11 @@ fn jump(task: &Task, graph: &Graph, pass: usize) -> Option<Finding> {
             axis.name,
             axis.to_file(by),
             axis.unit()
-        ),
+        ).into(),
         pass,
         from_mm,
         to_mm,
-        cure: "not tried: welding the seam in parts (start.end_phi_deg), another start or another placement of the work may help".to_owned(),
+        cure: Some("not tried: welding the seam in parts (start.end_phi_deg), another start or another placement of the work may help".into()),
         allowed: false,
     })
 }

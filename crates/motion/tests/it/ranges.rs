@@ -24,7 +24,10 @@ fn a_range_finding_is_that_of_the_branch_that_lacks_least() {
     let found = planned(CIRCLE).unwrap_err();
     println!("{found:#?}");
     assert_eq!(found.len(), 4);
-    assert!(found.iter().all(|f| f.kind == "range" && f.message.contains("0.100 deg beyond its limit")), "{found:#?}");
+    assert!(
+        found.iter().all(|f| f.kind == "range" && f.message.to_string().contains("0.100 deg beyond its limit")),
+        "{found:#?}"
+    );
     assert!(found.iter().map(|f| f.to_mm - f.from_mm).sum::<f64>() < 100.0);
 }
 
@@ -49,17 +52,17 @@ fn cured(job: &str, cure: &str) -> Option<String> {
 #[test]
 fn a_cure_that_is_offered_cures() {
     let found = planned(CIRCLE).unwrap_err();
-    let job = cured(CIRCLE, &found[0].cure).unwrap_or_else(|| panic!("{}", found[0].cure));
-    planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure));
+    let job = cured(CIRCLE, &found[0].cure_text()).unwrap_or_else(|| panic!("{}", found[0].cure_text()));
+    planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure_text()));
     // A line beyond one end of a slide.
     let line = "schema = 1\ntitle = \"t\"\nmachine = \"torch-5axis\"\n[seam.line]\nstart_mm = [700, 0, 100]\n\
                 end_mm = [850, 0, 100]\nfirst_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[part]\nwatched = false\n\
                 [weld]\nspeed_mm_s = 5\n";
     let found = planned(line).unwrap_err();
     println!("{found:#?}");
-    assert!(found.iter().any(|f| f.kind == "range" && f.message.contains("axis x")), "{found:#?}");
-    let job = cured(line, &found[0].cure).unwrap_or_else(|| panic!("{}", found[0].cure));
-    planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure));
+    assert!(found.iter().any(|f| f.kind == "range" && f.message.to_string().contains("axis x")), "{found:#?}");
+    let job = cured(line, &found[0].cure_text()).unwrap_or_else(|| panic!("{}", found[0].cure_text()));
+    planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure_text()));
 }
 
 /// On a machine that turns about the nozzle a shift of the work only moves the excess to the other side.
@@ -70,7 +73,7 @@ fn no_cure_is_offered_where_none_helps() {
     let found = planned(&wide).unwrap_err();
     println!("{found:#?}");
     let range: Vec<_> = found.iter().filter(|f| f.kind == "range").collect();
-    assert!(!range.is_empty() && range.iter().all(|f| f.cure.starts_with("none was found")), "{found:#?}");
+    assert!(!range.is_empty() && range.iter().all(|f| f.cure_text().starts_with("none was found")), "{found:#?}");
 }
 
 /// Passes continue turning within the range: forty thousand degrees are a hundred turns.
@@ -119,7 +122,7 @@ fn cure_of_first(weld: &[Welding]) -> String {
     let passes: Vec<(&dyn TorchPath, &Pass)> =
         paths.iter().zip(weld).map(|(path, w)| (path as &dyn TorchPath, &w.program.value.passes[0])).collect();
     let found = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap_err();
-    found.into_iter().find(|f| f.kind == "range" && f.pass == 1).unwrap().cure
+    found.into_iter().find(|f| f.kind == "range" && f.pass == 1).unwrap().cure_text()
 }
 
 /// The work is moved with all its passes: a cure of one pass must not take another one out of its range.
@@ -138,7 +141,7 @@ fn no_cure_of_one_pass_takes_another_out_of_its_range() {
     let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
     let single = line(700.0, 850.0);
     let found = PassMotion::plan(&machine, &single.path(0), &single.program.value.passes[0], 1).unwrap_err();
-    assert!(found[0].cure.contains("tried for this pass"), "{}", found[0].cure);
+    assert!(found[0].cure_text().contains("tried for this pass"), "{}", found[0].cure_text());
 }
 
 #[test]
@@ -147,7 +150,7 @@ fn a_reason_names_only_changes_that_were_tried() {
     let steep = CIRCLE.replace("work_angle_deg = -35.1", "work_angle_deg = -70").replace("0, 0, 200", "0, 0, 500");
     let found = planned(&steep).unwrap_err();
     let range = found.iter().find(|f| f.kind == "range").unwrap_or_else(|| panic!("{found:#?}"));
-    assert_eq!(range.cure, "none was found: changing the work angle was tried");
+    assert_eq!(range.cure_text(), "none was found: changing the work angle was tried");
     // Out of reach: no shift of the work can be derived.
     let far = Welding::read(
         "job.toml",
@@ -158,14 +161,17 @@ fn a_reason_names_only_changes_that_were_tried() {
     .unwrap_or_else(|e| panic!("{e}"));
     let machine = Machine::read("m.toml", SCARA).unwrap();
     let found = PassMotion::plan(&machine, &far.path(0), &far.program.value.passes[0], 1).unwrap_err();
-    assert_eq!((found[0].kind, found[0].cure.as_str()), ("reach", "none was found: changing the work angle was tried"));
+    assert_eq!(
+        (found[0].kind, found[0].cure_text().as_str()),
+        ("reach", "none was found: changing the work angle was tried")
+    );
 }
 
 #[test]
 fn a_cure_names_the_key_that_the_pass_has() {
     let [first, second] = [0, 600].map(|s| format!("[[torch.at]]\ns_mm = {s}\nwork_angle_deg = -35.1\n"));
     let job = CIRCLE.replace("[torch]\nwork_angle_deg = -35.1\n", &(first + &second));
-    let cure = planned(&job).unwrap_err()[0].cure.clone();
+    let cure = planned(&job).unwrap_err()[0].cure_text().clone();
     let by = cure.strip_prefix("change work_angle_deg of every [[torch.at]] by ").unwrap_or_else(|| panic!("{cure}"));
     let by: f64 = by.split(' ').next().unwrap().parse().unwrap();
     planned(&job.replace("-35.1", &format!("{}", by - 35.1))).unwrap_or_else(|f| panic!("{cure}: {f:#?}"));

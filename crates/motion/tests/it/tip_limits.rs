@@ -48,7 +48,7 @@ fn a_weld_keeps_them_and_says_so() {
     assert!(parts[0] > 0.99 && parts[2] > 0.8, "{parts:?}");
     let bindings = motion.certificate.intervals.iter().filter_map(|i| Binding::new(&machine, i.bound));
     assert!(bindings.into_iter().any(|b| b.axis.is_none() && b.what == "speed" && (b.value - 25.0).abs() < 1e-12));
-    let told: Vec<&String> = motion.findings.iter().map(|f| &f.message).collect();
+    let told: Vec<String> = motion.findings.iter().map(|f| f.message.to_string()).collect();
     assert!(told.iter().any(|m| m.contains("the torch tip cannot keep 30.000 mm/s: its speed limit of 25.000 mm/s")));
 }
 

@@ -76,7 +76,7 @@ fn a_limited_axis_unwinds_between_passes_and_an_endless_one_goes_on() {
     let unwound: Vec<&Finding> = motion.findings.iter().filter(|f| f.kind == "unwind").collect();
     // From -340 deg the second pass goes on to 385; the third has no room and starts again from -340.
     assert!(unwound.len() == 1 && unwound[0].allowed && unwound[0].pass == 2);
-    assert!(unwound[0].message.starts_with("axis theta unwinds by 364.6 deg"), "{}", unwound[0].message);
+    assert!(unwound[0].message.to_string().starts_with("axis theta unwinds by 364.6 deg"), "{}", unwound[0].message);
     check(&machine_4, &motion);
 
     let trunnion = program(include_str!("../../../../examples/trunnion-saddle.toml"), 3);
@@ -135,7 +135,7 @@ fn what_is_too_near_is_told() {
     let findings = with(20.0).unwrap_err();
     let f = findings.iter().find(|f| f.kind == "clearance").unwrap();
     println!("{}: s = {} to {}", f.message, f.from_mm, f.to_mm);
-    assert!(f.message.contains("clamp") && f.message.contains("torch"));
+    assert!(f.message.to_string().contains("clamp") && f.message.to_string().contains("torch"));
     assert!(f.from_mm < 0.4 * length && f.to_mm > 0.4 * length && f.to_mm - f.from_mm < 0.2 * length);
     // Far enough away it is no finding, and the minimum distance is reported.
     let clear = with(60.0).unwrap();
@@ -150,5 +150,5 @@ fn what_is_too_near_is_told() {
     let at_home = Solid::new("hook", Shape::Sphere { radius: 5.0 }, DAffine3::from_translation(home)).unwrap();
     let blocked = plan(&machine, &welding, &Clamped { fixtures: vec![at_home], least_mm: 2.0, ..Clamped::default() });
     let findings = blocked.unwrap_err();
-    assert!(findings.iter().any(|f| f.kind == "air" && f.message.contains("hook")), "{findings:?}");
+    assert!(findings.iter().any(|f| f.kind == "air" && f.message.to_string().contains("hook")), "{findings:?}");
 }

@@ -4,6 +4,7 @@
 use crate::{Along, Columns, Pass, PointEvent, PointSpan, Points, Program, Span};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, Point};
+use seamwright_message::Message;
 
 /// A program being edited.
 #[derive(Debug)]
@@ -107,7 +108,7 @@ impl<'a> Draft<'a> {
     }
 
     /// An error at the passes.
-    pub(super) fn wrong(&self, message: impl Into<String>, allowed: impl Into<String>) -> DocumentError {
+    pub(super) fn wrong(&self, message: impl Into<Message>, allowed: impl Into<Message>) -> DocumentError {
         self.file.error_at("passes", message, allowed)
     }
 
@@ -115,8 +116,8 @@ impl<'a> Draft<'a> {
     pub(super) fn wrong_in(
         &self,
         pass: usize,
-        message: impl Into<String>,
-        allowed: impl Into<String>,
+        message: impl Into<Message>,
+        allowed: impl Into<Message>,
     ) -> DocumentError {
         self.file.error_at(&format!("passes[{}]", pass.saturating_sub(1)), message, allowed)
     }

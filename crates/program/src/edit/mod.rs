@@ -120,7 +120,7 @@ impl Editor {
         };
         let program = Program::read(&self.file, &text).map_err(|mut e| {
             let help = "the edit is refused: the document stays as it was; the line is that of the result";
-            e.help = Some(e.help.map_or(help.to_owned(), |h| format!("{h}\n   help: {help}")));
+            e.help = Some(e.help.map_or(help.into(), |h| format!("{h}\n   help: {help}").into()));
             e
         })?;
         if !draft.is_recomputed && program.value != meant {

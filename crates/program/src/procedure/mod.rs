@@ -150,8 +150,8 @@ impl Procedure {
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
         let document = Document::<Self>::read(file, text).map_err(|mut e| {
-            if e.key.starts_with("runs[") && e.message.starts_with("there is no key") && e.help.is_none() {
-                e.help = Some("ranges of process values stand in [runs.ranges]".to_owned());
+            if e.key.starts_with("runs[") && e.message.code == "document-unknown-key" && e.help.is_none() {
+                e.help = Some("ranges of process values stand in [runs.ranges]".into());
             }
             e
         })?;

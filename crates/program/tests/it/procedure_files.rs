@@ -56,7 +56,10 @@ fn runs_are_found_by_name_and_by_number() {
 fn windows_that_are_none() {
     let e = wrong("speed_mm_s = [4, 6]", "speed_mm_s = [6, 4]");
     assert_eq!((e.line, e.key.as_str()), (9, "runs[0].speed_mm_s"));
-    assert!(e.message.contains("6, is above the greatest, 4") && e.allowed.as_deref() == Some("[least, greatest]"));
+    assert!(
+        e.message.to_string().contains("6, is above the greatest, 4")
+            && e.allowed.as_ref().map(ToString::to_string).as_deref() == Some("[least, greatest]")
+    );
     assert_eq!(wrong("current_a = [150, 180]", "current_a = [180, 150]").key, "runs[0].ranges.current_a");
     assert!(wrong("[0.4, 0.8]", "[0.4]").key.contains("heat_input_kj_mm"));
     assert!(wrong("[0.4, 0.8]", "0.4").key.contains("heat_input_kj_mm"));
@@ -68,40 +71,49 @@ fn windows_that_are_none() {
 fn names_that_are_not_known() {
     let e = wrong("process = 135", "process = 137");
     assert_eq!((e.line, e.key.as_str()), (4, "process"));
-    assert!(e.allowed.unwrap().contains("135 (MAG welding with solid wire)"));
+    assert!(e.allowed.unwrap().to_string().contains("135 (MAG welding with solid wire)"));
     assert_eq!(wrong("process = 135", "process = -1").key, "process");
     assert_eq!(wrong("process = 135", "process = \"MAG\"").key, "process");
     let e = wrong("\"PB\"", "\"PH\"");
-    assert!(e.key.contains("runs[0].positions") && e.message.contains("`PH`"), "{e}");
-    assert_eq!(e.allowed.as_deref(), Some("PA, PB, PC, PD, PE, PF, PG"));
+    assert!(e.key.contains("runs[0].positions") && e.message.to_string().contains("`PH`"), "{e}");
+    assert_eq!(e.allowed.as_ref().map(ToString::to_string).as_deref(), Some("PA, PB, PC, PD, PE, PF, PG"));
     assert_eq!(wrong("[\"PA\", \"PB\"]", "[]").key, "runs[0].positions");
-    assert_eq!(wrong("name = \"root\"", "name = \"hot\"").allowed.as_deref(), Some("tack, root, fill, cap, cosmetic"));
+    assert_eq!(
+        wrong("name = \"root\"", "name = \"hot\"").allowed.as_ref().map(ToString::to_string).as_deref(),
+        Some("tack, root, fill, cap, cosmetic")
+    );
 }
 
 #[test]
 fn units_are_in_the_keys() {
     let e = wrong("speed_mm_s = [4, 6]", "speed_mm_min = [240, 360]");
-    assert_eq!(e.help.as_deref(), Some("did you mean `speed_mm_s`? This value is given in mm/s"));
+    assert_eq!(
+        e.help.as_ref().map(ToString::to_string).as_deref(),
+        Some("did you mean `speed_mm_s`? This value is given in mm/s")
+    );
     let e = wrong("heat_input_kj_mm", "heat_input_kj_cm");
-    assert!(e.help.unwrap().contains("did you mean `heat_input_kj_mm`?"));
-    assert!(wrong("interpass_c", "interpass_f").help.unwrap().contains("`interpass_c`"));
-    assert!(wrong("wire_diameter_mm", "wire_diameter").help.unwrap().contains("`wire_diameter_mm`"));
-    assert!(wrong("current_a =", "current =").message.contains("no name of a process value"));
+    assert!(e.help.unwrap().to_string().contains("did you mean `heat_input_kj_mm`?"));
+    assert!(wrong("interpass_c", "interpass_f").help.unwrap().to_string().contains("`interpass_c`"));
+    assert!(wrong("wire_diameter_mm", "wire_diameter").help.unwrap().to_string().contains("`wire_diameter_mm`"));
+    assert!(wrong("current_a =", "current =").message.to_string().contains("no name of a process value"));
     let e = wrong("current_a = [150, 180]", "heat_input_kj_mm = [1, 2]");
-    assert_eq!(e.allowed.as_deref(), Some("heat_input_kj_mm beside `ranges`"));
+    assert_eq!(e.allowed.as_ref().map(ToString::to_string).as_deref(), Some("heat_input_kj_mm beside `ranges`"));
     let e = wrong("name = \"root\"", "name = \"root\"\ncurrent_a = [150, 180]");
-    assert!(e.message.contains("`current_a`") && e.help.unwrap().contains("[runs.ranges]"));
+    assert!(e.message.to_string().contains("`current_a`") && e.help.unwrap().to_string().contains("[runs.ranges]"));
 }
 
 #[test]
 fn passes_are_named_once() {
-    assert!(wrong("name = \"root\"\n", "").message.contains("names no passes"));
+    assert!(wrong("name = \"root\"\n", "").message.to_string().contains("names no passes"));
     let e = wrong("name = \"root\"", "name = \"root\"\npasses = \"1\"");
     assert_eq!((e.key.as_str(), e.line), ("runs[0]", 6));
-    assert!(e.message.contains("twice"));
-    assert!(wrong("passes = \"2-4, 7\"", "name = \"root\"").message.contains("runs[0] has this name"));
+    assert!(e.message.to_string().contains("twice"));
+    assert!(wrong("passes = \"2-4, 7\"", "name = \"root\"").message.to_string().contains("runs[0] has this name"));
     let e = wrong("name = \"root\"", "passes = \"1, 4\"");
-    assert_eq!((e.key.as_str(), e.message.as_str()), ("runs[1].passes", "pass 4 is named by runs[0] already"));
+    assert_eq!(
+        (e.key.as_str(), e.message.to_string().as_str()),
+        ("runs[1].passes", "pass 4 is named by runs[0] already")
+    );
     for (text, message) in [
         ("2-4, 3", "pass 3 is named twice"),
         ("0", "`0` names no passes"),
@@ -113,12 +125,12 @@ fn passes_are_named_once() {
     ] {
         let e = wrong("\"2-4, 7\"", &format!("\"{text}\""));
         assert_eq!(e.key, "runs[1].passes", "{text}");
-        assert!(e.message.replace('`', "").contains(&message.replace('`', "")), "{text}: {}", e.message);
-        assert!(e.allowed.unwrap().contains("2-5"));
+        assert!(e.message.to_string().replace('`', "").contains(&message.replace('`', "")), "{text}: {}", e.message);
+        assert!(e.allowed.unwrap().to_string().contains("2-5"));
     }
     assert!(wrong("passes = \"2-4, 7\"", "passes = 2").key.contains("runs[1].passes"));
     let none = TEXT.split("[[runs]]").next().unwrap().to_owned() + "runs = []\n";
-    assert!(Procedure::read("w.toml", &none).unwrap_err().message.contains("no runs"));
+    assert!(Procedure::read("w.toml", &none).unwrap_err().message.to_string().contains("no runs"));
 }
 
 #[test]
@@ -155,7 +167,10 @@ fn a_program_holds_its_procedure() {
         Program::read("p.toml", &PROGRAM.replacen(from, to, 1)).unwrap_err()
     };
     let e = wrong("passes = \"2\"", "passes = \"1-2\"");
-    assert_eq!((e.key.as_str(), e.message.as_str()), ("procedure.runs[1]", "pass 1 (root) is in runs[0] already"));
+    assert_eq!(
+        (e.key.as_str(), e.message.to_string().as_str()),
+        ("procedure.runs[1]", "pass 1 (root) is in runs[0] already")
+    );
     assert_eq!(wrong("process = 141", "process = 999").key, "procedure.process");
     assert_eq!(wrong("passes = \"2\"", "speed_mm_s = [1, 2]").key, "procedure.runs[1]");
     assert_eq!(wrong("process = 141", "process = 141\nthermal_efficiency = 2").key, "procedure.thermal_efficiency");

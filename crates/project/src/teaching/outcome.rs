@@ -76,12 +76,13 @@ fn unfinished(run: &TaughtRun, said_end: bool) -> Option<String> {
 pub fn finding(why: String, way: f64) -> Finding {
     Finding {
         kind: "teach",
-        message: why,
+        message: why.into(),
         pass: 1,
         from_mm: way,
         to_mm: way,
-        cure: "teach on from there with --start, allow a longer --longest-tack-mm, or take the points by hand"
-            .to_owned(),
+        cure: Some(
+            "teach on from there with --start, allow a longer --longest-tack-mm, or take the points by hand".into(),
+        ),
         allowed: false,
     }
 }

@@ -1,6 +1,6 @@
 use super::canvas::Canvas;
 use super::outlines::outlines;
-use crate::language::Language;
+use crate::Language;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::projection::Projection::Pictorial;

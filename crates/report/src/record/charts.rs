@@ -1,3 +1,4 @@
+use crate::Phrases as _;
 use crate::said;
 use crate::{Axis, Block, Chart, Language, LimitLine, Series};
 use seamwright_record::figures::{BIN_MM, Curve, Figures, HEAT_INPUT, Value};

@@ -3,6 +3,7 @@
 mod charts;
 mod tables;
 
+use crate::Phrases as _;
 use crate::said;
 use crate::weld::table;
 use crate::{Block, Language, Page, Severity, Tile, Verdict, format_number};

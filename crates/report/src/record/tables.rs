@@ -1,3 +1,4 @@
+use crate::Phrases as _;
 use crate::said;
 use crate::weld::table;
 use crate::{Block, Language, format_number};

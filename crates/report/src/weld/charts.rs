@@ -4,6 +4,7 @@ use super::procedure::ProcedurePlots;
 use super::samples::Sample;
 use super::taught::{TaughtPlot, taught};
 use super::{CertificateFigures, SimulationCurves, cut, order, sections, woven};
+use crate::Phrases as _;
 use crate::{
     Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, said,
 };

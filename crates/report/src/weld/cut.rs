@@ -1,6 +1,7 @@
 //! Template of a tube's cut end, unrolled at true size, to wrap around the tube.
 
 use crate::Language;
+use crate::Phrases as _;
 use crate::text::escape;
 use seamwright_weld::{Cut, Unrolled};
 use std::fmt::Write;

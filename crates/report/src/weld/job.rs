@@ -3,6 +3,7 @@
 use super::figures::WeldReport;
 use super::overview::{extremes, range};
 use super::page::{number, table};
+use crate::Phrases as _;
 use crate::{Block, Language, said};
 use seamwright_program::{Sequence, Slope, WeldDirection};
 

@@ -4,6 +4,7 @@ use super::CertificateFigures;
 use super::certificate::{IntervalFigures, TIP, UseFigures};
 use super::page::{number, table};
 use super::plan::AxisFigures;
+use crate::Phrases as _;
 use crate::{Block, Language, format_number};
 
 /// Maximum number of listed stretches, for a readable report; report.json has all of them.

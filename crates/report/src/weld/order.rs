@@ -1,5 +1,6 @@
 use super::WeldReport;
 use super::page::{number, table};
+use crate::Phrases as _;
 use crate::{Block, Language, OrderDrawing, OrderedLine};
 use glam::DVec3;
 use seamwright_program::{Pass, Role, TorchPath};

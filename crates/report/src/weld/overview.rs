@@ -3,6 +3,7 @@
 use super::figures::{PassFigures, WeldReport};
 use super::page::{number, small};
 use super::plan::PlanFigures;
+use crate::Phrases as _;
 use crate::{Language, Severity, Tile, Verdict, format_number, said};
 use seamwright_cell::Summary;
 use seamwright_program::group_findings;

@@ -4,6 +4,7 @@ use super::limits::{axes_table, bounds_table, speed_text, uses_table};
 use super::procedure::{positions_table, procedure_text, windows_table};
 use super::simulated::{following_table, simulation_text};
 use super::tracking;
+use crate::Phrases as _;
 use crate::{Block, Chart, ChartGrid, Finding, Language, Page, Severity, Table, format_number, said};
 use seamwright_program::{FindingGroup, FindingPlace, group_findings};
 
@@ -274,9 +275,9 @@ fn finding(group: &FindingGroup<'_>, several: bool, language: Language) -> Findi
             seamwright_program::Severity::Warning => Severity::Warning,
             seamwright_program::Severity::Note => Severity::Note,
         },
-        text: said::sentence(language, &group.message),
+        text: said::message(language, &group.message),
         place: places.join("; "),
-        cure: said::sentence(language, &group.cure),
+        cure: group.cure.as_ref().map_or_else(String::new, |cure| said::message(language, cure)),
     }
 }
 

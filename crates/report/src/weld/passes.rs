@@ -10,6 +10,7 @@ use super::page::{figure, number, paragraph, seam, small};
 use super::plan::AxisFigures;
 use super::simulated::simulation_text;
 use super::tracking;
+use crate::Phrases as _;
 use crate::{Block, Chart, ChartGrid, Language, Table, format_number, said};
 use seamwright_cell::tracking::HeadSummary;
 

@@ -1,6 +1,7 @@
 //! Verification of each part program written with the plan.
 
 use super::page::{number, table};
+use crate::Phrases as _;
 use crate::{Block, Language, said};
 use seamwright_post::{Dialect, Verification};
 use serde::Serialize;

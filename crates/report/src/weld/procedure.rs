@@ -2,6 +2,7 @@
 
 use super::charts::{chart, line};
 use super::page::{number, table};
+use crate::Phrases as _;
 use crate::{Band, Block, Chart, Language, LimitLine, Stretch, said};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};

@@ -5,6 +5,7 @@ use super::page::{number, table};
 use super::procedure::{
     PassProcedureFigures, QuantityFigures, degrees, positions_caption, procedure_text, verdict, window_row, windows,
 };
+use crate::Phrases as _;
 use crate::{Block, Language};
 use seamwright_program::WeldingPosition;
 

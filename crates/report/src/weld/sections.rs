@@ -1,3 +1,4 @@
+use crate::Phrases as _;
 use crate::{Gallery, Language, SectionDrawing, format_number};
 use glam::DVec2;
 use seamwright_program::Role;

@@ -2,6 +2,7 @@
 
 use super::figures::ClearanceFigures;
 use super::page::{number, small, table};
+use crate::Phrases as _;
 use crate::{Block, Language, format_number, said};
 use seamwright_cell::Summary;
 

@@ -1,6 +1,7 @@
 //! Charts of the taught spans of a seam.
 
 use super::charts::{chart, line};
+use crate::Phrases as _;
 use crate::{Band, Chart, ChartGrid, Language, Series, Style, format_number};
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;

@@ -2,6 +2,7 @@
 
 use super::charts::{chart, line};
 use super::curves::{Envelope, SimulationCurves};
+use crate::Phrases as _;
 use crate::{Chart, ChartGrid, Language, Series, Style, Table, format_number, said};
 use seamwright_cell::tracking::{BeamFit, HeadSample, HeadSummary};
 

@@ -1,4 +1,5 @@
 use super::charts::{axis, line};
+use crate::Phrases as _;
 use crate::{Chart, Language, LimitLine, format_number};
 use seamwright_program::Pass;
 use seamwright_weld::PassPath;

@@ -100,9 +100,9 @@ fn wrong(failure: &Failure) -> PlanAnswer {
             line: (error.file == JOB && error.line > 0).then_some(error.line),
             key: error.key.clone(),
             value: error.value.clone(),
-            what: error.message.clone(),
-            allowed: error.allowed.clone(),
-            help: error.help.clone(),
+            what: (&error.message).into(),
+            allowed: error.allowed.as_ref().map(Into::into),
+            help: error.help.as_ref().map(Into::into),
         })),
         _ => None,
     };

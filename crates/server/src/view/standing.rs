@@ -68,7 +68,7 @@ impl<'a> Standing<'a> {
             }
         }
         let branches = self.machine().inverse(target(s), &near_q).ok()?;
-        let collides = |q: &Joints| self.collides(q, &finding.message);
+        let collides = |q: &Joints| self.collides(q, &finding.message.to_string());
         let colliding = branches.iter().map(|found| found.joints).find(|q| collides(q));
         colliding.or_else(|| self.machine().inverse_near(target(s), &near_q).ok().map(|found| found.joints))
     }

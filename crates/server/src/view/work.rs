@@ -200,11 +200,11 @@ fn finding(f: &Finding, standing: &mut Standing<'_>) -> FindingView {
         axes,
         nearest,
         kind: f.kind.to_owned(),
-        message: f.message.clone(),
+        message: (&f.message).into(),
         pass: f.pass as u32,
         from_mm: f.from_mm,
         to_mm: f.to_mm,
-        cure: f.cure.clone(),
+        cure: f.cure.as_ref().map(Into::into),
         allowed: f.allowed,
     }
 }

@@ -10,6 +10,9 @@ fn decl<T: TS>(config: &Config) -> String {
 pub fn typescript() -> String {
     let config = Config::default();
     let declarations = [
+        decl::<MessageView>(&config),
+        decl::<ArgumentView>(&config),
+        decl::<QuantityView>(&config),
         decl::<MachineView>(&config),
         decl::<AxisView>(&config),
         decl::<AlarmEntry>(&config),

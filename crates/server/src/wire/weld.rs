@@ -1,4 +1,4 @@
-use super::{AxisView, CertificateView};
+use super::{AxisView, CertificateView, MessageView};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -116,15 +116,15 @@ pub struct FindingView {
     /// Stable kind: `reach`, `range`, `speed`, ...
     pub kind: String,
     /// With the value found and the value allowed.
-    pub message: String,
+    pub message: MessageView,
     /// From 1.
     pub pass: u32,
     /// Path length, mm.
     pub from_mm: f64,
     /// See `from_mm`.
     pub to_mm: f64,
-    /// What would cure it.
-    pub cure: String,
+    /// Operator action, if one is needed.
+    pub cure: Option<MessageView>,
     /// The weld can be made nevertheless.
     pub allowed: bool,
     /// Positions of the axes there, in the order of [`WorkView::axes`]; empty if it is not known how the machine stands.
@@ -326,7 +326,7 @@ pub enum PlanAnswer {
 }
 
 /// What is wrong with a file, in parts.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, TS, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct WrongView {
     /// The other file that it is in; none: the job's own text.
     pub file: Option<String>,
@@ -336,12 +336,12 @@ pub struct WrongView {
     pub key: String,
     /// As it is written; empty where none is meant.
     pub value: String,
-    /// What is wrong.
-    pub what: String,
-    /// What would be right.
-    pub allowed: Option<String>,
+    /// Description of the fault.
+    pub what: MessageView,
+    /// Allowed values.
+    pub allowed: Option<MessageView>,
     /// A suggestion.
-    pub help: Option<String>,
+    pub help: Option<MessageView>,
 }
 
 /// `POST /api/plan`, `POST /api/draft`, `GET /api/jobs/NAME`.

@@ -315,11 +315,11 @@ impl BeadPlan {
                     asked.area,
                     100.0 * (1.0 - most),
                     100.0 * (1.0 + most)
-                ),
+                ).into(),
                 pass: pass_of(b),
                 from_mm: self.stations[wrong[0].0],
                 to_mm: self.stations[wrong[wrong.len() - 1].0],
-                cure: cure.to_owned(),
+                cure: Some(cure.into()),
                 allowed: false,
             });
         }

@@ -123,7 +123,7 @@ fn beads_too_large_or_small_are_findings() {
     let planned = plan(&wide.replace("[beads]\n", "[beads]\nmost_percent = 4\n"));
     let findings = planned.plan.findings(&planned.runs, planned.most, |b| b + 1);
     assert!(!findings.is_empty() && findings.iter().all(|f| f.kind == "bead" && !f.allowed));
-    assert!(findings[0].message.contains("% of the") && findings[0].to_mm >= findings[0].from_mm);
+    assert!(findings[0].message.to_string().contains("% of the") && findings[0].to_mm >= findings[0].from_mm);
 }
 
 proptest! {

@@ -364,7 +364,7 @@ fn error(keys: &str, body: &str) -> (String, String, String) {
     let text = job(&format!("[seam.nozzle]\nradius_mm = 50\n{keys}[seam.nozzle.body.{body}"));
     let e = Welding::read("job.toml", &text).unwrap_err();
     assert!(e.line > 0 && e.to_string().contains("allowed: "), "{e}");
-    (e.key.clone(), e.value.clone(), e.allowed.unwrap())
+    (e.key.clone(), e.value.clone(), e.allowed.unwrap().to_string())
 }
 
 #[test]

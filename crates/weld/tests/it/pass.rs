@@ -330,7 +330,7 @@ fn wrong(text: &str, change: impl FnOnce(&mut Pass), edit: impl FnOnce(String) -
     let e = Welding::read("program.toml", &edit(program.to_toml().unwrap())).unwrap_err();
     println!("{e}");
     assert!(e.line > 0);
-    (e.key, e.message, e.allowed.unwrap_or_default())
+    (e.key, e.message.to_string(), e.allowed.unwrap_or_default().to_string())
 }
 
 #[test]
@@ -427,7 +427,10 @@ fn findings_look_at_the_pass_as_it_is() {
     let findings = beside.findings();
     assert_eq!(kinds(&beside), ["turn"], "{findings:?}");
     // At a right angle 2 mm aside: the corner of a square.
-    assert!(findings[0].message.contains(&format!("tip would jump by {:.3} mm", 8f64.sqrt())), "{findings:?}");
+    assert!(
+        findings[0].message.to_string().contains(&format!("tip would jump by {:.3} mm", 8f64.sqrt())),
+        "{findings:?}"
+    );
     let above = changed(square, |pass| pass.bead = Some(bead(&[[0.0, 0.0, 1.0, 0.0]]))).unwrap();
     assert!(kinds(&above).is_empty());
     // The part before the corner has no finding; its position counts along the pass.

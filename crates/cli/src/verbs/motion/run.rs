@@ -251,5 +251,13 @@ fn finding(error: &PaceError, pass: usize) -> Finding {
         _ => (0.0, 0.0),
     };
     let cure = "change the commands, or the job's speed".to_owned();
-    Finding { kind: "pace", message: error.to_string(), pass, from_mm, to_mm, cure, allowed: false }
+    Finding {
+        kind: "pace",
+        message: error.to_string().into(),
+        pass,
+        from_mm,
+        to_mm,
+        cure: Some(cure.into()),
+        allowed: false,
+    }
 }

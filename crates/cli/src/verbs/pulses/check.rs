@@ -102,6 +102,14 @@ impl Place {
     /// A finding against the pulses here; transfer moves count to the start of the first pass.
     fn finding(&self, kind: &'static str, message: String, cure: &str) -> Finding {
         let s = if self.s_mm.is_finite() { self.s_mm } else { 0.0 };
-        Finding { kind, message, pass: self.pass.max(1), from_mm: s, to_mm: s, cure: cure.to_owned(), allowed: false }
+        Finding {
+            kind,
+            message: message.into(),
+            pass: self.pass.max(1),
+            from_mm: s,
+            to_mm: s,
+            cure: Some(cure.into()),
+            allowed: false,
+        }
     }
 }

@@ -1,7 +1,6 @@
-use crate::{AREAS, Language, source};
+use crate::{AREAS, Argument, Language, Message, Quantity, Unit, source};
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
-use seamwright_message::{Argument, Message, Quantity, Unit};
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
@@ -34,7 +33,7 @@ impl Catalogue {
         for area in AREAS {
             // A part that cannot be parsed is left out, and words that are defined twice stay as they were: tests refuse
             // both, and a program in a shop goes on with the rest.
-            let resource = match FluentResource::try_new(source(language, area).to_owned()) {
+            let resource = match FluentResource::try_new(source(language, area).into_owned()) {
                 Ok(resource) | Err((resource, _)) => resource,
             };
             let _ = bundle.add_resource(resource);
@@ -56,7 +55,7 @@ impl Catalogue {
     /// arguments.
     pub fn text(&self, message: &Message) -> String {
         let Some(pattern) = self.bundle.get_message(&message.code).and_then(|found| found.value()) else {
-            return message.to_string();
+            return message.as_data();
         };
         let mut arguments = FluentArgs::new();
         for (name, argument) in &message.arguments {
@@ -64,22 +63,28 @@ impl Catalogue {
         }
         let mut errors = Vec::new();
         let text = self.bundle.format_pattern(pattern, Some(&arguments), &mut errors);
-        if errors.is_empty() { text.into_owned() } else { message.to_string() }
+        if errors.is_empty() { text.into_owned() } else { message.as_data() }
     }
 
     /// Text of a value with its unit.
     pub fn quantity(&self, quantity: Quantity) -> String {
+        self.with_unit(&self.number(quantity), quantity.unit)
+    }
+
+    fn number(&self, quantity: Quantity) -> String {
         let number = format!("{:.*}", usize::from(quantity.decimals), quantity.value);
         // No negative zero.
         let zero = number.starts_with('-') && number.chars().all(|c| matches!(c, '-' | '0' | '.'));
         let number = if zero { &number[1..] } else { &number };
-        let number = number.replace('.', &self.language.decimal_sign().to_string());
-        if quantity.unit == Unit::One {
-            return number;
+        number.replace('.', &self.language.decimal_sign().to_string())
+    }
+
+    fn with_unit(&self, number: &str, unit: Unit) -> String {
+        if unit == Unit::One {
+            return number.to_owned();
         }
-        let identifier = quantity.unit.identifier();
-        let Some(pattern) = self.bundle.get_message(&identifier).and_then(|found| found.value()) else {
-            return format!("{number} {}", quantity.unit);
+        let Some(pattern) = self.bundle.get_message(&unit.identifier()).and_then(|found| found.value()) else {
+            return format!("{number} {unit}");
         };
         let mut arguments = FluentArgs::new();
         arguments.set("number", number);
@@ -89,6 +94,9 @@ impl Catalogue {
     fn value<'a>(&self, argument: &'a Argument) -> FluentValue<'a> {
         match argument {
             Argument::Quantity(quantity) => self.quantity(*quantity).into(),
+            Argument::Range(from, to) => {
+                self.with_unit(&format!("{}–{}", self.number(*from), self.number(*to)), from.unit).into()
+            }
             // As a number it selects the plural form.
             Argument::Count(count) => FluentValue::from(*count),
             // As text it has no plural form and no grouping.
@@ -147,6 +155,9 @@ mod tests {
         assert_eq!(text(Language::Russian, value(9.5, Unit::MmPerS, 1)), "9,5 мм/с");
         assert_eq!(text(Language::English, value(12.34, Unit::Deg, 1)), "12.3°");
         assert_eq!(text(Language::English, value(-1e-9, Unit::S, 2)), "0.00 s");
+        let range =
+            Message::new("quantity").with("value", Argument::Range(value(1.5, Unit::Mm, 1), value(2.0, Unit::Mm, 1)));
+        assert_eq!(range.in_language(Language::German), "1,5–2,0 mm");
         assert_eq!(text(Language::English, value(0.5, Unit::One, 2)), "0.50");
     }
 

@@ -1,7 +1,6 @@
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
 use fluent_syntax::parser::parse;
-use seamwright_catalogue::{AREAS, Catalogue, Language, source};
-use seamwright_message::Unit;
+use seamwright_message::{AREAS, Catalogue, Language, Unit, source};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Adds the names of the arguments in `pattern`, also of those within selectors, to `names`.
@@ -41,7 +40,8 @@ fn codes(language: Language) -> BTreeMap<String, BTreeSet<String>> {
     let mut codes = BTreeMap::new();
     for area in AREAS {
         let text = source(language, area);
-        let resource = parse(text).unwrap_or_else(|(_, errors)| panic!("{}/{area}.ftl: {errors:?}", language.code()));
+        let resource =
+            parse(text.as_ref()).unwrap_or_else(|(_, errors)| panic!("{}/{area}.ftl: {errors:?}", language.code()));
         for entry in &resource.body {
             let Entry::Message(message) = entry else { continue };
             let mut names = BTreeSet::new();

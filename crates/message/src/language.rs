@@ -1,4 +1,5 @@
 use std::str::FromStr;
+use std::sync::atomic::{AtomicU8, Ordering::Relaxed};
 use unic_langid::LanguageIdentifier;
 
 /// A language that Seamwright speaks.
@@ -17,9 +18,23 @@ pub enum Language {
     Russian,
 }
 
+/// See [`Language::speak`].
+static OF_PROCESS: AtomicU8 = AtomicU8::new(Language::English as u8);
+
 impl Language {
     /// Every language, English first.
     pub const ALL: [Self; 5] = [Self::English, Self::Ukrainian, Self::Chinese, Self::German, Self::Russian];
+
+    /// Sets the language in which this process prints messages, as `setlocale` does for a C program. A server renders
+    /// for each of its users with [`Message::in_language`](crate::Message::in_language) instead.
+    pub fn speak(self) {
+        OF_PROCESS.store(self as u8, Relaxed);
+    }
+
+    /// Language in which this process prints messages.
+    pub fn of_process() -> Self {
+        Self::ALL[usize::from(OF_PROCESS.load(Relaxed)) % Self::ALL.len()]
+    }
 
     /// Code of the language (ISO 639-1).
     pub fn code(self) -> &'static str {

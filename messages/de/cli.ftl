@@ -1,0 +1,1 @@
+cli-more-time = { $cure }; mehr Zeit: --time-limit S

@@ -1,0 +1,1 @@
+cli-more-time = { $cure }; more time: --time-limit S

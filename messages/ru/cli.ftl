@@ -1,0 +1,1 @@
+cli-more-time = { $cure }; больше времени: --time-limit S

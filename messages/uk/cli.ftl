@@ -1,0 +1,1 @@
+cli-more-time = { $cure }; більше часу: --time-limit S
