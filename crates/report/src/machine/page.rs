@@ -191,7 +191,7 @@ pub fn check_text(check: &Check) -> String {
                     format_number(*by, 3)
                 )
             });
-            line("  singular", p.description(|name| check.unit_of(name)).to_string() + &margin);
+            line("  singular", p.sentence(|name| unit(check, name)).to_string() + &margin);
         }
         if h.singular.places.is_empty() {
             line("  singular", "no place inside the ranges".to_owned());

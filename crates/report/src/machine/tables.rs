@@ -118,7 +118,7 @@ pub(super) fn singular(check: &Check, head: &HeadCheck) -> Table {
                 format!("{} {unit} ({axis} too slow nearer by)", format_number(*by, 3))
             },
         );
-        vec![p.description(|name| check.unit_of(name)).to_string(), margin]
+        vec![p.sentence(|name| unit(check, name)).to_string(), margin]
     };
     Table {
         caption: format!(
