@@ -43,7 +43,7 @@ fn the_printed_program_of_ebw_2004() {
     assert!(program.steps.iter().any(|s| s.what == What::Dwell(0.5)));
     let numbers: Vec<_> = program.steps.iter().filter(|s| matches!(s.what, What::Move(_))).map(|s| s.number).collect();
     assert_eq!(numbers, [None, Some(3), Some(12), Some(22), Some(32), Some(42), Some(52)]);
-    assert!(reading.notes.iter().any(|n| n.contains("offsets")), "{:?}", reading.notes);
+    assert!(reading.notes.iter().any(|n| n.to_string().contains("offsets")), "{:?}", reading.notes);
 }
 
 #[test]
