@@ -217,7 +217,7 @@ fn what_is_no_polynomial() {
     refused(Sinumerik, "F60 POLY PO[]=(1,2)\n", 1, 10, "denominator");
     refused(Sinumerik, "F60 POLY PO[Q]=(1,2)\n", 1, 13, "neither an address");
     refused(Sinumerik, "F60 POLY PO[CW]=(1,2)\n", 1, 13, "only axes");
-    refused(Sinumerik, "F60 POLY PO[X]=(1,2,3,4,5,6)\n", 1, 27, "fifth");
+    refused(Sinumerik, "F60 POLY PO[X]=(1,2,3,4,5,6)\n", 1, 27, "above five");
     refused(Sinumerik, "F60 POLY PO[X]=(1,2 PL=1\n", 1, 21, ")");
     refused(Sinumerik, "F60 POLY PO[X]=(1,100000000)\n", 1, 19, "too large");
     refused(Sinumerik, "F60 POLY PO[X]=(1,2) PL=0\n", 1, 22, "length of a parameter");
