@@ -4,12 +4,14 @@ use super::heads::{head_within, turned};
 use super::swept::WITHIN_MM;
 use super::tubes::Foot;
 use super::{Impossible, Making, standing};
+use crate::allowed::reason;
 use crate::body::thickness;
 use crate::{NozzleEdges, head, nozzle::bore};
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_document::Document;
 use seamwright_geometry::{Curve, Head};
+use seamwright_message::Message;
 use seamwright_program::{Body, Mount, Nozzle};
 use std::f64::consts::TAU;
 
@@ -110,7 +112,8 @@ impl Making<'_> {
                 let half = |depth: f64| {
                     let radius = radius_mm.get() - depth;
                     Head::hemispherical((centre_mm.get(), up), radius, 0.0).map_err(|e| {
-                        Impossible::Document(file.error_at("seam.nozzle.body.sphere", e.to_string(), "a sphere"))
+                        let allowed = Message::new("weld-allowed-sphere");
+                        Impossible::Document(file.error_at("seam.nozzle.body.sphere", reason(&e), allowed))
                     })
                 };
                 vessel(half(0.0)?, &half)?
