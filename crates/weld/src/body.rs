@@ -93,7 +93,7 @@ impl Shell {
                     ));
                 }
                 let torus = Torus::new(centre_mm.get(), axis.unit(), ring, radius - depth)
-                    .map_err(|e| file.error_at(path, e.to_string(), "see the job's schema"))?;
+                    .map_err(|e| file.error_at(path, reason(&e), Message::new("weld-allowed-schema")))?;
                 return Ok(Self { description: radius_of("weld-body-torus", radius), surface: Surface::Torus(torus) });
             }
             Body::TorisphericalHead(h) => {
