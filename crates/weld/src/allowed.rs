@@ -1,4 +1,4 @@
-//! Allowed values, and errors of geometry, as messages.
+//! Allowed values as messages.
 
 use seamwright_message::{Message, Unit};
 
@@ -61,9 +61,4 @@ pub(crate) fn not_along(key: &'static str) -> Message {
 /// A point that differs from the one at `key`.
 pub(crate) fn other_point(key: &'static str) -> Message {
     Message::new("weld-allowed-other-point").key("key", key)
-}
-
-/// Description of an error of geometry.
-pub(crate) fn reason(error: &seamwright_geometry::Error) -> Message {
-    error.to_string().into()
 }

@@ -1,4 +1,4 @@
-use crate::allowed::{more_than, on_weld, reason, strictly_between};
+use crate::allowed::{more_than, on_weld, strictly_between};
 use crate::stretch::repeated;
 use crate::{SeamCurve, SeamPoint};
 use glam::DVec3;
@@ -54,7 +54,7 @@ impl Attitude {
                 true => MonotoneCurve::periodic(&points, seam.length()),
                 false => MonotoneCurve::level(&points),
             };
-            curve.map_err(|e| file.error_at(path, reason(&e), Message::new("weld-allowed-positions-increasing")))
+            curve.map_err(|e| file.error_at(path, e.message(), Message::new("weld-allowed-positions-increasing")))
         };
         Ok(Self { work: curve_of(|r| r.1)?, travel: curve_of(|r| r.2)? })
     }

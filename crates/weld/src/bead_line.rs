@@ -1,4 +1,4 @@
-use crate::allowed::{at_most, between, on_weld, reason, rounded};
+use crate::allowed::{at_most, between, on_weld, rounded};
 use crate::stretch::repeated;
 use crate::{PassKeys, SeamCurve, SeamPoint, Stretch};
 use glam::DVec3;
@@ -62,7 +62,7 @@ impl BeadLine {
                 None => CubicSpline::natural(&points),
             };
             let allowed = || Message::new("weld-allowed-path-lengths-increasing");
-            spline.map_err(|e| file.error_at(&keys.of("bead.s_mm"), reason(&e), allowed()))
+            spline.map_err(|e| file.error_at(&keys.of("bead.s_mm"), e.message(), allowed()))
         };
         let parts: Vec<Finite> = bead.weave_part.iter().filter_map(|part| Finite::new(part.get())).collect();
         Ok(Self {

@@ -1,6 +1,6 @@
 //! The bodies that nozzles stand on, from the keys of a job or program: their outside, and the inside of their wall.
 
-use crate::allowed::{by_key, more_than, reason, strictly_between};
+use crate::allowed::{by_key, more_than, strictly_between};
 use crate::head;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Positive};
@@ -93,7 +93,7 @@ impl Shell {
                     ));
                 }
                 let torus = Torus::new(centre_mm.get(), axis.unit(), ring, radius - depth)
-                    .map_err(|e| file.error_at(path, reason(&e), Message::new("weld-allowed-schema")))?;
+                    .map_err(|e| file.error_at(path, e.message(), Message::new("weld-allowed-schema")))?;
                 return Ok(Self { description: radius_of("weld-body-torus", radius), surface: Surface::Torus(torus) });
             }
             Body::TorisphericalHead(h) => {
@@ -122,7 +122,7 @@ impl Shell {
         };
         let path = format!("seam.nozzle.body.{key}");
         let allowed = || Message::new("weld-allowed-schema");
-        let quadric = quadric.map_err(|e| file.error_at(&path, reason(&e), allowed()))?;
+        let quadric = quadric.map_err(|e| file.error_at(&path, e.message(), allowed()))?;
         Ok(Self { description, surface: Surface::Quadric(quadric) })
     }
 
@@ -166,7 +166,7 @@ impl Shell {
             _ => ("direction", Message::new("weld-allowed-nozzle-direction")),
         };
         let allowed = allowed.message("body", self.description.clone());
-        file.error_at(&format!("seam.nozzle.{at}"), reason(e), allowed)
+        file.error_at(&format!("seam.nozzle.{at}"), e.message(), allowed)
     }
 }
 

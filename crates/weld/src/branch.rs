@@ -1,6 +1,6 @@
 //! Tubes that branch off a chord along x, from the keys of a job or program.
 
-use crate::allowed::{between, by_key, reason};
+use crate::allowed::{between, by_key};
 use crate::seam::tube;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, Positive};
@@ -45,7 +45,7 @@ impl Joint {
         let leg = Leg { origin: sideways * DVec3::Y, direction: DVec3::new(angle.cos(), 0.0, angle.sin()), radius };
         let outside = leg.tube(radius);
         let outside =
-            outside.map_err(|e| file.error_at("seam.branch", reason(&e), Message::new("weld-allowed-tube")))?;
+            outside.map_err(|e| file.error_at("seam.branch", e.message(), Message::new("weld-allowed-tube")))?;
         let bore = branch.wall_mm.map(Positive::get).map(|wall| {
             leg.tube(radius - wall).map_err(|_| {
                 let allowed = by_key("weld-allowed-positive-less-than-key", "radius_mm", radius);
@@ -71,7 +71,7 @@ impl Joint {
                 Error::Beside { .. } | Error::NeverLeaves => "seam.branch.other",
                 _ => "seam.branch.radius_mm",
             };
-            file.error_at(at, reason(&e), Message::new("weld-allowed-tubes-meet"))
+            file.error_at(at, e.message(), Message::new("weld-allowed-tubes-meet"))
         };
         let cylinder = |origin, direction, radius| Quadric::cylinder(origin, direction, radius).map_err(unfit);
         let chord = cylinder(DVec3::ZERO, DVec3::X, self.chord)?;
@@ -136,7 +136,7 @@ fn second<T>(
     let on_chord =
         Quadric::cylinder(DVec3::ZERO, DVec3::X, chord).and_then(|c| TubeIntersection::new(leg.tube(radius)?, c));
     let allowed = || Message::new("weld-allowed-branch-within-chord");
-    on_chord.map(|_| leg).map_err(|e| file.error_at("seam.branch.other", reason(&e), allowed()))
+    on_chord.map(|_| leg).map_err(|e| file.error_at("seam.branch.other", e.message(), allowed()))
 }
 
 /// A table of one branch.

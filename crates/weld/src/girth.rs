@@ -1,4 +1,4 @@
-use crate::allowed::{not_along, reason};
+use crate::allowed::not_along;
 use crate::seam::tube;
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{Curve, Edge, EdgePoint, Jet, Quadric, TubeIntersection};
@@ -38,7 +38,7 @@ impl Edge for GirthEdge {
 pub(crate) fn edge<T>(file: &Document<T>, g: &Girth) -> Result<GirthEdge, DocumentError> {
     let direction = g.direction.unit();
     let tube = tube(g.origin_mm.get(), direction, g.zero_direction, g.radius_mm.get())
-        .map_err(|e| file.error_at("seam.girth.zero_direction", reason(&e), not_along("direction")))?;
+        .map_err(|e| file.error_at("seam.girth.zero_direction", e.message(), not_along("direction")))?;
     let normal = g.cut_normal.map_or(direction, Direction::unit);
     // A plane has two normals; the one out of the second part is on the tube's side.
     let normal = if normal.dot(direction) < 0.0 { -normal } else { normal };
@@ -49,7 +49,7 @@ pub(crate) fn edge<T>(file: &Document<T>, g: &Girth) -> Result<GirthEdge, Docume
         return Err(file.error_at("seam.girth.cut_normal", message, allowed));
     }
     let wrong = |e: seamwright_geometry::Error| {
-        file.error_at("seam.girth.cut_normal", reason(&e), Message::new("weld-allowed-other-plane"))
+        file.error_at("seam.girth.cut_normal", e.message(), Message::new("weld-allowed-other-plane"))
     };
     let plane = Quadric::plane(g.origin_mm.get(), normal).map_err(wrong)?;
     TubeIntersection::new(tube, plane).map(GirthEdge).map_err(wrong)

@@ -1,7 +1,7 @@
 //! Heads of vessels from the keys of a job or program: the surface `depth` mm below their outside, 0 for the outside and
 //! their thickness for the inside. Errors have the key's address: sizes that contradict each other.
 
-use crate::allowed::{by_key, reason, strictly_between};
+use crate::allowed::{by_key, strictly_between};
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_geometry::{Error, Head};
 use seamwright_message::{Message, Unit};
@@ -20,7 +20,7 @@ impl<T> At<'_, T> {
 
     fn made(&self, head: Result<Head, Error>) -> Result<Head, DocumentError> {
         let path = format!("seam.nozzle.body.{}", self.key);
-        head.map_err(|e| self.file.error_at(&path, reason(&e), Message::new("weld-allowed-schema")))
+        head.map_err(|e| self.file.error_at(&path, e.message(), Message::new("weld-allowed-schema")))
     }
 
     /// Inside radius of the flange, mm.

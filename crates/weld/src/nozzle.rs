@@ -1,4 +1,4 @@
-use crate::allowed::{by_key, not_along, reason};
+use crate::allowed::{by_key, not_along};
 use crate::body::Shell;
 use crate::seam::tube;
 use glam::DVec3;
@@ -92,7 +92,7 @@ impl OnBody {
 /// The nozzle's outside.
 pub(crate) fn outside<T>(file: &Document<T>, n: &Nozzle) -> Result<Tube, DocumentError> {
     tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, n.radius_mm.get())
-        .map_err(|e| file.error_at("seam.nozzle.zero_direction", reason(&e), not_along("direction")))
+        .map_err(|e| file.error_at("seam.nozzle.zero_direction", e.message(), not_along("direction")))
 }
 
 /// The nozzle's bore as a tube, if its wall is known.

@@ -1,6 +1,6 @@
 //! Seams in a plane: circles, arcs, rectangles and straight lines on plates.
 
-use crate::allowed::{at_least, between, not_along, reason};
+use crate::allowed::{at_least, between, not_along};
 use glam::{DVec2, DVec3};
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{self as geometry, Chain, CurvedEdge, Ellipse, FaceRule};
@@ -38,7 +38,7 @@ pub(crate) fn circle<T>(file: &Document<T>, c: &Circle) -> Result<CurvedEdge<Ell
 /// The edge of a seam along an arc.
 pub(crate) fn arc<T>(file: &Document<T>, a: &Arc) -> Result<CurvedEdge<geometry::Arc>, DocumentError> {
     let curve = geometry::Arc::through(a.start_mm.get(), a.via_mm.get(), a.end_mm.get()).map_err(|e| {
-        file.error_at("seam.arc.via_mm", reason(&e), Message::new("weld-allowed-point-off-line-or-line-seam"))
+        file.error_at("seam.arc.via_mm", e.message(), Message::new("weld-allowed-point-off-line-or-line-seam"))
     })?;
     let (normal, axis) = (a.normal.unit(), curve.axis());
     if normal.cross(axis).length() > TILTED {
@@ -67,7 +67,7 @@ pub(crate) fn rectangle<T>(
     }
     let direction = zero(normal, r.width_direction);
     let curve = geometry::RoundedRectangle::new(r.centre_mm.get(), normal, direction, size, r.corner_mm.get())
-        .map_err(|e| file.error_at("seam.rounded_rectangle.width_direction", reason(&e), not_along("normal")))?;
+        .map_err(|e| file.error_at("seam.rounded_rectangle.width_direction", e.message(), not_along("normal")))?;
     Ok(CurvedEdge { curve, faces: faces(r.joint, WallFaces::Right, normal) })
 }
 
@@ -101,6 +101,6 @@ pub(crate) fn polyline<T>(file: &Document<T>, p: &Polyline) -> Result<CurvedEdge
         return Err(file.error_at(&format!("{path}[{last}]"), message, allowed));
     }
     let allowed = || Message::new("weld-allowed-other-points");
-    let curve = Chain::through(&points, p.closed).map_err(|e| file.error_at(path, reason(&e), allowed()))?;
+    let curve = Chain::through(&points, p.closed).map_err(|e| file.error_at(path, e.message(), allowed()))?;
     Ok(CurvedEdge { curve, faces: faces(p.joint, p.wall_faces, normal) })
 }

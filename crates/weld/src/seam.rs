@@ -1,4 +1,4 @@
-use crate::allowed::{at_most, between, not_along, other_point, reason, rounded};
+use crate::allowed::{at_most, between, not_along, other_point, rounded};
 use crate::angles::Angles;
 use crate::branch::Joint;
 use crate::nozzle::OnBody;
@@ -112,7 +112,7 @@ impl SeamCurve {
         start: &SeamStart,
     ) -> Result<Self, DocumentError> {
         let curve = ByLength::new(edge, DEFAULT_ACCURACY_MM)
-            .map_err(|e| file.error_at("seam", reason(&e), Message::new("weld-allowed-smooth-seam")))?;
+            .map_err(|e| file.error_at("seam", e.message(), Message::new("weld-allowed-smooth-seam")))?;
         let sense = match start.direction {
             WeldDirection::CounterClockwise => 1.0,
             WeldDirection::Clockwise => -1.0,
@@ -297,7 +297,7 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
             let normal = e.normal.unit();
             let (a, b) = (e.a_mm.get(), e.b_mm.get());
             let curve = Ellipse::new(e.centre_mm.get(), normal, e.a_direction.unit(), a, b)
-                .map_err(|e| file.error_at("seam.ellipse.a_direction", reason(&e), not_along("normal")))?;
+                .map_err(|e| file.error_at("seam.ellipse.a_direction", e.message(), not_along("normal")))?;
             Ok(Box::new(CurvedEdge { curve, faces: plane::faces(e.joint, WallFaces::Right, normal) }))
         }
         Seam::Circle(circle) => Ok(Box::new(plane::circle(file, circle)?)),
@@ -309,7 +309,7 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
         Seam::Line(line) => {
             let (n1, n2) = (line.first_normal.unit(), line.second_normal.unit());
             let curve = Line::new(line.start_mm.get(), line.end_mm.get())
-                .map_err(|e| file.error_at("seam.line.end_mm", reason(&e), other_point("start_mm")))?;
+                .map_err(|e| file.error_at("seam.line.end_mm", e.message(), other_point("start_mm")))?;
             let along = (line.end_mm.get() - line.start_mm.get()).normalize();
             for (key, n) in [("first_normal", n1), ("second_normal", n2)] {
                 if n.dot(along).abs() > 1e-6 {

@@ -1,6 +1,6 @@
 //! Seams that curve through space.
 
-use crate::allowed::{at_most, more_than, not_along, reason};
+use crate::allowed::{at_most, more_than, not_along};
 use crate::seam::tube;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{self as geometry, CurvedEdge, FaceRule};
@@ -16,7 +16,7 @@ pub(crate) fn helix<T>(file: &Document<T>, h: &Helix) -> Result<CurvedEdge<geome
         |k: &str, message: Message, allowed: Message| file.error_at(&format!("seam.helix.{k}"), message, allowed);
     let (about, axis) = (h.origin_mm.get(), h.direction.unit());
     let tube = tube(about, axis, h.zero_direction, h.radius_mm.get())
-        .map_err(|e| wrong("zero_direction", reason(&e), not_along("direction")))?;
+        .map_err(|e| wrong("zero_direction", e.message(), not_along("direction")))?;
     if h.pitch_mm.get().abs() <= 0.0 {
         let message = Message::new("weld-helix-without-pitch");
         return Err(wrong("pitch_mm", message, Message::new("weld-allowed-pitch")));
@@ -25,7 +25,7 @@ pub(crate) fn helix<T>(file: &Document<T>, h: &Helix) -> Result<CurvedEdge<geome
         return Err(wrong("turns", Message::new("weld-helix-too-long"), at_most(MAX_TURNS, Unit::One)));
     }
     let curve = geometry::Helix::new(tube, h.pitch_mm.get(), h.turns.get())
-        .map_err(|e| wrong("turns", reason(&e), more_than(0.0, Unit::One)))?;
+        .map_err(|e| wrong("turns", e.message(), more_than(0.0, Unit::One)))?;
     let left = h.wall_faces == WallFaces::Left;
     let faces = match h.joint {
         FilletOrButt::Fillet => FaceRule::WallOnCylinder { about, axis, left },

@@ -1,6 +1,5 @@
 //! Free seams: splines through or near points.
 
-use crate::allowed::reason;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{self as geometry, End, Ends, Error, Normals, SplineEdge, SplineFaces, fit_spline};
@@ -22,12 +21,12 @@ pub(crate) fn edge<T>(file: &Document<T>, s: &Spline) -> Result<SplineEdge, Docu
     at.check(s, &points)?;
     let end = |t: Option<Direction>| t.map_or(End::Natural, |t| End::Slope(t.unit()));
     let ends = if s.closed { Ends::Closed } else { Ends::Open(end(s.start_tangent), end(s.end_tangent)) };
-    let whole = |e: Error| at.wrong("points_mm", reason(&e), "weld-allowed-less-turn");
+    let whole = |e: Error| at.wrong("points_mm", e.message(), "weld-allowed-less-turn");
     let curve: geometry::Spline = fit_spline(&points, ends, s.tolerance_mm.get()).map_err(whole)?;
     let units = |normals: &[Direction]| normals.iter().map(|n| n.unit()).collect::<Vec<_>>();
     let through = |key: &str, normals: &[Direction]| {
         let allowed = "weld-allowed-normals-less-turn";
-        Normals::through(&points, &units(normals), s.closed).map_err(|e| at.wrong(key, reason(&e), allowed))
+        Normals::through(&points, &units(normals), s.closed).map_err(|e| at.wrong(key, e.message(), allowed))
     };
     let plate = || match s.first_normals.as_slice() {
         [] => Ok(Normals::Same(s.normal.unwrap_or_else(Direction::z).unit())),

@@ -1,4 +1,3 @@
-use crate::allowed::reason;
 use crate::branch::Joint;
 use crate::nozzle::OnBody;
 use crate::seam::tube;
@@ -32,7 +31,7 @@ impl SeamSurfaces {
     /// As [`SeamCurve::new`](crate::SeamCurve::new): shapes that do not meet.
     pub fn new<T>(file: &Document<T>, seam: &Seam) -> Result<Self, DocumentError> {
         let wrong =
-            |path: &'static str| move |e: Error| file.error_at(path, reason(&e), Message::new("weld-allowed-schema"));
+            |path: &'static str| move |e: Error| file.error_at(path, e.message(), Message::new("weld-allowed-schema"));
         let plane = |point: DVec3, normal: DVec3, path: &'static str| {
             Quadric::plane(point, normal).map_err(wrong(path)).map(|q| boxed(&q))
         };

@@ -1,6 +1,6 @@
 //! T-joints: the fillets on both sides of a web.
 
-use crate::allowed::{other_point, reason};
+use crate::allowed::other_point;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{Arc, Curve, CurvedEdge, Edge, Error, FaceRule, Line};
@@ -30,12 +30,12 @@ impl Middle {
         let key = |k: &str| format!("seam.t_joint.{k}");
         let (start, end) = (joint.start_mm.get(), joint.end_mm.get());
         let line =
-            Line::new(start, end).map_err(|e| file.error_at(&key("end_mm"), reason(&e), other_point("start_mm")))?;
+            Line::new(start, end).map_err(|e| file.error_at(&key("end_mm"), e.message(), other_point("start_mm")))?;
         let arc = joint
             .via_mm
             .map(|via| Arc::through(start, via.get(), end))
             .transpose()
-            .map_err(|e| file.error_at(&key("via_mm"), reason(&e), Message::new("weld-allowed-point-off-line")))?;
+            .map_err(|e| file.error_at(&key("via_mm"), e.message(), Message::new("weld-allowed-point-off-line")))?;
         let along = arc.as_ref().map_or_else(|| line.jet(0.0).d1, |a| a.jet(0.0).d1).normalize();
         let given = joint.skin_normal.unit();
         let across = given - given.dot(along) * along;
@@ -57,7 +57,8 @@ pub(crate) fn edge<T>(file: &Document<T>, joint: &TJoint) -> Result<Box<dyn Edge
     let Middle { start, end, left, skin, arc } = Middle::new(file, joint)?;
     let web = if joint.fillet == Side::Right { -left } else { left };
     let shift = 0.5 * joint.web_mm.get() * web;
-    let wrong = |k: &str, e: &Error, allowed: Message| file.error_at(&format!("seam.t_joint.{k}"), reason(e), allowed);
+    let wrong =
+        |k: &str, e: &Error, allowed: Message| file.error_at(&format!("seam.t_joint.{k}"), e.message(), allowed);
     match arc {
         None => {
             let curve =

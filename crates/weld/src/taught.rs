@@ -1,7 +1,7 @@
 //! Taught spans: parts of a seam replaced by cubic splines through taught points (SADDLE-2020).
 
 use crate::SeamCurve;
-use crate::allowed::{at_most, by_key, reason, rounded};
+use crate::allowed::{at_most, by_key, rounded};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{Along, Curve, Edge, EdgePoint, End, Ends, Jet, Spline, chord_lengths};
@@ -262,7 +262,7 @@ impl<T> Making<'_, T> {
         let span = self.build(&all, &lengths, (&first, &last));
         let span = span.map_err(|e| {
             let path = format!("taught[{}]", self.number);
-            self.file.error_at(&path, reason(&e), Message::new("weld-allowed-smooth-points"))
+            self.file.error_at(&path, e.message(), Message::new("weld-allowed-smooth-points"))
         })?;
         self.check_turns(&span)?;
         Ok(span)

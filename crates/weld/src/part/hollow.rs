@@ -4,7 +4,6 @@ use super::heads::{head_within, turned};
 use super::swept::WITHIN_MM;
 use super::tubes::Foot;
 use super::{Impossible, Making, standing};
-use crate::allowed::reason;
 use crate::body::thickness;
 use crate::{NozzleEdges, head, nozzle::bore};
 use glam::{DAffine3, DMat3, DVec3};
@@ -113,7 +112,7 @@ impl Making<'_> {
                     let radius = radius_mm.get() - depth;
                     Head::hemispherical((centre_mm.get(), up), radius, 0.0).map_err(|e| {
                         let allowed = Message::new("weld-allowed-sphere");
-                        Impossible::Document(file.error_at("seam.nozzle.body.sphere", reason(&e), allowed))
+                        Impossible::Document(file.error_at("seam.nozzle.body.sphere", e.message(), allowed))
                     })
                 };
                 vessel(half(0.0)?, &half)?

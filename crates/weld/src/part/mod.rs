@@ -47,11 +47,6 @@ impl From<DocumentError> for Impossible {
     }
 }
 
-/// Description of an error of solids.
-fn reason(error: &ClearanceError) -> Message {
-    error.to_string().into()
-}
-
 /// Loads the bytes of an STL file.
 type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
@@ -117,7 +112,7 @@ impl Welding {
                 let name = format!("{}{of}", solid.name());
                 let placed = Solid::new(&name, solid.shape().clone(), placement * *solid.pose());
                 let allowed = || Message::new("weld-allowed-rigid-placement");
-                parts.push(placed.map_err(|e| self.program.error_at("placement", reason(&e), allowed()))?);
+                parts.push(placed.map_err(|e| self.program.error_at("placement", e.message(), allowed()))?);
             }
         }
         Ok(Clamped { part: parts, fixtures, least_mm: program.clearance.least_mm.get() })
@@ -151,7 +146,7 @@ impl Making<'_> {
             }
             Impossible::Document(e) => e,
             Impossible::Solid(e) => {
-                let message = Message::new("weld-part-from-seam").message("why", reason(&e));
+                let message = Message::new("weld-part-from-seam").message("why", e.message());
                 let allowed = Message::new("weld-allowed-part-sizes").value("max", 1e7, Unit::Mm);
                 file.error_at("seam", message, allowed)
             }

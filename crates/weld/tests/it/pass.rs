@@ -350,7 +350,7 @@ fn mistakes_in_beads_have_an_address() {
     assert!(message.contains("2 rows") && message.contains("s_mm has 3"));
     assert_eq!(edited("area_mm2 = [12, 12, 12]", "area_mm2 = [12, 12]").0, "passes[0].bead.area_mm2");
     let (key, _, allowed) = edited("s_mm = [0, 200, 400]", "s_mm = [0, 400, 400]");
-    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].bead.s_mm[2]", "more than 400"));
+    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].bead.s_mm[2]", "more than 400 mm"));
     let (key, message, _) = edited("area_mm2 = [12, 12, 12]", "area_mm2 = [12, -1, 12]");
     assert!(key.starts_with("passes[0].bead.area_mm2") && message.contains("-1"), "{key} {message}");
     assert!(edited("across_mm = [1, -1.5, 0]", "across_mm = [1, inf, 0]").0.starts_with("passes[0].bead.across_mm"));

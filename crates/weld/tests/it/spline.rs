@@ -185,6 +185,6 @@ fn mistakes_have_an_address() {
     assert_eq!(key(&format!("{good}file = \"joint.csv\""), "both a file"), "seam.spline.file");
     assert_eq!(key(&format!("{good}tolerance_mm = -1"), "0 or"), "seam.spline.tolerance_mm");
     let back = "points_mm = [[0, 0, 0], [10, 0, 0], [0.5, 0.1, 0], [10, 0.2, 0]]";
-    assert_eq!(key(back, "turns by 90 degrees"), "seam.spline.points_mm");
+    assert_eq!(key(back, "turns by 90°"), "seam.spline.points_mm");
     assert_eq!(key(&format!("{good}[start]\nphi_deg = 20"), "does not close"), "start.phi_deg");
 }

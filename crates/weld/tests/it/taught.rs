@@ -181,7 +181,7 @@ fn mistakes_have_an_address() {
     let far = a + 10.5 * nominal.seam.as_ref().unwrap().at(340.0).bisector;
     refused(&with(&[far, b]), "taught[0].points_mm[0]", "11.500 mm from the nominal seam");
     read(&job(SADDLE, &with(&[far, b]).replace("to_mm", "within_mm = 12\nto_mm")));
-    for (step, high, words) in [(2.0, 6.0, "turns by 90 degrees"), (6.0, 4.0, "off the seam")] {
+    for (step, high, words) in [(2.0, 6.0, "turns by 90°"), (6.0, 4.0, "off the seam")] {
         let beside = |i: u32| {
             let p = nominal.seam.as_ref().unwrap().at(400.0 + step * f64::from(i));
             p.point + if i.is_multiple_of(2) { high } else { -high } * p.bisector
