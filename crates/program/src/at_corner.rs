@@ -69,9 +69,11 @@ impl AtCorner {
         match self {
             Self::BlendMm(distance) if *distance > most => {
                 let message = Message::new("program-corner-outside-tolerance");
-                let allowed = Message::new("program-positive-up-to-key")
-                    .key("key", format!("{from}.path_mm"))
-                    .value("max", most.get(), Unit::One);
+                let allowed = Message::new("program-positive-up-to-key").key("key", format!("{from}.path_mm")).value(
+                    "max",
+                    most.get(),
+                    Unit::One,
+                );
                 Err(file.error_at(&format!("{path}.blend_mm"), message, allowed))
             }
             _ => Ok(()),

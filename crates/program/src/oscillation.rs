@@ -104,7 +104,10 @@ mod tests {
         let gaps = |pass: &Pass| pass.oscillation.unwrap().gaps(pass);
         assert!(gaps(&with("")).is_none() && gaps(&with("spot_mm = 0.02")).is_none());
         let (message, cure) = gaps(&with("spot_mm = 0.0199")).unwrap();
-        assert!(message.to_string().contains("0.0200 mm") && cure.to_string().contains("502.5126 Hz"), "{message} {cure}");
+        assert!(
+            message.to_string().contains("0.0200 mm") && cure.to_string().contains("502.5126 Hz"),
+            "{message} {cure}"
+        );
     }
 
     #[test]

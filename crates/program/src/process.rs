@@ -84,7 +84,8 @@ pub fn check_process_value<'a, T>(
     }
     let greatest = greatest(name, names);
     if value > greatest {
-        let message = Message::new("program-process-value-too-large").key("name", name).value("value", value, Unit::One);
+        let message =
+            Message::new("program-process-value-too-large").key("name", name).value("value", value, Unit::One);
         let allowed = Message::new("document-between").number("min", 0.0, 0).value("max", greatest, Unit::One);
         return Err(file.error_at(key, message, allowed));
     }

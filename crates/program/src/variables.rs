@@ -92,9 +92,8 @@ fn given(document: &Document<toml::Table>) -> Result<BTreeMap<String, f64>, Docu
             return Err(document.error_at("variables", message, NAMES));
         }
         let number = value.as_float().or(value.as_integer().map(|i| i as f64)).filter(|v| v.is_finite());
-        let wrong = || {
-            document.error_at(&path, Message::new("program-not-a-number"), Message::new("document-finite-number"))
-        };
+        let wrong =
+            || document.error_at(&path, Message::new("program-not-a-number"), Message::new("document-finite-number"));
         let number = number.ok_or_else(wrong)?;
         variables.insert(name.clone(), number);
     }

@@ -3,6 +3,7 @@
 use crate::MachineAxes;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Direction, Document, DocumentError, Point};
+use seamwright_message::Message;
 use seamwright_program::{Seam, Spline, Taught};
 use std::sync::Arc;
 
@@ -10,9 +11,9 @@ use std::sync::Arc;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wrong {
     /// Description of the fault.
-    pub message: String,
+    pub message: Message,
     /// Allowed values.
-    pub allowed: String,
+    pub allowed: Message,
 }
 
 /// Access to files and machines, for a crate without either.
@@ -42,7 +43,7 @@ pub trait Outside {
     /// No such machine.
     fn axes(&self, _machine: &str) -> Result<Arc<dyn MachineAxes>, Wrong> {
         let (message, allowed) = ("no machine is known here", "tip coordinates x_mm, y_mm, z_mm");
-        Err(Wrong { message: message.to_owned(), allowed: allowed.to_owned() })
+        Err(Wrong { message: message.into(), allowed: allowed.into() })
     }
 }
 
@@ -57,12 +58,12 @@ impl Outside for NoFiles {
 
     fn table(&self, _file: &str) -> Result<Vec<Vec<f64>>, Wrong> {
         let (message, allowed) = ("no files can be read here", "`points_mm`");
-        Err(Wrong { message: message.to_owned(), allowed: allowed.to_owned() })
+        Err(Wrong { message: message.into(), allowed: allowed.into() })
     }
 
     fn tip(&self, _machine: &str, _axes: &[f64]) -> Result<DVec3, Wrong> {
         let (message, allowed) = ("no machine is known here", "`points_mm`");
-        Err(Wrong { message: message.to_owned(), allowed: allowed.to_owned() })
+        Err(Wrong { message: message.into(), allowed: allowed.into() })
     }
 }
 
@@ -97,7 +98,7 @@ pub(crate) fn fetch<T>(
 }
 
 fn infinite() -> Wrong {
-    Wrong { message: "this is no place".to_owned(), allowed: "finite numbers".to_owned() }
+    Wrong { message: "this is no place".into(), allowed: "finite numbers".into() }
 }
 
 fn table<T>(file: &Document<T>, spline: &mut Spline, outside: &dyn Outside) -> Result<(), DocumentError> {

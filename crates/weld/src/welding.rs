@@ -197,15 +197,7 @@ fn on_pass(pass: &Pass, seam: &SeamCurve, (from, to): (f64, f64)) -> Option<(f64
 fn gaps(pass: &Pass, number: usize) -> Option<Finding> {
     let (message, cure) = pass.oscillation.as_ref()?.gaps(pass)?;
     let (from_mm, to_mm) = (0.0, pass.length());
-    Some(Finding {
-        kind: "oscillation",
-        message: message.into(),
-        pass: number,
-        from_mm,
-        to_mm,
-        cure: Some(cure.into()),
-        allowed: false,
-    })
+    Some(Finding { kind: "oscillation", message, pass: number, from_mm, to_mm, cure: Some(cure), allowed: false })
 }
 
 /// Line of a pass.

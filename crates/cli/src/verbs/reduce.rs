@@ -26,7 +26,7 @@ pub(crate) fn run(args: &ReduceArgs) -> Result<(), Failure> {
     let input: Box<dyn BufRead> = match source.as_str() {
         "-" => Box::new(io::stdin().lock()),
         _ => Box::new(BufReader::new(
-            File::open(&args.points).map_err(|e| Failure::Input(format!("{source}: cannot be read: {e}")))?,
+            File::open(&args.points).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?,
         )),
     };
     let (points, axes) = read(&source, input)?;
@@ -35,7 +35,7 @@ pub(crate) fn run(args: &ReduceArgs) -> Result<(), Failure> {
         MethodArg::Fewest => Method::Fewest,
     };
     let reduction = reduce(&points, &axes, (tolerance, axis_tolerance), method)
-        .map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+        .map_err(|e| Failure::input(format!("{source}: {e}")))?;
     if let Some(path) = &args.svg {
         files::write(path, &plot::draw(&points, &reduction.spans))?;
     }
@@ -61,7 +61,7 @@ fn read(source: &str, input: impl BufRead) -> Result<(Vec<DVec3>, Vec<Vec<f64>>)
     }
     if points.len() < 2 {
         let found = points.len();
-        let error = Failure::Input(format!("{source}: {found} points\n   allowed: at least two"));
+        let error = Failure::input(format!("{source}: {found} points\n   allowed: at least two"));
         return Err(cured(error, "a line of numbers a point, below the header line"));
     }
     Ok((points, axes))
@@ -69,7 +69,7 @@ fn read(source: &str, input: impl BufRead) -> Result<(Vec<DVec3>, Vec<Vec<f64>>)
 
 fn cured(failure: Failure, cure: &str) -> Failure {
     match failure {
-        Failure::Input(message) => Failure::Input(format!("{message}\n   cure: {cure}")),
+        Failure::Input(message) => Failure::input(format!("{message}\n   cure: {cure}")),
         other => other,
     }
 }

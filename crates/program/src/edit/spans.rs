@@ -142,7 +142,8 @@ impl SplitSpan {
                 return Err(draft.wrong_in(self.pass, message, Message::new("program-split-keys")));
             }
         };
-        let words = Message::new("program-edit-span-split").pass("pass", self.pass).number("span", (span + 1) as f64, 0);
+        let words =
+            Message::new("program-edit-span-split").pass("pass", self.pass).number("span", (span + 1) as f64, 0);
         Ok(Report::new(words).spans(self.pass, span + 1, span + 2))
     }
 }

@@ -139,7 +139,8 @@ impl ShiftStart {
                     return Err(draft.wrong_in(pass, through_points(pass), allowed));
                 }
                 there.pass.begin_mm = begin;
-                let words = Message::new("program-edit-pass-start").pass("pass", pass).value("s", begin.get(), Unit::Mm);
+                let words =
+                    Message::new("program-edit-pass-start").pass("pass", pass).value("s", begin.get(), Unit::Mm);
                 Ok(Report::new(words).pass(pass))
             }
             (None, None, None, Some(phi)) => {

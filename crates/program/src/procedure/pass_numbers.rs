@@ -63,9 +63,8 @@ impl fmt::Display for PassNumbers {
 impl<'de> Deserialize<'de> for PassNumbers {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        Self::parse(&text).map_err(|wrong| {
-            D::Error::custom(fault_in_serde(&wrong, &Message::new("program-pass-numbers")))
-        })
+        Self::parse(&text)
+            .map_err(|wrong| D::Error::custom(fault_in_serde(&wrong, &Message::new("program-pass-numbers"))))
     }
 }
 

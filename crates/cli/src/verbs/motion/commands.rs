@@ -35,7 +35,7 @@ pub(super) struct Timed {
 /// Reads commands in the order of time.
 pub(super) fn read(file: &Path) -> Result<Vec<Timed>, Failure> {
     let source = file.display().to_string();
-    let input = File::open(file).map_err(|e| Failure::Input(format!("{source}: cannot be read: {e}")))?;
+    let input = File::open(file).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?;
     parse(&source, BufReader::new(input))
 }
 
