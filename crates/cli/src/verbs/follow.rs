@@ -188,7 +188,7 @@ impl<'a, R: BufRead> Points<'a, R> {
             let pose = Pose { point: DVec3::new(values[0], values[1], values[2]), direction };
             if direction == DVec3::ZERO {
                 let name = if self.kind == Kind::Seam { "bx,by,bz" } else { "ax,ay,az" };
-                return Some(Err(self.reader.error(name, "0,0,0", "has no length", "a direction")));
+                return Some(Err(self.reader.error(name, "0,0,0", "no length", "a direction")));
             }
             match machine.inverse_near(pose, &self.near) {
                 Ok(solution) => {

@@ -54,7 +54,7 @@ fn read(source: &str, input: impl BufRead) -> Result<(Vec<DVec3>, Vec<Vec<f64>>)
         let far = |(_, value): &(&str, f64)| value.abs() > MAX_COORDINATE_MM;
         if let Some((name, value)) = PLACE.into_iter().zip(point.to_array()).find(far) {
             let allowed = format!("-{MAX_COORDINATE_MM:e} to {MAX_COORDINATE_MM:e}");
-            let error = reader.error(name, &value.to_string(), "is too far away", &allowed);
+            let error = reader.error(name, &value.to_string(), "too far away", allowed);
             return Err(cured(error, "correct the line; coordinates are in mm"));
         }
         points.push(point);
