@@ -219,7 +219,10 @@ fn process_range(pass: &Pass) -> BTreeMap<String, (f64, f64)> {
 
 fn clearance(c: &PassClearance) -> ClearanceFigures {
     let (nearest_mm, at_mm, between) = match &c.nearest {
-        Some((mm, s, between)) => (*mm, Some(*s), Some(between.clone())),
+        Some((mm, s, between)) => {
+            let names = between.each_ref().map(|solid| solid.in_language(seamwright_message::Language::English));
+            (*mm, Some(*s), Some(names.join(" and ")))
+        }
         None => (c.cutoff_mm, None, None),
     };
     ClearanceFigures { nearest_mm, at_mm, between, watched: c.watched.clone() }
