@@ -37,6 +37,8 @@ units! {
     M = "m",
     /// Degree.
     Deg = "deg",
+    /// Per metre.
+    PerM = "1/m",
     /// Radian.
     Rad = "rad",
     /// Millimetre per second.
@@ -65,6 +67,8 @@ units! {
     Us = "us",
     /// Hertz.
     Hz = "Hz",
+    /// Kilohertz.
+    KiloHz = "kHz",
     /// Percent.
     Percent = "%",
     /// Ampere.
@@ -85,6 +89,8 @@ units! {
     KiloJPerMm = "kJ/mm",
     /// Millibar.
     Mbar = "mbar",
+    /// Bar.
+    Bar = "bar",
     /// Degree Celsius.
     DegC = "degC",
     /// Kelvin.

@@ -1,6 +1,7 @@
 use super::canvas::Canvas;
 use super::outlines::outlines;
 use crate::Language;
+use crate::Words as _;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::projection::Projection::Pictorial;
@@ -160,7 +161,7 @@ impl MachineDrawing {
             move || (0..8).map(move |k| std::array::from_fn(|i| if k >> i & 1 == 1 { high[i] } else { low[i] }));
         let layout = Layout::new(corners(), top);
         for (view, frame) in layout.frames() {
-            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, view.name());
+            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, &Language::English.words(view.name()));
             svg.rect("area", frame);
             let map = match view {
                 Pictorial => Map::fitting(view, self.seen_in(extent), frame.inset(52.0)),

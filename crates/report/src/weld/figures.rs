@@ -4,9 +4,10 @@ use super::procedure::{PassProcedureFigures, ProcedureFigures, ProcedurePlots};
 use super::samples::samples;
 use super::totals::{self, TotalsFigures};
 use super::{Plots, PostFigures, SimulationCurves, tracking};
-use crate::Language;
+use crate::{Language, said};
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
+use seamwright_message::Message;
 use seamwright_motion::{PassClearance, WeldMotion};
 use seamwright_program::{Finding, Pass, Role, Seam};
 use seamwright_weld::{SeamCurve, Welding};
@@ -129,6 +130,12 @@ pub struct ClearanceFigures {
     pub between: Option<String>,
     /// All checked objects.
     pub watched: Vec<String>,
+    /// Both objects, for the page.
+    #[serde(skip)]
+    pub(super) nearest: Option<[Message; 2]>,
+    /// All checked objects, for the page.
+    #[serde(skip)]
+    pub(super) objects: Vec<Message>,
 }
 
 impl WeldReport {
@@ -222,5 +229,13 @@ fn clearance(c: &PassClearance) -> ClearanceFigures {
         Some((mm, s, between)) => (*mm, Some(*s), Some(between.clone())),
         None => (c.cutoff_mm, None, None),
     };
-    ClearanceFigures { nearest_mm, at_mm, between, watched: c.watched.clone() }
+    let nearest = between.as_ref().and_then(|names: &String| names.split_once(" and "));
+    ClearanceFigures {
+        nearest_mm,
+        at_mm,
+        nearest: nearest.map(|(a, b)| [a, b].map(said::object)),
+        objects: c.watched.iter().map(|name| said::object(name)).collect(),
+        between,
+        watched: c.watched.clone(),
+    }
 }
