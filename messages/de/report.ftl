@@ -30,9 +30,9 @@ report-more-than = mehr als { $value }
 
 # Charts.
 report-no-data = keine Daten
-report-limit-above = { $limit }, über dem Bild
-report-limit-below = { $limit }, unter dem Bild
-report-limit-outside = { $limit }, außerhalb des Bilds
+report-limit-above = { $limit }, darüber
+report-limit-below = { $limit }, darunter
+report-limit-outside = { $limit }, außen
 report-limit = Grenze
 report-limit-at-least = mindestens
 report-limit-at-most = höchstens

@@ -30,9 +30,9 @@ report-more-than = more than { $value }
 
 # Charts.
 report-no-data = no data
-report-limit-above = { $limit }, above the chart
-report-limit-below = { $limit }, below the chart
-report-limit-outside = { $limit }, outside the chart
+report-limit-above = { $limit }, above
+report-limit-below = { $limit }, below
+report-limit-outside = { $limit }, outside
 report-limit = limit
 report-limit-at-least = at least
 report-limit-at-most = at most

@@ -27,8 +27,8 @@ report-more-than = более { $value }
 
 # Charts.
 report-no-data = нет данных
-report-limit-above = { $limit }, выше рисунка
-report-limit-below = { $limit }, ниже рисунка
+report-limit-above = { $limit }, выше
+report-limit-below = { $limit }, ниже
 report-limit-outside = { $limit }, вне рисунка
 report-limit = предел
 report-limit-at-least = не менее

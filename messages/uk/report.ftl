@@ -27,8 +27,8 @@ report-more-than = більше { $value }
 
 # Charts.
 report-no-data = немає даних
-report-limit-above = { $limit }, вище рисунка
-report-limit-below = { $limit }, нижче рисунка
+report-limit-above = { $limit }, вище
+report-limit-below = { $limit }, нижче
 report-limit-outside = { $limit }, поза рисунком
 report-limit = межа
 report-limit-at-least = не менше

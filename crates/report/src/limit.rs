@@ -92,9 +92,9 @@ mod tests {
             let notes = notes(&limits(values), data, unit, Language::English);
             notes.into_iter().map(|[whole, _]| whole).collect::<Vec<_>>()
         };
-        assert_eq!(notes(&[50.0], "deg/s"), ["limit 50 deg/s, above the chart"]);
-        assert_eq!(notes(&[-5.0, 8.0], "mm"), ["limit -5 mm, below the chart"]);
-        assert_eq!(notes(&[-50.0, 50.0], "mm"), ["limit ±50 mm, outside the chart"]);
+        assert_eq!(notes(&[50.0], "deg/s"), ["limit 50 deg/s, above"]);
+        assert_eq!(notes(&[-5.0, 8.0], "mm"), ["limit -5 mm, below"]);
+        assert_eq!(notes(&[-50.0, 50.0], "mm"), ["limit ±50 mm, outside"]);
     }
 
     #[test]
