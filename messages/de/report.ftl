@@ -475,3 +475,130 @@ report-row-downslope = Absenkung auf: { $value }
 report-row-downslope-time = Absenkung: Zeit
 report-row-crater = Kraterfüllen
 report-row-postflow = Gasnachströmung
+
+# Check of a machine: page.
+report-check-subtitle = Prüfung der Maschinendatei
+report-check-made-by = Seamwright { $version }, Startwert { $seed }
+report-check-heading-failed = Nicht bestandene Prüfungen
+report-check-remarks = Anmerkungen
+report-check-heading-kinematics = Kinematik
+report-check-singular = Singuläre Stellungen
+report-check-heading-reach = Reichweite
+report-check-heading-file = Maschinendatei
+report-check-remark-count = { $n ->
+        [0] keine Anmerkungen
+        [one] 1 Anmerkung
+       *[other] { $n } Anmerkungen
+    }
+report-check-passed = Jede Pose wird aus ihren eigenen Positionen wiedergefunden, und die Jacobi-Matrix stimmt mit Differenzen überein; { $remarks }.
+report-check-failed = { $failures }; { $remarks }.
+report-check-axis-count = { $rotary } rotatorisch, { $linear } linear
+report-check-tip-error = Rundlauf, Spitze
+report-check-tip-error-note = größter aus { $n } zufälligen Posen je Kopf
+report-check-jacobian = Jacobi-Matrix
+report-check-jacobian-note = größte relative Abweichung
+report-check-singular-note = innerhalb der Bereiche
+report-check-remarks-note = ungewöhnliche Werte
+report-check-caption-machine = Maschine in Grundstellung in ihrem Basiskoordinatensystem, Projektionsmethode 1. Pfeile zeigen die positive Richtung dessen, was jede Achse bewegt: auf der Werkzeugseite den Brenner, auf der Werkstückseite das Werkstück; Drehungen folgen der Rechte-Hand-Regel. Symbole, die sich überdecken würden, stehen nebeneinander.
+report-check-no-remarks = Keine: Grenzen, Bereiche und Antriebe haben übliche Größen und passen zueinander.
+report-check-remark = { $key }: { $why }
+report-check-remark-value = { $key } = { $value }: { $why }
+report-check-line = { $file }, Zeile { $line }
+report-check-typical = Eine typische Naht läuft mit { $speed } um eine Biegung von { $radius }; der Brenner dreht sich dabei mit { $rate }.
+report-check-too-fast = In { $part } der Bereiche verlangt eine typische Naht mehr Geschwindigkeit, als eine Drehachse hat.
+report-check-fast-enough = Jede typische Naht liegt in den ganzen Bereichen innerhalb der Geschwindigkeit der Drehachsen.
+report-check-no-singular = Kopf { $head }: keine singulären Stellungen innerhalb der Bereiche. Die am schlechtesten konditionierte Position ist { $position } (Kondition { $worst }; { $best } an der besten Position).
+report-check-reach = Kopf { $head }: von der Spitze im Werkstücksystem { $kind ->
+        [volume] erreichtes Volumen
+        [area] erreichte Fläche
+       *[length] erreichte Länge
+    }: { $size }, { $part } der umschließenden Box. Der Brenner neigt sich, vom Werkstück aus gesehen, bis zu { $tilt } gegen seine Richtung in Grundstellung.
+report-check-no-volume = keines: die Spitze bleibt auf einer Fläche oder Linie
+report-check-point = ein Punkt
+report-check-size = { $value } ± { $deviation }
+report-check-position = { $axis } { $position }
+
+# Check of a machine: tables.
+report-check-column-letter = Buchstabe
+report-check-column-kind = Art
+report-check-column-moves = Bewegt
+report-check-column-home = Grundstellung
+report-check-column-speed = Geschwindigkeit, /s
+report-check-column-acceleration = Beschleunigung, /s²
+report-check-column-jerk = Ruck, /s³
+report-check-column-time = Bis zur Geschwindigkeit, s
+report-check-caption-axes = Achsen; lineare in mm, rotatorische in Grad. Die letzte Spalte ist die Zeit vom Stillstand bis zur größten Geschwindigkeit.
+report-check-linear = linear
+report-check-rotary = rotatorisch
+report-check-torch = Brenner
+report-check-work = Werkstück
+report-check-no-end-stops = ohne Endanschläge
+report-check-column-result = Ergebnis
+report-check-column-poses = Posen
+report-check-column-direction = Richtung, °
+report-check-column-axes = Achsen, mm oder °
+report-check-column-near-singular = Nahe singulär
+report-check-column-unsolved = Ungelöst
+report-check-column-branch-missing = Eigener Zweig fehlt
+report-check-both-heads = beide Köpfe
+report-check-off-centre = { $unsolved } (und { $n } mit Schlitten außer Mitte)
+report-check-caption-results = Rundlauf: zufällige Positionen, ihre Pose, alle Positionen für diese Pose und wieder deren Posen. Größte Abweichungen; die der Achsen abseits singulärer Stellungen.
+report-check-result-passed = bestanden
+report-check-result-failed = nicht bestanden
+report-check-column-inverse = Inverse
+report-check-column-difference = Abweichung
+report-check-column-worst-axis = Schlechteste Achse
+report-check-caption-structure = Verfahren, das zu einer Pose die Positionen findet, und die Jacobi-Matrix im Vergleich mit zentralen Differenzen: größte Abweichung bezogen auf ihre Spalte.
+report-check-margin = { $distance } (näher ist { $axis } zu langsam)
+report-check-caption-singular = Singuläre Stellungen von Kopf { $head } innerhalb der Bereiche und der Abstand, den eine typische Naht von ihnen braucht.
+report-check-column-configuration = Stellung
+report-check-column-distance = Nötiger Abstand
+report-check-column-box = Box von
+report-check-tip-in-work = Spitze im Werkstücksystem
+report-check-tip-in-base = Spitze im Basissystem
+report-check-caption-reach = Umschließende Box aller Positionen, die eine Spitze erreicht, mm.
+
+# Check of a machine: text.
+report-check-text-result = Ergebnis
+report-check-text-failure = Fehler
+report-check-text-head = Kopf
+report-check-text-inverse = Inverse
+report-check-text-round-trip = Rundlauf
+report-check-text-errors = { $n } Posen: Spitze { $tip }, Richtung { $direction }, Achsen { $axes } (mm oder °); { $near } nahe singulär
+report-check-text-jacobian = Abweichung { $difference } bezogen auf eine Spalte
+report-check-text-singular = singulär
+report-check-text-margin = { $place }; näher als { $distance } ist { $axis } zu langsam für { $speed } auf { $radius }
+report-check-text-no-singular = keine innerhalb der Bereiche
+report-check-text-reach = Reichweite
+report-check-text-box = x { $x }, y { $y }, z { $z } mm im Werkstücksystem
+report-check-text-tilt = { $size }; bis zu { $tilt } gegen die Grundstellung
+report-check-text-pair = { $n } Posen: Spitzen { $tip }, Richtungen { $direction }; { $off } mit Schlitten außer Mitte sind ohne Lösung
+report-check-text-remark = Anmerkung
+report-check-text-line = Zeile { $line }: { $remark }
+report-check-text-cure = Abhilfe: { $cure }
+
+# Drawing of a machine.
+report-machine-title = { $machine }: Achsen in Grundstellung, im Basissystem
+report-machine-moves-torch = positiv bewegt den Brenner
+report-machine-moves-work = positiv bewegt das Werkstück
+report-machine-beam = Strahl oder Draht, endet an der Spitze
+report-machine-links = Glieder und Körper
+report-machine-towards = positiv auf Sie zu
+report-machine-away = positiv von Ihnen weg
+report-machine-stroke = Hub, der Pfeil an der größten Position
+report-machine-cut = geht weiter
+report-machine-home = Grundstellung
+report-machine-base = Basis
+report-machine-work = Werkstück
+report-machine-up = oben
+
+# Bode plots.
+report-bode-frequency = Frequenz
+report-bode-magnitude = Amplitude des offenen Kreises
+report-bode-phase = Phase des offenen Kreises
+report-bode-crossover = Durchtritt
+report-bode-open-loop = offener Kreis
+report-bode-gain-margin = Amplitudenreserve { $margin } bei { $frequency }
+report-bode-gain-unbounded = Amplitudenreserve: unbegrenzt
+report-bode-phase-margin = Phasenreserve { $margin } bei { $frequency }
+report-bode-phase-unbounded = Phasenreserve: unbegrenzt

@@ -475,3 +475,130 @@ report-row-downslope = Downslope to { $value }
 report-row-downslope-time = Downslope: time
 report-row-crater = Crater fill
 report-row-postflow = Gas postflow
+
+# Check of a machine: page.
+report-check-subtitle = Check of the machine file
+report-check-made-by = Seamwright { $version }, seed { $seed }
+report-check-heading-failed = Failed tests
+report-check-remarks = Remarks
+report-check-heading-kinematics = Kinematics
+report-check-singular = Singular configurations
+report-check-heading-reach = Reach
+report-check-heading-file = Machine file
+report-check-remark-count = { $n ->
+        [0] no remarks
+        [one] 1 remark
+       *[other] { $n } remarks
+    }
+report-check-passed = Every pose is found again from its own positions, and the Jacobian agrees with differences; { $remarks }.
+report-check-failed = { $failures }; { $remarks }.
+report-check-axis-count = { $rotary } rotary, { $linear } linear
+report-check-tip-error = Round trip, tip
+report-check-tip-error-note = maximum of { $n } random poses per head
+report-check-jacobian = Jacobian
+report-check-jacobian-note = maximum relative difference
+report-check-singular-note = inside the ranges
+report-check-remarks-note = unusual values
+report-check-caption-machine = Machine at home in its base frame, first-angle projection. Arrows show the positive sense of what each axis moves: the torch on the tool side, the work on the work side; rotations follow the right-hand rule. Symbols that would overlap are drawn side by side.
+report-check-no-remarks = None: limits, ranges and drives have usual sizes and match each other.
+report-check-remark = { $key }: { $why }
+report-check-remark-value = { $key } = { $value }: { $why }
+report-check-line = { $file }, line { $line }
+report-check-typical = A typical weld runs at { $speed } around a bend of { $radius }, where the torch turns at { $rate }.
+report-check-too-fast = In { $part } of the ranges a typical weld needs more speed than a rotary axis has.
+report-check-fast-enough = Every typical weld is within the speed of the rotary axes in their whole ranges.
+report-check-no-singular = Head { $head }: no singular configurations inside the ranges. The worst conditioned position is { $position } (conditioning { $worst }; { $best } at the best position).
+report-check-reach = Head { $head }: { $kind ->
+        [volume] volume
+        [area] area
+       *[length] length
+    } reached by the tip in the work frame: { $size }, { $part } of its bounding box. The torch tilts up to { $tilt } from its direction at home, seen from the work.
+report-check-no-volume = none: the tip stays on a surface or a line
+report-check-point = a point
+report-check-size = { $value } ± { $deviation }
+report-check-position = { $axis } { $position }
+
+# Check of a machine: tables.
+report-check-column-letter = Letter
+report-check-column-kind = Kind
+report-check-column-moves = Moves
+report-check-column-home = Home
+report-check-column-speed = Speed, /s
+report-check-column-acceleration = Acceleration, /s²
+report-check-column-jerk = Jerk, /s³
+report-check-column-time = To speed, s
+report-check-caption-axes = Axes; linear ones in mm, rotary ones in degrees. The last column is the time from rest to the maximum speed.
+report-check-linear = linear
+report-check-rotary = rotary
+report-check-torch = torch
+report-check-work = work
+report-check-no-end-stops = no end stops
+report-check-column-result = Result
+report-check-column-poses = Poses
+report-check-column-direction = Direction, °
+report-check-column-axes = Axes, mm or °
+report-check-column-near-singular = Near singular
+report-check-column-unsolved = Unsolved
+report-check-column-branch-missing = Own branch missing
+report-check-both-heads = both heads
+report-check-off-centre = { $unsolved } (and { $n } with slides off centre)
+report-check-caption-results = Round trip: random positions, their pose, all positions for this pose, and the pose of each. Maximum differences; those of the axes away from singular configurations.
+report-check-result-passed = passed
+report-check-result-failed = failed
+report-check-column-inverse = Inverse
+report-check-column-difference = Difference
+report-check-column-worst-axis = Worst axis
+report-check-caption-structure = Method that finds positions for a pose, and the Jacobian compared with central differences: maximum difference relative to its column.
+report-check-margin = { $distance } ({ $axis } is too slow at a smaller distance)
+report-check-caption-singular = Singular configurations of head { $head } inside the ranges, and the distance that a typical weld needs from them.
+report-check-column-configuration = Configuration
+report-check-column-distance = Distance needed
+report-check-column-box = Box of
+report-check-tip-in-work = tip in the work frame
+report-check-tip-in-base = tip in the base frame
+report-check-caption-reach = Bounding box of all positions that a tip can reach, mm.
+
+# Check of a machine: text.
+report-check-text-result = result
+report-check-text-failure = failed
+report-check-text-head = head
+report-check-text-inverse = inverse
+report-check-text-round-trip = round trip
+report-check-text-errors = { $n } poses: tip { $tip }, direction { $direction }, axes { $axes } (mm or °); { $near } near singular
+report-check-text-jacobian = { $difference } of a column from differences
+report-check-text-singular = singular
+report-check-text-margin = { $place }; below a distance of { $distance } { $axis } is too slow for { $speed } on { $radius }
+report-check-text-no-singular = none inside the ranges
+report-check-text-reach = reach
+report-check-text-box = x { $x }, y { $y }, z { $z } mm in the work frame
+report-check-text-tilt = { $size }; up to { $tilt } from home
+report-check-text-pair = { $n } poses: tips { $tip }, directions { $direction }; { $off } with slides off centre have no solution
+report-check-text-remark = remark
+report-check-text-line = line { $line }: { $remark }
+report-check-text-cure = cure: { $cure }
+
+# Drawing of a machine.
+report-machine-title = { $machine }: axes at home, in the base frame
+report-machine-moves-torch = positive moves the torch
+report-machine-moves-work = positive moves the work
+report-machine-beam = beam or wire, ending at the tip
+report-machine-links = links and shapes
+report-machine-towards = positive towards you
+report-machine-away = positive away from you
+report-machine-stroke = stroke, its arrow at the maximum position
+report-machine-cut = continues
+report-machine-home = home
+report-machine-base = base
+report-machine-work = work
+report-machine-up = up
+
+# Bode plots.
+report-bode-frequency = frequency
+report-bode-magnitude = magnitude of the open loop
+report-bode-phase = phase of the open loop
+report-bode-crossover = crossover
+report-bode-open-loop = open loop
+report-bode-gain-margin = gain margin { $margin } at { $frequency }
+report-bode-gain-unbounded = gain margin: unbounded
+report-bode-phase-margin = phase margin { $margin } at { $frequency }
+report-bode-phase-unbounded = phase margin: unbounded

@@ -460,3 +460,126 @@ report-row-downslope = Спад до: { $value }
 report-row-downslope-time = Спад: время
 report-row-crater = Заварка кратера
 report-row-postflow = Газ после дуги
+
+# Check of a machine: page.
+report-check-subtitle = Проверка файла станка
+report-check-made-by = Seamwright { $version }, зерно { $seed }
+report-check-heading-failed = Непройденные проверки
+report-check-remarks = Замечания
+report-check-heading-kinematics = Кинематика
+report-check-singular = Особые положения
+report-check-heading-reach = Досягаемость
+report-check-heading-file = Файл станка
+report-check-remark-count = замечаний: { $n }
+report-check-passed = Каждая поза найдена снова из её собственных положений, и якобиан совпадает с разностями; { $remarks }.
+report-check-failed = { $failures }; { $remarks }.
+report-check-axis-count = поворотных: { $rotary }, линейных: { $linear }
+report-check-tip-error = Погрешность острия туда и обратно
+report-check-tip-error-note = наибольшая из случайных поз ({ $n }) на головку
+report-check-jacobian = Якобиан
+report-check-jacobian-note = наибольшая относительная разность
+report-check-singular-note = в пределах диапазонов
+report-check-remarks-note = необычные значения
+report-check-caption-machine = Станок в исходном положении в базовой системе координат, проекция по методу первого угла. Стрелки показывают положительное направление того, что движет каждая ось: горелку на стороне инструмента, деталь на стороне детали; повороты по правилу правой руки. Символы, закрывавшие бы друг друга, показаны рядом.
+report-check-no-remarks = Нет: пределы, диапазоны и приводы обычной величины и согласованы между собой.
+report-check-remark = { $key }: { $why }
+report-check-remark-value = { $key } = { $value }: { $why }
+report-check-line = { $file }, строка { $line }
+report-check-typical = Типовой шов идёт со скоростью { $speed } по изгибу радиуса { $radius }, где горелка поворачивается на { $rate }.
+report-check-too-fast = На { $part } диапазонов типовой шов требует от поворотной оси большей скорости, чем она имеет.
+report-check-fast-enough = Каждый типовой шов в пределах скорости поворотных осей на всех диапазонах.
+report-check-no-singular = Головка { $head }: в пределах диапазонов особых положений нет. Хуже всего обусловлено положение: { $position } (обусловленность { $worst }; в лучшем положении { $best }).
+report-check-reach = Головка { $head }: { $kind ->
+        [volume] объём
+        [area] площадь
+       *[length] длина
+    }, достижимые для острия в системе детали: { $size }, { $part } описанной коробки. Горелка наклоняется до { $tilt } от направления в исходном положении, если смотреть от детали.
+report-check-no-volume = нет: остриё остаётся на поверхности или линии
+report-check-point = точка
+report-check-size = { $value } ± { $deviation }
+report-check-position = { $axis } { $position }
+
+# Check of a machine: tables.
+report-check-column-letter = Буква
+report-check-column-kind = Вид
+report-check-column-moves = Движет
+report-check-column-home = Исходное
+report-check-column-speed = Скорость, /с
+report-check-column-acceleration = Ускорение, /с²
+report-check-column-jerk = Рывок, /с³
+report-check-column-time = До скорости, с
+report-check-caption-axes = Оси; линейные в мм, поворотные в градусах. Последний столбец: время от покоя до наибольшей скорости.
+report-check-linear = линейная
+report-check-rotary = поворотная
+report-check-torch = горелку
+report-check-work = деталь
+report-check-no-end-stops = без упоров
+report-check-column-result = Результат
+report-check-column-poses = Позы
+report-check-column-direction = Направление, °
+report-check-column-axes = Оси, мм или °
+report-check-column-near-singular = Около особых
+report-check-column-unsolved = Без решения
+report-check-column-branch-missing = Нет собственной ветви
+report-check-both-heads = обе головки
+report-check-off-centre = { $unsolved } (и { $n } со смещёнными суппортами)
+report-check-caption-results = Путь туда и обратно: случайные положения, их поза, все положения для этой позы и поза каждого из них. Наибольшие разности; для осей вдали от особых положений.
+report-check-result-passed = пройдено
+report-check-result-failed = не пройдено
+report-check-column-inverse = Обратная задача
+report-check-column-difference = Разность
+report-check-column-worst-axis = Худшая ось
+report-check-caption-structure = Метод, которым для позы находят положения, и якобиан в сравнении с центральными разностями: наибольшая разность относительно своего столбца.
+report-check-margin = { $distance } (ближе { $axis } слишком медленная)
+report-check-caption-singular = Особые положения головки { $head } в пределах диапазонов и расстояние от них, нужное типовому шву.
+report-check-column-configuration = Положение
+report-check-column-distance = Нужное расстояние
+report-check-column-box = Коробка
+report-check-tip-in-work = остриё в системе детали
+report-check-tip-in-base = остриё в базовой системе
+report-check-caption-reach = Описанная коробка всех положений, достижимых для острия, мм.
+
+# Check of a machine: text.
+report-check-text-result = результат
+report-check-text-failure = ошибка
+report-check-text-head = головка
+report-check-text-inverse = обратная
+report-check-text-round-trip = туда-обратно
+report-check-text-errors = поз: { $n }: остриё { $tip }, направление { $direction }, оси { $axes } (мм или °); около особых: { $near }
+report-check-text-jacobian = разность { $difference } относительно столбца
+report-check-text-singular = особые
+report-check-text-margin = { $place }; ближе { $distance } ось { $axis } слишком медленная для { $speed } на { $radius }
+report-check-text-no-singular = в пределах диапазонов нет
+report-check-text-reach = досягаемость
+report-check-text-box = x { $x }, y { $y }, z { $z } мм в системе детали
+report-check-text-tilt = { $size }; до { $tilt } от исходного положения
+report-check-text-pair = поз: { $n }: острия { $tip }, направления { $direction }; без решения со смещёнными суппортами: { $off }
+report-check-text-remark = замечание
+report-check-text-line = строка { $line }: { $remark }
+report-check-text-cure = что сделать: { $cure }
+
+# Drawing of a machine.
+report-machine-title = { $machine }: оси в исходном положении, в базовой системе
+report-machine-moves-torch = положительное движение горелки
+report-machine-moves-work = положительное движение детали
+report-machine-beam = луч или проволока до острия
+report-machine-links = звенья и формы
+report-machine-towards = положительное к вам
+report-machine-away = положительное от вас
+report-machine-stroke = ход, стрелка на наибольшем положении
+report-machine-cut = продолжается
+report-machine-home = исходное положение
+report-machine-base = база
+report-machine-work = деталь
+report-machine-up = вверх
+
+# Bode plots.
+report-bode-frequency = частота
+report-bode-magnitude = амплитуда разомкнутого контура
+report-bode-phase = фаза разомкнутого контура
+report-bode-crossover = срез
+report-bode-open-loop = разомкнутый контур
+report-bode-gain-margin = запас по амплитуде { $margin } на { $frequency }
+report-bode-gain-unbounded = запас по амплитуде: неограничен
+report-bode-phase-margin = запас по фазе { $margin } на { $frequency }
+report-bode-phase-unbounded = запас по фазе: неограничен

@@ -460,3 +460,126 @@ report-row-downslope = Спад до: { $value }
 report-row-downslope-time = Спад: час
 report-row-crater = Заварювання кратера
 report-row-postflow = Газ після дуги
+
+# Check of a machine: page.
+report-check-subtitle = Перевірка файлу верстата
+report-check-made-by = Seamwright { $version }, зерно { $seed }
+report-check-heading-failed = Непройдені перевірки
+report-check-remarks = Зауваги
+report-check-heading-kinematics = Кінематика
+report-check-singular = Особливі положення
+report-check-heading-reach = Досяжність
+report-check-heading-file = Файл верстата
+report-check-remark-count = зауваг: { $n }
+report-check-passed = Кожну позу знайдено знову з її власних положень, і якобіан збігається з різницями; { $remarks }.
+report-check-failed = { $failures }; { $remarks }.
+report-check-axis-count = поворотних: { $rotary }, лінійних: { $linear }
+report-check-tip-error = Похибка вістря туди й назад
+report-check-tip-error-note = найбільша з випадкових поз ({ $n }) на головку
+report-check-jacobian = Якобіан
+report-check-jacobian-note = найбільша відносна різниця
+report-check-singular-note = у межах діапазонів
+report-check-remarks-note = незвичні значення
+report-check-caption-machine = Верстат у вихідному положенні в базовій системі координат, проєкція за методом першого кута. Стрілки показують додатний напрям того, що рухає кожна вісь: пальник на боці інструмента, деталь на боці деталі; повороти за правилом правої руки. Символи, що закривали б один одного, показано поруч.
+report-check-no-remarks = Немає: межі, діапазони і приводи звичайної величини і узгоджені між собою.
+report-check-remark = { $key }: { $why }
+report-check-remark-value = { $key } = { $value }: { $why }
+report-check-line = { $file }, рядок { $line }
+report-check-typical = Типовий шов іде зі швидкістю { $speed } по вигину радіуса { $radius }, де пальник повертається на { $rate }.
+report-check-too-fast = На { $part } діапазонів типовий шов потребує від поворотної осі більшої швидкості, ніж вона має.
+report-check-fast-enough = Кожен типовий шов у межах швидкості поворотних осей на всіх діапазонах.
+report-check-no-singular = Головка { $head }: у межах діапазонів особливих положень немає. Найгірше обумовлене положення: { $position } (обумовленість { $worst }; у найкращому положенні { $best }).
+report-check-reach = Головка { $head }: { $kind ->
+        [volume] об’єм
+        [area] площа
+       *[length] довжина
+    }, досяжні для вістря в системі деталі: { $size }, { $part } описаної коробки. Пальник нахиляється до { $tilt } від напряму у вихідному положенні, якщо дивитися від деталі.
+report-check-no-volume = немає: вістря лишається на поверхні або лінії
+report-check-point = точка
+report-check-size = { $value } ± { $deviation }
+report-check-position = { $axis } { $position }
+
+# Check of a machine: tables.
+report-check-column-letter = Літера
+report-check-column-kind = Вид
+report-check-column-moves = Рухає
+report-check-column-home = Вихідне
+report-check-column-speed = Швидкість, /с
+report-check-column-acceleration = Прискорення, /с²
+report-check-column-jerk = Ривок, /с³
+report-check-column-time = До швидкості, с
+report-check-caption-axes = Осі; лінійні в мм, поворотні в градусах. Останній стовпець: час від спокою до найбільшої швидкості.
+report-check-linear = лінійна
+report-check-rotary = поворотна
+report-check-torch = пальник
+report-check-work = деталь
+report-check-no-end-stops = без упорів
+report-check-column-result = Результат
+report-check-column-poses = Пози
+report-check-column-direction = Напрям, °
+report-check-column-axes = Осі, мм або °
+report-check-column-near-singular = Біля особливих
+report-check-column-unsolved = Без розв’язку
+report-check-column-branch-missing = Бракує власної гілки
+report-check-both-heads = обидві головки
+report-check-off-centre = { $unsolved } (і { $n } зі зсунутими супортами)
+report-check-caption-results = Шлях туди й назад: випадкові положення, їх поза, усі положення для цієї пози і поза кожного з них. Найбільші різниці; для осей далеко від особливих положень.
+report-check-result-passed = пройдено
+report-check-result-failed = не пройдено
+report-check-column-inverse = Обернена задача
+report-check-column-difference = Різниця
+report-check-column-worst-axis = Найгірша вісь
+report-check-caption-structure = Метод, яким для пози знаходять положення, і якобіан порівняно з центральними різницями: найбільша різниця відносно свого стовпця.
+report-check-margin = { $distance } (ближче { $axis } заповільна)
+report-check-caption-singular = Особливі положення головки { $head } у межах діапазонів і відстань від них, потрібна типовому шву.
+report-check-column-configuration = Положення
+report-check-column-distance = Потрібна відстань
+report-check-column-box = Коробка
+report-check-tip-in-work = вістря в системі деталі
+report-check-tip-in-base = вістря в базовій системі
+report-check-caption-reach = Описана коробка всіх положень, досяжних для вістря, мм.
+
+# Check of a machine: text.
+report-check-text-result = результат
+report-check-text-failure = помилка
+report-check-text-head = головка
+report-check-text-inverse = обернена
+report-check-text-round-trip = туди й назад
+report-check-text-errors = поз: { $n }: вістря { $tip }, напрям { $direction }, осі { $axes } (мм або °); біля особливих: { $near }
+report-check-text-jacobian = різниця { $difference } відносно стовпця
+report-check-text-singular = особливі
+report-check-text-margin = { $place }; ближче за { $distance } вісь { $axis } заповільна для { $speed } на { $radius }
+report-check-text-no-singular = у межах діапазонів немає
+report-check-text-reach = досяжність
+report-check-text-box = x { $x }, y { $y }, z { $z } мм у системі деталі
+report-check-text-tilt = { $size }; до { $tilt } від вихідного положення
+report-check-text-pair = поз: { $n }: вістря { $tip }, напрями { $direction }; без розв’язку зі зсунутими супортами: { $off }
+report-check-text-remark = заувага
+report-check-text-line = рядок { $line }: { $remark }
+report-check-text-cure = що зробити: { $cure }
+
+# Drawing of a machine.
+report-machine-title = { $machine }: осі у вихідному положенні, у базовій системі
+report-machine-moves-torch = додатний рух пальника
+report-machine-moves-work = додатний рух деталі
+report-machine-beam = промінь або дріт до вістря
+report-machine-links = ланки і форми
+report-machine-towards = додатний до вас
+report-machine-away = додатний від вас
+report-machine-stroke = хід, стрілка на найбільшому положенні
+report-machine-cut = продовжується
+report-machine-home = вихідне положення
+report-machine-base = база
+report-machine-work = деталь
+report-machine-up = вгору
+
+# Bode plots.
+report-bode-frequency = частота
+report-bode-magnitude = амплітуда розімкненого контуру
+report-bode-phase = фаза розімкненого контуру
+report-bode-crossover = зріз
+report-bode-open-loop = розімкнений контур
+report-bode-gain-margin = запас за амплітудою { $margin } на { $frequency }
+report-bode-gain-unbounded = запас за амплітудою: необмежений
+report-bode-phase-margin = запас за фазою { $margin } на { $frequency }
+report-bode-phase-unbounded = запас за фазою: необмежений

@@ -460,3 +460,126 @@ report-row-downslope = 斜降终止：{ $value }
 report-row-downslope-time = 斜降：时间
 report-row-crater = 弧坑填充
 report-row-postflow = 滞后送气
+
+# Check of a machine: page.
+report-check-subtitle = 机床文件检查
+report-check-made-by = Seamwright { $version }，种子 { $seed }
+report-check-heading-failed = 未通过的测试
+report-check-remarks = 备注
+report-check-heading-kinematics = 运动学
+report-check-singular = 奇异位形
+report-check-heading-reach = 可达范围
+report-check-heading-file = 机床文件
+report-check-remark-count = 备注：{ $n } 项
+report-check-passed = 每个位姿都能由其自身的轴位置重新得到，雅可比矩阵与差分一致；{ $remarks }。
+report-check-failed = { $failures }；{ $remarks }。
+report-check-axis-count = 旋转轴 { $rotary }，直线轴 { $linear }
+report-check-tip-error = 往返误差，尖端
+report-check-tip-error-note = 每个焊头 { $n } 个随机位姿的最大值
+report-check-jacobian = 雅可比矩阵
+report-check-jacobian-note = 最大相对偏差
+report-check-singular-note = 行程之内
+report-check-remarks-note = 不寻常的值
+report-check-caption-machine = 机床处于原位，基坐标系，第一角画法。箭头表示各轴所移动部分的正方向：刀具侧为焊枪，工件侧为工件；转动遵循右手定则。会相互遮挡的符号并排画出。
+report-check-no-remarks = 无：限值、行程和驱动器大小正常且相互匹配。
+report-check-remark = { $key }：{ $why }
+report-check-remark-value = { $key } = { $value }：{ $why }
+report-check-line = { $file }，第 { $line } 行
+report-check-typical = 典型焊缝以 { $speed } 沿半径 { $radius } 的弯曲行进，焊枪转动 { $rate }。
+report-check-too-fast = 在 { $part } 的行程内，典型焊缝要求的速度超过旋转轴的能力。
+report-check-fast-enough = 在全部行程内，典型焊缝都在旋转轴的速度范围内。
+report-check-no-singular = 焊头 { $head }：行程内没有奇异位形。条件最差的位置为 { $position }（条件数 { $worst }；最佳位置 { $best }）。
+report-check-reach = 焊头 { $head }：尖端在工件坐标系中可达的{ $kind ->
+        [volume] 体积
+        [area] 面积
+       *[length] 长度
+    }：{ $size }，为包围盒的 { $part }。从工件看，焊枪相对原位方向最多倾斜 { $tilt }。
+report-check-no-volume = 无：尖端停留在一个面或一条线上
+report-check-point = 一个点
+report-check-size = { $value } ± { $deviation }
+report-check-position = { $axis } { $position }
+
+# Check of a machine: tables.
+report-check-column-letter = 字母
+report-check-column-kind = 类型
+report-check-column-moves = 移动
+report-check-column-home = 原位
+report-check-column-speed = 速度，/s
+report-check-column-acceleration = 加速度，/s²
+report-check-column-jerk = 加加速度，/s³
+report-check-column-time = 加速时间，s
+report-check-caption-axes = 各轴；直线轴以 mm 计，旋转轴以度计。最后一列为从静止到最大速度的时间。
+report-check-linear = 直线
+report-check-rotary = 旋转
+report-check-torch = 焊枪
+report-check-work = 工件
+report-check-no-end-stops = 无限位
+report-check-column-result = 结果
+report-check-column-poses = 位姿数
+report-check-column-direction = 方向，°
+report-check-column-axes = 各轴，mm 或 °
+report-check-column-near-singular = 近奇异
+report-check-column-unsolved = 无解
+report-check-column-branch-missing = 缺少自身分支
+report-check-both-heads = 双焊头
+report-check-off-centre = { $unsolved }（另有 { $n } 个滑台偏心）
+report-check-caption-results = 往返检验：随机轴位置、其位姿、该位姿的所有轴位置及其各自的位姿。最大偏差；各轴的偏差在远离奇异位形处。
+report-check-result-passed = 通过
+report-check-result-failed = 未通过
+report-check-column-inverse = 逆解
+report-check-column-difference = 偏差
+report-check-column-worst-axis = 最差轴
+report-check-caption-structure = 由位姿求轴位置的方法，以及雅可比矩阵与中心差分的比较：相对其所在列的最大偏差。
+report-check-margin = { $distance }（更近时 { $axis } 太慢）
+report-check-caption-singular = 焊头 { $head } 在行程内的奇异位形，以及典型焊缝需要与其保持的距离。
+report-check-column-configuration = 位形
+report-check-column-distance = 所需距离
+report-check-column-box = 包围盒
+report-check-tip-in-work = 工件坐标系中的尖端
+report-check-tip-in-base = 基坐标系中的尖端
+report-check-caption-reach = 尖端可达的所有位置的包围盒，mm。
+
+# Check of a machine: text.
+report-check-text-result = 结果
+report-check-text-failure = 错误
+report-check-text-head = 焊头
+report-check-text-inverse = 逆解
+report-check-text-round-trip = 往返
+report-check-text-errors = { $n } 个位姿：尖端 { $tip }，方向 { $direction }，各轴 { $axes }（mm 或 °）；{ $near } 个近奇异
+report-check-text-jacobian = 相对列的偏差 { $difference }
+report-check-text-singular = 奇异
+report-check-text-margin = { $place }；距离小于 { $distance } 时，{ $axis } 对于 { $radius } 上的 { $speed } 太慢
+report-check-text-no-singular = 行程内没有
+report-check-text-reach = 可达范围
+report-check-text-box = 工件坐标系中 x { $x }，y { $y }，z { $z } mm
+report-check-text-tilt = { $size }；相对原位最多 { $tilt }
+report-check-text-pair = { $n } 个位姿：尖端 { $tip }，方向 { $direction }；{ $off } 个滑台偏心，无解
+report-check-text-remark = 备注
+report-check-text-line = 第 { $line } 行：{ $remark }
+report-check-text-cure = 处理：{ $cure }
+
+# Drawing of a machine.
+report-machine-title = { $machine }：各轴处于原位，基坐标系
+report-machine-moves-torch = 正方向移动焊枪
+report-machine-moves-work = 正方向移动工件
+report-machine-beam = 束流或焊丝，止于尖端
+report-machine-links = 连杆和形体
+report-machine-towards = 正方向朝向您
+report-machine-away = 正方向背离您
+report-machine-stroke = 行程，箭头在最大位置
+report-machine-cut = 延续
+report-machine-home = 原位
+report-machine-base = 基座
+report-machine-work = 工件
+report-machine-up = 上
+
+# Bode plots.
+report-bode-frequency = 频率
+report-bode-magnitude = 开环幅值
+report-bode-phase = 开环相位
+report-bode-crossover = 穿越
+report-bode-open-loop = 开环
+report-bode-gain-margin = 幅值裕度 { $margin }，{ $frequency } 处
+report-bode-gain-unbounded = 幅值裕度：无界
+report-bode-phase-margin = 相位裕度 { $margin }，{ $frequency } 处
+report-bode-phase-unbounded = 相位裕度：无界

@@ -31,6 +31,10 @@ units! {
     Mm = "mm",
     /// Square millimetre.
     Mm2 = "mm^2",
+    /// Square metre.
+    M2 = "m^2",
+    /// Cubic metre.
+    M3 = "m^3",
     /// Micrometre.
     Um = "um",
     /// Metre.
@@ -97,6 +101,8 @@ units! {
     K = "K",
     /// Pixel.
     Px = "px",
+    /// Decibel.
+    Db = "dB",
     /// Byte.
     Byte = "B",
     /// Mebibyte.
