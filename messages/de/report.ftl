@@ -325,7 +325,7 @@ report-sections = { $title }: { $n ->
     }
 report-section-note = Winkel { $dihedral }, Fläche { $area }
 report-area-with-cap = { $groove } + { $cap }
-report-section-torch = Brenner: Arbeitswinkel { $work }, Anstellwinkel { $travel }
+report-section-torch = Brenner: Arbeitswinkel { $work }, Schlepp-/Stechwinkel { $travel }
 report-caption-sections = Querschnitte entlang der Naht, alle in einem Maßstab, die Fläche des zweiten Teils waagerecht oder die Oberseite des Stumpfstoßes oben: Raupen in der Reihenfolge des Schweißens und wohin der Draht in jeder zeigt; die Fläche ist die der Fuge und der Überhöhung darüber.
 
 # Plan: welding procedure.
@@ -576,6 +576,11 @@ report-check-text-pair = { $n } Posen: Spitzen { $tip }, Richtungen { $direction
 report-check-text-remark = Anmerkung
 report-check-text-line = Zeile { $line }: { $remark }
 report-check-text-cure = Abhilfe: { $cure }
+
+# Drawings without a title, for screen readers.
+report-three-views = drei Ansichten
+report-charts = Diagramme
+report-machine = Maschine
 
 # Drawing of a machine.
 report-machine-title = { $machine }: Achsen in Grundstellung, im Basissystem

@@ -577,6 +577,11 @@ report-check-text-remark = remark
 report-check-text-line = line { $line }: { $remark }
 report-check-text-cure = cure: { $cure }
 
+# Drawings without a title, for screen readers.
+report-three-views = three views
+report-charts = charts
+report-machine = machine
+
 # Drawing of a machine.
 report-machine-title = { $machine }: axes at home, in the base frame
 report-machine-moves-torch = positive moves the torch

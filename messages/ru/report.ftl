@@ -316,7 +316,7 @@ report-cut-inside = внутри: радиус { $radius }, обвод { $around
 report-sections = { $title }: сечений: { $n }
 report-section-note = угол { $dihedral }, площадь { $area }
 report-area-with-cap = { $groove } + { $cap }
-report-section-torch = горелка: рабочий угол { $work }, угол хода { $travel }
+report-section-torch = горелка: поперечный угол { $work }, продольный угол { $travel }
 report-caption-sections = Сечения вдоль шва в одном масштабе, поверхность второй детали горизонтальна или лицевая поверхность стыкового шва вверх: валики в порядке сварки и куда в каждом указывает проволока; площадь: разделки и усиления над ней.
 
 # Plan: welding procedure.
@@ -557,6 +557,11 @@ report-check-text-pair = поз: { $n }: острия { $tip }, направле
 report-check-text-remark = замечание
 report-check-text-line = строка { $line }: { $remark }
 report-check-text-cure = что сделать: { $cure }
+
+# Drawings without a title, for screen readers.
+report-three-views = три вида
+report-charts = графики
+report-machine = станок
 
 # Drawing of a machine.
 report-machine-title = { $machine }: оси в исходном положении, в базовой системе

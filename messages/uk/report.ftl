@@ -316,7 +316,7 @@ report-cut-inside = усередині: радіус { $radius }, обвід { $
 report-sections = { $title }: перерізів: { $n }
 report-section-note = кут { $dihedral }, площа { $area }
 report-area-with-cap = { $groove } + { $cap }
-report-section-torch = пальник: робочий кут { $work }, кут ходу { $travel }
+report-section-torch = пальник: кут поперек { $work }, кут уздовж { $travel }
 report-caption-sections = Перерізи вздовж шва в одному масштабі, поверхня другої деталі горизонтальна або лице стикового шва вгору: валики в порядку зварювання і куди в кожному вказує дріт; площа: розробки і підсилення над нею.
 
 # Plan: welding procedure.
@@ -557,6 +557,11 @@ report-check-text-pair = поз: { $n }: вістря { $tip }, напрями {
 report-check-text-remark = заувага
 report-check-text-line = рядок { $line }: { $remark }
 report-check-text-cure = що зробити: { $cure }
+
+# Drawings without a title, for screen readers.
+report-three-views = три вигляди
+report-charts = графіки
+report-machine = верстат
 
 # Drawing of a machine.
 report-machine-title = { $machine }: осі у вихідному положенні, у базовій системі

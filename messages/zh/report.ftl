@@ -558,6 +558,11 @@ report-check-text-remark = 备注
 report-check-text-line = 第 { $line } 行：{ $remark }
 report-check-text-cure = 处理：{ $cure }
 
+# Drawings without a title, for screen readers.
+report-three-views = 三视图
+report-charts = 图表
+report-machine = 机床
+
 # Drawing of a machine.
 report-machine-title = { $machine }：各轴处于原位，基坐标系
 report-machine-moves-torch = 正方向移动焊枪

@@ -52,7 +52,7 @@ crate::svg::both_forms!(ThreeViews);
 
 impl ThreeViews {
     fn label(&self) -> String {
-        if self.title.is_empty() { "three views".into() } else { self.title.clone() }
+        if self.title.is_empty() { self.language.words("report-three-views") } else { self.title.clone() }
     }
 
     fn points(&self) -> impl Iterator<Item = [f64; 3]> {

@@ -101,7 +101,7 @@ impl MachineDrawing {
     }
 
     fn label(&self) -> String {
-        if self.title.is_empty() { "machine".into() } else { self.title.clone() }
+        if self.title.is_empty() { self.language.words("report-machine") } else { self.title.clone() }
     }
 
     fn structure(&self) -> impl Iterator<Item = [f64; 3]> {
