@@ -62,7 +62,7 @@ fn wrong(failure: &Failure) -> Wrong {
         }
     };
     let (message, allowed) = text.split_once("\n   allowed: ").unwrap_or((&text, ""));
-    Wrong { message: message.to_owned(), allowed: allowed.to_owned() }
+    Wrong { message: message.into(), allowed: allowed.into() }
 }
 
 impl Outside for Beside<'_> {
@@ -82,12 +82,15 @@ impl Outside for Beside<'_> {
         }
         let Some((_, machine)) = known.as_ref() else {
             let message = format!("there is no machine `{name}` that could have recorded them");
-            return Err(Wrong { message, allowed: "`machine` as it was when they were recorded".to_owned() });
+            return Err(Wrong {
+                message: message.into(),
+                allowed: "`machine` as it was when they were recorded".into(),
+            });
         };
         let names: Vec<&str> = machine.axes.iter().map(|a| a.name.as_str()).collect();
         if axes.len() != names.len() {
             let message = format!("{} positions, and {name} has {} axes", axes.len(), names.len());
-            return Err(Wrong { message, allowed: names.join(", ") });
+            return Err(Wrong { message: message.into(), allowed: names.join(", ").into() });
         }
         let mut q = Joints::default();
         for ((q, axis), value) in q.iter_mut().zip(&machine.axes).zip(axes) {
@@ -95,7 +98,7 @@ impl Outside for Beside<'_> {
         }
         if let Some(violation) = machine.outside(&q) {
             let message = machine.range_error(&violation).to_string();
-            return Err(Wrong { message, allowed: "positions within the axes' ranges".to_owned() });
+            return Err(Wrong { message: message.into(), allowed: "positions within the axes' ranges".into() });
         }
         Ok(machine.forward(&q).point)
     }
@@ -105,7 +108,10 @@ impl Outside for Beside<'_> {
             Some(machine) => Ok(Arc::new(Axes(machine))),
             None => {
                 let message = format!("there is no machine `{name}`");
-                Err(Wrong { message, allowed: "a machine that ships, or the path of a machine file".to_owned() })
+                Err(Wrong {
+                    message: message.into(),
+                    allowed: "a machine that ships, or the path of a machine file".into(),
+                })
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Names of values, curves and objects in files, and recorded messages, in the language of a page. Names without words
+//! Names of values and curves in files, and recorded messages, in the language of a page. Names without words
 //! stay as they are.
 
 use crate::Language;
@@ -23,26 +23,6 @@ pub(crate) fn value(language: Language, name: &str) -> String {
     let [title, unit] = value_parts(language, name);
     // A unit must not break over lines.
     if unit.is_empty() { title } else { format!("{title}, {}", unit.replace('/', "/\u{2060}")) }
-}
-
-/// Returns an object of a clearance check by its name; links keep their names in files.
-pub(crate) fn object(name: &str) -> Message {
-    let of = |code, name: &str| Message::new(code).text("name", name.trim());
-    if let Some(solid) = name.strip_suffix(" (part)") {
-        of("report-object-of-part", solid)
-    } else if let Some(solid) = name.strip_suffix(" (fixtures)") {
-        of("report-object-of-fixtures", solid)
-    } else if let Some(zone) = name.strip_prefix("forbidden zone ") {
-        of("report-object-forbidden-zone", zone)
-    } else if let Some(zone) = name.strip_prefix("permitted zone ") {
-        of("report-object-permitted-zone", zone)
-    } else {
-        match name {
-            "part" => Message::new("report-object-part"),
-            "fixtures" => Message::new("report-object-fixtures"),
-            _ => Message::verbatim(name),
-        }
-    }
 }
 
 /// Returns the name of a curve by its column, which ends in the name of the head if there are several.

@@ -57,16 +57,16 @@ fn heads() {
     );
     head(
         "thickness_mm = 10\nstandard = \"din_28013\"\ncrown_radius_mm = 780",
-        &[&at("crown_radius_mm = 780"), "half a ball", "more than the flange's inside radius, 790 mm"],
+        &[&at("crown_radius_mm = 780"), "hemisphere", "more than the flange's inside radius, 790 mm"],
     );
     head("thickness_mm = 800\nstandard = \"asme_fd\"", &[&at("thickness_mm = 800"), "outer_diameter_mm = 1600"]);
-    head("thickness_mm = 300\nstandard = \"asme_fd\"", &[&at("thickness_mm = 300"), "inside radius 900 mm"]);
-    head("thickness_mm = 10\ncrown_radius_mm = 1600", &["crown and knuckle are not known", "din_28011"]);
+    head("thickness_mm = 300\nstandard = \"asme_fd\"", &[&at("thickness_mm = 300"), "inside radius of 900 mm"]);
+    head("thickness_mm = 10\ncrown_radius_mm = 1600", &["crown and knuckle are missing", "din_28011"]);
     head("thickness_mm = 10\nstandard = \"din_28012\"", &[&at("standard"), "din_28011, din_28013, asme_fd"]);
     // The head stands on its side: the nozzle leaves it over the end of the flange.
     head(
         "thickness_mm = 10\nstandard = \"din_28011\"\naxis = [1, 0, 0]\nflange_mm = 30",
-        &["seam.nozzle.origin_mm", "beyond the end of the head's flange", "1600 mm in diameter"],
+        &["seam.nozzle.origin_mm", "beyond the end of the head's flange", "outer diameter 1600 mm"],
     );
     let bend = "[seam.nozzle.body.torus]\nbend_radius_mm = 300\nradius_mm = 400\n";
     refused(shell, bend, &["seam.nozzle.body.torus.bend_radius_mm = 300", "more than radius_mm = 400"]);
@@ -194,7 +194,7 @@ fn what_cannot_be_welded_lists_every_finding() {
     for word in [
         "finding (speed)",
         "axis theta cannot keep 200",
-        "its speed limit of 30.000 deg/s",
+        "its speed limit of 30.000 °/s",
         "where: pass 1, s = ",
         "cure: ",
     ] {
@@ -235,7 +235,14 @@ fn axes_that_cannot_be_held() {
     for (hold, words) in [
         ("tilt = 90", ["spare_axes.hold.tilt", "there is no axis tilt", "allowed: x, y, z, v, q, u, w"]),
         ("u = 88, v = 0, w = 0", ["spare_axes.hold.u", "with u, v, w held", "allowed: up to 2 axes, or others"]),
-        ("u = 106", ["spare_axes.hold.u = 106", "axis u does not go there", "allowed: -15.000 to 105.000 deg"]),
+        (
+            "u = 106",
+            [
+                "spare_axes.hold.u = 106",
+                "axis u would be held at 106°, outside its range",
+                "allowed: -15.000° to 105.000°",
+            ],
+        ),
         ("u = nan", ["spare_axes.hold.u", "nan", "allowed: a finite number"]),
     ] {
         let (code, text) = plan(hold);
@@ -247,7 +254,7 @@ fn axes_that_cannot_be_held() {
     // On a machine without redundant axes wishes have no effect, but there is no axis to hold.
     let spare = |table: &str| ("[torch]", format!("[spare_axes]\n{table}\n[torch]"));
     let (from, to) = spare("hold = { s = 1 }");
-    refused(from, &to, &["spare_axes.hold.s = 1", "axis s cannot be held: a torch pose decides all axes here"]);
+    refused(from, &to, &["spare_axes.hold.s = 1", "axis s is not redundant: a torch pose determines all axes here"]);
     let (from, to) = spare("position = \"up\"");
     refused(from, &to, &["spare_axes.position", "allowed: flat, any"]);
     let (from, to) = spare("weights = { motion = -1 }");

@@ -122,14 +122,14 @@ pub fn reduce(
 /// Checks that the tolerances and all values are valid.
 fn check(points: &[DVec3], axes: &[Vec<f64>], (tolerance, axis_tolerance): (f64, f64)) -> Result<(), Error> {
     let in_range = |p: DVec3| p.is_finite() && p.abs().max_element() <= MAX_COORDINATE_MM;
-    positive("the tolerance", tolerance)?;
-    positive("the tolerance of further columns", axis_tolerance)?;
+    positive("geometry-tolerance", tolerance)?;
+    positive("geometry-column-tolerance", axis_tolerance)?;
     if let Some(index) = points.iter().position(|p| !in_range(*p)) {
         return Err(Error::Place { index });
     }
     for column in axes {
         if column.len() != points.len() {
-            return Err(Error::Size { what: "the length of a column", value: column.len() as f64 });
+            return Err(Error::Size { what: "geometry-column-length", value: column.len() as f64 });
         }
         if let Some(index) = column.iter().position(|v| !v.is_finite()) {
             return Err(Error::Place { index });

@@ -3,7 +3,10 @@
 mod leg;
 mod rest_to_rest;
 mod route;
+mod solids;
 
 pub use leg::{AirMove, Leg};
-pub use route::{Blocked, route};
-pub(crate) use route::{obstacle, route_within, too_near};
+pub use route::{Blocked, MoveEnd, route};
+pub(crate) use route::{obstacle, route_within};
+pub(crate) use solids::too_near;
+pub use solids::{names_nearest, solids};

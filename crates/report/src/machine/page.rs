@@ -1,8 +1,7 @@
 use super::MachineDrawing;
-use super::tables::{axes, measure, reach, results, singular, small, structure, symbol};
+use super::tables::{axes, measure, reach, results, singular, small, structure};
 use crate::Words as _;
 use crate::number::{Significant as _, significant};
-use crate::said::recorded;
 use crate::{Block, Finding, Language, Page, Severity, Tile, Verdict};
 use seamwright_machine::check::{Check, HeadCheck, Remark};
 use seamwright_message::{Message, Unit};
@@ -64,7 +63,7 @@ pub fn check_page(
 }
 
 fn failures(check: &Check, language: Language) -> Vec<String> {
-    check.failures.iter().map(|failure| recorded(language, failure.clone())).collect()
+    check.failures.iter().map(|failure| failure.in_language(language)).collect()
 }
 
 fn verdict(check: &Check, language: Language) -> String {
@@ -122,12 +121,11 @@ fn failure(text: String) -> Finding {
 
 /// Describes a remark with its key and value.
 fn remark_text(r: &Remark, language: Language) -> String {
-    let why = recorded(language, r.why.clone());
     let message = match r.value.is_empty() {
         true => Message::new("report-check-remark").key("key", &r.key),
         false => Message::new("report-check-remark-value").key("key", &r.key).text("value", &r.value),
     };
-    message.text("why", why).in_language(language)
+    message.message("why", r.why.clone()).in_language(language)
 }
 
 fn remark(r: &Remark, file: &str, language: Language) -> Finding {
@@ -136,7 +134,7 @@ fn remark(r: &Remark, file: &str, language: Language) -> Finding {
         severity: Severity::Warning,
         text: remark_text(r, language),
         place: if r.line > 0 { line().in_language(language) } else { file.to_owned() },
-        cure: recorded(language, r.cure.clone()),
+        cure: r.cure.in_language(language),
     }
 }
 
@@ -224,7 +222,7 @@ pub fn check_text(check: &Check, language: Language) -> String {
         let line = || Message::new("report-check-text-line").text("line", r.line.to_string()).text("remark", &text);
         let text = if r.line > 0 { line().in_language(language) } else { text };
         lines.line("", "report-check-text-remark", &text);
-        let cure = Message::new("report-check-text-cure").text("cure", recorded(language, r.cure.clone()));
+        let cure = Message::new("report-check-text-cure").message("cure", r.cure.clone());
         lines.message("", "", &cure);
     }
     lines.text
@@ -238,7 +236,7 @@ fn head_lines(check: &Check, h: &HeadCheck, lines: &mut Lines) {
     let language = lines.language;
     let r = &h.round_trip;
     lines.line("", "report-check-text-head", &h.name);
-    lines.line("  ", "report-check-text-inverse", &recorded(language, h.structure.clone()));
+    lines.line("  ", "report-check-text-inverse", &h.structure.in_language(language));
     let errors = Message::new("report-check-text-errors")
         .count("n", r.poses as usize)
         .text("tip", small_in(r.point_mm, Unit::Mm, language))
@@ -253,7 +251,7 @@ fn head_lines(check: &Check, h: &HeadCheck, lines: &mut Lines) {
         let text = match &p.margin {
             Some((by, axis)) => {
                 let (speed, radius) = h.singular.typical;
-                let unit = p.at.first().map_or(Unit::One, |a| symbol(check, &a.0));
+                let unit = p.at.first().map_or(Unit::One, |a| check.unit_of(&a.0));
                 Message::new("report-check-text-margin")
                     .text("place", place)
                     .significant("distance", *by, unit, 3)

@@ -2,7 +2,6 @@
 
 use crate::Words as _;
 use crate::number::{Significant as _, fixed, from_to, significant};
-use crate::said::recorded;
 use crate::{Language, Table};
 use seamwright_machine::check::{AxisFigures, Check, HeadCheck, RoundTrip, SingularPlace};
 use seamwright_message::{Message, Unit};
@@ -16,12 +15,6 @@ pub(super) fn small(value: f64, language: Language) -> String {
     significant(value, 2, language)
 }
 
-/// Returns the unit of the axis called `name`.
-pub(super) fn symbol(check: &Check, name: &str) -> Unit {
-    let axis = check.axes.iter().find(|a| a.name == name);
-    axis.and_then(|a| Unit::from_symbol(a.unit)).unwrap_or(Unit::One)
-}
-
 fn head<const N: usize>(codes: [&'static str; N], language: Language) -> Vec<String> {
     codes.map(|code| language.words(code)).into()
 }
@@ -33,7 +26,7 @@ pub(super) fn axes(check: &Check, language: Language) -> Table {
             || language.words("report-check-no-end-stops"),
             |(low, high)| {
                 let range = Message::new("report-range").significant("from", low, Unit::One, 5);
-                range.significant("to", high, symbol(check, &a.name), 5).in_language(language)
+                range.significant("to", high, check.unit_of(&a.name), 5).in_language(language)
             },
         );
         vec![
@@ -118,7 +111,7 @@ fn result(passed: bool, language: Language) -> String {
 pub(super) fn structure(check: &Check, language: Language) -> Table {
     let row = |h: &HeadCheck| {
         let j = &h.jacobian;
-        let structure = recorded(language, h.structure.clone());
+        let structure = h.structure.in_language(language);
         vec![h.name.clone(), structure, result(j.passed, language), small(j.relative, language), j.axis.clone()]
     };
     let codes = [
@@ -138,8 +131,7 @@ pub(super) fn structure(check: &Check, language: Language) -> Table {
 
 /// Describes a singular configuration with its positions.
 pub(super) fn place(check: &Check, place: &SingularPlace, language: Language) -> String {
-    let unit = |name: &str| check.axes.iter().find(|a| a.name == name).map_or("", |a| a.unit);
-    recorded(language, place.sentence(unit))
+    place.description(|name| check.unit_of(name)).in_language(language)
 }
 
 pub(super) fn singular(check: &Check, of: &HeadCheck, language: Language) -> Table {
@@ -147,7 +139,7 @@ pub(super) fn singular(check: &Check, of: &HeadCheck, language: Language) -> Tab
         let margin = p.margin.as_ref().map_or_else(
             || "–".to_owned(),
             |(by, axis)| {
-                let unit = p.at.first().map_or(Unit::One, |a| symbol(check, &a.0));
+                let unit = p.at.first().map_or(Unit::One, |a| check.unit_of(&a.0));
                 Message::new("report-check-margin")
                     .significant("distance", *by, unit, 3)
                     .axis("axis", axis)

@@ -4,7 +4,7 @@ use super::procedure::{PassProcedureFigures, ProcedureFigures, ProcedurePlots};
 use super::samples::samples;
 use super::totals::{self, TotalsFigures};
 use super::{Plots, PostFigures, SimulationCurves, tracking};
-use crate::{Language, said};
+use crate::Language;
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
@@ -225,17 +225,17 @@ fn process_range(pass: &Pass) -> BTreeMap<String, (f64, f64)> {
 }
 
 fn clearance(c: &PassClearance) -> ClearanceFigures {
-    let (nearest_mm, at_mm, between) = match &c.nearest {
-        Some((mm, s, between)) => (*mm, Some(*s), Some(between.clone())),
+    let english = |message: &Message| message.in_language(Language::English);
+    let (nearest_mm, at_mm, nearest) = match &c.nearest {
+        Some((mm, s, nearest)) => (*mm, Some(*s), Some(nearest.clone())),
         None => (c.cutoff_mm, None, None),
     };
-    let nearest = between.as_ref().and_then(|names: &String| names.split_once(" and "));
     ClearanceFigures {
         nearest_mm,
         at_mm,
-        nearest: nearest.map(|(a, b)| [a, b].map(said::object)),
-        objects: c.watched.iter().map(|name| said::object(name)).collect(),
-        between,
-        watched: c.watched.clone(),
+        between: nearest.as_ref().map(|both| both.each_ref().map(english).join(" and ")),
+        watched: c.watched.iter().map(english).collect(),
+        nearest,
+        objects: c.watched.clone(),
     }
 }
