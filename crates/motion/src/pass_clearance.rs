@@ -16,7 +16,7 @@ pub struct PassClearance {
     /// The minimum distance found: mm, path length, and the two solids.
     pub nearest: Option<(f64, f64, [Message; 2])>,
     /// Everything that is watched.
-    pub watched: Vec<String>,
+    pub watched: Vec<Message>,
     /// Maximum distance that is reported, mm.
     pub cutoff_mm: f64,
 }
