@@ -42,6 +42,9 @@ impl ProcedureFigures {
 pub struct PassProcedureFigures {
     /// Run of the procedure for this pass; `None` if it has no matching run.
     pub run: Option<String>,
+    /// The same, for the page.
+    #[serde(skip)]
+    pub(super) run_label: Option<Message>,
     /// Kind of weld for the positions: `fillet` or `butt`.
     pub joint: FilletOrButt,
     /// Values along the pass.
@@ -107,7 +110,8 @@ impl PassProcedureFigures {
             outside: q.outside.clone(),
         });
         Self {
-            run: held.run.clone(),
+            run: held.run.as_ref().map(|run| run.in_language(Language::English)),
+            run_label: held.run.clone(),
             joint: held.joint,
             quantities: quantities.collect(),
             positions_allowed: run.and_then(|r| r.positions.clone()),
@@ -185,8 +189,8 @@ fn heat_input(held: &PassProcedure, language: Language) -> Chart {
 
 /// Describes procedure, run and calculation of heat input.
 pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureFigures, language: Language) -> String {
-    let run = match &pass.run {
-        Some(run) => Message::new("report-run").text("run", run),
+    let run = match &pass.run_label {
+        Some(run) => Message::new("report-run").message("run", run.clone()),
         None => Message::new("report-no-run"),
     };
     let joint = match pass.joint {
