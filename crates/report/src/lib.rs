@@ -33,7 +33,7 @@ mod place;
 mod plot;
 mod projection;
 mod record;
-mod said;
+mod names;
 mod series;
 mod sheet;
 mod style;
