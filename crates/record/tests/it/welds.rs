@@ -142,7 +142,7 @@ fn welds_are_found() {
     assert_eq!(found(Query { text: text("a. welder"), ..Query::default() }).len(), 3);
     assert_eq!(found(Query { text: text("'; DROP TABLE weld; --"), ..Query::default() }), [0i64; 0]);
     let told = data.library().weld(9).unwrap_err().to_string();
-    assert!(told.contains("there is no weld 9") && told.contains("1 to 3"), "{told}");
+    assert!(told.contains("weld 9 does not exist") && told.contains("1 to 3"), "{told}");
 }
 
 #[test]
