@@ -383,7 +383,7 @@ mod tests {
             CREATE TRIGGER audit_is_not_changed BEFORE UPDATE ON audit
             BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;";
         let changed = copy("changed", changed).unwrap_err();
-        assert!(changed.contains("audit entry 1"), "{changed}");
+        assert!(changed.contains("audit log, entry 1"), "{changed}");
         // Archives without hashes are refused.
         let stripped = copy("stripped", "PRAGMA user_version = 3").unwrap_err();
         assert!(stripped.contains("manifest.sha256: missing") && stripped.contains("stripped.tar"), "{stripped}");
@@ -397,7 +397,7 @@ mod tests {
         fs::create_dir(&inside).unwrap();
         File::create(inside.join(MANIFEST)).unwrap().set_len(MAX_MANIFEST + 1).unwrap();
         let refused = check_manifest(Path::new("backup.tar"), &inside).unwrap_err().to_string();
-        assert!(refused.contains("manifest.sha256: of 65 MiB"), "{refused}");
+        assert!(refused.contains("manifest.sha256: 65 MiB"), "{refused}");
     }
 
     /// A backup without users holds no password hashes; after a restore the users stay unchanged.
@@ -424,7 +424,7 @@ mod tests {
             builder.append_data(&mut header, name, &b"x"[..]).unwrap();
             builder.finish().unwrap();
             let told = restore(&archive, &scratch.path().join("to")).unwrap_err().to_string();
-            assert!(told.contains("whole archive"), "{told}");
+            assert!(told.contains("unchanged archive"), "{told}");
             assert!(!scratch.path().join("to").exists());
         }
     }

@@ -414,15 +414,15 @@ mod tests {
             }
         }
         for (bad, says) in [
-            ("drives", "`:`"),
-            ("drives:silent", "`@`"),
+            ("drives", "DEVICE:KIND@TIME"),
+            ("drives:silent", "DEVICE:KIND@TIME"),
             ("drivers:silent@1", "drives, source, inputs, sensors"),
             ("drives:dead@1", "silent, slow, wrong, disconnect, reboot, reconnect"),
             ("drives:silent@soon", "`soon`"),
             ("drives:silent@1+-2", "`-2`"),
             ("drives:silent@nan", "`nan`"),
         ] {
-            let error = bad.parse::<Fault>().unwrap_err();
+            let error = bad.parse::<Fault>().unwrap_err().to_string();
             assert!(error.contains(says) && error.contains("allowed"), "{bad}: {error}");
         }
     }

@@ -1,5 +1,5 @@
 use crate::Words as _;
-use crate::said;
+use crate::names;
 use crate::{Axis, Block, Chart, Language, LimitLine, Series};
 use seamwright_message::{Message, Unit};
 use seamwright_record::figures::{BIN_MM, Curve, Figures, HEAT_INPUT, Value};

@@ -4,8 +4,8 @@ mod charts;
 mod tables;
 
 use crate::Words as _;
+use crate::names;
 use crate::number::{Significant as _, significant};
-use crate::said;
 use crate::weld::table;
 use crate::{Block, Language, Page, Severity, Tile, Verdict};
 use seamwright_message::{Message, Unit};

@@ -1,6 +1,6 @@
 use crate::Words as _;
+use crate::names;
 use crate::number::{from_to, significant};
-use crate::said;
 use crate::weld::table;
 use crate::{Block, Language};
 use seamwright_message::Message;

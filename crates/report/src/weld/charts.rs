@@ -6,7 +6,7 @@ use super::taught::{TaughtPlot, taught};
 use super::{CertificateFigures, SimulationCurves, cut, order, sections, woven};
 use crate::Words as _;
 use crate::{
-    Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, said,
+    Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, names,
 };
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};

@@ -361,7 +361,7 @@ mod tests {
                 archive.alarm(None, alarm(&format!("alarm {i}")));
                 archive.audit("ada", "panel 1", &format!("order {i}"), ("", ""), "taken");
             }
-            archive.acknowledge("eve", Some("alarm 0".to_owned()));
+            archive.acknowledge("eve", Some(Message::verbatim("alarm 0")));
             archive.acknowledge("eve", None);
             archive.repeatable("eve", "panel 2", "take control", "control taken");
         }
@@ -374,7 +374,7 @@ mod tests {
         assert!(!entries.iter().any(|e| e.result.contains("left out")), "{entries:?}");
         // All but the last were acknowledged after they were raised.
         let listed = data.library().listed_alarms().unwrap();
-        assert_eq!(listed.iter().map(|alarm| alarm.name.as_str()).collect::<Vec<_>>(), ["last"]);
+        assert_eq!(listed.iter().map(|alarm| alarm.name.to_string()).collect::<Vec<_>>(), ["last"]);
         assert!(entries.iter().any(|e| e.result.contains("control taken: 999 more")), "{entries:?}");
     }
 
