@@ -117,9 +117,6 @@ motion-cure-not-tried = nicht versucht: andere Brennerwinkel oder eine andere Au
 # Clearance.
 motion-too-near = { $first } kommt bis auf { $distance } an { $second } heran (mindestens { $minimum })
 motion-collision = { $first } stößt gegen { $second } (mindestens { $minimum })
-motion-solid-of-part = { $name } (Werkstück)
-motion-solid-of-fixtures = { $name } (Vorrichtungen)
-motion-permitted-zone = erlaubter Bereich { $name }
 motion-cure-clearance = die Brennerwinkel oder die Aufstellung ändern, oder mit clearance.least_mm weniger erlauben, wenn die Körper stimmen
 motion-cure-clearance-weld = { $change }: geprüft, dann kommt nichts zu nahe; oder mit clearance.least_mm weniger erlauben, wenn die Körper stimmen
 motion-cure-clearance-pass = { $change }: für diese Lage geprüft, dann kommt nichts zu nahe; oder mit clearance.least_mm weniger erlauben, wenn die Körper stimmen

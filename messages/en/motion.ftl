@@ -117,9 +117,6 @@ motion-cure-not-tried = not tried: other torch angles or another placement of th
 # Clearance.
 motion-too-near = { $first } comes within { $distance } of { $second } (at least { $minimum })
 motion-collision = { $first } collides with { $second } (at least { $minimum })
-motion-solid-of-part = { $name } (part)
-motion-solid-of-fixtures = { $name } (fixtures)
-motion-permitted-zone = permitted zone { $name }
 motion-cure-clearance = change the torch angles or the placement, or allow less with clearance.least_mm if the shapes are right
 motion-cure-clearance-weld = { $change }: tried, nothing then comes too near; or allow less with clearance.least_mm if the shapes are right
 motion-cure-clearance-pass = { $change }: tried for this pass, nothing then comes too near; or allow less with clearance.least_mm if the shapes are right

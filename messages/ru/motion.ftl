@@ -120,9 +120,6 @@ motion-cure-not-tried = не испытано: могут помочь друг�
 # Clearance.
 motion-too-near = { $first } и { $second }: расстояние { $distance } (нужно не менее { $minimum })
 motion-collision = { $first } и { $second }: столкновение (нужно не менее { $minimum })
-motion-solid-of-part = { $name } (деталь)
-motion-solid-of-fixtures = { $name } (оснастка)
-motion-permitted-zone = разрешённая зона { $name }
 motion-cure-clearance = измените углы горелки или размещение либо разрешите меньше в clearance.least_mm, если формы верны
 motion-cure-clearance-weld = { $change }: проверено, все расстояния тогда достаточны; или разрешите меньше в clearance.least_mm, если формы верны
 motion-cure-clearance-pass = { $change }: проверено для этого прохода, все расстояния тогда достаточны; или разрешите меньше в clearance.least_mm, если формы верны

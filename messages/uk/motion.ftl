@@ -120,9 +120,6 @@ motion-cure-not-tried = не випробувано: можуть допомог
 # Clearance.
 motion-too-near = { $first } і { $second }: відстань { $distance } (потрібно щонайменше { $minimum })
 motion-collision = { $first } і { $second }: зіткнення (потрібно щонайменше { $minimum })
-motion-solid-of-part = { $name } (деталь)
-motion-solid-of-fixtures = { $name } (оснащення)
-motion-permitted-zone = дозволена зона { $name }
 motion-cure-clearance = змініть кути пальника чи розміщення або дозвольте менше в clearance.least_mm, якщо форми правильні
 motion-cure-clearance-weld = { $change }: перевірено, усі відстані тоді достатні; або дозвольте менше в clearance.least_mm, якщо форми правильні
 motion-cure-clearance-pass = { $change }: перевірено для цього проходу, усі відстані тоді достатні; або дозвольте менше в clearance.least_mm, якщо форми правильні

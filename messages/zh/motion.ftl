@@ -114,9 +114,6 @@ motion-cure-not-tried = 未试：改变焊枪角度或工件放置可能有用
 # Clearance.
 motion-too-near = { $first } 距 { $second } 仅 { $distance }（至少 { $minimum }）
 motion-collision = { $first } 撞上 { $second }（至少 { $minimum }）
-motion-solid-of-part = { $name }（工件）
-motion-solid-of-fixtures = { $name }（夹具）
-motion-permitted-zone = 允许区域 { $name }
 motion-cure-clearance = 改变焊枪角度或工件放置；若形体正确也可减小 clearance.least_mm
 motion-cure-clearance-weld = { $change }：已试，随之各处距离足够；若形体正确也可减小 clearance.least_mm
 motion-cure-clearance-pass = { $change }：已对本焊道试过，随之各处距离足够；若形体正确也可减小 clearance.least_mm

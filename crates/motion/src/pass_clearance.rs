@@ -1,5 +1,5 @@
 use crate::JointPath;
-use crate::air::{solids, too_near};
+use crate::air::too_near;
 use seamwright_clearance::Limits;
 use seamwright_machine::Surroundings;
 use seamwright_message::Message;
@@ -59,7 +59,7 @@ pub(crate) fn pass_clearance(
     let near = profile.traces.iter().enumerate().filter(|(_, t)| t.nearest.1.place.is_some());
     let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance)).map(|(watch, t)| {
         let (s, found) = t.nearest;
-        (found.distance, s, solids(around, watch, &found))
+        (found.distance, s, around.nearest_bodies(watch, &found).into())
     });
     let found = profile.edges.iter().map(|&s| (s, around.least(&path.at(s), CUTOFF_MM))).collect();
     let clearance =

@@ -5,7 +5,7 @@ use crate::effort::Effort;
 use crate::follower::Follower;
 use crate::limit_kind::position_unit;
 use crate::limits::Runs;
-use seamwright_machine::{Axis, AxisKind, Joints, Machine, Unreachable};
+use seamwright_machine::{Axis, AxisKind, Joints, Machine};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Tolerance};
 use std::f64::consts::TAU;
@@ -86,7 +86,7 @@ fn starts(follower: Follower, places: &[f64], pass: usize) -> Result<Vec<Joints>
     let later = follower.near(places[1] * 1e-3, &home).map_or(home, |s| s.joints);
     match follower.branches(0.0, &later) {
         Ok(branches) => Ok(branches.iter().map(|b| b.joints).collect()),
-        Err(reason) => Err(vec![reach_finding(follower.machine, cause(&reason), (0.0, 0.0), pass)]),
+        Err(reason) => Err(vec![reach_finding(follower.machine, reason.message(), (0.0, 0.0), pass)]),
     }
 }
 
@@ -110,7 +110,7 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
                 last = solution.joints;
                 None
             }
-            Err(reason) if numeric && !is_strided && !is_first => runs.is_open().then(|| cause(&reason)),
+            Err(reason) if numeric && !is_strided && !is_first => runs.is_open().then(|| reason.message()),
             Err(_) => {
                 first_searches += usize::from(numeric && !is_strided);
                 effort.spend(SEARCH_WORK, i as f64 / places.len() as f64);
@@ -118,17 +118,12 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
                 if let Ok(branches) = &found {
                     last = branches[0].joints;
                 }
-                found.err().map(|reason| cause(&reason))
+                found.err().map(|reason| reason.message())
             }
         };
         runs.add(s, reason.map(|message| (0, 0.0, message)));
     }
     runs.findings(|run| reach_finding(follower.machine, run.message.clone(), (run.from, run.to), pass))
-}
-
-/// Message of the reason why a pose is not reached.
-pub(crate) fn cause(reason: &Unreachable) -> Message {
-    Message::verbatim(reason.to_string())
 }
 
 /// Finding for a stretch that no axis positions reach.

@@ -3,10 +3,10 @@
 mod leg;
 mod rest_to_rest;
 mod route;
-mod solids;
+mod too_near;
 
 pub use leg::{AirMove, Leg};
 pub use route::{Blocked, MoveEnd, route};
 pub(crate) use route::{obstacle, route_within};
-pub(crate) use solids::too_near;
-pub use solids::{names_nearest, solids};
+pub use too_near::names_nearest;
+pub(crate) use too_near::too_near;

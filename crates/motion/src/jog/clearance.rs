@@ -1,5 +1,5 @@
 use super::PointToPoint;
-use crate::air::{solids, too_near};
+use crate::air::too_near;
 use seamwright_clearance::{ClearanceError, Limits};
 use seamwright_machine::{Course, Joints, Surroundings};
 use seamwright_message::Message;
@@ -53,7 +53,7 @@ impl PointToPoint {
         let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance));
         let nearest = nearest.map(|(watch, trace)| {
             let (t, found) = trace.nearest;
-            (found.distance, t, solids(around, watch, &found))
+            (found.distance, t, around.nearest_bodies(watch, &found).into())
         });
         let stretches = profile.stretches.iter();
         let too_near = stretches.map(|s| (s.from, s.to, too_near(around, s.watch, &s.nearest))).collect();

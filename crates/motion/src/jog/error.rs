@@ -45,10 +45,10 @@ pub enum JogError {
     },
     /// The start position is not clear.
     NotClear {
-        /// Name of the one.
-        first: String,
-        /// Name of the other.
-        second: String,
+        /// The one.
+        first: Message,
+        /// The other.
+        second: Message,
         /// Their distance, mm.
         distance_mm: f64,
         /// Required minimum distance, mm.
@@ -109,8 +109,8 @@ impl JogError {
                 Message::new("motion-jog-axis").number("axis", *axis as f64, 0).count("axes", *axes)
             }
             Self::NotClear { first, second, distance_mm, least_mm } => Message::new("motion-jog-not-clear")
-                .text("first", first.as_str())
-                .text("second", second.as_str())
+                .message("first", first.clone())
+                .message("second", second.clone())
                 .quantity("distance", *distance_mm, Unit::Mm, 3)
                 .quantity("minimum", *least_mm, Unit::Mm, 3),
             Self::Halted => Message::new("motion-jog-halted"),

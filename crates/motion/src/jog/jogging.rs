@@ -136,7 +136,7 @@ impl<'a> Jog<'a> {
             && let Some(around) = surroundings
             && let Some((watch, found)) = around.nearest(start, around.greatest_least_mm() + 1.0)
         {
-            let ((first, second), least_mm) = (around.names(watch), around.scene().watches()[watch].least_mm());
+            let ((first, second), least_mm) = (around.bodies(watch), around.scene().watches()[watch].least_mm());
             return Err(JogError::NotClear { first, second, distance_mm: found.distance, least_mm });
         }
         Ok(jog)

@@ -2,7 +2,6 @@ use super::graph::Graph;
 use super::{HoldError, Task};
 use crate::limit_kind::position_unit;
 use crate::limits::Runs;
-use crate::survey::cause;
 use seamwright_machine::{AxisKind, Joints};
 use seamwright_message::{Message, Unit};
 use seamwright_program::Finding;
@@ -95,7 +94,7 @@ fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, Message
                     }
                 }
             }
-            Err(error) if least.is_infinite() => reason = (NO_AXIS, 0.0, cause(&error)),
+            Err(error) if least.is_infinite() => reason = (NO_AXIS, 0.0, error.message()),
             Err(_) => {}
         }
     }

@@ -113,7 +113,7 @@ fn the_nearest_things_are_named_as_in_findings() {
     let clamped = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap();
     let motion = plan(&machine(&welding), &welding, &clamped).unwrap_or_else(|f| panic!("{f:#?}"));
     let (_, _, between) = motion.clearance[0].as_ref().unwrap().nearest.as_ref().unwrap();
-    assert!(between.iter().any(|solid| solid.code == "motion-solid-of-part"), "{between:?}");
+    assert!(between.iter().any(|solid| solid.code == "machine-solid-of-part"), "{between:?}");
 }
 
 /// A post beside the seam: the weld passes too near, and the finding names path length and solids.
