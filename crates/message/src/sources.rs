@@ -41,6 +41,7 @@ areas![
     "clearance",
     "vision",
     "tracking",
+    "alarms",
     "cell",
     "record",
     "post",

@@ -4,7 +4,7 @@ use super::charts::{chart, line};
 use super::page::{number, table};
 use crate::Words as _;
 use crate::number::{Significant as _, fixed, from_to};
-use crate::{Band, Block, Chart, Language, LimitLine, Stretch, said};
+use crate::{Band, Block, Chart, Language, LimitLine, Stretch, names};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};
@@ -231,7 +231,7 @@ pub(super) fn window_row(q: &QuantityFigures, verdict: String, language: Languag
         Some((least, greatest)) => from_to(number(least, language), number(greatest, language), language),
         None => language.words("report-not-limited"),
     };
-    vec![said::value(language, &q.key), least, greatest, allowed, verdict]
+    vec![names::value(language, &q.key), least, greatest, allowed, verdict]
 }
 
 /// Formats a value; rounding noise becomes zero.
