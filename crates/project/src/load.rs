@@ -99,7 +99,7 @@ fn check_held(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
     for (i, pass) in program.value.passes.iter().enumerate() {
         if let Err(error) = redundancy::holding(machine, &pass.spare_axes) {
             let path = welding.keys(i).of(&format!("spare_axes.hold.{}", error.axis()));
-            return Err(program.error_at(&path, error.to_string(), error.allowed()).into());
+            return Err(program.error_at(&path, error.message(), error.allowed()).into());
         }
     }
     Ok(())
