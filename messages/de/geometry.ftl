@@ -15,6 +15,7 @@ geometry-arc-length = die Länge der Kurve ließ sich nahe Parameter { $paramete
 geometry-sharp-turn = { $what }: dreht sich von einem Punkt zum nächsten um 90° oder mehr
 geometry-gap = Stück { $piece } der Kette beginnt nicht am Ende des Stücks davor
 geometry-knots = die Positionen der Werte eines Splines müssen streng ansteigen (Wert { $index })
+geometry-column = eine Spalte hat { $values } Werte für { $points } Punkte
 geometry-point = Punkt { $index } hat einen Wert, der zu groß oder nicht endlich ist
 
 # Errors of fits to touched points.
@@ -58,6 +59,7 @@ geometry-points-circle = Kreis
 geometry-points-tube = Rohr
 geometry-points-surfaces = Flächen
 geometry-points-tip = Werkzeugmittelpunkt (TCP)
+geometry-points-taught-line = geteachte Linie
 
 # Names of sizes and directions.
 geometry-tube-radius = Rohrradius
@@ -112,4 +114,3 @@ geometry-normal = die Normale
 geometry-face-normal = eine Flächennormale
 geometry-tolerance = Toleranz
 geometry-column-tolerance = Toleranz weiterer Spalten
-geometry-column-length = Länge einer Spalte

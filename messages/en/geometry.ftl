@@ -15,6 +15,7 @@ geometry-arc-length = the curve's length could not be determined to { $accuracy 
 geometry-sharp-turn = { $what } turns by 90° or more from one point to the next
 geometry-gap = piece { $piece } of the chain does not start at the end of the piece before it
 geometry-knots = positions of a spline's values must increase strictly (value { $index })
+geometry-column = a column has { $values } values for { $points } points
 geometry-point = point { $index } has a value that is too large or not finite
 
 # Errors of fits to touched points.
@@ -58,6 +59,7 @@ geometry-points-circle = the circle
 geometry-points-tube = the tube
 geometry-points-surfaces = the surfaces
 geometry-points-tip = the tool centre point
+geometry-points-taught-line = the taught line
 
 # Names of sizes and directions.
 geometry-tube-radius = the tube's radius
@@ -112,4 +114,3 @@ geometry-normal = the normal
 geometry-face-normal = a face's normal
 geometry-tolerance = the tolerance
 geometry-column-tolerance = the tolerance of further columns
-geometry-column-length = the length of a column

@@ -2,7 +2,7 @@
 vision-doubt-clutter = many detected points are not on the joint's lines: reflections or spatter
 vision-doubt-short = a part of the joint is seen in fewer than 30 columns: move the sensor nearer or across the whole joint
 vision-doubt-uneven = a part of the joint is not straight: its points lie several rows off the line
-vision-doubt-light = the stripe does not start and end with the joint's parts: dark spots on them, light beyond their ends, or a hidden end
+vision-doubt-light = the stripe does not start and end with the joint's parts: dark places on them, light beyond their ends, or a hidden end
 vision-doubt-shape = the shape is at the limit of this type of joint
 vision-doubt-moved = the joint is far from its expected position
 vision-doubt-unknown = a point or a value of the joint is unknown

@@ -15,6 +15,7 @@ geometry-arc-length = длину кривой не удалось определ
 geometry-sharp-turn = { $what }: поворот на 90° или больше от точки к точке
 geometry-gap = звено { $piece } цепи начинается не там, где кончается предыдущее
 geometry-knots = положения значений сплайна должны строго возрастать (значение { $index })
+geometry-column = в столбце значений: { $values }, а точек { $points }
 geometry-point = у точки { $index } слишком большое или не конечное значение
 
 # Errors of fits to touched points.
@@ -58,6 +59,7 @@ geometry-points-circle = окружность
 geometry-points-tube = труба
 geometry-points-surfaces = поверхности
 geometry-points-tip = центр инструмента (TCP)
+geometry-points-taught-line = обученная линия
 
 # Names of sizes and directions.
 geometry-tube-radius = радиус трубы
@@ -112,4 +114,3 @@ geometry-normal = нормаль
 geometry-face-normal = нормаль грани
 geometry-tolerance = допуск
 geometry-column-tolerance = допуск остальных столбцов
-geometry-column-length = длина столбца

@@ -15,6 +15,7 @@ geometry-arc-length = довжину кривої не вдалося визна
 geometry-sharp-turn = { $what }: поворот на 90° або більше від точки до точки
 geometry-gap = ланка { $piece } ланцюга починається не там, де закінчується попередня
 geometry-knots = положення значень сплайна мають строго зростати (значення { $index })
+geometry-column = стовпець має значень: { $values }, а точок { $points }
 geometry-point = точка { $index } має завелике або нескінченне значення
 
 # Errors of fits to touched points.
@@ -58,6 +59,7 @@ geometry-points-circle = коло
 geometry-points-tube = труба
 geometry-points-surfaces = поверхні
 geometry-points-tip = центр інструмента (TCP)
+geometry-points-taught-line = навчена лінія
 
 # Names of sizes and directions.
 geometry-tube-radius = радіус труби
@@ -112,4 +114,3 @@ geometry-normal = нормаль
 geometry-face-normal = нормаль грані
 geometry-tolerance = допуск
 geometry-column-tolerance = допуск інших стовпців
-geometry-column-length = довжина стовпця

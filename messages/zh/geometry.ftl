@@ -15,6 +15,7 @@ geometry-arc-length = 在参数 { $parameter } 附近，曲线长度无法求到
 geometry-sharp-turn = { $what }在相邻两点之间转过 90° 或更多
 geometry-gap = 链中第 { $piece } 段的起点不在前一段的终点
 geometry-knots = 样条各值的位置必须严格递增（第 { $index } 个值）
+geometry-column = 一列有 { $values } 个值，而有 { $points } 个点
 geometry-point = 点 { $index } 的值过大或不是有限数
 
 # Errors of fits to touched points.
@@ -58,6 +59,7 @@ geometry-points-circle = 圆
 geometry-points-tube = 管子
 geometry-points-surfaces = 曲面
 geometry-points-tip = 工具中心点
+geometry-points-taught-line = 示教线
 
 # Names of sizes and directions.
 geometry-tube-radius = 管子半径
@@ -112,4 +114,3 @@ geometry-normal = 法线
 geometry-face-normal = 面法线
 geometry-tolerance = 公差
 geometry-column-tolerance = 其他列的公差
-geometry-column-length = 列的长度

@@ -104,6 +104,13 @@ pub enum Error {
     },
     /// A search for a rigid motion did not converge.
     NoFit,
+    /// A column with another number of values than there are points.
+    Column {
+        /// Number of values.
+        values: usize,
+        /// Number of points.
+        points: usize,
+    },
     /// A point that is not finite or too large.
     Place {
         /// Its index.
@@ -158,6 +165,9 @@ impl Error {
             }
             Self::Alike { apart } => angle("geometry-attitudes-alike", "angle", apart, 1),
             Self::NoFit => Message::new("geometry-no-fit"),
+            Self::Column { values, points } => {
+                Message::new("geometry-column").count("values", values).count("points", points)
+            }
             Self::Place { index } => Message::new("geometry-point").text("index", index.to_string()),
             Self::Gap { piece } => Message::new("geometry-gap").text("piece", piece.to_string()),
             Self::Turn { what } => named("geometry-sharp-turn", what),

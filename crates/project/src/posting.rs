@@ -1,8 +1,10 @@
 //! Part programs that are proven before anybody sees them.
 
 use crate::Failure;
+use crate::failure::foreign;
 use crate::load::Loaded;
 use seamwright_machine::Machine;
+use seamwright_message::Message;
 use seamwright_motion::WeldMotion;
 use seamwright_post::{
     Control, Error, Feed, Level, Options, PartProgram, Planned, ReadOptions, Verification, WriteOptions, part_program,
@@ -16,7 +18,7 @@ pub enum Unproven {
     /// It cannot be made.
     Failure(Failure),
     /// Differences of the text read back from the plan: a line each.
-    Wrong(Vec<String>),
+    Wrong(Vec<Message>),
 }
 
 impl From<Failure> for Unproven {
@@ -41,8 +43,11 @@ pub fn proven(
     let program = &loaded.welding.program.value;
     let part = part_program(&loaded.machine, control, program, &paths, motion, options);
     let part = part.map_err(|e| match &e {
-        Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", options.tolerance_mm)),
-        _ => Failure::Input(e.to_string()),
+        Error::TooFine { .. } => {
+            let message = Message::new("project-option-tolerance").number("value", options.tolerance_mm, 6);
+            Failure::Input(message.message("why", foreign(&e)))
+        }
+        _ => Failure::Input(foreign(&e)),
     })?;
     let mut write_options = WriteOptions {
         machine: loaded.machine.title.clone(),
@@ -50,7 +55,7 @@ pub fn proven(
         rounding_mm: options.rounding_mm(),
         remarks: Vec::new(),
     };
-    let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(e.to_string()));
+    let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(foreign(&e)));
     let planned = Planned {
         machine: &loaded.machine,
         control,
@@ -69,7 +74,7 @@ fn prove(part: &PartProgram, text: &str, level: Level, planned: Planned) -> Resu
     let start = start(planned.machine, planned.control);
     let options = ReadOptions { lenient: false, level, start: Some(start.clone()) };
     let back =
-        read(planned.control, "the part program", text, &options).map_err(|e| Unproven::Wrong(vec![e.to_string()]))?;
+        read(planned.control, "the part program", text, &options).map_err(|e| Unproven::Wrong(vec![e.located()]))?;
     verify(part, &back.program, &start, planned).map_err(Unproven::Wrong)
 }
 

@@ -30,18 +30,18 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let posts = dialects.into_iter().map(|dialect| post(&loaded, &motion, dialect));
     let posts: Vec<(PostFigures, String)> = posts.collect::<Result<_, _>>()?;
     let mut output = Output::new(&args.output.clone().unwrap_or_else(|| usual_output(&args.job)))?;
-    let (mut report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, args.language);
+    let (mut report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, Language::of_process());
     for (figures, text) in posts {
         output.text(&figures.file, &text)?;
         report.posts.push(figures);
     }
     write_program(&mut output, &loaded)?;
-    write_report(&mut output, (&report, &plots), &loaded.welding, args.language)?;
-    for (i, plots) in plots.iter().enumerate() {
+    write_report(&mut output, (&report, &plots), &loaded.welding, Language::of_process())?;
+    for (i, plots) in plots.iter().enumerate().filter(|_| args.plots) {
         for (name, svg) in plots.files() {
             // The first pass's plots have the plain names.
             let name = if i == 0 { name } else { format!("pass-{}-{name}", i + 1) };
-            output.text(&name, &svg)?;
+            output.text(&format!("plots/{name}"), &svg)?;
         }
     }
     if let Some(cut) = &loaded.welding.cut {
@@ -64,7 +64,7 @@ fn usual_output(job: &Path) -> PathBuf {
 
 /// The part program for a control, as `post` writes it without options, and its proof.
 fn post(loaded: &Loaded, motion: &WeldMotion, dialect: Dialect) -> Result<(PostFigures, String), Failure> {
-    let control = Control::new(&loaded.machine, dialect).map_err(|e| Failure::Input(e.to_string()))?;
+    let control = Control::new(&loaded.machine, dialect).map_err(|e| Failure::input(e.to_string()))?;
     let options = Options::default();
     let (text, proof) = proven(loaded, motion, &control, &options, Feed::InverseTime)?;
     let name = match dialect {
@@ -118,7 +118,7 @@ pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), 
             output.copy(name, path)?;
         }
     }
-    let text = program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
+    let text = program.to_toml().map_err(|e| Failure::environment(e.to_string()))?;
     output.text("program.toml", &text)
 }
 
@@ -129,7 +129,7 @@ pub(super) fn write_report(
     welding: &Welding,
     language: Language,
 ) -> Result<(), Failure> {
-    let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
+    let json = serde_json::to_string_pretty(report).map_err(|e| Failure::environment(e.to_string()))?;
     output.text("report.json", &(json + "\n"))?;
     output.text("report.html", &report.page(plots, welding.program.text(), &clock::now(), language))
 }

@@ -176,7 +176,7 @@ fn tables_on_standard_input() {
     for (input, words) in [
         ("", "there is no column `x_mm`"),
         ("x_mm,y_mm\n1,2\n", "there is no column `z_mm`"),
-        ("x_mm,y_mm,z_mm,ax,ay,az\n1,2,three,0,0,-1\n", "standard input:2: z_mm = `three` is not a finite number"),
+        ("x_mm,y_mm,z_mm,ax,ay,az\n1,2,three,0,0,-1\n", "standard input:2: z_mm = `three`: not a finite number"),
         ("x_mm,y_mm,z_mm,ax,ay,az\n1,2\n", "standard input:2: z_mm = ``"),
     ] {
         let output = run_with(&["kinematics", "ellipse-xy", "--inverse"], input);

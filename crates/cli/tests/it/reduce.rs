@@ -1,4 +1,4 @@
-//! `seamwright reduce`: the table of a small path to the last digit, the taught joint that ships, errors with their
+//! `seamwright tools reduce`: the table of a small path to the last digit, the taught joint that ships, errors with their
 //! address.
 
 use crate::common::{column, good, root, run, run_with, table};
@@ -87,11 +87,11 @@ fn what_is_wrong_is_named_with_its_place() {
             "x_mm,y_mm\n0,0\n",
             "-:1: there is no column `z_mm` in `x_mm,y_mm`\n   allowed: a header line with x_mm,y_mm,z_mm",
         ),
-        ("x_mm,y_mm,z_mm,b_deg\n0,0,0,0\n\n1,nan,0,0\n", "-:4: y_mm = `nan` is not a finite number\n   allowed:"),
-        ("x_mm,y_mm,z_mm,b_deg\n0,0,0,0\n1,0,0\n", "-:3: b_deg = `` is not a finite number"),
+        ("x_mm,y_mm,z_mm,b_deg\n0,0,0,0\n\n1,nan,0,0\n", "-:4: y_mm = `nan`: not a finite number\n   allowed:"),
+        ("x_mm,y_mm,z_mm,b_deg\n0,0,0,0\n1,0,0\n", "-:3: b_deg = ``: not a finite number"),
         (
             "x_mm,y_mm,z_mm\n0,0,0\n1,0,-2e9\n",
-            "-:3: z_mm = `-2000000000` is too far away\n   allowed: -1e9 to 1e9\n   cure:",
+            "-:3: z_mm = `-2000000000`: too far away\n   allowed: -1e9 to 1e9\n   cure:",
         ),
         ("x_mm,y_mm,z_mm\n0,0,0\n", "-: 1 points\n   allowed: at least two\n   cure:"),
         ("", "-:1: there is no column `x_mm`"),

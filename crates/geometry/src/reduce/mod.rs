@@ -97,8 +97,8 @@ pub struct Reduction {
 /// unit) carried along linearly within `axis_tolerance`. In any one frame.
 ///
 /// # Errors
-/// [`Error::Size`] if a tolerance is not finite and positive, or a column is not as long as the points;
-/// [`Error::Place`] for the first value that is not finite, or a coordinate beyond [`MAX_COORDINATE_MM`].
+/// [`Error::Size`] if a tolerance is not finite and positive; [`Error::Column`] if a column is not as long as the
+/// points; [`Error::Place`] for the first value that is not finite, or a coordinate beyond [`MAX_COORDINATE_MM`].
 pub fn reduce(
     points: &[DVec3],
     axes: &[Vec<f64>],
@@ -129,7 +129,7 @@ fn check(points: &[DVec3], axes: &[Vec<f64>], (tolerance, axis_tolerance): (f64,
     }
     for column in axes {
         if column.len() != points.len() {
-            return Err(Error::Size { what: "geometry-column-length", value: column.len() as f64 });
+            return Err(Error::Column { values: column.len(), points: points.len() });
         }
         if let Some(index) = column.iter().position(|v| !v.is_finite()) {
             return Err(Error::Place { index });

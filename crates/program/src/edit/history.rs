@@ -169,7 +169,8 @@ impl History {
 
     /// Bytes that it keeps.
     pub fn size(&self) -> usize {
-        let of = |patch: &Patch| patch.removed.len() + patch.inserted.len();
+        let name = |message: &Message| size_of_val(message.arguments.as_slice());
+        let of = |patch: &Patch| name(&patch.name) + patch.removed.len() + patch.inserted.len();
         self.patches.iter().map(of).sum::<usize>() + self.patches.len() * size_of::<Patch>()
     }
 }
