@@ -137,7 +137,6 @@ project-look-and-choose = огляньте деталь, потім --from PASS,
 project-weld-left = шов { $weld } перервав збій живлення або програми: прохід { $pass }, зварено до { $welded }, пальник на { $torch }
 project-grind-and-continue = огляньте кінець валика, зачистьте його, потім --from { $from }; або --from 1,0, щоб варити спочатку
 project-journal-thread-failed = потік журналу зазнав збою
-project-goes-on = продовжує прохід { $pass } від { $from }
 
 # Teaching by camera.
 project-no-taught-program = зі знайденої лінії не виходить програма: { $why }
