@@ -28,7 +28,7 @@ impl Outside for Table {
     fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong> {
         match file {
             "joint.csv" => Ok(self.0.clone()),
-            _ => Err(Wrong { message: format!("{file}: not there"), allowed: "joint.csv".to_owned() }),
+            _ => Err(Wrong { message: format!("{file}: not there").into(), allowed: "joint.csv".into() }),
         }
     }
     fn tip(&self, _machine: &str, _axes: &[f64]) -> Result<DVec3, Wrong> {

@@ -51,7 +51,12 @@ fn profile(text: &str, source: &str) -> Result<Vec<DVec2>, Failure> {
             }
             let good = |v: &f64| v.abs() <= 1e7;
             *value = cell.parse().ok().filter(good).ok_or_else(|| {
-                reader.error(name, cell, "not a position", "a number within 1e7 mm of 0, or nothing where it is missing")
+                reader.error(
+                    name,
+                    cell,
+                    "not a position",
+                    "a number within 1e7 mm of 0, or nothing where it is missing",
+                )
             })?;
         }
         points.push(DVec2::from_array(point));
