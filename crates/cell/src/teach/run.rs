@@ -96,7 +96,7 @@ pub fn teach<E: From<FrameError>>(
         command = match command {
             Command::Move(pose) => match rig.go(&pose) {
                 Ok(()) => crawl.next(Event::Reached),
-                Err(why) => crawl.next(Event::Refused(why)),
+                Err(why) => crawl.next(Event::Refused(why.into())),
             },
             Command::Look => {
                 let Some(frame) = rig.frame()? else { return Ok(run) };
@@ -114,6 +114,7 @@ pub fn teach<E: From<FrameError>>(
                 next
             }
             Command::Ask(why) => {
+                let why = why.to_string();
                 let answer = operator.answer(&why, crawl);
                 run.asked.push(why);
                 crawl.next(Event::Operator(answer))
