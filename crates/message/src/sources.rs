@@ -31,6 +31,7 @@ macro_rules! areas {
 
 areas![
     "units",
+    "words",
     "document",
     "machine",
     "program",

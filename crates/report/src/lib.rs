@@ -22,7 +22,6 @@ mod domain;
 mod gallery;
 mod grid;
 mod icon;
-mod language;
 mod layout;
 mod legend;
 mod limit;
@@ -44,13 +43,13 @@ mod thin;
 mod ticks;
 mod views;
 mod weld;
+mod words;
 
 pub use block::{Block, Finding, Severity, Table, Tile};
 pub use bode::Bode;
 pub use chart::{Axis, Band, Chart, Stretch};
 pub use gallery::{Gallery, SectionDrawing};
 pub use grid::ChartGrid;
-pub(crate) use language::Phrases;
 pub use limit::LimitLine;
 pub use machine::{MachineDrawing, check_page, check_text};
 pub use number::format_number;
@@ -64,3 +63,4 @@ pub use views::{Mark, ThreeViews};
 pub use weld::{
     CertificateFigures, PassFigures, Plots, PostFigures, SimulationCurves, TaughtPlot, WeldReport, sections,
 };
+pub(crate) use words::Words;
