@@ -59,7 +59,7 @@ pub(super) fn findings(
 }
 
 /// Names the passes that `run` is for.
-fn label(run: &Run) -> Message {
+pub(super) fn label(run: &Run) -> Message {
     match (&run.name, &run.passes) {
         (Some(role), _) => Message::verbatim(role.name()),
         (None, Some(passes)) => {

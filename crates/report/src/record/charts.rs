@@ -1,5 +1,5 @@
 use crate::Words as _;
-use crate::said;
+use crate::names;
 use crate::{Axis, Block, Chart, Language, LimitLine, Series};
 use seamwright_message::{Message, Unit};
 use seamwright_record::figures::{BIN_MM, Curve, Figures, HEAT_INPUT, Value};
@@ -17,7 +17,7 @@ fn figure(
 ) -> Block {
     let several = curves.iter().any(|c| c.pass != curves[0].pass);
     let called = |c: &Curve| {
-        let name = said::curve(language, &c.name);
+        let name = names::curve(language, &c.name);
         let named = || {
             Message::new("report-pass-named").pass("pass", c.pass as usize).text("name", &name).in_language(language)
         };

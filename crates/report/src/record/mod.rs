@@ -4,8 +4,8 @@ mod charts;
 mod tables;
 
 use crate::Words as _;
+use crate::names;
 use crate::number::{Significant as _, significant};
-use crate::said;
 use crate::weld::table;
 use crate::{Block, Language, Page, Severity, Tile, Verdict};
 use seamwright_message::{Message, Unit};
@@ -88,9 +88,7 @@ fn verdict(detail: &WeldDetail, figures: &Figures, language: Language) -> Verdic
     };
     let note = match &detail.weld.note {
         note if note.is_empty() => String::new(),
-        note => Message::new("report-record-note")
-            .text("note", said::recorded(language, note.clone()))
-            .in_language(language),
+        note => Message::new("report-record-note").message("note", note.clone()).in_language(language),
     };
     let ok = detail.weld.result == WeldResult::Good && outside.is_empty() && detail.weld.note.is_empty();
     Verdict { ok, text: language.sentences(&[language.words(result), windows, note]) }
@@ -99,7 +97,7 @@ fn verdict(detail: &WeldDetail, figures: &Figures, language: Language) -> Verdic
 /// Formats a value outside its window and the location, preferably from the trace, which is more detailed than the
 /// library.
 fn outside(value: &Value, figures: &Figures, language: Language) -> String {
-    let name = said::value(language, &value.name);
+    let name = names::value(language, &value.name);
     let known = figures.values.iter().find(|v| (v.pass, &v.name) == (value.pass, &value.name));
     let message = match known.unwrap_or(value).outside_along {
         Some((from, to)) => Message::new("report-value-outside-at")

@@ -1,6 +1,6 @@
 use crate::Words as _;
+use crate::names;
 use crate::number::{from_to, significant};
-use crate::said;
 use crate::weld::table;
 use crate::{Block, Language};
 use seamwright_message::Message;
@@ -30,7 +30,7 @@ pub(super) fn values(values: &[Value], language: Language) -> Block {
         let outside = |value: f64| if v.allowed.is_some() { number(value) } else { "–".to_owned() };
         let numbers = [v.least, v.mean, v.greatest].map(number);
         [
-            vec![v.pass.to_string(), said::value(language, &v.name)],
+            vec![v.pass.to_string(), names::value(language, &v.name)],
             numbers.to_vec(),
             vec![allowed, outside(v.outside_s), outside(v.outside_mm), language.words(verdict)],
         ]
@@ -65,15 +65,7 @@ pub(super) fn alarms(alarms: &[Alarm], language: Language) -> Block {
         let seen =
             a.acknowledged.as_ref().map_or_else(|| language.words("report-no"), |(by, at)| format!("{by}, {at}"));
         let first = language.words(if a.first_out { "report-first-out" } else { "" });
-        vec![
-            said::recorded(language, a.name.clone()),
-            said::recorded(language, a.cause.clone()),
-            pass,
-            s,
-            t,
-            first,
-            seen,
-        ]
+        vec![a.name.in_language(language), a.cause.in_language(language), pass, s, t, first, seen]
     });
     let head = [
         "report-column-alarm",
@@ -91,7 +83,7 @@ pub(super) fn alarms(alarms: &[Alarm], language: Language) -> Block {
 pub(super) fn events(events: &[Event], language: Language) -> Block {
     let rows = events.iter().map(|e| {
         let [pass, s, t] = place(&e.place, language);
-        vec![e.at.to_string(), said::recorded(language, e.text.clone()), pass, s, t]
+        vec![e.at.to_string(), e.text.in_language(language), pass, s, t]
     });
     let head = [
         "report-column-time",

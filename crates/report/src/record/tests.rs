@@ -1,5 +1,7 @@
 use super::recorded_weld_page;
-use crate::{Language, said};
+use crate::{Language, names};
+use seamwright_cell::executive::{Alarm as Catalogue, Mode};
+use seamwright_cell::tracking;
 use seamwright_message::Message;
 use seamwright_record::Moment;
 use seamwright_record::figures::{Curve, Figures, Value};
@@ -132,9 +134,24 @@ fn full(language: Language) -> String {
         welder: Some("Zoe".to_owned()),
         ..good.weld.clone()
     };
+    let alarm = |title: Message, cause: Message, first_out| Alarm {
+        name: title,
+        cause,
+        first_out,
+        acknowledged: None,
+        ..good.alarms[0].clone()
+    };
+    let of = |alarm: Catalogue, about: Option<Message>| (alarm.title_of(about), alarm.entry().cause);
+    let alarms = [
+        of(Catalogue::DriveFault, Some(Message::verbatim("x"))),
+        of(Catalogue::ArcLost, None),
+        of(Catalogue::Tracking, tracking::trouble(0)),
+    ];
+    let mut alarms: Vec<Alarm> = alarms.into_iter().map(|(title, cause)| alarm(title, cause, false)).collect();
     // Old records have text without a code.
-    let alarms = vec![Alarm { name: "0".into(), cause: "1".into(), acknowledged: None, ..good.alarms[0].clone() }];
-    let events = vec![Event { text: "2".into(), ..good.events[0].clone() }];
+    alarms.push(alarm("0".into(), "1".into(), true));
+    let event = |text: Message| Event { text, ..good.events[0].clone() };
+    let events: Vec<Event> = Mode::ALL.map(Mode::message).into_iter().chain(["2".into()]).map(event).collect();
     let value = |name: &str, allowed| Value { name: name.to_owned(), allowed, ..good.values[0].clone() };
     let values = vec![
         value("heat_input_kj_mm", Some((90.0, 900.0))),
@@ -221,9 +238,6 @@ fn what_people_typed_and_what_has_no_words_stays() {
         {
             assert!(page.contains(wanted), "{language:?}: {wanted}");
         }
-        assert_eq!(said::recorded(language, "asked for by A. Smith; see N-17"), "asked for by A. Smith; see N-17");
-        assert_eq!(said::value(language, "odd_thing_m_min").split(',').next(), Some("odd thing"));
+        assert_eq!(names::value(language, "odd_thing_m_min").split(',').next(), Some("odd thing"));
     }
-    let message = Message::new("report-pass-named").pass("pass", 2).text("name", "N-17");
-    assert_eq!(said::recorded(Language::German, message), "Lage 2: N-17");
 }

@@ -6,7 +6,7 @@ use super::taught::{TaughtPlot, taught};
 use super::{CertificateFigures, SimulationCurves, cut, order, sections, woven};
 use crate::Words as _;
 use crate::{
-    Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, said,
+    Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, names,
 };
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
@@ -246,7 +246,7 @@ fn process(pass: &Pass, language: Language) -> Option<ChartGrid> {
     let curves = names.map(|name| (name, ends(name)));
     let changing = curves.filter(|(_, curve)| curve.iter().any(|p| (p.1 - curve[0].1).abs() > 0.0));
     let chart = |(name, curve): (&String, Vec<(f64, f64)>)| {
-        let name = said::value(language, name);
+        let name = names::value(language, name);
         Chart {
             title: name.clone(),
             y: Axis::new(name.as_str(), ""),

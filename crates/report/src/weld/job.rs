@@ -5,7 +5,7 @@ use super::overview::{extremes, range};
 use super::page::{number, table};
 use crate::Words as _;
 use crate::number::from_to;
-use crate::{Block, Language, said};
+use crate::{Block, Language, names};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Sequence, Slope, WeldDirection};
 
@@ -46,7 +46,7 @@ impl WeldReport {
         // With several passes the table of passes shows their process values.
         let process = self.plan.process.iter().filter(|_| !several);
         rows.extend(process.map(|(name, value)| {
-            let [title, unit] = said::value_parts(language, name);
+            let [title, unit] = names::value_parts(language, name);
             let (from, to) = value.ends();
             let [from, to] = [from, to].map(|value| number(value, language));
             vec![title, if value.is_ramp() { from_to(from, to, language) } else { from }, unit]
@@ -72,7 +72,7 @@ impl WeldReport {
             names.dedup();
             rows.extend(names.into_iter().map(|name| {
                 let values = slopes().filter_map(|slope| slope.process.get(name)).map(|value| value.get());
-                let [title, unit] = said::value_parts(language, name);
+                let [title, unit] = names::value_parts(language, name);
                 let label = Message::new(what).text("value", title).in_language(language);
                 vec![label, range(extremes(values), language), unit]
             }));

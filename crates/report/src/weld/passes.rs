@@ -12,7 +12,7 @@ use super::simulated::simulation_text;
 use super::tracking;
 use crate::Words as _;
 use crate::number::{Significant as _, from_to, significant};
-use crate::{Block, Chart, ChartGrid, Language, Table, said};
+use crate::{Block, Chart, ChartGrid, Language, Table, names};
 use seamwright_cell::tracking::HeadSummary;
 use seamwright_message::{Message, Unit};
 
@@ -90,7 +90,7 @@ impl WeldReport {
         let mut columns: Vec<Column<'_>> = Vec::new();
         for name in names {
             let value = move |pass: &PassFigures| optional(pass.process_range.get(name).map(|r| range(*r, language)));
-            columns.push((said::value(language, name), Box::new(value)));
+            columns.push((names::value(language, name), Box::new(value)));
         }
         let speed =
             |pass: &PassFigures| short_range((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s), language);

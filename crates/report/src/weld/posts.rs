@@ -3,7 +3,7 @@
 use super::page::{number, table};
 use crate::Words as _;
 use crate::number::{Significant as _, fixed};
-use crate::{Block, Language, said};
+use crate::{Block, Language, names};
 use seamwright_message::{Message, Unit};
 use seamwright_post::{Dialect, Verification};
 use serde::Serialize;
@@ -39,7 +39,7 @@ impl PostFigures {
             Some((off, name)) => format!("{name} {}", quantity(*off, unit, 5).in_language(language)),
             None => "–".to_owned(),
         };
-        let process = |(off, name): &(f64, String)| (*off, said::value_title(language, name));
+        let process = |(off, name): &(f64, String)| (*off, names::value_title(language, name));
         let rows = self.proof.passes.iter().map(|pass| {
             if pass.as_it_stands {
                 let none = || language.words("report-as-in-program");

@@ -4,7 +4,7 @@ use super::charts::{chart, line};
 use super::page::{number, table};
 use crate::Words as _;
 use crate::number::{Significant as _, fixed, from_to};
-use crate::{Band, Block, Chart, Language, LimitLine, Stretch, said};
+use crate::{Band, Block, Chart, Language, LimitLine, Stretch, names};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};
@@ -42,6 +42,9 @@ impl ProcedureFigures {
 pub struct PassProcedureFigures {
     /// Run of the procedure for this pass; `None` if it has no matching run.
     pub run: Option<String>,
+    /// The same, for the page.
+    #[serde(skip)]
+    pub(super) run_label: Option<Message>,
     /// Kind of weld for the positions: `fillet` or `butt`.
     pub joint: FilletOrButt,
     /// Values along the pass.
@@ -107,7 +110,8 @@ impl PassProcedureFigures {
             outside: q.outside.clone(),
         });
         Self {
-            run: held.run.clone(),
+            run: held.run.as_ref().map(|run| run.in_language(Language::English)),
+            run_label: held.run.clone(),
             joint: held.joint,
             quantities: quantities.collect(),
             positions_allowed: run.and_then(|r| r.positions.clone()),
@@ -185,8 +189,8 @@ fn heat_input(held: &PassProcedure, language: Language) -> Chart {
 
 /// Describes procedure, run and calculation of heat input.
 pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureFigures, language: Language) -> String {
-    let run = match &pass.run {
-        Some(run) => Message::new("report-run").text("run", run),
+    let run = match &pass.run_label {
+        Some(run) => Message::new("report-run").message("run", run.clone()),
         None => Message::new("report-no-run"),
     };
     let joint = match pass.joint {
@@ -227,7 +231,7 @@ pub(super) fn window_row(q: &QuantityFigures, verdict: String, language: Languag
         Some((least, greatest)) => from_to(number(least, language), number(greatest, language), language),
         None => language.words("report-not-limited"),
     };
-    vec![said::value(language, &q.key), least, greatest, allowed, verdict]
+    vec![names::value(language, &q.key), least, greatest, allowed, verdict]
 }
 
 /// Formats a value; rounding noise becomes zero.

@@ -166,7 +166,7 @@ pub(super) fn text(heads: &[HeadSummary], language: Language) -> String {
             Message::new("report-alarm-at")
                 .text("head", &h.head)
                 .quantity("s", a.at_mm, Unit::Mm, 1)
-                .text("alarm", a.text())
+                .message("alarm", a.message())
                 .in_language(language)
         })
         .collect();

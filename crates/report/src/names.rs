@@ -1,5 +1,4 @@
-//! Names of values and curves in files, and recorded messages, in the language of a page. Names without words
-//! stay as they are.
+//! Names of values and curves in files, in the language of a page. Names without words stay as they are.
 
 use crate::Language;
 use crate::Words as _;
@@ -39,9 +38,4 @@ pub(crate) fn curve(language: Language, column: &str) -> String {
         }
         None => column.to_owned(),
     }
-}
-
-/// Returns the words of a recorded alarm, event or note. Text without a code, as in old records, stays as it is.
-pub(crate) fn recorded(language: Language, message: impl Into<Message>) -> String {
-    message.into().in_language(language)
 }
