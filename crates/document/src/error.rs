@@ -57,6 +57,9 @@ impl fmt::Display for DocumentError {
         if let Some(help) = &self.help {
             writeln!(f, "   {}", Message::new("document-help").message("help", help.clone()))?;
         }
+        if !self.message.is_verbatim() {
+            writeln!(f, "   {}", Message::new("document-code").text("code", self.message.code.clone()))?;
+        }
         Ok(())
     }
 }
