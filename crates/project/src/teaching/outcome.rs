@@ -65,9 +65,7 @@ impl Outcome {
 fn unfinished(run: &TaughtRun, said_end: bool) -> Option<Message> {
     match &run.end {
         Some(End::Closed { .. } | End::JointEnd) => None,
-        Some(End::Limit(why)) => {
-            Some(Message::new("project-teach-machine-limit").message("why", Message::from(why.clone())))
-        }
+        Some(End::Limit(why)) => Some(Message::new("project-teach-machine-limit").message("why", why.clone())),
         Some(End::TooLong) => Some(Message::new("project-teach-joint-too-long")),
         Some(End::Operator) if said_end => None,
         Some(End::Operator) => {

@@ -110,7 +110,7 @@ impl Desk {
         let text = Footing::event(&missing);
         self.tell("realtime", &text.to_string(), json!({ "missing": missing }));
         let place = library::Place { pass: None, s_mm: None, t_s: None };
-        self.kept.push(library::Event { at: Moment::now(), text, place });
+        self.kept.push(library::Event { at: Moment::now(), text: text.into(), place });
     }
 
     /// A signal or a fault of the program has ended the cell.
@@ -119,7 +119,7 @@ impl Desk {
         let text = Message::new("cell-note-stopped").message("cause", cause.message());
         self.tell("ended", &text.to_string(), json!({ "ended_by": cause.to_string() }));
         let place = library::Place { pass: None, s_mm: None, t_s: self.now.map(|now| now.t) };
-        self.kept.push(library::Event { at: Moment::now(), text, place });
+        self.kept.push(library::Event { at: Moment::now(), text: text.into(), place });
     }
 
     /// A line that the operator typed.
