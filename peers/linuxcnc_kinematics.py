@@ -65,7 +65,7 @@ def kinematics(machine, way, columns, rows):
     found = list(csv.DictReader(io.StringIO(done.stdout)))
     bad = [row["error"] for row in found if row.get("error")]
     if bad:
-        raise RuntimeError(f"seamwright kinematics {' '.join(way)}: {len(bad)} rows refused, the first: {bad[0]}")
+        raise RuntimeError(f"seamwright machine kinematics {' '.join(way)}: {len(bad)} rows refused, the first: {bad[0]}")
     return [{key: float(value) for key, value in row.items() if value} for row in found]
 
 

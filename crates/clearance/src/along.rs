@@ -99,9 +99,9 @@ impl Scene {
     /// Limits that are not greater than 0.
     pub fn along(&self, motion: &impl Motion, stations: usize, limits: &Limits) -> Result<Profile, ClearanceError> {
         let numbers = [
-            ("the cut-off", limits.cutoff_mm),
-            ("the precision", limits.precision_mm),
-            ("the smallest cell", limits.smallest),
+            ("clearance-cutoff", limits.cutoff_mm),
+            ("clearance-precision", limits.precision_mm),
+            ("clearance-smallest-cell", limits.smallest),
         ];
         if let Some((what, _)) = numbers.into_iter().find(|n| n.1.is_nan() || n.1 <= 0.0) {
             return Err(ClearanceError::Limit { what });

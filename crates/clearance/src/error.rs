@@ -1,33 +1,44 @@
 use glam::DVec3;
+use seamwright_message::{Message, Unit, display_by_message};
 
 /// Error of shapes, meshes and scenes.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum ClearanceError {
     /// A size is not a finite number in its range.
-    #[error("{what} of {value} mm is not possible here")]
     Size {
-        /// Name of the size.
+        /// Code of the size's name.
         what: &'static str,
         /// The value, mm.
         value: f64,
+        /// Maximum, mm.
+        max: f64,
+    },
+    /// A capsule is shorter than its two ends.
+    ShortCapsule {
+        /// Its length, mm.
+        length: f64,
+        /// Its radius, mm.
+        radius: f64,
+    },
+    /// A solid is too far from the origin of its group.
+    TooFar {
+        /// Its largest coordinate, mm.
+        value: f64,
+        /// Maximum, mm.
+        max: f64,
     },
     /// A pose scales, shears, mirrors or is not finite.
-    #[error("the pose is not a rigid motion")]
     NotRigid,
     /// The bytes are not an STL file.
-    #[error("this is not an STL file: {0}")]
-    NotStl(String),
+    NotStl(Message),
     /// The STL file ends too early.
-    #[error("the STL file is cut short: {0}")]
-    CutShort(String),
+    CutShort(Message),
     /// A corner's coordinate is not a finite number.
-    #[error("triangle {triangle} has a corner that is not a finite number")]
     NotFinite {
         /// Number of the triangle, from 1.
         triangle: usize,
     },
     /// A corner is too far from the origin.
-    #[error("triangle {triangle} has a corner {farthest_mm:.3e} mm from the origin")]
     TooLarge {
         /// Number of the triangle, from 1.
         triangle: usize,
@@ -35,13 +46,8 @@ pub enum ClearanceError {
         farthest_mm: f64,
     },
     /// The mesh has no triangle with an area.
-    #[error("the mesh has no triangles")]
     NoTriangles,
     /// The surface has holes or walls without thickness.
-    #[error(
-        "the surface is not closed: {edges} edges do not have exactly two triangles, one of them at \
-         ({:.3}, {:.3}, {:.3}) mm", at.x, at.y, at.z
-    )]
     Open {
         /// Number of edges that do not belong to exactly two triangles.
         edges: usize,
@@ -49,7 +55,6 @@ pub enum ClearanceError {
         at: DVec3,
     },
     /// A watch names a group that the scene does not have.
-    #[error("watch {watch} names group {group}, which there is not")]
     NoSuchGroup {
         /// Index of the watch.
         watch: usize,
@@ -57,7 +62,6 @@ pub enum ClearanceError {
         group: usize,
     },
     /// A watch without a meaningful distance: a group that must be bounded has a half-space.
-    #[error("watch {watch}: group `{group}` has a half-space, and needs an end here")]
     Endless {
         /// Index of the watch.
         watch: usize,
@@ -65,27 +69,66 @@ pub enum ClearanceError {
         group: String,
     },
     /// A permitted zone of an invalid shape.
-    #[error("watch {watch}: a permitted zone is a box, a cylinder, a sphere or a half-space")]
     ZoneShape {
         /// Index of the watch.
         watch: usize,
     },
     /// A permitted-zone watch without a zone.
-    #[error("watch {watch} has no permitted zone")]
     NoZone {
         /// Index of the watch.
         watch: usize,
     },
     /// An invalid minimum of a watch: a distance must be above 0 (overlapping bodies have 0), a margin finite.
-    #[error("watch {watch}: the least distance of two groups must be greater than 0, and the least room finite")]
-    Least {
+    Minimum {
         /// Index of the watch.
         watch: usize,
     },
     /// A limit of the sampling is not greater than 0.
-    #[error("{what} must be greater than 0")]
     Limit {
-        /// Name of the limit.
+        /// Code of the limit's name.
         what: &'static str,
     },
+}
+
+display_by_message!(ClearanceError);
+
+impl ClearanceError {
+    /// Returns the description of the error.
+    pub fn message(&self) -> Message {
+        let new = Message::new;
+        let of_watch = |code, watch: usize| Message::new(code).text("watch", watch.to_string());
+        let of_triangle = |code, triangle: usize| Message::new(code).text("triangle", triangle.to_string());
+        match *self {
+            Self::Size { what, value, max } => {
+                let message = new("clearance-size").message("what", new(what)).value("value", value, Unit::Mm);
+                message.value("max", max, Unit::Mm)
+            }
+            Self::ShortCapsule { length, radius } => {
+                new("clearance-short-capsule").value("length", length, Unit::Mm).value("min", 2.0 * radius, Unit::Mm)
+            }
+            Self::TooFar { value, max } => {
+                new("clearance-too-far").value("value", value, Unit::Mm).value("max", max, Unit::Mm)
+            }
+            Self::NotRigid => new("clearance-not-rigid"),
+            Self::NotStl(ref why) => new("clearance-not-stl").message("why", why.clone()),
+            Self::CutShort(ref why) => new("clearance-stl-cut-short").message("why", why.clone()),
+            Self::NotFinite { triangle } => of_triangle("clearance-corner-not-finite", triangle),
+            Self::TooLarge { triangle, farthest_mm } => {
+                of_triangle("clearance-corner-too-far", triangle).text("distance", format!("{farthest_mm:.3e}"))
+            }
+            Self::NoTriangles => new("clearance-no-triangles"),
+            Self::Open { edges, at } => {
+                let at = format!("({:.3}, {:.3}, {:.3})", at.x, at.y, at.z);
+                new("clearance-open-surface").count("edges", edges).text("point", at)
+            }
+            Self::NoSuchGroup { watch, group } => {
+                of_watch("clearance-no-such-group", watch).text("group", group.to_string())
+            }
+            Self::Endless { watch, ref group } => of_watch("clearance-unbounded-group", watch).text("group", group),
+            Self::ZoneShape { watch } => of_watch("clearance-zone-shape", watch),
+            Self::NoZone { watch } => of_watch("clearance-no-zone", watch),
+            Self::Minimum { watch } => of_watch("clearance-minimum", watch),
+            Self::Limit { what } => new("clearance-limit").message("what", new(what)),
+        }
+    }
 }

@@ -1,9 +1,11 @@
 //! Solids in TOML files.
 
+use crate::shape::FARTHEST_MM;
 use crate::{ClearanceError, Mesh, Shape, Solid, read_stl};
 use glam::{DAffine3, DQuat, DVec3};
 use schemars::JsonSchema;
 use seamwright_document::{Direction, Document, DocumentError, NonNegative, Positive, Transform};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -125,7 +127,7 @@ impl SolidFile {
             ShapeFile::Stl { file, scale } => {
                 let mesh = mesh(file, scale.get(), load);
                 let at = format!("{path}.shape.stl.file");
-                let mesh = mesh.map_err(|(message, cure)| document.error_at(&at, message, cure))?;
+                let mesh = mesh.map_err(|(message, allowed)| document.error_at(&at, message, allowed))?;
                 ("stl", Shape::Mesh(Arc::new(mesh)))
             }
         };
@@ -135,39 +137,34 @@ impl SolidFile {
         });
         Solid::new(name, shape, pose).map_err(|e| {
             let (key, allowed) = match (&e, kind) {
-                (ClearanceError::Size { value, .. }, "capsule") if *value <= 1e7 => {
-                    (".length_mm", "a length over all, round ends included: at least twice the radius")
-                }
-                (_, "cone") => ("", "radii and length up to 1e7 mm, one radius above 0"),
-                _ => ("", "sizes up to 1e7 mm"),
+                (ClearanceError::ShortCapsule { .. }, _) => (".length_mm", "clearance-capsule-allowed"),
+                (_, "cone") => ("", "clearance-cone-allowed"),
+                _ => ("", "clearance-sizes-allowed"),
             };
-            document.error_at(&format!("{path}.shape.{kind}{key}"), e.to_string(), allowed)
+            let allowed = Message::new(allowed).value("max", FARTHEST_MM, Unit::Mm);
+            document.error_at(&format!("{path}.shape.{kind}{key}"), &e, allowed)
         })
     }
 }
 
-/// The mesh of an STL file, or the error and its cure.
-fn mesh(
-    file: &str,
-    scale: f64,
-    load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
-) -> Result<Mesh, (String, &'static str)> {
+/// The mesh of an STL file, or the error and the allowed values.
+fn mesh(file: &str, scale: f64, load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>) -> Result<Mesh, (Message, Message)> {
     let bytes = load(file).map_err(|e| {
-        (format!("the file cannot be read: {e}"), "a file that is there, its path seen from the file that names it")
+        let message = Message::new("clearance-file-unreadable").text("why", e.to_string());
+        (message, Message::new("clearance-file-allowed"))
     })?;
     let mesh = read_stl(&bytes, scale).and_then(|triangles| Mesh::new(&triangles));
     mesh.map_err(|e| {
-        let cure = match e {
-            ClearanceError::CutShort(_) => "a whole STL file: copy or export it again",
-            ClearanceError::Open { .. } => {
-                "a closed surface: close the holes, or export the body again as one solid; a plain box or cylinder \
-                 around it does as well"
+        let allowed = match e {
+            ClearanceError::CutShort(_) => Message::new("clearance-stl-whole-allowed"),
+            ClearanceError::Open { .. } => Message::new("clearance-stl-closed-allowed"),
+            ClearanceError::TooLarge { .. } => {
+                Message::new("clearance-stl-corners-allowed").value("max", FARTHEST_MM, Unit::Mm)
             }
-            ClearanceError::TooLarge { .. } => "corners within 1e7 mm of the origin; `scale` makes mm of other units",
-            ClearanceError::NotFinite { .. } => "finite coordinates: export the file again",
-            ClearanceError::NoTriangles => "a file with at least four triangles around a body",
-            _ => "an STL file, ASCII or binary",
+            ClearanceError::NotFinite { .. } => Message::new("clearance-stl-finite-allowed"),
+            ClearanceError::NoTriangles => Message::new("clearance-stl-triangles-allowed"),
+            _ => Message::new("clearance-stl-allowed"),
         };
-        (e.to_string(), cure)
+        (e.message(), allowed)
     })
 }

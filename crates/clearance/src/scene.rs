@@ -110,8 +110,8 @@ impl Scene {
             }
             let least = w.least_mm();
             match w {
-                _ if !least.is_finite() => return Err(ClearanceError::Least { watch }),
-                Watch::Apart { .. } if least <= 0.0 => return Err(ClearanceError::Least { watch }),
+                _ if !least.is_finite() => return Err(ClearanceError::Minimum { watch }),
+                Watch::Apart { .. } if least <= 0.0 => return Err(ClearanceError::Minimum { watch }),
                 Watch::Apart { a, b, .. } if !ends(*a) => std::mem::swap(a, b),
                 Watch::Inside { zones, .. } if zones.is_empty() => return Err(ClearanceError::NoZone { watch }),
                 Watch::Inside { zones, .. } if !zones.iter().all(|z| is_zone(z.shape())) => {

@@ -53,29 +53,29 @@ impl Shape {
     /// Checks the sizes: finite, positive (a cone's smaller end may be a point), not over 1e7 mm.
     pub(crate) fn check(&self) -> Result<(), ClearanceError> {
         let size = |what, value: f64| {
-            if value > 0.0 && value <= FARTHEST_MM { Ok(()) } else { Err(ClearanceError::Size { what, value }) }
+            let max = FARTHEST_MM;
+            if value > 0.0 && value <= max { Ok(()) } else { Err(ClearanceError::Size { what, value, max }) }
         };
         match *self {
-            Self::Box { size: v } => v.to_array().into_iter().try_for_each(|v| size("a box side", v)),
-            Self::Sphere { radius } => size("a radius", radius),
-            Self::Cylinder { radius, length } => size("a radius", radius).and(size("a length", length)),
+            Self::Box { size: v } => v.to_array().into_iter().try_for_each(|v| size("clearance-box-side", v)),
+            Self::Sphere { radius } => size("clearance-radius", radius),
+            Self::Cylinder { radius, length } => size("clearance-radius", radius).and(size("clearance-length", length)),
             Self::Cone { radius, top_radius, length } => {
                 if let Some(value) = [radius, top_radius].into_iter().find(|r| r.is_nan() || *r < 0.0) {
-                    return Err(ClearanceError::Size { what: "a radius", value });
+                    return Err(ClearanceError::Size { what: "clearance-radius", value, max: FARTHEST_MM });
                 }
-                size("a radius", radius.max(top_radius)).and(size("a length", length))
+                size("clearance-radius", radius.max(top_radius)).and(size("clearance-length", length))
             }
             Self::Capsule { radius, length } => {
-                size("a radius", radius).and(size("a length", length))?;
+                size("clearance-radius", radius).and(size("clearance-length", length))?;
                 if length < 2.0 * radius {
-                    return Err(ClearanceError::Size {
-                        what: "a capsule shorter than its two ends: a length",
-                        value: length,
-                    });
+                    return Err(ClearanceError::ShortCapsule { length, radius });
                 }
                 Ok(())
             }
-            Self::Ellipsoid { semi_axes: v } => v.to_array().into_iter().try_for_each(|v| size("a semi-axis", v)),
+            Self::Ellipsoid { semi_axes: v } => {
+                v.to_array().into_iter().try_for_each(|v| size("clearance-semi-axis", v))
+            }
             Self::HalfSpace | Self::Mesh(_) => Ok(()),
         }
     }
@@ -166,5 +166,5 @@ fn check_rigid(pose: &DAffine3) -> Result<(), ClearanceError> {
         return Err(ClearanceError::NotRigid);
     }
     let far = pose.translation.abs().max_element();
-    if far > FARTHEST_MM { Err(ClearanceError::Size { what: "a displacement", value: far }) } else { Ok(()) }
+    if far > FARTHEST_MM { Err(ClearanceError::TooFar { value: far, max: FARTHEST_MM }) } else { Ok(()) }
 }

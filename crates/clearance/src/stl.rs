@@ -2,6 +2,7 @@
 
 use crate::ClearanceError;
 use glam::DVec3;
+use seamwright_message::Message;
 
 /// Bytes before the first triangle of a binary file: 80 of arbitrary text and the number of triangles.
 const HEADER: usize = 84;
@@ -20,9 +21,10 @@ pub fn read_stl(bytes: &[u8], scale: f64) -> Result<Vec<[DVec3; 3]>, ClearanceEr
         Some(count) if HEADER + RECORD * count < bytes.len() && count > 0 => binary(bytes, scale),
         Some(count) if plausible(bytes, count) => {
             let found = (bytes.len() - HEADER) / RECORD;
-            return Err(ClearanceError::CutShort(format!("{found} of {count} triangles are there")));
+            let why = Message::new("clearance-stl-triangles-missing").count("found", found).count("count", count);
+            return Err(ClearanceError::CutShort(why));
         }
-        _ => return Err(ClearanceError::NotStl("it begins neither with `solid` nor with a binary header".into())),
+        _ => return Err(ClearanceError::NotStl(Message::new("clearance-stl-no-header"))),
     };
     if triangles.is_empty() {
         return Err(ClearanceError::NoTriangles);
@@ -65,16 +67,16 @@ fn ascii(bytes: &[u8], scale: f64) -> Result<Vec<[DVec3; 3]>, ClearanceError> {
     let mut lines = text.trim_end().lines().enumerate().peekable();
     while let Some((i, line)) = lines.next() {
         let read = read_line(line, scale, &mut corners, &mut triangles, &mut ended);
-        if let Err(what) = read {
+        if let Err(why) = read {
             if lines.peek().is_none() {
                 break;
             }
-            return Err(ClearanceError::NotStl(format!("line {}: {what}", i + 1)));
+            return Err(ClearanceError::NotStl(why.text("line", (i + 1).to_string())));
         }
     }
     if !ended || !corners.is_empty() {
-        let after = format!("`endsolid` is missing after {} triangles", triangles.len());
-        return Err(ClearanceError::CutShort(after));
+        let why = Message::new("clearance-stl-no-endsolid").count("count", triangles.len());
+        return Err(ClearanceError::CutShort(why));
     }
     Ok(triangles)
 }
@@ -85,20 +87,21 @@ fn read_line(
     corners: &mut Vec<DVec3>,
     triangles: &mut Vec<[DVec3; 3]>,
     ended: &mut bool,
-) -> Result<(), String> {
+) -> Result<(), Message> {
     let mut words = line.split_whitespace();
     match words.next().map(str::to_ascii_lowercase).as_deref() {
-        Some("vertex") => corners.push(corner(words).ok_or("a corner has three numbers")? * scale),
+        Some("vertex") => corners.push(corner(words).ok_or(Message::new("clearance-stl-corner"))? * scale),
         Some("endfacet") => {
             let three = <[DVec3; 3]>::try_from(std::mem::take(corners));
-            triangles.push(three.map_err(|c| format!("a facet ends with {} corners", c.len()))?);
+            let corners = |c: Vec<DVec3>| Message::new("clearance-stl-facet").count("corners", c.len());
+            triangles.push(three.map_err(corners)?);
         }
         Some("endsolid") => *ended = true,
         Some("solid") => *ended = false,
         None | Some("facet" | "outer" | "endloop") => {}
         Some(_) => {
             let word: String = line.trim().chars().take(40).collect();
-            return Err(format!("`{word}` means nothing"));
+            return Err(Message::new("clearance-stl-word").text("word", word));
         }
     }
     Ok(())

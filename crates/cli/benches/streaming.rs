@@ -1,4 +1,4 @@
-//! Peak memory and time of streaming: `seamwright motion` with one and ten million set-points, `seamwright follow`
+//! Peak memory and time of streaming: `seamwright tools motion` with one and ten million set-points, `seamwright tools follow`
 //! along as many points. Aim: 50 MB, cost linear.
 
 use std::f64::consts::TAU;

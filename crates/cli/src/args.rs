@@ -4,6 +4,7 @@ pub(crate) mod bench;
 pub(crate) mod edit;
 pub(crate) mod find_joint;
 pub(crate) mod follow;
+pub(crate) mod former;
 pub(crate) mod io;
 pub(crate) mod machine;
 pub(crate) mod move_to;
@@ -15,13 +16,13 @@ pub(crate) mod records;
 pub(crate) mod reduce;
 pub(crate) mod run;
 pub(crate) mod serve;
+pub(crate) mod shell;
 mod simulate;
 pub(crate) mod stripe;
 pub(crate) mod teach;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(crate) use pulses::PulsesArgs;
-use seamwright_report::Language;
 pub(crate) use simulate::SimulateArgs;
 use std::path::PathBuf;
 
@@ -39,6 +40,9 @@ use std::path::PathBuf;
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) verb: Option<Verb>,
+    /// Language of messages, reports and plots: en, uk, zh, de, ru [default: that of LC_ALL, LC_MESSAGES or LANG]
+    #[arg(long, global = true, value_name = "CODE")]
+    pub(crate) language: Option<String>,
     /// Without a verb: as of `serve`.
     #[command(flatten)]
     pub(crate) serve: serve::ServeArgs,
@@ -46,74 +50,95 @@ pub(crate) struct Cli {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
-    /// The seam's geometry as a table: points, tangents, normals, bisector, dihedral angle
-    Seam(SeamArgs),
-    /// Cross-sections of the joint with all beads: a table, and a drawing
-    Section(SectionArgs),
-    /// Plan a job: weld program, checks, timing, report with plots
+    /// Plan a job: weld program, checks, timing, report
     Plan(PlanArgs),
     /// The checks alone; exit code 1 if the weld cannot be made as asked
     Check(CheckArgs),
-    /// The timed set-points of every axis, streamed
-    Motion(MotionArgs),
-    /// Step and direction pulses for steppers, with the microstepping chosen
-    Pulses(PulsesArgs),
     /// Weld in simulation: drives, friction, encoders; trace and report
     Simulate(SimulateArgs),
     /// Run a job on a cell in real time, under orders from standard input
     Run(run::RunArgs),
-    /// How late a cycle of a fixed period begins on this computer
-    Latency(run::LatencyArgs),
     /// Start the cell and the operator's panel in the browser; also without any verb
     #[command(after_help = serve::HELP)]
     Serve(serve::ServeArgs),
     /// Answer a question of the panel on standard input, with little memory and time
     #[command(hide = true)]
     AnswerOneQuestion(serve::QuestionArgs),
-    /// The registers of a machine's devices by name: raw, scaled, age; once or live
-    Io(io::IoArgs),
-    /// A part program for another control
+    /// Write a part program for another control
     Post(post::PostArgs),
-    /// A part program of a control as a weld program
-    Read(read::ReadArgs),
-    /// Forward or inverse kinematics of rows on standard input
-    Kinematics(KinematicsArgs),
-    /// The textbook interpolators beside the exact one
-    Interpolate(InterpolateArgs),
+    /// Read a part program of a control as a weld program
+    Import(read::ReadArgs),
+    /// Edit a program file: points, spans, passes, speeds; undo and redo
+    Edit(edit::EditArgs),
+    /// Teach a seam by camera: frames to a program of lines and arcs or a spline, with a report
+    Teach(teach::TeachArgs),
+    /// Recorded welds: list, show, export, verify, recover after a crash
+    Records(records::RecordsArgs),
+    /// Machines: list, show, check, place the work, tune, kinematics, moves, devices, latency
+    Machine(machine::MachineArgs),
+    /// The joint in an image: its line, or the features of a laser stripe
+    Vision(VisionArgs),
+    /// Single results as tables: seam, sections, set-points, pulses, reduced and followed points
+    Tools(ToolsArgs),
+    /// List the example jobs and procedures that ship, or print one to copy
+    Examples(ExamplesArgs),
+    /// Print the JSON Schema of a file format
+    Schema(SchemaArgs),
+    /// Print the completions of a shell
+    #[command(hide = true)]
+    Completions(shell::CompletionsArgs),
+    /// Write a manual page of every verb to a folder
+    #[command(hide = true)]
+    Man(shell::ManArgs),
+    /// Names of before the verbs were grouped
+    #[command(flatten)]
+    Former(former::Former),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct VisionArgs {
+    #[command(subcommand)]
+    pub(crate) verb: VisionVerb,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum VisionVerb {
+    /// The joint line in one image: its midline, station by station
+    Joint(find_joint::FindJointArgs),
+    /// The joint in an image or a profile of a laser stripe: joint point, gap, mismatch, area, angles
+    Stripe(stripe::StripeArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ToolsArgs {
+    #[command(subcommand)]
+    pub(crate) verb: ToolsVerb,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum ToolsVerb {
+    /// The seam's geometry as a table: points, tangents, normals, bisector, dihedral angle
+    Seam(SeamArgs),
+    /// Cross-sections of the joint with all beads: a table, and a drawing
+    Section(SectionArgs),
+    /// The timed set-points of every axis, streamed
+    Motion(MotionArgs),
+    /// Step and direction pulses for steppers, with the microstepping chosen
+    Pulses(PulsesArgs),
     /// Set-points along taught points of any number, at constant speed
     Follow(follow::FollowArgs),
     /// Taught points to lines and arcs whose ends are points
     Reduce(reduce::ReduceArgs),
-    /// The joint line in one image: its midline, place by place
-    FindJoint(find_joint::FindJointArgs),
-    /// A seam taught by eye: frames to a program of lines and arcs or a spline, with a report
-    Teach(teach::TeachArgs),
-    /// Edit a program file: points, spans, passes, speeds; undo and redo
-    Edit(edit::EditArgs),
-    /// Set-points of all axes from one place to another, jerk-limited, arriving at once, if nothing comes too near
-    Move(move_to::MoveArgs),
-    /// The machine and the work in it: place the work from touched points, check a machine file
-    Machine(machine::MachineArgs),
-    /// The joint in an image or a profile of a laser stripe: joint point, gap, mismatch, area, angles
-    Stripe(stripe::StripeArgs),
-    /// List the machines that ship, or print one's file
-    Machines(ListArgs),
-    /// List the example jobs that ship, or print one to copy
-    Examples(ListArgs),
-    /// List the welding procedures that ship, or print one to copy
-    Procedures(ListArgs),
-    /// Recorded welds: list, show, export, verify, recover after a crash
-    Records(records::RecordsArgs),
-    /// This build measured on its own gates
+    /// The textbook interpolators beside the exact one
+    Interpolate(InterpolateArgs),
+    /// Run the acceptance benchmarks of this build
     Bench(bench::BenchArgs),
-    /// JSON Schema of a file format
-    Schema(SchemaArgs),
 }
 
 #[derive(Debug, Args)]
 #[command(
     allow_negative_numbers = true,
-    after_help = "Example: seamwright seam examples/saddle.toml --phi-deg 0,45,90"
+    after_help = "Example: seamwright tools seam examples/saddle.toml --phi-deg 0,45,90"
 )]
 pub(crate) struct SeamArgs {
     /// Job or program file, or the name of an example
@@ -143,7 +168,7 @@ pub(crate) struct PlacesArgs {
 #[derive(Debug, Args)]
 #[command(
     allow_negative_numbers = true,
-    after_help = "Example: seamwright section examples/hillside.toml --phi-deg 0,45,90 --svg sections.svg"
+    after_help = "Example: seamwright tools section examples/hillside.toml --phi-deg 0,45,90 --svg sections.svg"
 )]
 pub(crate) struct SectionArgs {
     /// Job file with a joint, or the name of an example
@@ -163,15 +188,15 @@ pub(crate) struct SectionArgs {
 pub(crate) struct PlanArgs {
     /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
-    /// Folder for program.toml, report.json, report.html and the plots; made if missing [default: out/ and the job's name]
+    /// Folder for program.toml, report.json and report.html; made if missing [default: out/ and the job's name]
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
+    /// Write the plots of the report as SVG files too, into the folder plots/
+    #[arg(long)]
+    pub(crate) plots: bool,
     /// Write the part program for this control too, with its proof in the report; may be given several times
     #[arg(long, value_enum, value_name = "DIALECT")]
     pub(crate) post: Vec<post::DialectArg>,
-    /// Language of the report and the plots: en, uk, zh, de, ru
-    #[arg(long, value_name = "CODE", default_value = "en")]
-    pub(crate) language: Language,
     #[command(flatten)]
     pub(crate) planning: PlanningArgs,
     /// Print report.json instead of a summary
@@ -220,11 +245,11 @@ pub(crate) enum ExportArg {
 #[command(
     allow_negative_numbers = true,
     after_help = "Examples:
-  seamwright motion examples/ellipse.toml --period-ms 10 > set-points.csv
-  seamwright motion examples/saddle.toml --period-ms 0.1 --coarse-ms 10 > fine.csv
-  seamwright motion examples/saddle.toml --period-ms 10 --export spline1 > spline1.csv
+  seamwright tools motion examples/ellipse.toml --period-ms 10 > set-points.csv
+  seamwright tools motion examples/saddle.toml --period-ms 0.1 --coarse-ms 10 > fine.csv
+  seamwright tools motion examples/saddle.toml --period-ms 10 --export spline1 > spline1.csv
   printf 't_s,command,value\\n8,override,60\\n12,hold,\\n20,resume,\\n' > commands.csv
-  seamwright motion examples/saddle.toml --commands commands.csv > run.csv"
+  seamwright tools motion examples/saddle.toml --commands commands.csv > run.csv"
 )]
 pub(crate) struct MotionArgs {
     /// Job or program file, or the name of an example
@@ -261,9 +286,9 @@ pub(crate) struct MotionArgs {
     allow_negative_numbers = true,
     after_help = "Examples:
   echo 'x,y,z,a,c
-7.1077,33.3687,32.0754,8,60' | seamwright kinematics table-tilting-xyzac --forward
+7.1077,33.3687,32.0754,8,60' | seamwright machine kinematics table-tilting-xyzac --forward
   echo 'x_mm,y_mm,z_mm,ax,ay,az
-10,5,0,0,0,-1' | seamwright kinematics ellipse-xy --inverse"
+10,5,0,0,0,-1' | seamwright machine kinematics ellipse-xy --inverse"
 )]
 pub(crate) struct KinematicsArgs {
     /// Machine that ships, or a machine file
@@ -331,8 +356,8 @@ pub(crate) enum RuleArg {
 #[command(
     allow_negative_numbers = true,
     after_help = "Examples:
-  seamwright interpolate --curve ellipse --method exact --step chord > points.csv
-  seamwright interpolate --curve ellipse --method all --summary --svg ellipse.svg
+  seamwright tools interpolate --curve ellipse --method exact --step chord > points.csv
+  seamwright tools interpolate --curve ellipse --method all --summary --svg ellipse.svg
 The defaults are the papers' examples: the ellipse of ELLIPSE-2015 (20 x 16 mm, from (0, 16) clockwise to (20, 0), 5 mm/s,
 10 ms) and the saddle of SADDLE-2020 (250 on 800 mm, 10 mm/s, 20 ms)."
 )]
@@ -401,7 +426,16 @@ pub(crate) struct InterpolateArgs {
 #[command(after_help = "Examples:
   seamwright examples
   seamwright examples saddle > my.toml
-  seamwright machines torch-5axis > machine.toml")]
+  seamwright examples --procedures")]
+pub(crate) struct ExamplesArgs {
+    #[command(flatten)]
+    pub(crate) list: ListArgs,
+    /// Welding procedures instead of jobs
+    #[arg(long)]
+    pub(crate) procedures: bool,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct ListArgs {
     /// Print this one's file instead of the list
     pub(crate) name: Option<String>,

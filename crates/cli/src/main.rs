@@ -9,9 +9,10 @@ mod progress;
 mod rows;
 mod verbs;
 
-use args::{Cli, Verb};
+use args::{Cli, ToolsVerb, Verb, VisionVerb};
 use clap::Parser;
 use failure::Failure;
+use seamwright_message::{Language, Message};
 use seamwright_project::{csv, examples, failure, files, load, overlay};
 use std::io::Write as _;
 use std::process::ExitCode;
@@ -31,39 +32,74 @@ fn main() -> ExitCode {
     }
 }
 
+/// Language of the process: `--language`, or that of the locale. Another one than ours is English, with a note.
+fn choose_language(wanted: Option<&str>) -> Language {
+    let of_locale = || {
+        let mut locales = ["LC_ALL", "LC_MESSAGES", "LANG"].iter().filter_map(|name| std::env::var(name).ok());
+        locales.find(|locale| !locale.is_empty())
+    };
+    let Some(locale) = wanted.map(str::to_owned).or_else(of_locale) else { return Language::English };
+    Language::from_locale(&locale).unwrap_or_else(|| {
+        let codes = Language::ALL.map(Language::code).join(", ");
+        let note = Message::new("cli-unknown-language").text("language", locale).text("known", codes);
+        // An error is ignored: standard error itself may be closed.
+        let _ = writeln!(std::io::stderr().lock(), "{note}");
+        Language::English
+    })
+}
+
 fn run(cli: Cli) -> Result<(), Failure> {
+    // The server renders for each of its users, and records are in no language.
+    if !matches!(cli.verb, None | Some(Verb::Serve(_) | Verb::AnswerOneQuestion(_))) {
+        choose_language(cli.language.as_deref()).speak();
+    }
     match cli.verb {
         None => verbs::serve::run(&cli.serve),
-        Some(Verb::Seam(a)) => verbs::seam::run(&a),
-        Some(Verb::Section(a)) => verbs::section::run(&a),
-        Some(Verb::Plan(a)) => verbs::plan::run(&a),
-        Some(Verb::Check(a)) => verbs::check::run(&a),
-        Some(Verb::Motion(a)) => verbs::motion::run(&a),
-        Some(Verb::Pulses(a)) => verbs::pulses::run(&a),
-        Some(Verb::Simulate(a)) => verbs::simulate::run(&a),
-        Some(Verb::Run(a)) => verbs::run::run(&a),
-        Some(Verb::Serve(a)) => verbs::serve::run(&a),
-        Some(Verb::AnswerOneQuestion(a)) => verbs::serve::answer_one_question(&a),
-        Some(Verb::Latency(a)) => verbs::latency::run(&a),
-        Some(Verb::Io(a)) => verbs::io::run(&a),
-        Some(Verb::Post(a)) => verbs::post::run(&a),
-        Some(Verb::Read(a)) => verbs::read::run(&a),
-        Some(Verb::Kinematics(a)) => verbs::kinematics::run(&a),
-        Some(Verb::Interpolate(a)) => verbs::interpolate::run(&a),
-        Some(Verb::Follow(a)) => verbs::follow::run(&a),
-        Some(Verb::Reduce(a)) => verbs::reduce::run(&a),
-        Some(Verb::FindJoint(a)) => verbs::find_joint::run(&a),
-        Some(Verb::Records(a)) => verbs::records::run(&a),
-        Some(Verb::Bench(a)) => verbs::bench::run(&a),
-        Some(Verb::Teach(a)) => verbs::teach::run(&a),
-        Some(Verb::Edit(a)) => verbs::edit::run(&a),
-        Some(Verb::Move(a)) => verbs::move_to::run(&a),
-        Some(Verb::Machine(a)) => verbs::machine::run(&a),
-        Some(Verb::Stripe(a)) => verbs::stripe::run(&a),
-        Some(Verb::Machines(a)) => verbs::lists::machines(&a),
-        Some(Verb::Procedures(a)) => verbs::lists::procedures(&a),
-        Some(Verb::Examples(a)) => verbs::lists::examples(&a),
-        Some(Verb::Schema(a)) => verbs::schema::run(&a),
+        Some(Verb::Former(former)) => {
+            let (former, present, verb) = former.renamed();
+            let note = Message::new("cli-verb-renamed").text("former", former).text("present", present);
+            // An error is ignored: standard error itself may be closed.
+            let _ = writeln!(std::io::stderr().lock(), "{note}");
+            dispatch(verb)
+        }
+        Some(verb) => dispatch(verb),
+    }
+}
+
+fn dispatch(verb: Verb) -> Result<(), Failure> {
+    match verb {
+        Verb::Plan(a) => verbs::plan::run(&a),
+        Verb::Check(a) => verbs::check::run(&a),
+        Verb::Simulate(a) => verbs::simulate::run(&a),
+        Verb::Run(a) => verbs::run::run(&a),
+        Verb::Serve(a) => verbs::serve::run(&a),
+        Verb::AnswerOneQuestion(a) => verbs::serve::answer_one_question(&a),
+        Verb::Post(a) => verbs::post::run(&a),
+        Verb::Import(a) => verbs::read::run(&a),
+        Verb::Edit(a) => verbs::edit::run(&a),
+        Verb::Teach(a) => verbs::teach::run(&a),
+        Verb::Records(a) => verbs::records::run(&a),
+        Verb::Machine(a) => verbs::machine::run(&a),
+        Verb::Vision(a) => match a.verb {
+            VisionVerb::Joint(a) => verbs::find_joint::run(&a),
+            VisionVerb::Stripe(a) => verbs::stripe::run(&a),
+        },
+        Verb::Tools(a) => match a.verb {
+            ToolsVerb::Seam(a) => verbs::seam::run(&a),
+            ToolsVerb::Section(a) => verbs::section::run(&a),
+            ToolsVerb::Motion(a) => verbs::motion::run(&a),
+            ToolsVerb::Pulses(a) => verbs::pulses::run(&a),
+            ToolsVerb::Follow(a) => verbs::follow::run(&a),
+            ToolsVerb::Reduce(a) => verbs::reduce::run(&a),
+            ToolsVerb::Interpolate(a) => verbs::interpolate::run(&a),
+            ToolsVerb::Bench(a) => verbs::bench::run(&a),
+        },
+        Verb::Examples(a) if a.procedures => verbs::lists::procedures(&a.list),
+        Verb::Examples(a) => verbs::lists::examples(&a.list),
+        Verb::Schema(a) => verbs::schema::run(&a),
+        Verb::Completions(a) => verbs::shell::completions(&a),
+        Verb::Man(a) => verbs::shell::man(&a),
+        Verb::Former(former) => dispatch(former.renamed().2),
     }
 }
 

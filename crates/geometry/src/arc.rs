@@ -18,10 +18,10 @@ impl Arc {
     /// # Errors
     /// [`Error::Size`] if the start lies on the axis or the sweep is not in (0, a turn].
     pub fn new(about: DVec3, axis: DVec3, start: DVec3, sweep: f64) -> Result<Self, Error> {
-        let axis = axis.try_normalize().ok_or(Error::Direction { what: "the arc's axis" })?;
+        let axis = axis.try_normalize().ok_or(Error::Direction { what: "geometry-arc-axis" })?;
         let centre = about + (start - about).dot(axis) * axis;
-        positive("the arc's radius", (start - centre).length())?;
-        positive("the arc's angle", if sweep <= TAU { sweep } else { -1.0 })?;
+        positive("geometry-arc-radius", (start - centre).length())?;
+        positive("geometry-arc-angle", if sweep <= TAU { sweep } else { -1.0 })?;
         Ok(Self { centre, axis, start: start - centre, sweep })
     }
 
@@ -33,7 +33,7 @@ impl Arc {
         let (a, b) = (via - start, end - start);
         let normal = a.cross(b);
         if normal.length() <= 1e-9 * a.length() * b.length() || a.length() == 0.0 || b.length() == 0.0 {
-            return Err(Error::Parallel { first: "the way to the via point", second: "the way to the end" });
+            return Err(Error::Parallel { first: "geometry-chord-to-via-point", second: "geometry-chord-to-end" });
         }
         // The centre is equidistant from all three points.
         let centre = start

@@ -50,7 +50,7 @@ impl Chain {
     /// [`Error::TooFewPoints`] without pieces, [`Error::Gap`] if a piece does not start at the end of the one before.
     pub fn new(pieces: Vec<Piece>, closed: bool) -> Result<Self, Error> {
         let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else {
-            return Err(Error::TooFewPoints { what: "the chain", given: 0, least: 1 });
+            return Err(Error::TooFewPoints { what: "geometry-points-chain", given: 0, min: 1 });
         };
         let mut starts = vec![0.0];
         for piece in &pieces {

@@ -20,13 +20,13 @@ impl Ellipse {
     /// [`Error::Size`] for a semi-axis not greater than 0, [`Error::Direction`] and [`Error::Parallel`] for
     /// directions that span no plane.
     pub fn new(centre: DVec3, normal: DVec3, a_direction: DVec3, a: f64, b: f64) -> Result<Self, Error> {
-        positive("the ellipse's semi-axis a", a)?;
-        positive("the ellipse's semi-axis b", b)?;
-        let n = unit("the ellipse's normal", normal)?;
-        let x = unit("the direction of semi-axis a", a_direction)?;
+        positive("geometry-semi-axis-a", a)?;
+        positive("geometry-semi-axis-b", b)?;
+        let n = unit("geometry-ellipse-normal", normal)?;
+        let x = unit("geometry-semi-axis-a-direction", a_direction)?;
         let across = x - x.dot(n) * n;
         if across.length() < 1e-9 {
-            return Err(Error::Parallel { first: "the ellipse's normal", second: "the direction of semi-axis a" });
+            return Err(Error::Parallel { first: "geometry-ellipse-normal", second: "geometry-semi-axis-a-direction" });
         }
         let e1 = across.normalize();
         Ok(Self { centre, a: a * e1, b: b * n.cross(e1) })

@@ -1,10 +1,10 @@
-use thiserror::Error;
+use seamwright_message::{Message, Unit, display_by_message};
 
-/// Error in the construction of a geometric object. Angles are in rad, lengths in mm.
-#[derive(Debug, Clone, PartialEq, Error)]
+/// Error in the construction of a geometric object. Angles are in rad, lengths in mm. Names of sizes, directions and
+/// sets of points are codes of messages.
+#[derive(Debug, Clone, PartialEq)]
 pub enum Error {
     /// A size must be finite and greater than zero.
-    #[error("{what} must be a finite number greater than 0, not {value}")]
     Size {
         /// Name of the size.
         what: &'static str,
@@ -12,25 +12,22 @@ pub enum Error {
         value: f64,
     },
     /// A size must lie between two others.
-    #[error("{what} must be more than {least} and less than {most} mm, not {value}")]
     Range {
         /// Name of the size.
         what: &'static str,
         /// The value given, mm.
         value: f64,
         /// It must be more than this, mm.
-        least: f64,
+        min: f64,
         /// It must be less than this, mm.
-        most: f64,
+        max: f64,
     },
     /// A direction has no length or is not finite.
-    #[error("{what} must be a finite vector with a length greater than 0")]
     Direction {
         /// Name of the direction.
         what: &'static str,
     },
     /// Two directions that span a plane are parallel.
-    #[error("{first} and {second} are parallel")]
     Parallel {
         /// First direction.
         first: &'static str,
@@ -38,17 +35,10 @@ pub enum Error {
         second: &'static str,
     },
     /// Every line of the tube's wall misses the body although its axis meets it.
-    #[error("the tube is larger than the body: its wall misses the body at every angle")]
     TubeLargerThanBody,
     /// The tube passes beside the body.
-    #[error("the tube passes beside the body and does not meet it")]
     TubeBesideBody,
     /// Part of the tube's wall misses the body: the curve is not closed.
-    #[error(
-        "the tube's wall misses the body between phi = {:.3} and {:.3} degrees: the curve does not close",
-        from.to_degrees(),
-        to.to_degrees()
-    )]
     NotClosed {
         /// Start of the angle range that misses, rad.
         from: f64,
@@ -56,11 +46,6 @@ pub enum Error {
         to: f64,
     },
     /// Part of the tube's wall leaves a head over the end of its flange.
-    #[error(
-        "the tube's wall is beyond the end of the head's flange between phi = {:.3} and {:.3} degrees",
-        from.to_degrees(),
-        to.to_degrees()
-    )]
     BeyondHead {
         /// Start of the angle range beyond the end, rad.
         from: f64,
@@ -68,25 +53,18 @@ pub enum Error {
         to: f64,
     },
     /// The wall touches the body tangentially: the curve has a corner there.
-    #[error(
-        "the tube's wall is tangent to the body at phi = {:.3} degrees: the curve has no tangent there",
-        at.to_degrees()
-    )]
     Tangent {
         /// Angle about the tube's axis, rad.
         at: f64,
     },
     /// The tube's wall passes beside a body that trims it, above the body that it stands on: the curve would jump.
-    #[error("the tube's wall begins to pass beside the one that trims it at phi = {:.3} degrees", at.to_degrees())]
     Beside {
         /// Angle about the tube's axis, rad.
         at: f64,
     },
     /// The tube's direction points into the body and never leaves it.
-    #[error("the tube's direction points into the body: it never leaves it along +direction")]
     NeverLeaves,
     /// The length of a curve cannot be measured to the requested accuracy.
-    #[error("the curve's length cannot be found to {accuracy_mm} mm near parameter {at}")]
     ArcLength {
         /// Requested accuracy, mm.
         accuracy_mm: f64,
@@ -94,59 +72,135 @@ pub enum Error {
         at: f64,
     },
     /// Fewer points than a fit needs.
-    #[error("too few points of {what}: {given}, and at least {least} are needed")]
     TooFewPoints {
         /// Name of the set of points.
         what: &'static str,
         /// Number of points given.
         given: usize,
         /// Number needed.
-        least: usize,
+        min: usize,
     },
-    /// Points too close to one position or one line to define the result.
-    #[error("the points of {what} lie nearly {on}: they do not define it")]
-    Gathered {
+    /// Points too close to one position to define the result.
+    OnePosition {
         /// Name of the set of points.
         what: &'static str,
-        /// The position or line on which they lie.
-        on: &'static str,
+    },
+    /// Points too close to one line to define the result.
+    OneLine {
+        /// Name of the set of points.
+        what: &'static str,
+    },
+    /// A circle touched over too small a part of it.
+    ShortArc {
+        /// Angle over which it was touched, rad.
+        touched: f64,
+        /// Angle needed, rad.
+        min: f64,
     },
     /// Attitudes too similar to determine the touched point.
-    #[error(
-        "the attitudes are {:.1} degrees apart at most: they do not tell where the tip is",
-        apart.to_degrees()
-    )]
     Alike {
         /// Largest angle between two of them, rad.
         apart: f64,
     },
     /// A search for a rigid motion did not converge.
-    #[error("no place was found at which the part fits the points")]
     NoFit,
+    /// A column with another number of values than there are points.
+    Column {
+        /// Number of values.
+        values: usize,
+        /// Number of points.
+        points: usize,
+    },
     /// A point that is not finite or too large.
-    #[error("point {index} has a value that is not finite or too large")]
     Place {
         /// Its index.
         index: usize,
     },
     /// A piece of a chain does not start at the end of the one before.
-    #[error("piece {piece} of the chain does not begin where the one before it ends")]
     Gap {
         /// Index of the piece, counted from 0.
         piece: usize,
     },
     /// A direction turns too sharply between neighbouring points.
-    #[error("{what} turns by 90 degrees or more from one point to the next")]
     Turn {
         /// Name of the direction.
         what: &'static str,
     },
     /// Knots of a spline must increase strictly.
-    #[error("the positions of a spline's values must increase strictly (value {index})")]
     Knots {
         /// First index that does not increase.
         index: usize,
     },
+}
+
+display_by_message!(Error);
+
+impl Error {
+    /// Returns the description of the error.
+    pub fn message(&self) -> Message {
+        match *self {
+            Self::Size { what, value } => named("geometry-size", what).value("value", value, Unit::One),
+            Self::Range { what, value, min, max } => range(what, value, (min, max)),
+            Self::Direction { what } => named("geometry-direction", what),
+            Self::Parallel { first, second } => {
+                Message::new("geometry-parallel").message("first", name(first)).message("second", name(second))
+            }
+            Self::TubeLargerThanBody => Message::new("geometry-tube-larger-than-body"),
+            Self::TubeBesideBody => Message::new("geometry-tube-beside-body"),
+            Self::NotClosed { from, to } => angles("geometry-not-closed", from, to),
+            Self::BeyondHead { from, to } => angles("geometry-beyond-head", from, to),
+            Self::Tangent { at } => angle("geometry-tangent", "angle", at, 3),
+            Self::Beside { at } => angle("geometry-beside-trimming-tube", "angle", at, 3),
+            Self::NeverLeaves => Message::new("geometry-never-leaves"),
+            Self::ArcLength { accuracy_mm, at } => {
+                Message::new("geometry-arc-length").value("accuracy", accuracy_mm, Unit::Mm).number("parameter", at, 6)
+            }
+            Self::TooFewPoints { what, given, min } => {
+                named("geometry-too-few-points", what).count("given", given).count("min", min)
+            }
+            Self::OnePosition { what } => named("geometry-points-in-one-position", what),
+            Self::OneLine { what } => named("geometry-points-on-one-line", what),
+            Self::ShortArc { touched, min } => {
+                angle("geometry-short-arc", "touched", touched, 0).quantity("min", min.to_degrees(), Unit::Deg, 0)
+            }
+            Self::Alike { apart } => angle("geometry-attitudes-alike", "angle", apart, 1),
+            Self::NoFit => Message::new("geometry-no-fit"),
+            Self::Column { values, points } => {
+                Message::new("geometry-column").count("values", values).count("points", points)
+            }
+            Self::Place { index } => Message::new("geometry-point").text("index", index.to_string()),
+            Self::Gap { piece } => Message::new("geometry-gap").text("piece", piece.to_string()),
+            Self::Turn { what } => named("geometry-sharp-turn", what),
+            Self::Knots { index } => Message::new("geometry-knots").text("index", index.to_string()),
+        }
+    }
+}
+
+/// The name of a size, a direction or a set of points.
+fn name(what: &'static str) -> Message {
+    Message::new(what)
+}
+
+/// An error of `what`.
+fn named(code: &'static str, what: &'static str) -> Message {
+    Message::new(code).message("what", name(what))
+}
+
+/// An error of a size, mm, that must lie between two others; the second may be infinite.
+fn range(what: &'static str, value: f64, (min, max): (f64, f64)) -> Message {
+    let code = if max.is_finite() { "geometry-range" } else { "geometry-too-small" };
+    let message = named(code, what).value("value", value, Unit::Mm).value("min", min, Unit::Mm);
+    if max.is_finite() { message.value("max", max, Unit::Mm) } else { message }
+}
+
+/// An error at an angle, rad.
+fn angle(code: &'static str, name: &'static str, angle: f64, decimals: u8) -> Message {
+    Message::new(code).quantity(name, angle.to_degrees(), Unit::Deg, decimals)
+}
+
+/// An error between two angles, rad.
+fn angles(code: &'static str, from: f64, to: f64) -> Message {
+    angle(code, "from", from, 3).quantity("to", to.to_degrees(), Unit::Deg, 3)
 }
 
 /// Rejects sizes that are not finite and positive.

@@ -77,7 +77,7 @@ impl Head {
     ) -> Result<Self, Error> {
         let ring = ring(radius, knuckle)?;
         if !(crown > radius && crown.is_finite()) {
-            return Err(Error::Range { what: "the crown's radius", value: crown, least: radius, most: f64::INFINITY });
+            return Err(Error::Range { what: "geometry-crown-radius", value: crown, min: radius, max: f64::INFINITY });
         }
         // The arcs touch on the line through their centres.
         let apart = crown - knuckle;
@@ -95,7 +95,7 @@ impl Head {
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`].
     pub fn ellipsoidal(place: (DVec3, DVec3), radius: f64, depth: f64, flange: f64) -> Result<Self, Error> {
-        let depth = positive("the head's depth", depth)?;
+        let depth = positive("geometry-head-depth", depth)?;
         let zones = vec![(Meridian::Oval { radius, depth }, Border::flange(radius, 0.0))];
         Self::new(place, radius, flange, depth, zones)
     }
@@ -135,7 +135,7 @@ impl Head {
     ) -> Result<Self, Error> {
         let ring = ring(radius, knuckle)?;
         if !(half_angle > 0.0 && half_angle < FRAC_PI_2) {
-            return Err(Error::Size { what: "the cone's half angle", value: half_angle });
+            return Err(Error::Size { what: "geometry-cone-half-angle", value: half_angle });
         }
         let touch = Border::on(ring, 0.0, knuckle, FRAC_PI_2 - half_angle);
         let apex = touch.height + touch.radius / half_angle.tan();
@@ -154,11 +154,11 @@ impl Head {
         top: f64,
         mut zones: Vec<(Meridian, Border)>,
     ) -> Result<Self, Error> {
-        positive("the head's radius", radius)?;
+        positive("geometry-head-radius", radius)?;
         if !(flange >= 0.0 && flange.is_finite()) {
-            return Err(Error::Size { what: "the head's flange", value: flange });
+            return Err(Error::Size { what: "geometry-head-flange", value: flange });
         }
-        let axis = unit("the head's axis", axis)?;
+        let axis = unit("geometry-head-axis", axis)?;
         zones.push((Meridian::Flange, Border::flange(radius, -flange)));
         let zone = |(meridian, end): (Meridian, Border)| {
             let face = meridian.face(centre, axis, radius)?;
@@ -320,10 +320,10 @@ impl Border {
 
 /// Radius of the circle of the knuckle's centres.
 fn ring(radius: f64, knuckle: f64) -> Result<f64, Error> {
-    positive("the head's radius", radius)?;
+    positive("geometry-head-radius", radius)?;
     if knuckle > 0.0 && knuckle < radius {
         Ok(radius - knuckle)
     } else {
-        Err(Error::Range { what: "the knuckle's radius", value: knuckle, least: 0.0, most: radius })
+        Err(Error::Range { what: "geometry-knuckle-radius", value: knuckle, min: 0.0, max: radius })
     }
 }

@@ -1,15 +1,13 @@
 use crate::{MapError, PlaneMap};
 use glam::{DVec2, DVec3};
-use thiserror::Error;
+use seamwright_message::{Message, Unit, display_by_message};
 
 /// Error of a map between pixels and space.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum HeightError {
     /// An empty table.
-    #[error("a table of heights without a row")]
     Empty,
     /// Heights that do not increase.
-    #[error("row {row}: the height {height} mm is not above the one before")]
     Order {
         /// Index, counted from 0.
         row: usize,
@@ -17,13 +15,11 @@ pub enum HeightError {
         height: f64,
     },
     /// Rows of frames of different sizes.
-    #[error("row {row}: a frame of another size than in the first row")]
     Size {
         /// Index, counted from 0.
         row: usize,
     },
     /// Two rows too different for a valid map between them.
-    #[error("between rows {row} and {}: {why}", row + 1)]
     Between {
         /// The lower row.
         row: usize,
@@ -31,7 +27,6 @@ pub enum HeightError {
         why: MapError,
     },
     /// A height outside the table.
-    #[error("a height of {height:.3} mm: the camera's table goes from {low} to {high} mm")]
     Outside {
         /// The requested height, mm.
         height: f64,
@@ -41,13 +36,34 @@ pub enum HeightError {
         high: f64,
     },
     /// A pixel beyond the fold of the distortion.
-    #[error("the pixel ({x:.1}, {y:.1}) is beyond the picture's distortion")]
     Folded {
         /// Pixels to the right.
         x: f64,
         /// Pixels down.
         y: f64,
     },
+}
+
+display_by_message!(HeightError);
+
+impl HeightError {
+    /// Returns the description of the error.
+    pub fn message(&self) -> Message {
+        let of_row = |code, row: usize| Message::new(code).text("row", row.to_string());
+        match *self {
+            Self::Empty => Message::new("geometry-heights-empty"),
+            Self::Order { row, height } => of_row("geometry-heights-order", row).value("height", height, Unit::Mm),
+            Self::Size { row } => of_row("geometry-heights-frame-size", row),
+            Self::Between { row, why } => of_row("geometry-heights-between", row)
+                .text("next", (row + 1).to_string())
+                .message("why", why.message()),
+            Self::Outside { height, low, high } => Message::new("geometry-height-outside")
+                .quantity("height", height, Unit::Mm, 3)
+                .value("min", low, Unit::Mm)
+                .value("max", high, Unit::Mm),
+            Self::Folded { x, y } => Message::new("geometry-pixel-folded").number("x", x, 1).number("y", y, 1),
+        }
+    }
 }
 
 /// Maps at several heights, linear between them; or one map for every height. A camera with a pinhole, and a beam that
@@ -166,7 +182,7 @@ mod tests {
         }
         let e = table.to_point(DVec2::ZERO, 100.5).unwrap_err();
         assert_eq!(e, HeightError::Outside { height: 100.5, low: -50.0, high: 100.0 });
-        assert!(e.to_string().contains("from -50 to 100 mm"));
+        assert!(e.to_string().contains("-50 mm to 100 mm"));
         assert!(table.at(f64::NAN).is_err());
     }
 

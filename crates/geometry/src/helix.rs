@@ -19,9 +19,9 @@ impl Helix {
     /// [`Error::Size`] if there are no turns or the pitch is not finite.
     pub fn new(tube: Tube, pitch: f64, turns: f64) -> Result<Self, Error> {
         if !pitch.is_finite() {
-            return Err(Error::Size { what: "the helix's pitch", value: pitch });
+            return Err(Error::Size { what: "geometry-helix-pitch", value: pitch });
         }
-        Ok(Self { tube, climb: pitch / TAU, end: TAU * positive("the number of turns", turns)? })
+        Ok(Self { tube, climb: pitch / TAU, end: TAU * positive("geometry-turns", turns)? })
     }
 }
 

@@ -15,7 +15,7 @@ impl Line {
     /// # Errors
     /// [`Error::Size`] if the two points are equal or not finite.
     pub fn new(start: DVec3, end: DVec3) -> Result<Self, Error> {
-        let length = positive("the line's length", (end - start).length())?;
+        let length = positive("geometry-line-length", (end - start).length())?;
         Ok(Self { start, direction: (end - start) / length, length })
     }
 }

@@ -1,5 +1,5 @@
 use glam::{DMat2, DVec2};
-use thiserror::Error;
+use seamwright_message::{Message, Unit, display_by_message};
 
 /// Minimum and maximum mm per pixel.
 const SCALES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
@@ -28,19 +28,15 @@ pub struct MapParameters {
 }
 
 /// Error for invalid map parameters.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MapError {
     /// A scale outside the allowed range of mm per pixel.
-    #[error("{0} mm a pixel: allowed are {start} to {end}", start = SCALES.start(), end = SCALES.end())]
     Scale(f64),
     /// A shear beyond the limit: the picture's rows and columns are nearly parallel.
-    #[error("a shear of {0}: allowed is -{MAX_SHEAR} to {MAX_SHEAR}")]
     Shear(f64),
     /// A rotation that is not finite or exceeds half a turn.
-    #[error("a rotation of {0} rad: a finite number within half a turn")]
     Rotation(f64),
     /// The centre is far outside of the frame.
-    #[error("the centre ({x}, {y}) lies more than the frame's size outside of it")]
     Centre {
         /// Pixels to the right.
         x: f64,
@@ -48,8 +44,31 @@ pub enum MapError {
         y: f64,
     },
     /// Distortion without an inverse over the whole frame.
-    #[error("a barrel of {0}: allowed is what keeps the frame's corners in order, and at most {MAX_BARREL}")]
     Barrel(f64),
+}
+
+display_by_message!(MapError);
+
+impl MapError {
+    /// Returns the description of the error.
+    pub fn message(&self) -> Message {
+        let new = Message::new;
+        match *self {
+            Self::Scale(scale) => new("geometry-map-scale")
+                .value("scale", scale, Unit::Mm)
+                .value("min", *SCALES.start(), Unit::Mm)
+                .value("max", *SCALES.end(), Unit::Mm),
+            Self::Shear(shear) => new("geometry-map-shear")
+                .value("shear", shear, Unit::One)
+                .value("min", -MAX_SHEAR, Unit::One)
+                .value("max", MAX_SHEAR, Unit::One),
+            Self::Rotation(rotation) => new("geometry-map-rotation").value("rotation", rotation, Unit::Rad),
+            Self::Centre { x, y } => new("geometry-map-centre").value("x", x, Unit::One).value("y", y, Unit::One),
+            Self::Barrel(barrel) => {
+                new("geometry-map-barrel").value("barrel", barrel, Unit::One).value("max", MAX_BARREL, Unit::One)
+            }
+        }
+    }
 }
 
 /// Pixels to mm on one plane square to the optical axis, and back.
@@ -230,12 +249,14 @@ mod tests {
 
     #[test]
     fn what_is_no_map_is_refused() {
-        let bad = |p: MapParameters| PlaneMap::new(p).unwrap_err().to_string();
-        assert!(bad(MapParameters { mm_per_px: DVec2::new(0.1, 0.0), ..plain() }).contains("0 mm a pixel"));
-        assert!(bad(MapParameters { mm_per_px: DVec2::new(f64::NAN, 0.1), ..plain() }).contains("NaN"));
-        assert!(bad(MapParameters { shear: 1.0, ..plain() }).contains("shear"));
-        assert!(bad(MapParameters { rotation: f64::INFINITY, ..plain() }).contains("rotation"));
-        assert!(bad(MapParameters { barrel: -0.24, ..plain() }).contains("barrel"));
-        assert!(bad(MapParameters { centre_px: DVec2::new(-600.0, 0.0), ..plain() }).contains("centre"));
+        let bad = |p: MapParameters| PlaneMap::new(p).unwrap_err();
+        assert_eq!(bad(MapParameters { mm_per_px: DVec2::new(0.1, 0.0), ..plain() }), MapError::Scale(0.0));
+        let scale = bad(MapParameters { mm_per_px: DVec2::new(f64::NAN, 0.1), ..plain() });
+        assert!(matches!(scale, MapError::Scale(scale) if scale.is_nan()));
+        assert_eq!(bad(MapParameters { shear: 1.0, ..plain() }), MapError::Shear(1.0));
+        assert_eq!(bad(MapParameters { rotation: f64::INFINITY, ..plain() }), MapError::Rotation(f64::INFINITY));
+        assert_eq!(bad(MapParameters { barrel: -0.24, ..plain() }), MapError::Barrel(-0.24));
+        let centre = bad(MapParameters { centre_px: DVec2::new(-600.0, 0.0), ..plain() });
+        assert_eq!(centre, MapError::Centre { x: -600.0, y: 0.0 });
     }
 }

@@ -46,7 +46,7 @@ impl Quadric {
     /// # Errors
     /// [`Error::Direction`].
     pub fn plane(point: DVec3, normal: DVec3) -> Result<Self, Error> {
-        let n = unit("the plane's normal", normal)?;
+        let n = unit("geometry-plane-normal", normal)?;
         Self::checked(Self { centre: point, a: DMat3::ZERO, b: 0.5 * n, c: 0.0, nappe: None })
     }
 
@@ -55,7 +55,7 @@ impl Quadric {
     /// # Errors
     /// [`Error::Size`].
     pub fn sphere(centre: DVec3, radius: f64) -> Result<Self, Error> {
-        let r = positive("the sphere's radius", radius)?;
+        let r = positive("geometry-sphere-radius", radius)?;
         let a = DMat3::from_diagonal(DVec3::splat(0.5 / r));
         Self::checked(Self { centre, a, b: DVec3::ZERO, c: -0.5 * r, nappe: None })
     }
@@ -65,8 +65,8 @@ impl Quadric {
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`].
     pub fn cylinder(point: DVec3, axis: DVec3, radius: f64) -> Result<Self, Error> {
-        let r = positive("the cylinder's radius", radius)?;
-        let e = unit("the cylinder's axis", axis)?;
+        let r = positive("geometry-cylinder-radius", radius)?;
+        let e = unit("geometry-cylinder-axis", axis)?;
         let a = (DMat3::IDENTITY - outer(e, e)) * (0.5 / r);
         Self::checked(Self { centre: point, a, b: DVec3::ZERO, c: -0.5 * r, nappe: None })
     }
@@ -78,13 +78,13 @@ impl Quadric {
     /// [`Error::Size`], [`Error::Direction`], [`Error::Parallel`].
     pub fn elliptic_cylinder(centre: DVec3, axis: DVec3, x_direction: DVec3, a: f64, b: f64) -> Result<Self, Error> {
         for value in [a, b] {
-            positive("the elliptic cylinder's semi-axis", value)?;
+            positive("geometry-elliptic-cylinder-semi-axis", value)?;
         }
-        let z = unit("the elliptic cylinder's axis", axis)?;
-        let x = unit("the elliptic cylinder's x direction", x_direction)?;
+        let z = unit("geometry-elliptic-cylinder-axis", axis)?;
+        let x = unit("geometry-elliptic-cylinder-x-direction", x_direction)?;
         let across = x - x.dot(z) * z;
         if across.length() < 1e-9 {
-            return Err(Error::Parallel { first: "the elliptic cylinder's axis", second: "its x direction" });
+            return Err(Error::Parallel { first: "geometry-elliptic-cylinder-axis", second: "geometry-x-direction" });
         }
         let x = across.normalize();
         let y = z.cross(x);
@@ -99,9 +99,9 @@ impl Quadric {
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`].
     pub fn cone(apex: DVec3, axis: DVec3, half_angle: f64) -> Result<Self, Error> {
-        let e = unit("the cone's axis", axis)?;
+        let e = unit("geometry-cone-axis", axis)?;
         if !(half_angle > 0.0 && half_angle < std::f64::consts::FRAC_PI_2) {
-            return Err(Error::Size { what: "the cone's half angle", value: half_angle });
+            return Err(Error::Size { what: "geometry-cone-half-angle", value: half_angle });
         }
         // |d|^2 cos^2 - (d.e)^2 is zero on the cone; its gradient there has length 2 |d| cos sin.
         let (sin, cos) = half_angle.sin_cos();
@@ -116,13 +116,13 @@ impl Quadric {
     /// [`Error::Size`], [`Error::Direction`], [`Error::Parallel`].
     pub fn ellipsoid(centre: DVec3, z_direction: DVec3, x_direction: DVec3, semi: DVec3) -> Result<Self, Error> {
         for value in semi.to_array() {
-            positive("the ellipsoid's semi-axis", value)?;
+            positive("geometry-ellipsoid-semi-axis", value)?;
         }
-        let z = unit("the ellipsoid's axis", z_direction)?;
-        let x = unit("the ellipsoid's x direction", x_direction)?;
+        let z = unit("geometry-ellipsoid-axis", z_direction)?;
+        let x = unit("geometry-ellipsoid-x-direction", x_direction)?;
         let across = x - x.dot(z) * z;
         if across.length() < 1e-9 {
-            return Err(Error::Parallel { first: "the ellipsoid's axis", second: "its x direction" });
+            return Err(Error::Parallel { first: "geometry-ellipsoid-axis", second: "geometry-x-direction" });
         }
         let x = across.normalize();
         let y = z.cross(x);
@@ -133,7 +133,7 @@ impl Quadric {
     }
 
     fn checked(self) -> Result<Self, Error> {
-        if self.centre.is_finite() { Ok(self) } else { Err(Error::Direction { what: "the body's position" }) }
+        if self.centre.is_finite() { Ok(self) } else { Err(Error::Direction { what: "geometry-body-position" }) }
     }
 
     /// Terms common to all lines along `d`.

@@ -28,17 +28,17 @@ impl RoundedRectangle {
     /// [`Error::Size`] for sizes not greater than 0 and a corner that is negative or greater than half the smaller
     /// side, [`Error::Direction`] and [`Error::Parallel`] for directions that span no plane.
     pub fn new(centre: DVec3, normal: DVec3, direction: DVec3, size: DVec2, corner: f64) -> Result<Self, Error> {
-        let half = 0.5 * DVec2::new(positive("the width", size.x)?, positive("the height", size.y)?);
+        let half = 0.5 * DVec2::new(positive("geometry-width", size.x)?, positive("geometry-height", size.y)?);
         let smaller = half.min_element();
         if !(0.0..=smaller * (1.0 + NOTHING)).contains(&corner) {
-            return Err(Error::Size { what: "the corner's radius", value: corner });
+            return Err(Error::Size { what: "geometry-corner-radius", value: corner });
         }
         let corner = if corner < NOTHING * smaller { 0.0 } else { corner.min(smaller) };
-        let n = unit("the rectangle's normal", normal)?;
-        let x = unit("the direction of the width", direction)?;
+        let n = unit("geometry-rectangle-normal", normal)?;
+        let x = unit("geometry-width-direction", direction)?;
         let across = x - x.dot(n) * n;
         if across.length() < 1e-9 {
-            return Err(Error::Parallel { first: "the rectangle's normal", second: "the direction of the width" });
+            return Err(Error::Parallel { first: "geometry-rectangle-normal", second: "geometry-width-direction" });
         }
         let e1 = across.normalize();
         let e2 = n.cross(e1);

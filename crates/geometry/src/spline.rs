@@ -32,7 +32,7 @@ pub enum Ends {
 pub fn chord_lengths(points: &[DVec3], closed: bool) -> Result<Vec<f64>, Error> {
     let least = if closed { 3 } else { 2 };
     if points.len() < least {
-        return Err(Error::TooFewPoints { what: "a spline", given: points.len(), least });
+        return Err(Error::TooFewPoints { what: "geometry-points-spline", given: points.len(), min: least });
     }
     let mut lengths = vec![0.0];
     let around = points.iter().chain(points.first().filter(|_| closed));
@@ -70,7 +70,7 @@ impl Spline {
         let jets = matches!(ends, Ends::Open(End::Jet(..), _) | Ends::Open(_, End::Jet(..)));
         let (given, least) = (points.len().min(knots.len()), if jets { 3 } else { 2 });
         if given < least || points.len() != knots.len() {
-            return Err(Error::TooFewPoints { what: "a spline", given, least });
+            return Err(Error::TooFewPoints { what: "geometry-points-spline", given, min: least });
         }
         // Also not if not a number.
         if let Some(i) = (1..knots.len()).find(|&i| !knots[i].is_finite() || knots[i] <= knots[i - 1]) {

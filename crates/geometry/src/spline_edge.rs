@@ -34,7 +34,7 @@ impl Along {
         let mut at_knots =
             tangents.iter().step_by(PARTS as usize).zip(tangents.iter().skip(PARTS as usize).step_by(PARTS as usize));
         if beside || at_knots.any(|(a, b)| turns_back(a, b)) {
-            return Err(Error::Turn { what: "the curve through the points" });
+            return Err(Error::Turn { what: "geometry-curve-through-points" });
         }
         let ends = if curve.closed() { Ends::Closed } else { Ends::Open(ends.0, ends.1) };
         tangents.truncate(places.len() - usize::from(curve.closed()));
@@ -85,7 +85,7 @@ impl Normals {
     pub fn through(points: &[DVec3], normals: &[DVec3], closed: bool) -> Result<Self, Error> {
         let next = normals.iter().skip(1).chain(normals.first().filter(|_| closed));
         if normals.iter().zip(next).any(|(a, b)| a.dot(*b) <= 0.0) {
-            return Err(Error::Turn { what: "the normal" });
+            return Err(Error::Turn { what: "geometry-normal" });
         }
         let ends = if closed { Ends::Closed } else { Ends::Open(End::Natural, End::Natural) };
         Ok(Self::Through(Spline::new(chord_lengths(points, closed)?, normals.to_vec(), ends)?))
@@ -149,7 +149,7 @@ impl SplineEdge {
             SplineFaces::Both(a, b) => sine(u, a).min(sine(u, b)) < MIN_SINE,
         };
         if places.chain([edge.curve.domain().1]).any(lies) {
-            return Err(Error::Parallel { first: "a face's normal", second: "the curve" });
+            return Err(Error::Parallel { first: "geometry-face-normal", second: "geometry-curve" });
         }
         Ok(edge)
     }

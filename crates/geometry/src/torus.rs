@@ -35,12 +35,13 @@ impl Torus {
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`].
     pub fn new(centre: DVec3, axis: DVec3, ring: f64, tube: f64) -> Result<Self, Error> {
-        let (ring, tube) = (positive("the torus' ring radius", ring)?, positive("the torus' tube radius", tube)?);
-        let axis = unit("the torus' axis", axis)?;
+        let (ring, tube) =
+            (positive("geometry-torus-ring-radius", ring)?, positive("geometry-torus-tube-radius", tube)?);
+        let axis = unit("geometry-torus-axis", axis)?;
         if centre.is_finite() {
             Ok(Self { centre, axis, ring, tube })
         } else {
-            Err(Error::Direction { what: "the torus' centre" })
+            Err(Error::Direction { what: "geometry-torus-centre" })
         }
     }
 

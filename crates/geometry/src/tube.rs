@@ -19,15 +19,15 @@ impl Tube {
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`] or [`Error::Parallel`].
     pub fn new(origin: DVec3, direction: DVec3, zero_direction: DVec3, radius: f64) -> Result<Self, Error> {
-        let radius = positive("the tube's radius", radius)?;
-        let e3 = unit("the tube's direction", direction)?;
-        let zero = unit("the tube's zero direction", zero_direction)?;
+        let radius = positive("geometry-tube-radius", radius)?;
+        let e3 = unit("geometry-tube-direction", direction)?;
+        let zero = unit("geometry-tube-zero-direction", zero_direction)?;
         let across = zero - zero.dot(e3) * e3;
         if across.length() < 1e-9 {
-            return Err(Error::Parallel { first: "the tube's direction", second: "its zero direction" });
+            return Err(Error::Parallel { first: "geometry-tube-direction", second: "geometry-zero-direction" });
         }
         if !origin.is_finite() {
-            return Err(Error::Direction { what: "the tube's origin" });
+            return Err(Error::Direction { what: "geometry-tube-origin" });
         }
         let e1 = across.normalize();
         Ok(Self { origin, e1, e2: e3.cross(e1), e3, radius })

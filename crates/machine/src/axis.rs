@@ -1,4 +1,5 @@
 use crate::{EncoderSide, PitchError, Stepper};
+use seamwright_message::Unit;
 use std::f64::consts::{PI, TAU};
 
 /// Linear or rotary.
@@ -220,6 +221,24 @@ impl Axis {
         match self.kind {
             AxisKind::Linear => "mm",
             AxisKind::Rotary => "deg",
+        }
+    }
+
+    /// Unit of positions in messages: that of files.
+    pub fn position_unit(&self) -> Unit {
+        self.one_of(Unit::Mm, Unit::Deg)
+    }
+
+    /// Unit of speeds in messages.
+    pub fn speed_unit(&self) -> Unit {
+        self.one_of(Unit::MmPerS, Unit::DegPerS)
+    }
+
+    /// The first value for a linear axis, the second for a rotary one.
+    pub(crate) fn one_of<T>(&self, linear: T, rotary: T) -> T {
+        match self.kind {
+            AxisKind::Linear => linear,
+            AxisKind::Rotary => rotary,
         }
     }
 

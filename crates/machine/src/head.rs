@@ -2,6 +2,7 @@ use crate::chain::{AxisSet, Chain};
 use crate::inverse::Inverse;
 use crate::{Axis, AxisKind};
 use glam::DVec3;
+use seamwright_message::{Argument, Message};
 
 /// A torch, beam or laser head with its axes.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,20 +30,27 @@ impl Head {
         self.inverse.is_numeric()
     }
 
-    /// Describes the inverse kinematics in words; `axes` are the machine's.
-    pub fn structure(&self, axes: &[Axis]) -> String {
-        let named = |set: AxisSet| set.iter().map(|axis| axes[axis].name.as_str()).collect::<Vec<_>>().join(", ");
+    /// Describes the inverse kinematics; `axes` are the machine's.
+    pub fn structure(&self, axes: &[Axis]) -> Message {
+        let named = |set: AxisSet| set.iter().map(|axis| Argument::Axis(axes[axis].name.clone())).collect::<Vec<_>>();
         let decided = self.chain.axes().different(self.free());
         let of_kind = |kind| decided.iter().filter(|&axis| axes[axis].kind == kind).collect::<AxisSet>();
         let (linear, rotary) = (of_kind(AxisKind::Linear), of_kind(AxisKind::Rotary));
-        let parts = [("linear", linear), ("rotary", rotary)].into_iter().filter(|(_, set)| !set.is_empty());
-        let parts = parts.map(|(kind, set)| format!("{} {kind} ({})", counted(set.iter().count()), named(set)));
-        let free = if self.free().is_empty() { String::new() } else { format!("; free: {}", named(self.free())) };
-        format!("{}: {}{free}", self.inverse.words(), parts.collect::<Vec<_>>().join(" + "))
+        let part = |code, set: AxisSet| Message::new(code).count("n", set.iter().count()).list("axes", named(set));
+        let (linear, rotary) = (
+            Some(linear).filter(|set| !set.is_empty()).map(|set| part("machine-linear-axes", set)),
+            Some(rotary).filter(|set| !set.is_empty()).map(|set| part("machine-rotary-axes", set)),
+        );
+        let decided = match (linear, rotary) {
+            (Some(linear), Some(rotary)) => {
+                Message::new("machine-linear-and-rotary").message("linear", linear).message("rotary", rotary)
+            }
+            (linear, rotary) => linear.or(rotary).unwrap_or_default(),
+        };
+        let structure = match self.free().is_empty() {
+            true => Message::new("machine-structure"),
+            false => Message::new("machine-structure-with-free").list("free", named(self.free())),
+        };
+        structure.message("method", Message::new(self.inverse.method())).message("axes", decided)
     }
-}
-
-fn counted(n: usize) -> String {
-    let words = ["no", "one", "two", "three", "four", "five", "six"];
-    words.get(n).map_or_else(|| n.to_string(), |w| (*w).to_owned())
 }

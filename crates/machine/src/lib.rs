@@ -41,7 +41,7 @@ pub use file::{
     NotchFile, PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
 };
 pub use head::Head;
-pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};
+pub use inverse::{Branches, MAX_BRANCHES, PairFault, Solution, Unreachable};
 pub use keeper::Keeper;
 pub use links::{LinkFrames, LinkJoint, Links, MAX_LINKS, NamedFrame};
 pub use machine::{BeamDeflection, Machine, Target};

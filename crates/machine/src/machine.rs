@@ -1,4 +1,4 @@
-use crate::inverse::{self, Branches, Inverse, Solution, Unreachable, Which};
+use crate::inverse::{self, Branches, Inverse, PairFault, Solution, Unreachable, Which};
 use crate::keeper::{Lever, travel};
 use crate::pair::Pair;
 use crate::surroundings::PITCH;
@@ -322,7 +322,7 @@ impl Machine {
             self.let_idle(branches, near);
             return Ok(());
         };
-        let pair = self.pair.as_ref().ok_or(Unreachable::Pair(Pair::WHY_NOT))?;
+        let pair = self.pair.as_ref().ok_or(Unreachable::Pair(PairFault::Axes))?;
         pair.solve(&self.heads, [&target.first, second], near, branches)
     }
 
@@ -439,7 +439,7 @@ impl Machine {
     pub fn range_error(&self, v: &RangeViolation) -> Unreachable {
         let axis = &self.axes[v.axis];
         let (value, by, limit) = (axis.to_file(v.value), axis.to_file(v.by()), axis.to_file(v.limit));
-        Unreachable::Range { axis: axis.name.clone(), value, by, limit, unit: axis.unit() }
+        Unreachable::Range { axis: axis.name.clone(), value, by, limit, unit: axis.position_unit() }
     }
 
     /// The `k`-th of positions spread evenly over the axes' ranges, one turn of each rotary axis: an additive

@@ -1,6 +1,6 @@
 use crate::chain::{AxisSet, Joints};
 use crate::inverse::{Branches, Frame, FrameInverse, angle_between, in_plane};
-use crate::{Head, Unreachable};
+use crate::{Head, PairFault, Unreachable};
 use glam::DMat3;
 use seamwright_geometry::Pose;
 
@@ -16,10 +16,6 @@ pub(crate) struct Pair {
 const MET_MM: f64 = 1e-6;
 
 impl Pair {
-    /// Reason why two heads cannot reach two points at once.
-    pub(crate) const WHY_NOT: &'static str =
-        "two heads at once need three linear and three rotary axes that carry both, no two neighbouring ones parallel";
-
     pub(crate) fn new(heads: &[Head]) -> Option<Self> {
         let [first, second] = heads else { return None };
         let shared = first.chain.axes().both(second.chain.axes());
@@ -87,10 +83,10 @@ fn slide(head: &Head, pose: &Pose, joints: &mut Joints) -> f64 {
 
 /// The frame of two tips: its point between them, x from the first to the second, z against the sum of both directions.
 fn frame([first, second]: [&Pose; 2]) -> Result<Frame, Unreachable> {
-    let none = Unreachable::Pair("the two torches are at one point: they have no frame");
+    let none = Unreachable::Pair(PairFault::SamePoint);
     let x = (second.point - first.point).try_normalize().ok_or(none)?;
     let back = -(first.direction + second.direction);
-    let along = Unreachable::Pair("the two torches point at each other: they have no frame");
+    let along = Unreachable::Pair(PairFault::Opposed);
     let z = (back - back.dot(x) * x).try_normalize().ok_or(along)?;
     Ok(Frame { point: 0.5 * (first.point + second.point), axes: DMat3::from_cols(x, z.cross(x), z) })
 }

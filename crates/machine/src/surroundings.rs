@@ -5,6 +5,7 @@ use crate::{Axis, AxisKind, Joints, LinkFrames, MAX_AXES, Machine, ZoneKind};
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Clamped, ClearanceError, Evaluation, Group, Limits, Motion, Profile, Scene, Solid, Watch};
+use seamwright_message::Message;
 use std::collections::BTreeMap;
 
 /// Positions of the axes along a parameter.
@@ -24,8 +25,29 @@ pub struct Surroundings<'a> {
     scene: Scene,
     /// The link of each group of the scene.
     links: Vec<usize>,
+    /// The kind of each group of the scene.
+    kinds: Vec<Kind>,
     /// A sphere around each group's solids: centre in the work frame with all axes at zero, and radius.
     spheres: Vec<(DVec3, f64)>,
+}
+
+/// Kind of a group.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// A link of the machine.
+    Link,
+    /// The part.
+    Part,
+    /// The fixtures.
+    Fixtures,
+    /// A forbidden zone, by its index.
+    Forbidden(usize),
+    /// A permitted zone, by its index.
+    Permitted(usize),
+}
+
+fn permitted(zone: &str) -> Message {
+    Message::new("machine-permitted-zone").text("zone", zone)
 }
 
 /// Pitch errors change a rate by up to this factor.
@@ -40,14 +62,18 @@ impl<'a> Surroundings<'a> {
     /// # Errors
     /// Unbounded solids (half-spaces) that would have to keep clear of one another.
     pub fn new(machine: &'a Machine, clamped: &Clamped) -> Result<Self, ClearanceError> {
-        let mut build = Build { machine, groups: Vec::new(), links: Vec::new(), watches: Vec::new() };
+        let mut build =
+            Build { machine, groups: Vec::new(), links: Vec::new(), kinds: Vec::new(), watches: Vec::new() };
         build.links();
-        for (name, solids) in [("part", &clamped.part), ("fixtures", &clamped.fixtures)] {
-            build.clamped(name, solids, clamped.least_mm);
+        for (kind, name, solids) in
+            [(Kind::Part, "part", &clamped.part), (Kind::Fixtures, "fixtures", &clamped.fixtures)]
+        {
+            build.clamped((kind, name), solids, clamped.least_mm);
         }
         build.zones();
         let spheres = build.groups.iter().map(|g| around(&g.solids)).collect();
-        Ok(Self { machine, scene: Scene::new(build.groups, build.watches)?, links: build.links, spheres })
+        let scene = Scene::new(build.groups, build.watches)?;
+        Ok(Self { machine, scene, links: build.links, kinds: build.kinds, spheres })
     }
 
     /// Groups and watches.
@@ -82,6 +108,54 @@ impl<'a> Surroundings<'a> {
                 let zone = zones.first().map_or_else(String::new, |z| z.name().to_owned());
                 (self.scene.groups()[a].name.clone(), format!("permitted zone {zone}"))
             }
+        }
+    }
+
+    /// The two groups of a watch, for messages.
+    pub fn bodies(&self, watch: usize) -> (Message, Message) {
+        let watch = &self.scene.watches()[watch];
+        let (a, b) = watch.groups();
+        let second = match watch {
+            Watch::Apart { .. } => self.body(b),
+            Watch::Inside { zones, .. } => permitted(zones.first().map_or("", Solid::name)),
+        };
+        (self.body(a), second)
+    }
+
+    /// The nearest solids of a watch's evaluation, for messages; its groups if it has none. Solids of the job carry
+    /// their group, since a job's nozzle is not a torch's.
+    pub fn nearest_bodies(&self, watch: usize, found: &Evaluation) -> (Message, Message) {
+        let Some(place) = &found.place else { return self.bodies(watch) };
+        let watch = &self.scene.watches()[watch];
+        let (a, b) = watch.groups();
+        let second = match watch {
+            Watch::Apart { .. } => self.solid_body(b, place.solids[1]),
+            Watch::Inside { zones, .. } => permitted(zones[place.solids[1]].name()),
+        };
+        (self.solid_body(a, place.solids[0]), second)
+    }
+
+    fn body(&self, group: usize) -> Message {
+        let name = &self.scene.groups()[group].name;
+        match self.kinds[group] {
+            Kind::Link => Message::verbatim(name),
+            Kind::Part => Message::new("machine-part"),
+            Kind::Fixtures => Message::new("machine-fixtures"),
+            Kind::Forbidden(zone) => {
+                Message::new("machine-forbidden-zone").text("zone", &self.machine.solids.zones[zone].name)
+            }
+            Kind::Permitted(zone) => permitted(&self.machine.solids.zones[zone].name),
+        }
+    }
+
+    fn solid_body(&self, group: usize, solid: usize) -> Message {
+        let of = &self.scene.groups()[group];
+        let name = of.solids[solid].name();
+        match self.kinds[group] {
+            Kind::Part if name != of.name => Message::new("machine-solid-of-part").text("name", name),
+            Kind::Fixtures if name != of.name => Message::new("machine-solid-of-fixtures").text("name", name),
+            Kind::Link => Message::verbatim(name),
+            _ => self.body(group),
         }
     }
 
@@ -240,13 +314,15 @@ struct Build<'a> {
     machine: &'a Machine,
     groups: Vec<Group>,
     links: Vec<usize>,
+    kinds: Vec<Kind>,
     watches: Vec<Watch>,
 }
 
 impl Build<'_> {
-    fn group(&mut self, name: &str, link: usize, solids: Vec<Solid>) -> usize {
+    fn group(&mut self, kind: Kind, name: &str, link: usize, solids: Vec<Solid>) -> usize {
         self.groups.push(Group { name: name.to_owned(), solids });
         self.links.push(link);
+        self.kinds.push(kind);
         self.groups.len() - 1
     }
 
@@ -261,7 +337,7 @@ impl Build<'_> {
             let mut names: Vec<&str> = solids.iter().filter_map(|s| s.name().split(':').next()).collect();
             names.dedup();
             let name = names.join("/");
-            self.group(&name, link, solids);
+            self.group(Kind::Link, &name, link, solids);
         }
         let ignored = &self.machine.solids.ignored;
         for b in 0..self.groups.len() {
@@ -276,31 +352,28 @@ impl Build<'_> {
     }
 
     /// Adds part or fixtures, watched against every link that moves relative to the work.
-    fn clamped(&mut self, name: &str, solids: &[Solid], least_mm: f64) {
+    fn clamped(&mut self, (kind, name): (Kind, &str), solids: &[Solid], least_mm: f64) {
         if solids.is_empty() {
             return;
         }
         let others = self.groups.len();
-        let b = self.group(name, 0, solids.to_vec());
+        let b = self.group(kind, name, 0, solids.to_vec());
         let moving: Vec<usize> = (0..others).filter(|&a| self.links[a] != 0).collect();
         self.watches.extend(moving.into_iter().map(|a| Watch::Apart { a, b, least_mm }));
     }
 
     fn zones(&mut self) {
         let groups = self.groups.len();
-        for zone in &self.machine.solids.zones {
-            let on = match zone.kind {
-                ZoneKind::Forbidden => {
-                    self.group(&format!("forbidden zone {}", zone.name), zone.link, zone.solids.clone())
-                }
-                ZoneKind::Permitted => self.group(&format!("permitted zone {}", zone.name), zone.link, Vec::new()),
+        for (i, zone) in self.machine.solids.zones.iter().enumerate() {
+            let (kind, word, solids) = match zone.kind {
+                ZoneKind::Forbidden => (Kind::Forbidden(i), "forbidden", zone.solids.clone()),
+                ZoneKind::Permitted => (Kind::Permitted(i), "permitted", Vec::new()),
             };
+            let on = self.group(kind, &format!("{word} zone {}", zone.name), zone.link, solids);
             for group in 0..groups {
                 let link = self.links[group];
                 let named = |name: &String| match self.machine.links.frame(name) {
-                    Some(frame) => {
-                        frame.link == link && !["part", "fixtures"].contains(&self.groups[group].name.as_str())
-                    }
+                    Some(frame) => frame.link == link && self.kinds[group] == Kind::Link,
                     None => *name == self.groups[group].name,
                 };
                 let watched = zone.watch.as_ref().map_or(link != zone.link, |names| names.iter().any(named));

@@ -63,6 +63,8 @@ units! {
     Ms = "ms",
     /// Microsecond.
     Us = "us",
+    /// Nanosecond.
+    Ns = "ns",
     /// Hertz.
     Hz = "Hz",
     /// Percent.
@@ -75,6 +77,10 @@ units! {
     V = "V",
     /// Kilovolt.
     KiloV = "kV",
+    /// Newton.
+    N = "N",
+    /// Newton metre.
+    NM = "N m",
     /// Watt.
     W = "W",
     /// Kilowatt.
@@ -105,7 +111,7 @@ impl Unit {
 
     /// Identifier of the unit in catalogues, like `unit-mm-per-s2`.
     pub fn identifier(self) -> String {
-        let name = self.symbol().replace('/', "-per-").replace('^', "").replace('%', "percent");
+        let name = self.symbol().replace('/', "-per-").replace('^', "").replace('%', "percent").replace(' ', "-");
         format!("unit-{name}")
     }
 }

@@ -178,6 +178,5 @@ fn check_letter(axis: &str, kind: AxisKind, address: &str, dialect: Dialect) -> 
     if dialect == Dialect::Pmac || rotary == (kind == AxisKind::Rotary) {
         return Ok(());
     }
-    let (kind, others) = if rotary { ("linear", "the rotary ones") } else { ("rotary", "the linear ones") };
-    Err(Error::WrongLetter { axis: axis.to_owned(), letter, kind, others })
+    Err(Error::WrongLetter { axis: axis.to_owned(), letter, rotary: !rotary })
 }

@@ -3,6 +3,7 @@
 
 use crate::polynomial::{Evenly, POWERS, Polynomial};
 use glam::{DQuat, DVec3};
+use seamwright_message::Message;
 use std::f64::consts::TAU;
 
 /// Meaning of one number of a row.
@@ -99,6 +100,22 @@ pub enum Event {
     Message(Box<str>),
     /// A code of the machine's own, by the name that the machine file gives it.
     Call(Box<str>),
+}
+
+impl Event {
+    /// Returns the event in words.
+    pub(crate) fn message(&self) -> Message {
+        let switched = |on: bool, codes: [&'static str; 2]| Message::new(codes[usize::from(on)]);
+        match self {
+            Self::Arc(on) => switched(*on, ["post-arc-off", "post-arc-on"]),
+            Self::Gas(on) => switched(*on, ["post-gas-off", "post-gas-on"]),
+            Self::Wire(on) => switched(*on, ["post-wire-off", "post-wire-on"]),
+            Self::Output(number, on) => {
+                switched(*on, ["post-output-off", "post-output-on"]).text("number", number.to_string())
+            }
+            Self::Message(text) | Self::Call(text) => Message::new("post-quoted").text("text", text.as_ref()),
+        }
+    }
 }
 
 /// One block of motion, from where the one before ended to its row.

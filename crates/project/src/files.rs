@@ -157,6 +157,9 @@ impl Output {
     /// Writes a file `name` with the output of `fill`.
     fn fill(&mut self, name: &str, fill: impl FnOnce(&mut WholeFile) -> std::io::Result<()>) -> Result<(), Failure> {
         let path = self.folder.join(name);
+        // The name may lead into a folder of its own.
+        let folder = path.parent().unwrap_or(&self.folder);
+        fs::create_dir_all(folder).map_err(|e| not_writable(folder, &e))?;
         let mut file = WholeFile::create(&path).map_err(|e| not_writable(&path, &e))?;
         fill(&mut file).map_err(|e| not_writable(&path, &e))?;
         let closed = file.close().map_err(|e| not_writable(&path, &e))?;
@@ -171,12 +174,7 @@ impl Output {
         let to = self.folder.join(name);
         match fs::read(&to) {
             Ok(there) if there == bytes => Ok(()),
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => {
-                // The name may lead into a folder of its own.
-                let folder = to.parent().unwrap_or(&self.folder);
-                fs::create_dir_all(folder).map_err(|e| not_writable(folder, &e))?;
-                self.fill(name, |file| file.write_all(&bytes))
-            }
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => self.fill(name, |file| file.write_all(&bytes)),
             _ => Err(Failure::Input(format!(
                 "{}: another file stands where the copy of {} should go\n   allowed: another output folder",
                 to.display(),

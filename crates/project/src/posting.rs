@@ -3,6 +3,7 @@
 use crate::Failure;
 use crate::load::Loaded;
 use seamwright_machine::Machine;
+use seamwright_message::Message;
 use seamwright_motion::WeldMotion;
 use seamwright_post::{
     Control, Error, Feed, Level, Options, PartProgram, Planned, ReadOptions, Verification, WriteOptions, part_program,
@@ -16,7 +17,7 @@ pub enum Unproven {
     /// It cannot be made.
     Failure(Failure),
     /// Differences of the text read back from the plan: a line each.
-    Wrong(Vec<String>),
+    Wrong(Vec<Message>),
 }
 
 impl From<Failure> for Unproven {
@@ -69,7 +70,7 @@ fn prove(part: &PartProgram, text: &str, level: Level, planned: Planned) -> Resu
     let start = start(planned.machine, planned.control);
     let options = ReadOptions { lenient: false, level, start: Some(start.clone()) };
     let back =
-        read(planned.control, "the part program", text, &options).map_err(|e| Unproven::Wrong(vec![e.to_string()]))?;
+        read(planned.control, "the part program", text, &options).map_err(|e| Unproven::Wrong(vec![e.located()]))?;
     verify(part, &back.program, &start, planned).map_err(Unproven::Wrong)
 }
 

@@ -1,13 +1,12 @@
-use thiserror::Error;
+use seamwright_message::{Message, display_by_message};
 
 /// Maximum width and height of a frame, pixels.
 pub const MAX_SIDE: usize = 16384;
 
 /// Errors of a frame's size and pixel count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FrameError {
     /// A side is 0 or above 16384 pixels.
-    #[error("a frame of {width} x {height} pixels: sides are 1 to {MAX_SIDE}")]
     Size {
         /// Pixels per row.
         width: usize,
@@ -15,7 +14,6 @@ pub enum FrameError {
         height: usize,
     },
     /// The number of pixels is not width times height.
-    #[error("{found} pixels for a frame of {width} x {height}, which has {}", width * height)]
     Count {
         /// Pixels per row.
         width: usize,
@@ -24,6 +22,21 @@ pub enum FrameError {
         /// Pixels given.
         found: usize,
     },
+}
+
+display_by_message!(FrameError);
+
+impl FrameError {
+    /// Returns the description of the error.
+    pub fn message(&self) -> Message {
+        let sized = |code, width, height| Message::new(code).count("width", width).count("height", height);
+        match *self {
+            Self::Size { width, height } => sized("vision-frame-size", width, height).count("max", MAX_SIDE),
+            Self::Count { width, height, found } => {
+                sized("vision-frame-pixels", width, height).count("found", found).count("needed", width * height)
+            }
+        }
+    }
 }
 
 /// Grey values of a frame, row by row from the top.

@@ -98,7 +98,7 @@ pub fn teach<E: From<FrameError>>(
         command = match command {
             Command::Move(pose) => match rig.go(&pose) {
                 Ok(()) => crawl.next(Event::Reached),
-                Err(why) => crawl.next(Event::Refused(why.to_string().into())),
+                Err(why) => crawl.next(Event::Refused(why)),
             },
             Command::Look => {
                 let Some(frame) = rig.frame()? else { return Ok(run) };
@@ -116,7 +116,6 @@ pub fn teach<E: From<FrameError>>(
                 next
             }
             Command::Ask(why) => {
-                let why: Message = why.into();
                 let answer = operator.answer(&why, crawl);
                 run.asked.push(why);
                 crawl.next(Event::Operator(answer))

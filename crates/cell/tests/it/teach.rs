@@ -349,7 +349,7 @@ fn limits_and_zones_end_it() {
         let bench = Bench { machine: Machine::read("m.toml", &text).unwrap(), ..Bench::new(S_CURVE, None) };
         let taught = teach(&bench, (PLACED_WRONG, &[], 1), &mut no_one());
         let Some(End::Limit(why)) = &taught.run.end else { panic!("{:?}", taught.run.end) };
-        assert!(why.contains(what), "{why}");
+        assert!(why.to_string().contains(what), "{why}");
         // The last frame shows some way beyond it.
         assert!(taught.line.length() > 100.0 && taught.line.length() < 250.0, "{}", taught.line.length());
         let x = bench.machine.axis("x").unwrap();

@@ -221,7 +221,7 @@ fn scenes_that_say_nothing_are_refused() {
     assert_eq!(scene(apart(0, 2)), ClearanceError::NoSuchGroup { watch: 0, group: 2 });
     assert_eq!(scene(apart(1, 1)), ClearanceError::Endless { watch: 0, group: "floor".into() });
     for least_mm in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert_eq!(scene(Watch::Apart { a: 0, b: 1, least_mm }), ClearanceError::Least { watch: 0 });
+        assert_eq!(scene(Watch::Apart { a: 0, b: 1, least_mm }), ClearanceError::Minimum { watch: 0 });
     }
     let inside = |group, zones| Watch::Inside { group, of: 1, zones, least_mm: 0.0 };
     assert_eq!(scene(inside(0, vec![])), ClearanceError::NoZone { watch: 0 });
@@ -231,5 +231,5 @@ fn scenes_that_say_nothing_are_refused() {
     let fine = Scene::new(groups(), vec![apart(1, 0)]).unwrap();
     assert_eq!(fine.watches()[0].groups(), (0, 1));
     let no = fine.along(&straight(DVec3::ZERO, DVec3::X), 1, &Limits { smallest: 0.0, ..LIMITS });
-    assert_eq!(no.unwrap_err(), ClearanceError::Limit { what: "the smallest cell" });
+    assert_eq!(no.unwrap_err(), ClearanceError::Limit { what: "clearance-smallest-cell" });
 }

@@ -115,7 +115,7 @@ fn mistakes_in_toml_have_an_address_and_a_cure() {
         ("shape = {}", "solid[0].shape", "exactly one"),
         ("shape.sphere = { radius_mm = 1 }, colour = 1", "solid[0].colour", "there is no key `colour`"),
         ("name = \"a\"", "solid[0].shape", "the key `shape` is missing"),
-        ("shape.stl = { file = \"other.stl\" }", "solid[0].shape.stl.file", "cannot be read: no such file"),
+        ("shape.stl = { file = \"other.stl\" }", "solid[0].shape.stl.file", "could not be read: no such file"),
         ("shape.half_space = { normal = [0, 0, 0] }", "solid[0].shape.half_space.normal", "no length"),
     ] {
         let error = build(&format!("solid = [\n {{ {solid} }},\n]"), None).unwrap_err();
@@ -149,15 +149,15 @@ fn every_mistake_in_an_stl_is_named() {
     let cases: Vec<(&str, Vec<u8>, &str, &str)> = vec![
         ("text", b"PK\x03\x04 a zip file, say".to_vec(), "this is not an STL file", "ASCII or binary"),
         ("empty", Vec::new(), "this is not an STL file", "ASCII or binary"),
-        ("prose", b"solid state physics\nis a science\n and so on\n".to_vec(), "`is a science` means nothing", "ASCII"),
-        ("words", text.replace("vertex 1 ", "vertex one ").into_bytes(), "a corner has three numbers", "ASCII"),
+        ("prose", b"solid state physics\nis a science\n and so on\n".to_vec(), "unknown word `is a science`", "ASCII"),
+        ("words", text.replace("vertex 1 ", "vertex one ").into_bytes(), "must have three numbers", "ASCII"),
         (
             "corners",
             text.replacen("endloop\n endfacet\n", "vertex 1 2 3\n endfacet\n", 1).into_bytes(),
             "4 corners",
             "",
         ),
-        ("cut binary", binary(&cube())[..400].to_vec(), "cut short: 6 of 12 triangles", "copy or export it again"),
+        ("cut binary", binary(&cube())[..400].to_vec(), "truncated: 6 of 12 triangles", "copy or export it again"),
         ("cut ascii", text.as_bytes()[..cut].to_vec(), "`endsolid` is missing after 12", "export it again"),
         ("cut word", text.as_bytes()[..cut / 2].to_vec(), "`endsolid` is missing after", "export it again"),
         (

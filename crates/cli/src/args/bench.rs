@@ -1,4 +1,4 @@
-//! Arguments of `seamwright bench`.
+//! Arguments of `seamwright tools bench`.
 
 use clap::{Args, Subcommand, ValueEnum};
 
@@ -20,7 +20,7 @@ pub(crate) enum BenchVerb {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright bench faults --seeds 10
+#[command(after_help = "Example: seamwright tools bench faults --seeds 10
 The cell is that of the example saddle. Exit code 1 if a case does not end as it must.")]
 pub(crate) struct BenchFaultsArgs {
     /// Moments at which each fault comes
@@ -32,7 +32,7 @@ pub(crate) struct BenchFaultsArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright bench tracking --seeds 10 > tracking.md
+#[command(after_help = "Example: seamwright tools bench tracking --seeds 10 > tracking.md
 Welds are the same for the same number. Gates that are not kept are marked; they do not change the exit code.")]
 pub(crate) struct BenchTrackingArgs {
     /// Welds of each kind; the worst counts
@@ -60,7 +60,7 @@ pub(crate) enum TrackingTable {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright bench vision --frames 200 > vision.md
+#[command(after_help = "Example: seamwright tools bench vision --frames 200 > vision.md
 Frames are the same for the same number. Gates that are not kept are marked; they do not change the exit code.")]
 pub(crate) struct BenchVisionArgs {
     /// Frames of each kind

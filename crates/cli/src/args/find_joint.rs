@@ -1,4 +1,4 @@
-//! Arguments of `seamwright find-joint`.
+//! Arguments of `seamwright vision joint`.
 
 use clap::Args;
 use std::path::PathBuf;
@@ -7,9 +7,9 @@ use std::path::PathBuf;
 #[command(
     allow_negative_numbers = true,
     after_help = "Examples:
-  seamwright find-joint frame.png --start 40,256 --direction-deg 0 > midline.csv
-  seamwright find-joint frame.png --start 40,256 --direction-deg 0 --width-px 6 --overlay seen.png
-  seamwright find-joint frame.png --start 40,256 --direction-deg 0 --zone-px 0,200,511,320 --json
+  seamwright vision joint frame.png --start 40,256 --direction-deg 0 > midline.csv
+  seamwright vision joint frame.png --start 40,256 --direction-deg 0 --width-px 6 --overlay seen.png
+  seamwright vision joint frame.png --start 40,256 --direction-deg 0 --zone-px 0,200,511,320 --json
 Pixel centres have whole coordinates, x to the right, y down, 0,0 the first; directions turn from x to y, clockwise as
 seen. The last line on standard error says why the line ends: left-image, joint-end, closed or lost. Exit code 1 if
 there is no joint at the start."

@@ -1,13 +1,13 @@
-//! Arguments of `seamwright follow`.
+//! Arguments of `seamwright tools follow`.
 
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright seam examples/trunnion-saddle.toml --every-mm 0.5 > seam.csv
-         seamwright follow seam.csv --machine table-tilting-xyzac --speed-mm-s 10 > set-points.csv
+#[command(after_help = "Example: seamwright tools seam examples/trunnion-saddle.toml --every-mm 0.5 > seam.csv
+         seamwright tools follow seam.csv --machine table-tilting-xyzac --speed-mm-s 10 > set-points.csv
 Points are axis positions (one column an axis, mm or degrees) or places of the tip (x_mm,y_mm,z_mm and, if the torch
-is not to point straight down, its direction ax,ay,az or the bisector bx,by,bz of `seamwright seam`). A turn by more
+is not to point straight down, its direction ax,ay,az or the bisector bx,by,bz of `seamwright tools seam`). A turn by more
 than 30 degrees is a corner. Read and planned as it goes, in constant memory: a file of
 any length will do. If a point cannot be reached, or the machine's own shapes come too near to each other, the motion ends at rest before it and the exit code is 1.")]
 pub(crate) struct FollowArgs {

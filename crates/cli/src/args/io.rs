@@ -1,11 +1,11 @@
-//! Arguments of `seamwright io`.
+//! Arguments of `seamwright machine io`.
 
 use clap::Args;
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  seamwright io my-machine.toml
-  seamwright io my-machine.toml --every-s 0.5 --times 20
+  seamwright machine io my-machine.toml
+  seamwright machine io my-machine.toml --every-s 0.5 --times 20
 It only reads, outputs too: a cell may run at the same time, and a watchdog is not kept alive. Exit code 3 if a device cannot be
 reached.")]
 pub(crate) struct IoArgs {

@@ -1,5 +1,9 @@
 //! Arguments of `seamwright machine`.
 
+use super::KinematicsArgs;
+use super::io::IoArgs;
+use super::move_to::MoveArgs;
+use super::run::LatencyArgs;
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -11,12 +15,38 @@ pub(crate) struct MachineArgs {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum MachineVerb {
+    /// List the machines that ship
+    List(ListMachinesArgs),
+    /// Print the file of a machine that ships
+    Show(ShowArgs),
     /// The work offset from touched points: where the part stands in the machine
     Place(PlaceArgs),
     /// Test a machine file on itself: inverse, Jacobian, units, singular places, reach; draw its axes
     Check(CheckMachineArgs),
     /// Tune the position loops on the drives of a machine file, in simulation, and measure their margins
     Tune(TuneArgs),
+    /// Forward or inverse kinematics of rows on standard input
+    Kinematics(KinematicsArgs),
+    /// Synchronised point-to-point move of all axes, jerk-limited and checked for collisions, as set-points
+    Move(MoveArgs),
+    /// The registers of a machine's devices by name: raw, scaled, age; once or live
+    Io(IoArgs),
+    /// How late a cycle of a fixed period begins on this computer
+    Latency(LatencyArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ListMachinesArgs {
+    /// JSON instead of a table
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright machine show torch-5axis > machine.toml")]
+pub(crate) struct ShowArgs {
+    /// Machine that ships
+    pub(crate) name: String,
 }
 
 #[derive(Debug, Args)]

@@ -1,11 +1,11 @@
-//! Arguments of `seamwright move`.
+//! Arguments of `seamwright machine move`.
 
 use clap::Args;
 
 #[derive(Debug, Args)]
 #[command(
     allow_negative_numbers = true,
-    after_help = "Example: seamwright move torch-5axis --to x=200,z=120,b=-15 --period-ms 1 > set-points.csv
+    after_help = "Example: seamwright machine move torch-5axis --to x=200,z=120,b=-15 --period-ms 1 > set-points.csv
 Exit code 1 if something would come too near; parts are not known here, only what the machine file describes."
 )]
 pub(crate) struct MoveArgs {

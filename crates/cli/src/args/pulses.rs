@@ -1,4 +1,4 @@
-//! Arguments of `seamwright pulses`.
+//! Arguments of `seamwright tools pulses`.
 
 use clap::Args;
 use std::path::PathBuf;
@@ -7,9 +7,9 @@ use std::path::PathBuf;
 #[command(
     allow_negative_numbers = true,
     after_help = "Examples:
-  seamwright pulses examples/head-nozzle.toml --period-ms 1 -o head-nozzle.vcd
-  seamwright pulses examples/head-nozzle.toml --period-ms 1 > pulses.csv
-  seamwright pulses examples/head-nozzle.toml --motors --json"
+  seamwright tools pulses examples/head-nozzle.toml --period-ms 1 -o head-nozzle.vcd
+  seamwright tools pulses examples/head-nozzle.toml --period-ms 1 > pulses.csv
+  seamwright tools pulses examples/head-nozzle.toml --motors --json"
 )]
 pub(crate) struct PulsesArgs {
     /// Job or program file, or the name of an example

@@ -1,4 +1,4 @@
-//! Arguments of `seamwright read`.
+//! Arguments of `seamwright import`.
 
 use super::post::{DialectArg, LevelArg};
 use clap::Args;
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 #[command(after_help = "Example:
-  seamwright read examples/ebw-fig1.mpf --machine ebw-7axis -o fig1.toml
+  seamwright import examples/ebw-fig1.mpf --machine ebw-7axis -o fig1.toml
   seamwright simulate fig1.toml -o out/fig1
 What is not understood is an error with its line and column. Times of blocks are those of the control's own rule for
 feeds. A pass begins where the part program calls a sub-program, where the arc goes on or off, and where the control

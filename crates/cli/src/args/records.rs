@@ -4,7 +4,6 @@ use clap::{Args, Subcommand};
 use seamwright_record::InvalidMoment;
 use seamwright_record::Moment;
 use seamwright_record::library::WeldResult;
-use seamwright_report::Language;
 use std::path::PathBuf;
 
 /// Where and how a weld is recorded.
@@ -108,9 +107,6 @@ pub(crate) struct ExportArgs {
     /// Folder for trace.parquet, report.html, record.json and program.toml; made if missing
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: PathBuf,
-    /// Language of the report: en, uk, zh, de, ru
-    #[arg(long, value_name = "CODE", default_value = "en")]
-    pub(crate) language: Language,
     #[command(flatten)]
     pub(crate) data: DataArgs,
 }

@@ -1,4 +1,4 @@
-//! Arguments of `seamwright run` and `seamwright latency`.
+//! Arguments of `seamwright run` and `seamwright machine latency`.
 
 use super::PlanningArgs;
 use super::part::PartArgs;
@@ -61,7 +61,7 @@ fn place(text: &str) -> Result<Place, String> {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright latency --period-ms 1 --seconds 10")]
+#[command(after_help = "Example: seamwright machine latency --period-ms 1 --seconds 10")]
 pub(crate) struct LatencyArgs {
     /// Period of the cycle, ms
     #[arg(long, value_name = "T", default_value_t = 1.0)]

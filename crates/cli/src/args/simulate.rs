@@ -4,7 +4,6 @@ use super::PlanningArgs;
 use super::part::PartArgs;
 use super::records::RecordArgs;
 use clap::Args;
-use seamwright_report::Language;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -34,9 +33,6 @@ pub(crate) struct SimulateArgs {
     pub(crate) fault: Vec<seamwright_cell::devices::Fault>,
     #[command(flatten)]
     pub(crate) record: RecordArgs,
-    /// Language of the report: en, uk, zh, de, ru
-    #[arg(long, value_name = "CODE", default_value = "en")]
-    pub(crate) language: Language,
     /// Print report.json instead of a summary
     #[arg(long)]
     pub(crate) json: bool,

@@ -1,4 +1,4 @@
-//! Arguments of `seamwright stripe`.
+//! Arguments of `seamwright vision stripe`.
 
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -7,9 +7,9 @@ use std::path::PathBuf;
 #[command(
     allow_negative_numbers = true,
     after_help = "Examples:
-  seamwright stripe frame.png --joint fillet --machine dual-laser-10axis --sensor left --overlay seen.png
-  seamwright stripe frame.png --joint v --mm-per-px 0.05
-  seamwright stripe profile.csv --joint lap --thickness-mm 2 --json
+  seamwright vision stripe frame.png --joint fillet --machine dual-laser-10axis --sensor left --overlay seen.png
+  seamwright vision stripe frame.png --joint v --mm-per-px 0.05
+  seamwright vision stripe profile.csv --joint lap --thickness-mm 2 --json
 A profile is CSV with the columns y_mm,z_mm; places without numbers are missing. An image is PNG, JPEG or PNM, its
 stripe runs from left to right. Out: a row a feature, then a row a value with where it belongs. Without --machine or
 --mm-per-px lengths are in pixels. Exit code 1 if there is no such joint, or it is too uncertain to be followed; the last

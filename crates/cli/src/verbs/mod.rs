@@ -29,6 +29,7 @@ pub(crate) mod schema;
 pub(crate) mod seam;
 pub(crate) mod section;
 pub(crate) mod serve;
+pub(crate) mod shell;
 pub(crate) mod simulate;
 pub(crate) mod stripe;
 pub(crate) mod teach;

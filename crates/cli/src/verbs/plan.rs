@@ -30,18 +30,18 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let posts = dialects.into_iter().map(|dialect| post(&loaded, &motion, dialect));
     let posts: Vec<(PostFigures, String)> = posts.collect::<Result<_, _>>()?;
     let mut output = Output::new(&args.output.clone().unwrap_or_else(|| usual_output(&args.job)))?;
-    let (mut report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, args.language);
+    let (mut report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, Language::of_process());
     for (figures, text) in posts {
         output.text(&figures.file, &text)?;
         report.posts.push(figures);
     }
     write_program(&mut output, &loaded)?;
-    write_report(&mut output, (&report, &plots), &loaded.welding, args.language)?;
-    for (i, plots) in plots.iter().enumerate() {
+    write_report(&mut output, (&report, &plots), &loaded.welding, Language::of_process())?;
+    for (i, plots) in plots.iter().enumerate().filter(|_| args.plots) {
         for (name, svg) in plots.files() {
             // The first pass's plots have the plain names.
             let name = if i == 0 { name } else { format!("pass-{}-{name}", i + 1) };
-            output.text(&name, &svg)?;
+            output.text(&format!("plots/{name}"), &svg)?;
         }
     }
     if let Some(cut) = &loaded.welding.cut {

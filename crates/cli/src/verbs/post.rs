@@ -45,7 +45,7 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     }
     if args.verify {
         let mut err = io::stderr().lock();
-        proof.lines().iter().try_for_each(|line| writeln!(err, "{line}"))?;
+        proof.messages().iter().try_for_each(|line| writeln!(err, "{line}"))?;
     }
     match &args.output {
         Some(path) => files::write(path, &text),

@@ -28,7 +28,7 @@ struct Summary<'a> {
     seconds: f64,
     passes: Vec<PassSummary<'a>>,
     left_out: Vec<String>,
-    notes: &'a [String],
+    notes: Vec<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -125,6 +125,6 @@ fn summary<'a>(
             })
             .collect(),
         left_out: left_out.map(|l| format!("{}:{}: {}: {}", l.line, l.column, l.text, l.why)).collect(),
-        notes: &reading.notes,
+        notes: reading.notes.iter().map(ToString::to_string).collect(),
     }
 }

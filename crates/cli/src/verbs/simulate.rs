@@ -17,6 +17,7 @@ use seamwright_cell::executive::{Command, Cycle, Executive, Note, Place, Port, S
 use seamwright_cell::realtime::Shown;
 use seamwright_cell::{Conditions, Judge, Sample, SimulatedCell, Summary};
 use seamwright_machine::Machine;
+use seamwright_message::Language;
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_project::recording::Header;
 use seamwright_report::{SimulationCurves, WeldReport};
@@ -66,7 +67,7 @@ pub(super) fn weld(
     let mut desk = if conditions.faults.is_empty() { desk.quiet() } else { desk };
     desk.ends();
     let (outcome, rows, ended) = trace((loaded, motion), (&cell, conditions), &mut desk, (output, &args.record))?;
-    let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome), args.language);
+    let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome), Language::of_process());
     for (i, pass) in report.passes.iter().enumerate() {
         // One head: a beam.
         let heads = pass.simulation.iter().flat_map(|summary| &summary.heads);
@@ -80,7 +81,7 @@ pub(super) fn weld(
     }
     let files = files.map(|(name, text)| (name.to_owned(), text)).into();
     rows.finish(&report, (files, desk.happened()), desk.was_stopped(), output)?;
-    write_report(output, (&report, &plots), welding, args.language)?;
+    write_report(output, (&report, &plots), welding, Language::of_process())?;
     Ok((report, desk))
 }
 

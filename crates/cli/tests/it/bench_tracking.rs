@@ -1,4 +1,4 @@
-//! `seamwright bench tracking`: tables of few welds.
+//! `seamwright tools bench tracking`: tables of few welds.
 
 use crate::common::{bad, good};
 use serde_json::Value;

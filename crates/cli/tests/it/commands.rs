@@ -1,4 +1,4 @@
-//! `seamwright motion --commands`: the run under an operator's commands, and files that are refused.
+//! `seamwright tools motion --commands`: the run under an operator's commands, and files that are refused.
 
 use crate::common::{self, column, example, good, run, table};
 use std::fs;

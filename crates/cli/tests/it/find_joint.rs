@@ -1,4 +1,4 @@
-//! `seamwright find-joint`: a painted joint whose midline is known, photographs with hand-read points, and the errors
+//! `seamwright vision joint`: a painted joint whose midline is known, photographs with hand-read points, and the errors
 //! of other images.
 
 use crate::common::{bad, good, root, run};

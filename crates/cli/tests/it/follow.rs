@@ -1,4 +1,4 @@
-//! `seamwright follow`: points of any spacing become the same motion, within limits; errors have their line.
+//! `seamwright tools follow`: points of any spacing become the same motion, within limits; errors have their line.
 
 use crate::common::{self, column, run, run_with, table};
 use std::f64::consts::TAU;

@@ -56,7 +56,7 @@ fn remarks_name_their_line_and_do_not_fail() {
     fs::write(&path, slipped).unwrap();
     let summary = good(&["machine", "check", &path.display().to_string(), "--poses", "100"]);
     assert!(summary.contains(&format!("remark       line {line}: tool[0].max_speed_mm_s = 6000")), "{summary}");
-    assert!(summary.contains("cure: the speed in mm/s; mm/min may have been meant"), "{summary}");
+    assert!(summary.contains("cure: give the speed in mm/s; mm/min may have been meant"), "{summary}");
 }
 
 #[test]

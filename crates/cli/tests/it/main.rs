@@ -8,6 +8,7 @@ mod common;
 mod edit;
 mod find_joint;
 mod follow;
+mod grouped_verbs;
 mod killed;
 mod languages;
 mod machine_check;

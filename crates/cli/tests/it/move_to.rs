@@ -1,4 +1,4 @@
-//! `seamwright move`: set-points that start and end where they should, within limits; mistakes by name.
+//! `seamwright machine move`: set-points that start and end where they should, within limits; mistakes by name.
 
 use crate::common::{column, good, run, table};
 

@@ -8,10 +8,10 @@ use std::fs;
 fn a_radiator_is_welded_back_and_forth() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("weld").display().to_string();
-    let summary = good(&["plan", &example("radiator"), "-o", &out]);
+    let summary = good(&["plan", &example("radiator"), "-o", &out, "--plots"]);
     assert!(summary.contains("row 2, 6"), "{summary}");
     let file = |name: &str| fs::read_to_string(folder.path().join("weld").join(name)).unwrap();
-    let svg = file("order.svg");
+    let svg = file("plots/order.svg");
     assert!((1..=12).all(|number| svg.contains(&format!(">{number}</text>"))), "{svg}");
     assert!(file("report.html").contains("Passes in the order of welding"));
     let planned: Value = serde_json::from_str(&file("report.json")).unwrap();

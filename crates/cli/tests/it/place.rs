@@ -191,11 +191,11 @@ fn bad_input_is_refused_with_its_place() {
             "x_mm,y_mm,z_mm,feature\n1,2,3,shell\n".to_owned(),
             vec!["input:2: feature = `shell`", "nozzle, body"],
         ),
-        (vec![], "x_mm,y_mm,z_mm,feature\n".to_owned(), vec!["too few", "0, and at least 1"]),
+        (vec![], "x_mm,y_mm,z_mm,feature\n".to_owned(), vec!["too few", "0 given, at least 1"]),
         (
             vec!["--method", "three-point"],
             three.to_owned() + "0,0,0,1,1,1\n",
-            vec!["too few points of the frame: 1, and at least 3"],
+            vec!["too few points of the frame: 1 given, at least 3"],
         ),
         (
             vec!["--method", "three-point"],
@@ -206,9 +206,9 @@ fn bad_input_is_refused_with_its_place() {
         (
             vec!["--method", "plane-line-point"],
             "x_mm,y_mm,z_mm,feature\n0,0,0,plane\n".to_owned(),
-            vec!["points of the plane: 1, and at least 3"],
+            vec!["points of the plane: 1 given, at least 3"],
         ),
-        (vec!["--method", "chuck"], "x_mm,y_mm,z_mm\n0,1,2\n".to_owned(), vec!["points of the tube: 1,"]),
+        (vec!["--method", "chuck"], "x_mm,y_mm,z_mm\n0,1,2\n".to_owned(), vec!["points of the tube: 1 given,"]),
         (vec!["--method", "three-point", "--probe-radius-mm", "1"], String::new(), vec!["--probe-radius-mm 1"]),
         (vec!["--probe-radius-mm", "-1"], String::new(), vec!["--probe-radius-mm -1", "0 to 1000"]),
         (vec!["--largest-mm", "0"], String::new(), vec!["--largest-mm 0", "greater than 0"]),

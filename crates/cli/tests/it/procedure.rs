@@ -34,7 +34,7 @@ fn a_plan_that_leaves_its_procedure_is_written_and_has_exit_code_1() {
     let folder = tempfile::tempdir().unwrap();
     let path = job(folder.path(), &[], &[("current_a = 240", "current_a = { from = 200, to = 290 }")]);
     let out = folder.path().join("out");
-    let output = run(&["plan", &path, "-o", &out.display().to_string()]);
+    let output = run(&["plan", &path, "-o", &out.display().to_string(), "--plots"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&output.stderr).contains("current_a is 290 at s = 1600.834 mm"));
     let report: serde_json::Value =
@@ -52,7 +52,7 @@ fn a_plan_that_leaves_its_procedure_is_written_and_has_exit_code_1() {
     {
         assert!(page.contains(word), "{word}");
     }
-    assert!(out.join("heat-input.svg").exists() && out.join("position.svg").exists());
+    assert!(out.join("plots/heat-input.svg").exists() && out.join("plots/position.svg").exists());
     // The program holds its procedure and is judged alike; verbs that would weld refuse it.
     let program = out.join("program.toml").display().to_string();
     let again = run(&["check", &program]);

@@ -1,5 +1,5 @@
-//! `seamwright pulses`: the value change dump read by a small parser of the format alone, against the set-points of
-//! `seamwright motion`; the same as CSV; refusals.
+//! `seamwright tools pulses`: the value change dump read by a small parser of the format alone, against the set-points of
+//! `seamwright tools motion`; the same as CSV; refusals.
 
 use crate::common::{column, example, good, root, run, run_with, table};
 use std::collections::BTreeMap;

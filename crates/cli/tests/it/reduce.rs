@@ -1,4 +1,4 @@
-//! `seamwright reduce`: the table of a small path to the last digit, the taught joint that ships, errors with their
+//! `seamwright tools reduce`: the table of a small path to the last digit, the taught joint that ships, errors with their
 //! address.
 
 use crate::common::{column, good, root, run, run_with, table};

@@ -1,4 +1,4 @@
-//! `seamwright stripe`: simulated images and profiles whose joint is known, and the errors of others.
+//! `seamwright vision stripe`: simulated images and profiles whose joint is known, and the errors of others.
 
 use crate::common::{bad, column, good, root, run, run_with, table};
 use seamwright_cell::eyes::stripe::{Placement, Section, StripeDisturbances, StripeScene};

@@ -23,14 +23,14 @@ fn write(folder: &Path, name: &str, text: &str) -> String {
 fn the_taught_saddle_plans_without_a_stop() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out").display().to_string();
-    let (code, text) = with(folder.path(), &["plan", &example("taught-saddle"), "-o", &out]);
+    let (code, text) = with(folder.path(), &["plan", &example("taught-saddle"), "-o", &out, "--plots"]);
     assert_eq!(code, 0, "{text}");
     let report = fs::read_to_string(folder.path().join("out/report.json")).unwrap();
     let report: serde_json::Value = serde_json::from_str(&report).unwrap();
     let kinds: Vec<&str> = report["findings"].as_array().unwrap().iter().filter_map(|f| f["kind"].as_str()).collect();
     assert!(!kinds.contains(&"stop") && !kinds.contains(&"blend") && !kinds.contains(&"speed"), "{kinds:?}");
     assert!((report["plan"]["least_speed_mm_s"].as_f64().unwrap() - 10.0).abs() < 1e-6);
-    let svg = fs::read_to_string(folder.path().join("out/taught-1.svg")).unwrap();
+    let svg = fs::read_to_string(folder.path().join("out/plots/taught-1.svg")).unwrap();
     assert!(svg.contains("Distance from the nominal seam") && svg.contains("taught points"));
     assert!(fs::read_to_string(folder.path().join("out/report.html")).unwrap().contains("Taught spans"));
 }
@@ -63,7 +63,7 @@ fn recorded_positions_are_the_points() {
     assert_eq!(with(folder.path(), &["plan", &job, "-o", &out]).0, 0);
     let program = fs::read_to_string(folder.path().join("out/program.toml")).unwrap();
     assert!(program.contains("points_mm") && !program.contains("axes = ["));
-    let (code, text) = with(folder.path(), &["plan", &write(folder.path(), "p.toml", &program), "-o", &out]);
+    let (code, text) = with(folder.path(), &["plan", &write(folder.path(), "p.toml", &program), "-o", &out, "--plots"]);
     assert_eq!(code, 0, "{text}");
 
     let refused = |from: &str, to: &str, words: &[&str]| {
@@ -88,7 +88,7 @@ fn tables_weld_and_programs_hold_their_points() {
     let path = write(folder.path(), "job.toml", job);
     write(folder.path(), "joint.csv", TABLE);
     let out = folder.path().join("out").display().to_string();
-    let (code, text) = with(folder.path(), &["plan", &path, "-o", &out]);
+    let (code, text) = with(folder.path(), &["plan", &path, "-o", &out, "--plots"]);
     assert_eq!(code, 0, "{text}");
     let alone = tempfile::tempdir().unwrap();
     let program = fs::read_to_string(folder.path().join("out/program.toml")).unwrap();

@@ -1,4 +1,4 @@
-//! `seamwright motion` with two levels: fine set-points by way of coarse ones, and the output for other controls.
+//! `seamwright tools motion` with two levels: fine set-points by way of coarse ones, and the output for other controls.
 
 use crate::common::{column, example, good, run, table};
 

@@ -55,7 +55,7 @@ pub fn best_fit(touches: &[Touch], start: &DAffine3, growing: bool) -> Result<Be
         return Err(Error::NoFit);
     }
     if touches.is_empty() {
-        return Err(Error::TooFewPoints { what: "the surfaces", given: 0, least: 1 });
+        return Err(Error::TooFewPoints { what: "geometry-points-surfaces", given: 0, min: 1 });
     }
     if growing {
         let fit = anywhere_near::<7>(touches, start)?;

@@ -21,23 +21,25 @@ pub struct DatumFit {
 /// `nominal` placement.
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] with fewer than 3, 2 and 1 touches; [`Error::Gathered`] if those of the plane lie on a line
-/// or those of the line at one position.
+/// [`Error::TooFewPoints`] with fewer than 3, 2 and 1 touches; [`Error::OneLine`] if those of the plane lie on a
+/// line, [`Error::OnePosition`] if those of the line are at one position.
 pub fn plane_line_point(
     (plane, line, point): (&[DVec3], &[DVec3], &[DVec3]),
     radius: f64,
     nominal: &DAffine3,
 ) -> Result<DatumFit, Error> {
-    for (what, given, least) in [("the plane", plane, 3), ("the line", line, 2), ("the point", point, 1)] {
+    for (what, given, least) in
+        [("geometry-points-plane", plane, 3), ("geometry-points-line", line, 2), ("geometry-points-point", point, 1)]
+    {
         if given.len() < least {
-            return Err(Error::TooFewPoints { what, given: given.len(), least });
+            return Err(Error::TooFewPoints { what, given: given.len(), min: least });
         }
     }
-    let (directions, middle) = spread(plane, "the plane", 1)?;
+    let (directions, middle) = spread(plane, "geometry-points-plane", 1)?;
     let along = |v: DVec3, like: DVec3| if v.dot(like) < 0.0 { -v } else { v };
     let z = along(directions.z_axis, nominal.matrix3.z_axis);
     let flat: Vec<DVec3> = line.iter().map(|p| *p - (*p - middle).dot(z) * z).collect();
-    let (directions, on_line) = spread(&flat, "the line", 0)?;
+    let (directions, on_line) = spread(&flat, "geometry-points-line", 0)?;
     let x = along(directions.x_axis, nominal.matrix3.x_axis);
     let x = (x - x.dot(z) * z).normalize();
     let y = z.cross(x);

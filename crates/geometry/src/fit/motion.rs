@@ -1,4 +1,5 @@
 use glam::{DAffine3, DVec3};
+use seamwright_message::{Message, Unit};
 use std::fmt;
 
 /// A small rigid motion that measured points do not determine.
@@ -33,22 +34,28 @@ impl Motion {
 /// A pitch that is rounding, mm a turn.
 const NO_PITCH_MM: f64 = 1e-3;
 
-impl fmt::Display for Motion {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+impl Motion {
+    /// Returns the description of the motion.
+    pub fn message(&self) -> Message {
         // `+ 0.0` turns a rounded negative zero into zero.
         let round = |v: f64, digits: f64| (v * digits).round() / digits + 0.0;
         let vector = |v: DVec3, d: f64| format!("({}, {}, {})", round(v.x, d), round(v.y, d), round(v.z, d));
         match self {
-            Self::Along(direction) => write!(f, "moving along {}", vector(*direction, 1e4)),
+            Self::Along(direction) => Message::new("geometry-motion-along").text("direction", vector(*direction, 1e4)),
             Self::About { point, direction, pitch } => {
-                let (direction, point) = (vector(*direction, 1e4), vector(*point, 1e2));
-                write!(f, "turning about the axis along {direction} through {point} mm")?;
-                if pitch.abs() > NO_PITCH_MM {
-                    write!(f, ", {} mm along it a turn", round(*pitch, 1e2))?;
-                }
-                Ok(())
+                let screw = pitch.abs() > NO_PITCH_MM;
+                let code = if screw { "geometry-motion-screw" } else { "geometry-motion-about" };
+                let message =
+                    Message::new(code).text("direction", vector(*direction, 1e4)).text("point", vector(*point, 1e2));
+                if screw { message.value("pitch", round(*pitch, 1e2), Unit::Mm) } else { message }
             }
         }
+    }
+}
+
+impl fmt::Display for Motion {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.message().fmt(f)
     }
 }
 

@@ -26,15 +26,15 @@ const FLAT: f64 = 1e-3;
 /// least squares of the distances (Kabsch 1976, by singular value decomposition, never a reflection).
 ///
 /// # Errors
-/// [`Error::TooFewPoints`]; [`Error::Gathered`] if either set lies nearly on one line; [`Error::NoFit`] if
+/// [`Error::TooFewPoints`]; [`Error::OneLine`] if either set lies nearly on one line; [`Error::NoFit`] if
 /// a point is not finite.
 pub fn fit_pairs(pairs: &[(DVec3, DVec3)]) -> Result<PairFit, Error> {
     if pairs.len() < 3 {
-        return Err(Error::TooFewPoints { what: "the frame", given: pairs.len(), least: 3 });
+        return Err(Error::TooFewPoints { what: "geometry-points-frame", given: pairs.len(), min: 3 });
     }
     let (nominal, measured): (Vec<DVec3>, Vec<DVec3>) = pairs.iter().copied().unzip();
-    spread(&nominal, "the nominal frame", 1)?;
-    spread(&measured, "the measured frame", 1)?;
+    spread(&nominal, "geometry-points-nominal-frame", 1)?;
+    spread(&measured, "geometry-points-measured-frame", 1)?;
     let transform = match pairs {
         [_, _, _] => frame(&measured) * frame(&nominal).inverse(),
         _ => least_squares(&nominal, &measured),
@@ -57,11 +57,11 @@ pub(crate) fn spread(points: &[DVec3], what: &'static str, dimensions: usize) ->
     let matrix = DMatrix::from_fn(points.len().max(3), 3, |i, j| points.get(i).map_or(0.0, |p| (*p - middle)[j]));
     let svd = matrix.svd(false, true);
     let widths = [svd.singular_values[0], svd.singular_values[1]];
-    let (width, least, on) = match dimensions {
-        0 => (widths[0], FLAT, "in one place"),
-        _ => (widths[1], FLAT * widths[0].max(FLAT), "on one line"),
+    let (width, min, error) = match dimensions {
+        0 => (widths[0], FLAT, Error::OnePosition { what }),
+        _ => (widths[1], FLAT * widths[0].max(FLAT), Error::OneLine { what }),
     };
-    let (Some(vt), true) = (&svd.v_t, width > least) else { return Err(Error::Gathered { what, on }) };
+    let (Some(vt), true) = (&svd.v_t, width > min) else { return Err(error) };
     let direction = |i: usize| DVec3::new(vt[(i, 0)], vt[(i, 1)], vt[(i, 2)]);
     Ok((DMat3::from_cols(direction(0), direction(1), direction(2)), middle))
 }

@@ -35,7 +35,7 @@ pub struct PivotFit {
 /// [`Error::TooFewPoints`] with fewer than three frames; [`Error::Alike`] if their attitudes are too similar.
 pub fn pivot(frames: &[DAffine3]) -> Result<PivotFit, Error> {
     if frames.len() < MIN_TOUCHES {
-        return Err(Error::TooFewPoints { what: "the tip", given: frames.len(), least: MIN_TOUCHES });
+        return Err(Error::TooFewPoints { what: "geometry-points-tip", given: frames.len(), min: MIN_TOUCHES });
     }
     let n = frames.len() as f64;
     let mean = frames.iter().fold(DMat3::ZERO, |sum, f| sum + f.matrix3) * (1.0 / n);
@@ -176,6 +176,6 @@ mod tests {
         let Error::Alike { apart } = alike else { panic!("{alike}") };
         assert!(apart > 0.01 && apart <= 0.1, "{apart}");
         let few = pivot(&frames((tip, point), (2, 1.0, 0.0), &mut random, |v| v));
-        assert!(matches!(few, Err(Error::TooFewPoints { given: 2, least: 3, .. })));
+        assert!(matches!(few, Err(Error::TooFewPoints { given: 2, min: 3, .. })));
     }
 }

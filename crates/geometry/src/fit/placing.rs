@@ -34,16 +34,16 @@ fn plane(points: &[DVec3], radius: f64, nominal: &DAffine3, along: DVec3) -> Res
 /// plane.
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] with fewer than 3, 1 and 1; [`Error::Gathered`] if those of the plane lie on a line, or both
-/// marks coincide.
+/// [`Error::TooFewPoints`] with fewer than 3, 1 and 1; [`Error::OneLine`] if those of the plane lie on a line,
+/// [`Error::OnePosition`] if both marks coincide.
 pub fn three_points(
     [face, origin, direction]: [&[DVec3]; 3],
     radius: f64,
     nominal: &DAffine3,
 ) -> Result<Placing, Error> {
-    for (what, given) in [("the origin", origin), ("the direction", direction)] {
+    for (what, given) in [("geometry-points-origin", origin), ("geometry-points-direction", direction)] {
         if given.is_empty() {
-            return Err(Error::TooFewPoints { what, given: 0, least: 1 });
+            return Err(Error::TooFewPoints { what, given: 0, min: 1 });
         }
     }
     let mean = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;
@@ -68,20 +68,18 @@ pub fn three_points(
 /// kept from it.
 ///
 /// # Errors
-/// A message for: too few points (3 and 3), points of the face on a line, a round touched on less than a third of it.
-pub fn chuck(face: &[DVec3], round: &[DVec3], radius: f64, nominal: &DAffine3) -> Result<Placing, String> {
+/// [`Error::TooFewPoints`] with fewer than 3 and 3; [`Error::OneLine`] if those of the face or of the round lie on a
+/// line; [`Error::ShortArc`] for a round touched on less than a third of it.
+pub fn chuck(face: &[DVec3], round: &[DVec3], radius: f64, nominal: &DAffine3) -> Result<Placing, Error> {
     if round.len() < 3 {
-        return Err(Error::TooFewPoints { what: "the round", given: round.len(), least: 3 }.to_string());
+        return Err(Error::TooFewPoints { what: "geometry-points-circle", given: round.len(), min: 3 });
     }
-    let (frame, height, residuals) =
-        plane(face, radius, nominal, 100.0 * nominal.matrix3.x_axis).map_err(|e| e.to_string())?;
+    let (frame, height, residuals) = plane(face, radius, nominal, 100.0 * nominal.matrix3.x_axis)?;
     let flat: Vec<DVec2> = round.iter().map(|p| (frame.transpose() * *p).truncate()).collect();
-    let (middle, r) = circle(&flat).ok_or("the points of the round lie on a line or in one place")?;
+    let (middle, r) = circle(&flat).ok_or(Error::OneLine { what: "geometry-points-circle" })?;
     let gap = widest_gap(&flat, middle);
     if TAU - gap < MIN_ARC {
-        let seen = (TAU - gap).to_degrees();
-        let least = MIN_ARC.to_degrees();
-        return Err(format!("the round was touched over {seen:.0} degrees only; at least {least:.0} are needed"));
+        return Err(Error::ShortArc { touched: TAU - gap, min: MIN_ARC });
     }
     Ok(Placing {
         transform: DAffine3::from_mat3_translation(frame, frame * middle.extend(height)),

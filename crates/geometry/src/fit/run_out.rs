@@ -30,7 +30,7 @@ pub struct RunOut {
 /// [`Error::TooFewPoints`] with fewer than three points, [`Error::NoFit`].
 pub fn run_out(points: &[DVec3], radius: f64, tube: &Tube, at: DVec3) -> Result<RunOut, Error> {
     if points.len() < 3 {
-        return Err(Error::TooFewPoints { what: "the tube", given: points.len(), least: 3 });
+        return Err(Error::TooFewPoints { what: "geometry-points-tube", given: points.len(), min: 3 });
     }
     // In the tube's own frame, so that free motions refer to its own directions.
     let frame = DAffine3::from_mat3_translation(DMat3::from_cols(tube.e1, tube.e2, tube.e3), tube.origin);

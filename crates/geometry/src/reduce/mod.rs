@@ -97,8 +97,8 @@ pub struct Reduction {
 /// unit) carried along linearly within `axis_tolerance`. In any one frame.
 ///
 /// # Errors
-/// [`Error::Size`] if a tolerance is not finite and positive, or a column is not as long as the points;
-/// [`Error::Place`] for the first value that is not finite, or a coordinate beyond [`MAX_COORDINATE_MM`].
+/// [`Error::Size`] if a tolerance is not finite and positive; [`Error::Column`] if a column is not as long as the
+/// points; [`Error::Place`] for the first value that is not finite, or a coordinate beyond [`MAX_COORDINATE_MM`].
 pub fn reduce(
     points: &[DVec3],
     axes: &[Vec<f64>],
@@ -122,14 +122,14 @@ pub fn reduce(
 /// Checks that the tolerances and all values are valid.
 fn check(points: &[DVec3], axes: &[Vec<f64>], (tolerance, axis_tolerance): (f64, f64)) -> Result<(), Error> {
     let in_range = |p: DVec3| p.is_finite() && p.abs().max_element() <= MAX_COORDINATE_MM;
-    positive("the tolerance", tolerance)?;
-    positive("the tolerance of further columns", axis_tolerance)?;
+    positive("geometry-tolerance", tolerance)?;
+    positive("geometry-column-tolerance", axis_tolerance)?;
     if let Some(index) = points.iter().position(|p| !in_range(*p)) {
         return Err(Error::Place { index });
     }
     for column in axes {
         if column.len() != points.len() {
-            return Err(Error::Size { what: "the length of a column", value: column.len() as f64 });
+            return Err(Error::Column { values: column.len(), points: points.len() });
         }
         if let Some(index) = column.iter().position(|v| !v.is_finite()) {
             return Err(Error::Place { index });

@@ -190,7 +190,7 @@ mod tests {
         assert_eq!(reduce_to_spline(&line[..2], &[], (0.01, 1.0)).unwrap().kept, [0, 1]);
         assert!(matches!(reduce_to_spline(&line[..1], &[], (0.01, 1.0)), Err(Error::TooFewPoints { .. })));
         assert!(matches!(reduce_to_spline(&line, &[], (0.0, 1.0)), Err(Error::Size { .. })));
-        assert!(matches!(reduce_to_spline(&line, &[vec![0.0; 9]], (0.1, 1.0)), Err(Error::Size { .. })));
+        assert!(matches!(reduce_to_spline(&line, &[vec![0.0; 9]], (0.1, 1.0)), Err(Error::Column { .. })));
         assert!(matches!(reduce_to_spline(&[line[0], line[0]], &[], (0.1, 1.0)), Err(Error::Knots { .. })));
         assert!(matches!(reduce_to_spline(&[line[0], DVec3::NAN], &[], (0.1, 1.0)), Err(Error::Place { .. })));
     }

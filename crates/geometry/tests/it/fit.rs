@@ -151,9 +151,12 @@ fn at_the_bottom(at: &DAffine3, reach: f64, sum: impl Fn(&DAffine3) -> f64) {
 fn too_few_and_gathered_points_are_refused() {
     let p = |x: f64| DVec3::new(x, 2.0 * x, -x);
     let on_a_line: Vec<_> = (0..5).map(|i| (p(f64::from(i)), p(f64::from(i)))).collect();
-    assert_eq!(fit_pairs(&on_a_line[..2]), Err(Error::TooFewPoints { what: "the frame", given: 2, least: 3 }));
+    assert_eq!(
+        fit_pairs(&on_a_line[..2]),
+        Err(Error::TooFewPoints { what: "geometry-points-frame", given: 2, min: 3 })
+    );
     for n in [3, 5] {
-        assert!(matches!(fit_pairs(&on_a_line[..n]), Err(Error::Gathered { on: "on one line", .. })));
+        assert!(matches!(fit_pairs(&on_a_line[..n]), Err(Error::OneLine { .. })));
     }
     let plane = [DVec3::ZERO, DVec3::X, DVec3::Y];
     let same = |plane: &[DVec3], line: &[DVec3], point: &[DVec3]| {
@@ -162,8 +165,8 @@ fn too_few_and_gathered_points_are_refused() {
     assert!(matches!(same(&plane[..2], &plane, &plane), Error::TooFewPoints { what: "the plane", .. }));
     assert!(matches!(same(&plane, &plane[..1], &plane), Error::TooFewPoints { what: "the line", .. }));
     assert!(matches!(same(&plane, &plane, &[]), Error::TooFewPoints { what: "the point", .. }));
-    assert!(matches!(same(&[p(0.0), p(1.0), p(2.0)], &plane, &plane), Error::Gathered { .. }));
-    assert!(matches!(same(&plane, &[DVec3::X, DVec3::X], &plane), Error::Gathered { on: "in one place", .. }));
+    assert!(matches!(same(&[p(0.0), p(1.0), p(2.0)], &plane, &plane), Error::OneLine { .. }));
+    assert!(matches!(same(&plane, &[DVec3::X, DVec3::X], &plane), Error::OnePosition { .. }));
     assert!(best_fit(&[], &DAffine3::IDENTITY, false).is_err());
     assert!(run_out(&[DVec3::X, DVec3::Y], 0.0, &tube(1.0), DVec3::ZERO).is_err());
     let not_finite = [(DVec3::ZERO, DVec3::NAN), (DVec3::X, DVec3::X), (DVec3::Y, DVec3::Y)];

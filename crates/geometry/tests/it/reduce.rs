@@ -283,6 +283,6 @@ fn degenerate_paths() {
         }
         let column = |values: &[f64]| reduce(&[p, DVec3::ZERO], &[values.to_vec()], (1.0, 1.0), method);
         assert_eq!(column(&[0.0, f64::NAN]).unwrap_err(), Error::Place { index: 1 });
-        assert!(matches!(column(&[0.0]).unwrap_err(), Error::Size { .. }));
+        assert!(matches!(column(&[0.0]).unwrap_err(), Error::Column { .. }));
     }
 }

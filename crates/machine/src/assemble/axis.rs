@@ -1,6 +1,7 @@
 use super::File;
 use crate::{Axis, AxisKind, StepFile};
 use seamwright_document::{DocumentError, Finite, Positive, RESERVED_COLUMNS};
+use seamwright_message::Message;
 
 /// The axis of a step, or none if the step is fixed.
 pub(super) fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Axis>, DocumentError> {
@@ -8,37 +9,39 @@ pub(super) fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Ax
     let Some(name) = &step.axis else {
         let has_axis_keys = StepFile { fixed: None, ..step.clone() } != StepFile::default();
         if step.fixed.is_none() || has_axis_keys {
-            return Err(file.error_at(
-                path,
-                "the step is neither an axis nor fixed",
-                "either `axis` with its keys, or `fixed` alone",
-            ));
+            return Err(file.error_at(path, Message::new("machine-step-neither"), Message::new("machine-step-kinds")));
         }
         return Ok(None);
     };
     if step.fixed.is_some() {
         return Err(file.error_at(
             &at("fixed"),
-            "a step with an axis cannot be fixed",
-            "a step of its own for `fixed`",
+            Message::new("machine-step-fixed-axis"),
+            Message::new("machine-step-fixed-apart"),
         ));
     }
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
     if name.is_empty() || !name.chars().all(plain) {
-        return Err(file.error_at(&at("axis"), "the name cannot be a column", "lower-case letters, digits and _"));
+        let message = Message::new("machine-axis-name-invalid");
+        return Err(file.error_at(&at("axis"), message, Message::new("machine-plain-letters")));
     }
     if RESERVED_COLUMNS.contains(&name.as_str()) {
-        return Err(file.error_at(&at("axis"), "another column has this name", "a name of its own"));
+        let message = Message::new("machine-axis-name-reserved");
+        return Err(file.error_at(&at("axis"), message, Message::new("document-own-name")));
     }
     let kind = match (&step.turn, &step.direction) {
         (Some(_), None) => AxisKind::Rotary,
         (None, Some(_)) => AxisKind::Linear,
-        _ => return Err(file.error_at(path, "an axis turns or moves", "exactly one of `turn` and `move`")),
+        _ => {
+            let message = Message::new("machine-axis-turn-or-move");
+            return Err(file.error_at(path, message, Message::new("machine-turn-or-move")));
+        }
     };
     if kind == AxisKind::Linear {
         for (key, given) in [("at_mm", step.at_mm.is_some()), ("continuous", step.continuous)] {
             if given {
-                return Err(file.error_at(&at(key), "a linear axis has no such key", "only with `turn`"));
+                let message = Message::new("machine-axis-key-of-rotary");
+                return Err(file.error_at(&at(key), message, Message::new("machine-only-with-turn")));
             }
         }
     }
@@ -48,7 +51,8 @@ pub(super) fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Ax
         let value: Option<Positive> = unit_value(file, path, kind, (what, power), mm, deg)?;
         let key = format!("{what}_{}{power}", if kind == AxisKind::Linear { "mm" } else { "deg" });
         value.map(Positive::get).ok_or_else(|| {
-            file.error_at(path, format!("axis `{name}` lacks `{key}`"), format!("{key} = a number greater than 0"))
+            let message = Message::new("machine-axis-lacks-key").axis("axis", name).key("key", &key);
+            file.error_at(path, message, Message::new("machine-key-positive").key("key", key))
         })
     };
     let max_speed = limit("max_speed", "_s", step.max_speed_mm_s, step.max_speed_deg_s)?;
@@ -76,9 +80,10 @@ pub(super) fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Ax
             *value = value.to_radians();
         }
     }
-    if let Some(limit) = axis.outside(axis.home) {
-        let allowed = format!("within the range (limit {})", axis.to_file(limit));
-        return Err(file.error_at(path, "the home position is outside the range", allowed));
+    if let (Some([low, high]), Some(_)) = (range, axis.outside(axis.home)) {
+        let (message, unit) = (Message::new("machine-home-outside-range"), axis.position_unit());
+        let allowed = Message::new("document-between").value("min", low, unit).value("max", high, unit);
+        return Err(file.error_at(path, message, allowed));
     }
     Ok(Some(axis))
 }
@@ -91,10 +96,19 @@ fn letter(file: &File, path: &str, step: &StepFile) -> Result<Option<char>, Docu
     };
     match &step.letter {
         Some(text) => {
-            single(text).map(Some).ok_or_else(|| file.error_at(path, "not an axis letter", "A B C U V W X Y Z"))
+            let wrong = || file.error_at(path, Message::new("machine-letter-invalid"), "A B C U V W X Y Z");
+            single(text).map(Some).ok_or_else(wrong)
         }
         None => Ok(step.axis.as_ref().and_then(|name| single(&name.to_uppercase()))),
     }
+}
+
+/// The fault of a key in the unit of the other kind of axis.
+pub(super) fn of_another_kind(kind: AxisKind) -> Message {
+    Message::new(match kind {
+        AxisKind::Linear => "machine-linear-axis-in-mm",
+        AxisKind::Rotary => "machine-rotary-axis-in-degrees",
+    })
 }
 
 /// The one of two values that belongs to the axis' kind; the other must be missing.
@@ -112,9 +126,8 @@ fn unit_value<T: Copy>(
     };
     if wrong.is_some() {
         let key = format!("{path}.{what}_{wrong_unit}{power}");
-        let what_is_wrong =
-            if kind == AxisKind::Linear { "a linear axis is in mm" } else { "a rotary axis is in degrees" };
-        return Err(file.error_at(&key, what_is_wrong, format!("{what}_{unit}{power}")));
+        let allowed = Message::verbatim(format!("{what}_{unit}{power}"));
+        return Err(file.error_at(&key, of_another_kind(kind), allowed));
     }
     Ok(value)
 }
@@ -123,13 +136,22 @@ fn range(file: &File, path: &str, step: &StepFile, kind: AxisKind) -> Result<Opt
     let range = unit_value(file, path, kind, ("range", ""), step.range_mm, step.range_deg)?;
     let key = if kind == AxisKind::Linear { "range_mm" } else { "range_deg" };
     match (range, step.continuous) {
-        (Some(_), true) => Err(file.error_at(path, "a continuous axis has no range", "`continuous` or a range")),
+        (Some(_), true) => {
+            let message = Message::new("machine-range-of-continuous");
+            Err(file.error_at(path, message, Message::new("machine-continuous-or-range")))
+        }
         (None, true) => Ok(None),
         (None, false) => {
-            let or = if kind == AxisKind::Rotary { ", or continuous = true" } else { "" };
-            Err(file.error_at(path, "the axis has no range", format!("{key} = [lowest, highest]{or}")))
+            let allowed = Message::new(match kind {
+                AxisKind::Linear => "machine-range-form",
+                AxisKind::Rotary => "machine-range-form-or-continuous",
+            });
+            Err(file.error_at(path, Message::new("machine-range-missing"), allowed.key("key", key)))
         }
         (Some([low, high]), false) if low.get() < high.get() => Ok(Some([low.get(), high.get()])),
-        (Some(_), false) => Err(file.error_at(&format!("{path}.{key}"), "the range is empty", "[lowest, highest]")),
+        (Some(_), false) => {
+            let allowed = Message::new("machine-range-form").key("key", key);
+            Err(file.error_at(&format!("{path}.{key}"), Message::new("machine-range-empty"), allowed))
+        }
     }
 }

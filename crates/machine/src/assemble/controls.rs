@@ -1,6 +1,10 @@
 use super::File;
 use crate::{Axis, ControlFile};
 use seamwright_document::DocumentError;
+use seamwright_message::Message;
+
+/// Events with a meaning of their own.
+const EVENTS: &str = "arc_on, arc_off, gas_on, gas_off, wire_on, wire_off, exact_stop, continuous_path";
 
 /// Checks the controls of the file: existing axes, unique and valid addresses, valid codes.
 pub(super) fn check(file: &File, axes: &[Axis]) -> Result<(), DocumentError> {
@@ -27,28 +31,30 @@ fn check_one(file: &File, name: &str, control: &ControlFile, axes: &[Axis]) -> R
         let good = chars.next().is_some_and(|c| c.is_ascii_uppercase())
             && chars.all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_');
         if !good || ["G", "N"].contains(&address.as_str()) {
-            let allowed = "a capital letter other than G and N, then capitals, digits and _, like X or CW";
-            return Err(file.error_at(&at(table, key), "this is no address", allowed));
+            let message = Message::new("machine-address-invalid");
+            return Err(file.error_at(&at(table, key), message, Message::new("machine-address-form")));
         }
         if taken.contains(&address.as_str()) {
-            return Err(file.error_at(&at(table, key), "something else has this address", "an address of its own"));
+            let message = Message::new("machine-address-taken");
+            return Err(file.error_at(&at(table, key), message, Message::new("machine-own-address")));
         }
         taken.push(address);
     }
     for (code, does) in &control.codes {
         let number = code.strip_prefix(['G', 'M']).and_then(|rest| rest.parse::<f64>().ok());
         if number.is_none_or(|n| !(0.0..1e4).contains(&n)) {
-            return Err(file.error_at(&at("codes", code), "this is no code", "G or M and a number, like M54"));
+            let message = Message::new("machine-code-invalid");
+            return Err(file.error_at(&at("codes", code), message, Message::new("machine-code-form")));
         }
         if does.is_empty() || !does.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_') {
-            let allowed = "arc_on, arc_off, gas_on, gas_off, wire_on, wire_off, exact_stop, continuous_path, or a name \
-                           of its own in lower-case letters, digits and _";
-            return Err(file.error_at(&at("codes", code), "this is no event", allowed));
+            let message = Message::new("machine-event-invalid");
+            let allowed = Message::new("machine-event-names").text("names", EVENTS);
+            return Err(file.error_at(&at("codes", code), message, allowed));
         }
     }
     if control.kinematics_output.is_some() && name != "linuxcnc" {
         let path = format!("controls.{name}.kinematics_output");
-        return Err(file.error_at(&path, "only LinuxCNC switches kinematics by an output", ""));
+        return Err(file.error_at(&path, Message::new("machine-kinematics-output"), ""));
     }
     Ok(())
 }

@@ -3,6 +3,7 @@ use crate::{
     Axis, AxisKind, BacklashCompensation, Drive, DriveFile, FrictionCompensation, Gains, Load, Notch, Transmission,
 };
 use seamwright_document::{DocumentError, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 
 /// Maximum number of notches of a position loop.
 const NOTCHES: usize = 2;
@@ -78,23 +79,19 @@ struct Table<'a> {
 pub(super) fn drive(file: &File, axis: &Axis, d: &DriveFile) -> Result<Drive, DocumentError> {
     let path = format!("drives.{}", axis.name);
     let (other, what, needed) = match axis.kind {
-        AxisKind::Linear => (
-            AxisKind::Rotary,
-            "a linear axis' drive has mass and force, and lengths in mm",
-            "mass_kg, peak_force_n, encoder_counts_per_mm",
-        ),
-        AxisKind::Rotary => (
-            AxisKind::Linear,
-            "a rotary axis' drive has inertia and torque, and angles in degrees",
-            "inertia_kg_m2, peak_torque_n_m, encoder_counts_per_deg",
-        ),
+        AxisKind::Linear => {
+            (AxisKind::Rotary, "machine-drive-of-linear", "mass_kg, peak_force_n, encoder_counts_per_mm")
+        }
+        AxisKind::Rotary => {
+            (AxisKind::Linear, "machine-drive-of-rotary", "inertia_kg_m2, peak_torque_n_m, encoder_counts_per_deg")
+        }
     };
     if keys(d, other) != NO_KEYS {
-        return Err(file.error_at(&path, what, needed));
+        return Err(file.error_at(&path, Message::new(what), needed));
     }
     let keys = keys(d, axis.kind);
     let (Some(inertia), Some(peak), Some(counts)) = (keys.inertia, keys.peak, keys.counts) else {
-        return Err(file.error_at(&path, "the drive lacks a key", needed));
+        return Err(file.error_at(&path, Message::new("machine-drive-key-missing"), needed));
     };
     let (coulomb, viscous) = (value(keys.friction), value(keys.viscous));
     let table = Table { file, axis, d, keys };
@@ -117,9 +114,23 @@ fn value(v: Option<NonNegative>) -> f64 {
     v.map_or(0.0, NonNegative::get)
 }
 
+/// Allowed: only together with `key`.
+fn beside(key: &str) -> Message {
+    Message::new("machine-together-with").key("key", key)
+}
+
+/// Allowed: a fraction.
+fn fraction() -> Message {
+    Message::new("document-between").value("min", 0.0, Unit::One).value("max", 1.0, Unit::One)
+}
+
 impl Table<'_> {
-    fn error(&self, key: &str, what: &str, allowed: &str) -> DocumentError {
-        self.file.error_at(&format!("drives.{}{key}", self.axis.name), what, allowed)
+    fn error(&self, key: &str, code: &'static str, allowed: Message) -> DocumentError {
+        self.error_of(key, Message::new(code), allowed)
+    }
+
+    fn error_of(&self, key: &str, message: Message, allowed: Message) -> DocumentError {
+        self.file.error_at(&format!("drives.{}{key}", self.axis.name), message, allowed)
     }
 
     /// The key's name on this kind of axis.
@@ -131,7 +142,9 @@ impl Table<'_> {
         match self.keys.limit.map(Positive::get) {
             Some(limit) if limit > peak || limit <= value(self.keys.friction) => {
                 let key = self.named(".force_limit_n", ".torque_limit_n_m");
-                Err(self.error(key, "the limit is not between friction and peak", "above the friction, up to the peak"))
+                let unit = if self.axis.kind == AxisKind::Linear { Unit::N } else { Unit::NM };
+                let allowed = Message::new("document-more-than-up-to").value("min", value(self.keys.friction), unit);
+                Err(self.error(key, "machine-drive-limit-range", allowed.value("max", peak, unit)))
             }
             limit => Ok(limit),
         }
@@ -149,17 +162,15 @@ impl Table<'_> {
                 (".encoder_on", d.encoder_on.is_some()),
             ];
             return match given.iter().find(|(_, given)| *given) {
-                Some((key, _)) => {
-                    Err(self.error(key, "motor and load are one mass without a resonance", "resonance_hz beside it"))
-                }
+                Some((key, _)) => Err(self.error(key, "machine-drive-without-resonance", beside("resonance_hz"))),
                 None => Ok(None),
             };
         };
         let Some(load_ratio) = d.load_ratio else {
-            return Err(self.error(".resonance_hz", "a resonance takes two masses", "load_ratio beside it"));
+            return Err(self.error(".resonance_hz", "machine-drive-resonance-alone", beside("load_ratio")));
         };
         let part = |key: &str, v: Option<NonNegative>, missing: f64| match v.map_or(missing, NonNegative::get) {
-            v if v > 1.0 => Err(self.error(key, "a part of the whole", "0 to 1")),
+            v if v > 1.0 => Err(self.error(key, "machine-fraction-too-large", fraction())),
             v => Ok(v),
         };
         Ok(Some(Transmission {
@@ -186,19 +197,21 @@ impl Table<'_> {
 
     fn notches(&self) -> Result<Vec<Notch>, DocumentError> {
         if self.d.notches.len() > NOTCHES {
-            return Err(self.error(".notches", "the position loop has places for two notches", "two or fewer"));
+            let allowed = Message::new("document-at-most").value("max", NOTCHES as f64, Unit::One);
+            return Err(self.error(".notches", "machine-notches-many", allowed));
         }
         let half_rate = 0.5 / self.file.value.servo_period_ms.map_or(1e-3, |p| p.get() * 1e-3);
         let notch = |(i, n): (usize, &crate::NotchFile)| {
             let key = |name| format!(".notches[{i}].{name}");
             for (name, hz) in [("frequency_hz", n.frequency_hz.get()), ("width_hz", n.width_hz.get())] {
                 if hz >= 0.999 * half_rate {
-                    let what = format!("{hz} Hz is not below half the sampling rate");
-                    return Err(self.error(&key(name), &what, &format!("below {half_rate} Hz")));
+                    let message = Message::new("machine-notch-too-high").value("frequency", hz, Unit::Hz);
+                    let allowed = Message::new("document-less-than").value("max", half_rate, Unit::Hz);
+                    return Err(self.error_of(&key(name), message, allowed));
                 }
             }
             if n.depth.get() > 1.0 {
-                return Err(self.error(&key("depth"), "the gain at the centre", "0 to 1"));
+                return Err(self.error(&key("depth"), "machine-notch-depth", fraction()));
             }
             Ok(Notch { frequency_hz: n.frequency_hz.get(), depth: n.depth.get(), width_hz: n.width_hz.get() })
         };
@@ -210,7 +223,7 @@ impl Table<'_> {
             (None, Some(_)) => {
                 let key = self.named(".friction_smoothing_mm_s", ".friction_smoothing_deg_s");
                 let other = self.named("friction_compensation_n", "friction_compensation_n_m");
-                Err(self.error(key, "there is no friction compensation", &format!("{other} beside it")))
+                Err(self.error(key, "machine-friction-smoothing-alone", beside(other)))
             }
             (force, smoothing) => Ok(force.map(|force| FrictionCompensation {
                 force: force.get(),
@@ -224,8 +237,7 @@ impl Table<'_> {
         match (self.keys.backlash_compensation, self.d.backlash_compensation_ms) {
             (None, Some(_)) => {
                 let other = self.named("backlash_compensation_mm", "backlash_compensation_deg");
-                let what = "there is no backlash compensation";
-                Err(self.error(".backlash_compensation_ms", what, &format!("{other} beside it")))
+                Err(self.error(".backlash_compensation_ms", "machine-backlash-time-alone", beside(other)))
             }
             (width, time) => Ok(width.map(|width| BacklashCompensation {
                 width: self.axis.from_file(width.get()),

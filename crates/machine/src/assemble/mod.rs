@@ -15,6 +15,7 @@ use crate::pair::Pair;
 use crate::{Axis, DeflectionFile, Machine, MachineFile, StepFile};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};
+use seamwright_message::{Message, Unit};
 use std::collections::BTreeMap;
 
 type File = Document<MachineFile>;
@@ -30,11 +31,11 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
     let m = &file.value;
     check_heads(file)?;
     let mut axes = axes(file)?;
-    let names = || axes.iter().map(|a| a.name.as_str()).collect::<Vec<_>>().join(", ");
     let tables = m.drives.keys().map(|k| ("drives", k)).chain(m.pitch_error.keys().map(|k| ("pitch_error", k)));
     for (table, name) in tables {
         if !axes.iter().any(|a| &a.name == name) {
-            return Err(file.error_at(&format!("{table}.{name}"), "there is no such axis", names()));
+            let known: Vec<&str> = axes.iter().map(|a| a.name.as_str()).collect();
+            return Err(file.unknown_name(&format!("{table}.{name}"), name, &known));
         }
     }
     for axis in &mut axes {
@@ -80,29 +81,30 @@ fn check_heads(file: &File) -> Result<(), DocumentError> {
     match (m.torch.is_some(), m.heads.len()) {
         (true, 0) | (false, 1..=MAX_HEADS) => {}
         (true, _) => {
-            let message = "the machine has both `[torch]` and `[[heads]]`";
-            return Err(file.error_at("torch", message, "[torch] for one head, [[heads]] for several"));
+            let message = Message::new("machine-torch-and-heads");
+            return Err(file.error_at("torch", message, Message::new("machine-torch-or-heads")));
         }
         (false, 0) => {
-            return Err(file.error_at("", "the machine has no torch", "[torch] with `direction`, or two [[heads]]"));
+            return Err(file.error_at("", Message::new("machine-torch-missing"), Message::new("machine-torch-form")));
         }
         (false, n) => {
             let path = format!("heads[{MAX_HEADS}]");
-            return Err(file.error_at(&path, format!("the machine has {n} heads"), format!("up to {MAX_HEADS}")));
+            let allowed = Message::new("document-at-most").value("max", MAX_HEADS as f64, Unit::One);
+            return Err(file.error_at(&path, Message::new("machine-heads-many").count("n", n), allowed));
         }
     }
     for (i, head) in m.heads.iter().enumerate() {
         let path = format!("heads[{i}]");
         if head.steps.is_empty() {
-            let message = format!("head `{}` has no steps of its own: nothing carries it", head.name);
-            return Err(file.error_at(&path, message, "a tail of [[heads.steps]] for every head"));
+            let message = Message::new("machine-head-without-steps").text("head", &head.name);
+            return Err(file.error_at(&path, message, Message::new("machine-head-steps")));
         }
         let taken = ["base", "work"].contains(&head.name.as_str());
         let twice = m.heads[..i].iter().any(|other| other.name == head.name);
         let steps = m.tool.iter().chain(&m.work).chain(m.heads.iter().flat_map(|h| &h.steps));
         if taken || twice || steps.into_iter().any(|s| s.axis.as_ref() == Some(&head.name)) {
-            let message = "an axis, another head or a frame has this name";
-            return Err(file.error_at(&format!("{path}.name"), message, "a name of its own"));
+            let message = Message::new("machine-head-name-taken");
+            return Err(file.error_at(&format!("{path}.name"), message, Message::new("document-own-name")));
         }
     }
     Ok(())
@@ -120,18 +122,21 @@ fn axes(file: &File) -> Result<Vec<Axis>, DocumentError> {
             let Some(axis) = axis::axis(file, &format!("{branch}[{i}]"), step)? else { continue };
             if axes.iter().any(|a| a.name == axis.name) {
                 let path = format!("{branch}[{i}].axis");
-                return Err(file.error_at(&path, "another axis has this name", "a name of its own"));
+                let message = Message::new("machine-axis-name-taken");
+                return Err(file.error_at(&path, message, Message::new("document-own-name")));
             }
             if axis.letter.is_some() && axes.iter().any(|a| a.letter == axis.letter) {
                 let path = format!("{branch}[{i}].letter");
-                return Err(file.error_at(&path, "another axis has this letter", "a letter of its own"));
+                let message = Message::new("machine-axis-letter-taken");
+                return Err(file.error_at(&path, message, Message::new("machine-own-letter")));
             }
             axes.push(axis);
         }
     }
     if axes.is_empty() || axes.len() > MAX_AXES {
-        let found = format!("the machine has {} axes", axes.len());
-        return Err(file.error_at("tool", found, format!("1 to {MAX_AXES} axes in [[tool]] and [[work]]")));
+        let found = Message::new("machine-axes-count").count("n", axes.len());
+        let allowed = Message::new("machine-axes-allowed").text("max", MAX_AXES.to_string());
+        return Err(file.error_at("tool", found, allowed));
     }
     Ok(axes)
 }
@@ -146,7 +151,8 @@ fn home_order(file: &File, axes: &[Axis]) -> Result<Vec<usize>, DocumentError> {
             return Err(file.unknown_name(&path, name, &known));
         };
         if order.contains(&axis) {
-            return Err(file.error_at(&path, "the axis has gone home already", "each axis once"));
+            let message = Message::new("machine-home-order-twice");
+            return Err(file.error_at(&path, message, Message::new("machine-each-axis-once")));
         }
         order.push(axis);
     }
@@ -159,15 +165,15 @@ fn check_io(file: &File) -> Result<(), DocumentError> {
     let digital = [("arc", io.arc), ("gas", io.gas), ("wire", io.wire)];
     for (i, (name, output)) in digital.iter().enumerate() {
         if let Some((other, _)) = digital[..i].iter().find(|(_, o)| o.is_some() && o == output) {
-            let message = format!("`{other}` has this output already");
-            return Err(file.error_at(&format!("io.{name}"), message, "an output of its own"));
+            let message = Message::new("machine-output-taken").text("name", *other);
+            return Err(file.error_at(&format!("io.{name}"), message, Message::new("machine-own-output")));
         }
     }
     let mut taken = BTreeMap::new();
     for (name, output) in &io.analog {
         if let Some(other) = taken.insert(output, name) {
-            let message = format!("`{other}` has this output already");
-            return Err(file.error_at(&format!("io.analog.{name}"), message, "an output of its own"));
+            let message = Message::new("machine-output-taken").text("name", other);
+            return Err(file.error_at(&format!("io.analog.{name}"), message, Message::new("machine-own-output")));
         }
     }
     Ok(())

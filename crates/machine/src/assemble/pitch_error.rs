@@ -3,6 +3,7 @@ use crate::pitch_error::STEEPEST;
 use crate::{Axis, AxisKind, PitchError, PitchErrorFile};
 use seamwright_document::{DocumentError, Finite};
 use seamwright_geometry::CubicSpline;
+use seamwright_message::{Message, Unit};
 use std::f64::consts::TAU;
 
 /// The table of `axis`.
@@ -12,14 +13,21 @@ pub(super) fn pitch_error(file: &File, axis: &Axis, table: &PitchErrorFile) -> R
         AxisKind::Linear => (&table.at_mm, &table.error_mm, "mm", table.at_deg.is_some() || table.error_deg.is_some()),
         AxisKind::Rotary => (&table.at_deg, &table.error_deg, "deg", table.at_mm.is_some() || table.error_mm.is_some()),
     };
-    let keys = format!("at_{unit} and error_{unit}, lists of equal length");
+    let error_key = key(&format!("error_{unit}"));
     let (Some(at), Some(error), false) = (at, error, other) else {
+        let message = Message::new(match axis.kind {
+            AxisKind::Linear => "machine-pitch-in-mm",
+            AxisKind::Rotary => "machine-pitch-in-degrees",
+        });
+        let allowed = Message::new("machine-pitch-keys")
+            .key("positions", format!("at_{unit}"))
+            .key("errors", format!("error_{unit}"));
         let path = format!("pitch_error.{}", axis.name);
-        return Err(file.error_at(&path, format!("the table of axis `{}` is in {unit}", axis.name), keys));
+        return Err(file.error_at(&path, message.axis("axis", &axis.name), allowed));
     };
     if at.len() != error.len() || at.len() < 2 {
-        let message = format!("{} places and {} errors", at.len(), error.len());
-        return Err(file.error_at(&key(&format!("error_{unit}")), message, "as many errors as places, at least 2"));
+        let message = Message::new("machine-pitch-lengths").count("positions", at.len()).count("errors", error.len());
+        return Err(file.error_at(&error_key, message, Message::new("machine-pitch-equal-lengths")));
     }
     let scale = |v: &Finite| axis.from_file(v.get());
     let points: Vec<(f64, f64)> = at.iter().map(scale).zip(error.iter().map(scale)).collect();
@@ -29,13 +37,17 @@ pub(super) fn pitch_error(file: &File, axis: &Axis, table: &PitchErrorFile) -> R
         None => CubicSpline::periodic(&points, TAU),
     };
     let spline = spline.map_err(|_| {
-        let allowed = if axis.range.is_some() { "increasing places" } else { "increasing places within one turn" };
-        file.error_at(&key(&format!("at_{unit}")), "the places do not fit", allowed)
+        let allowed = Message::new(match axis.range {
+            Some(_) => "machine-increasing-positions",
+            None => "machine-increasing-within-a-turn",
+        });
+        file.error_at(&key(&format!("at_{unit}")), Message::new("machine-pitch-positions"), allowed)
     })?;
     let steepest = spline.steepest();
     if steepest > STEEPEST {
-        let message = format!("the error changes by {steepest:.3} {unit} per {unit}: that is no pitch error");
-        return Err(file.error_at(&key(&format!("error_{unit}")), message, format!("up to {STEEPEST} per {unit}")));
+        let message = Message::new("machine-pitch-steep").number("slope", steepest, 3);
+        let allowed = Message::new("document-at-most").value("max", STEEPEST, Unit::One);
+        return Err(file.error_at(&error_key, message, allowed));
     }
     Ok(PitchError::new(spline))
 }

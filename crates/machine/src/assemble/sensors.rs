@@ -5,6 +5,7 @@ use crate::{CameraSensor, Links, PixelMapFile, Sensor, SensorFile, SensorKind, S
 use glam::{DMat3, DVec2, DVec3};
 use seamwright_document::{DocumentError, Finite, Positive};
 use seamwright_geometry::{HeightTable, Homography, MapParameters, PlaneMap};
+use seamwright_message::{Message, Unit};
 
 /// Maximum number of columns and rows of an image.
 const MAX_PX: u16 = 16384;
@@ -27,8 +28,9 @@ fn build(file: &File, links: &Links, name: &str, sensor: &SensorFile) -> Result<
         return Err(file.unknown_name(&format!("{path}.on"), &sensor.on, &names));
     };
     if let Some(i) = sensor.size_px.iter().position(|n| !(1..=MAX_PX).contains(n)) {
-        let message = ["the image has no such width", "the image has no such height"][i];
-        return Err(file.error_at(&format!("{path}.size_px"), message, format!("1 to {MAX_PX} columns and rows")));
+        let message = Message::new(["machine-image-width", "machine-image-height"][i]);
+        let allowed = Message::new("machine-image-size").text("max", MAX_PX.to_string());
+        return Err(file.error_at(&format!("{path}.size_px"), message, allowed));
     }
     let size_px = sensor.size_px.map(usize::from);
     let sight = match sensor.kind {
@@ -52,24 +54,26 @@ fn build(file: &File, links: &Links, name: &str, sensor: &SensorFile) -> Result<
 /// Host and port of a camera's stream.
 fn frames(file: &File, path: &str, sensor: &SensorFile) -> Result<Option<String>, DocumentError> {
     let Some(source) = &sensor.frames else { return Ok(None) };
-    let wrong =
-        |message: &str| Err(file.error_at(&format!("{path}.frames"), message, "of a camera: \"tcp://HOST:PORT\""));
+    let wrong = |code| {
+        let allowed = Message::new("machine-frames-form");
+        Err(file.error_at(&format!("{path}.frames"), Message::new(code), allowed))
+    };
     if sensor.kind != SensorKind::Camera {
-        return wrong("a stripe sensor has no stream of frames");
+        return wrong("machine-frames-of-stripe");
     }
     let address = source.strip_prefix("tcp://").unwrap_or_default();
     match address.rsplit_once(':') {
         Some((host, port)) if !host.is_empty() && port.parse::<u16>().is_ok_and(|port| port > 0) => {
             Ok(Some(address.to_owned()))
         }
-        _ => wrong("this is no source of frames"),
+        _ => wrong("machine-frames-invalid"),
     }
 }
 
 fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, DocumentError> {
     let Some(map) = &sensor.map else {
-        let allowed = "`map.camera`, `map.homography` or `map.scale`";
-        return Err(file.error_at(path, "a stripe sensor needs `map`: how pixels become mm", allowed));
+        let message = Message::new("machine-stripe-map-missing");
+        return Err(file.error_at(path, message, Message::new("machine-stripe-maps")));
     };
     let [last_column, last_row] = sensor.size_px.map(|n| f64::from(n) - 1.0);
     let middle = DVec2::new(last_column, last_row) / 2.0;
@@ -78,7 +82,9 @@ fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, Docum
         PixelMapFile::Camera { distance_mm, angle_deg, focal_px, centre_px } => {
             if angle_deg.get() >= 90.0 {
                 let key = format!("{path}.map.camera.angle_deg");
-                return Err(file.error_at(&key, "the camera would not look at the joint", "above 0, below 90"));
+                let allowed = Message::new("document-strictly-between").value("min", 0.0, Unit::Deg);
+                let allowed = allowed.value("max", 90.0, Unit::Deg);
+                return Err(file.error_at(&key, Message::new("machine-camera-angle"), allowed));
             }
             let found = camera(distance_mm.get(), angle_deg.get().to_radians(), focal_px.get(), place(centre_px));
             ("camera", found)
@@ -90,19 +96,19 @@ fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, Docum
             ("scale", Homography::from_eight([y, 0.0, -y * origin.x, 0.0, -z, z * origin.y, 0.0, 0.0]))
         }
         PixelMapFile::Heights(_) => {
-            let allowed = "`map.camera`, `map.homography` or `map.scale`";
-            return Err(file.error_at(&format!("{path}.map.heights"), "this is the map of a camera", allowed));
+            let message = Message::new("machine-map-of-camera");
+            return Err(file.error_at(&format!("{path}.map.heights"), message, Message::new("machine-stripe-maps")));
         }
     };
     let key = format!("{path}.map.{key}");
     let Some(found) = found else {
-        return Err(file.error_at(&key, "different pixels would have the same place", "numbers that can be inverted"));
+        let message = Message::new("machine-map-singular");
+        return Err(file.error_at(&key, message, Message::new("machine-map-invertible")));
     };
     let corners = [(0.0, 0.0), (last_column, 0.0), (0.0, last_row), (last_column, last_row)];
     if let Some((column, row)) = corners.into_iter().find(|&(x, y)| found.map(DVec2::new(x, y)).is_none()) {
-        let message =
-            format!("the pixel ({column}, {row}) is beyond the horizon: it sees no place of the laser's plane");
-        return Err(file.error_at(&key, message, "a map under which every pixel of the image has a place"));
+        let message = Message::new("machine-map-horizon").number("column", column, 0).number("row", row, 0);
+        return Err(file.error_at(&key, message, Message::new("machine-map-every-pixel")));
     }
     Ok(found)
 }
@@ -111,11 +117,8 @@ fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, Docum
 fn heights(file: &File, path: &str, sensor: &SensorFile) -> Result<HeightTable, DocumentError> {
     let Some(PixelMapFile::Heights(rows)) = &sensor.map else {
         let path = if sensor.map.is_some() { format!("{path}.map") } else { path.to_owned() };
-        return Err(file.error_at(
-            &path,
-            "a camera needs `map.heights`",
-            "map.heights = [{ z_mm = .., mm_per_px = .. }]",
-        ));
+        let message = Message::new("machine-camera-map-missing");
+        return Err(file.error_at(&path, message, "map.heights = [{ z_mm = .., mm_per_px = .. }]"));
     };
     let key = format!("{path}.map.heights");
     let [columns, rows_px] = sensor.size_px.map(f64::from);
@@ -131,7 +134,7 @@ fn heights(file: &File, path: &str, sensor: &SensorFile) -> Result<HeightTable, 
             shear: row.shear.get(),
             barrel: row.barrel.get(),
         };
-        let map = PlaneMap::new(parameters).map_err(|e| file.error_at(&format!("{key}[{i}]"), e.to_string(), ""))?;
+        let map = PlaneMap::new(parameters).map_err(|e| file.error_at(&format!("{key}[{i}]"), &e, ""))?;
         // The camera's z points away from it, the sensor's z towards it.
         table.push((-row.z_mm.get(), map));
     }
@@ -139,11 +142,11 @@ fn heights(file: &File, path: &str, sensor: &SensorFile) -> Result<HeightTable, 
         return Ok(HeightTable::telecentric(*map));
     }
     if let Some(i) = (1..table.len()).find(|&i| table[i].0 >= table[i - 1].0) {
-        let message = "z does not increase from row to row";
-        return Err(file.error_at(&format!("{key}[{i}].z_mm"), message, "more than in the row before"));
+        let message = Message::new("machine-heights-order");
+        return Err(file.error_at(&format!("{key}[{i}].z_mm"), message, Message::new("machine-more-than-before")));
     }
     table.reverse();
-    HeightTable::new(table).map_err(|e| file.error_at(&key, e.to_string(), "rows of one camera, at least one"))
+    HeightTable::new(table).map_err(|e| file.error_at(&key, &e, Message::new("machine-heights-rows")))
 }
 
 /// From pixels to the plane x = 0 for a camera at `distance` (mm) from the origin in the plane y = 0, on the side of

@@ -1,6 +1,8 @@
 use super::File;
+use super::axis::of_another_kind;
 use crate::{Axis, AxisKind, Stepper, StepperFile, StepperMotor};
 use seamwright_document::{DocumentError, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use std::f64::consts::TAU;
 
 /// Maximum number of microsteps per full step.
@@ -14,18 +16,19 @@ pub(super) fn stepper(file: &File, axis: &Axis, s: &StepperFile) -> Result<Stepp
     let per_turn = of_kind(file, axis, s.mm_per_turn, s.deg_per_turn, ["mm_per_turn", "deg_per_turn"])?;
     let resolution = of_kind(file, axis, s.resolution_mm, s.resolution_deg, ["resolution_mm", "resolution_deg"])?;
     if s.full_steps_per_turn == 0 || !s.full_steps_per_turn.is_multiple_of(PERIOD) {
-        let message = "a two-phase motor makes 4 full steps a tooth of its rotor";
-        return Err(file.error_at(&key("full_steps_per_turn"), message, "a multiple of 4, most often 200"));
+        let message = Message::new("machine-full-steps");
+        return Err(file.error_at(&key("full_steps_per_turn"), message, Message::new("machine-multiple-of-4")));
     }
     let increasing = s.microsteps.windows(2).all(|w| w[0] < w[1]);
     if s.microsteps.is_empty() || !increasing || s.microsteps.iter().any(|m| !(1..=MAX_MICROSTEPS).contains(m)) {
-        let allowed = format!("whole numbers from 1 to {MAX_MICROSTEPS}, increasing, at least one");
-        return Err(file.error_at(&key("microsteps"), "the driver cannot be set so", allowed));
+        let allowed = Message::new("machine-microsteps-allowed").text("max", MAX_MICROSTEPS.to_string());
+        return Err(file.error_at(&key("microsteps"), Message::new("machine-microsteps-invalid"), allowed));
     }
     let (max_pulse_hz, min_pulse_s) = (s.max_pulse_hz.get(), s.min_pulse_us.get() * 1e-6);
     if max_pulse_hz * 2.0 * min_pulse_s > 1.0 + 1e-9 {
-        let message = format!("pulses high and low for {} us cannot come so often", s.min_pulse_us.get());
-        return Err(file.error_at(&key("max_pulse_hz"), message, format!("up to {}", 0.5 / min_pulse_s)));
+        let message = Message::new("machine-pulse-time").value("time", s.min_pulse_us.get(), Unit::Us);
+        let allowed = Message::new("document-at-most").value("max", 0.5 / min_pulse_s, Unit::Hz);
+        return Err(file.error_at(&key("max_pulse_hz"), message, allowed));
     }
     Ok(Stepper {
         full_steps_per_turn: s.full_steps_per_turn,
@@ -49,16 +52,16 @@ fn of_kind(
     keys: [&str; 2],
 ) -> Result<f64, DocumentError> {
     let path = format!("drives.{}.stepper", axis.name);
-    let (value, wrong, [key, wrong_key], unit) = match axis.kind {
-        AxisKind::Linear => (mm, deg, keys, "mm"),
-        AxisKind::Rotary => (deg, mm, [keys[1], keys[0]], "degrees"),
+    let (value, wrong, [key, wrong_key]) = match axis.kind {
+        AxisKind::Linear => (mm, deg, keys),
+        AxisKind::Rotary => (deg, mm, [keys[1], keys[0]]),
     };
     if wrong.is_some() {
-        let message = format!("axis `{}` is in {unit}", axis.name);
-        return Err(file.error_at(&format!("{path}.{wrong_key}"), message, key));
+        return Err(file.error_at(&format!("{path}.{wrong_key}"), of_another_kind(axis.kind), key));
     }
     let value = value.ok_or_else(|| {
-        file.error_at(&path, format!("the stepper lacks `{key}`"), format!("{key} = a number greater than 0"))
+        let message = Message::new("machine-stepper-lacks-key").key("key", key);
+        file.error_at(&path, message, Message::new("machine-key-positive").key("key", key))
     })?;
     Ok(axis.from_file(value.get()))
 }
@@ -70,21 +73,23 @@ fn motor(file: &File, axis: &Axis, s: &StepperFile) -> Result<Option<StepperMoto
         (None, None, None) if s.rotor_friction_n_m.is_none() => return Ok(None),
         (Some(inertia), Some(rpm), Some(torque)) => (inertia, rpm, torque),
         _ => {
-            let keys = "rotor_inertia_kg_m2, torque_rpm and torque_n_m, or none of them";
-            return Err(file.error_at(&path, "the motor lacks a key", keys));
+            let message = Message::new("machine-motor-key-missing");
+            return Err(file.error_at(&path, message, Message::new("machine-motor-keys")));
         }
     };
     if rpm.len() != torque.len() || rpm.len() < 2 {
-        let message = format!("{} speeds and {} torques", rpm.len(), torque.len());
-        return Err(file.error_at(&format!("{path}.torque_n_m"), message, "as many torques as speeds, at least 2"));
+        let message = Message::new("machine-torque-lengths").count("speeds", rpm.len()).count("torques", torque.len());
+        let allowed = Message::new("machine-torque-equal-lengths");
+        return Err(file.error_at(&format!("{path}.torque_n_m"), message, allowed));
     }
     if rpm[0].get() > 0.0 || rpm.windows(2).any(|w| w[0] >= w[1]) {
-        let message = "the torque curve does not begin at rest and go up in speed";
-        return Err(file.error_at(&format!("{path}.torque_rpm"), message, "0 first, then increasing"));
+        let message = Message::new("machine-torque-speeds");
+        let allowed = Message::new("machine-zero-then-increasing");
+        return Err(file.error_at(&format!("{path}.torque_rpm"), message, allowed));
     }
     if torque[0].get() <= 0.0 {
-        let message = "the motor does not hold";
-        return Err(file.error_at(&format!("{path}.torque_n_m"), message, "a holding torque greater than 0 first"));
+        let message = Message::new("machine-torque-holding");
+        return Err(file.error_at(&format!("{path}.torque_n_m"), message, Message::new("machine-torque-first")));
     }
     let points = rpm.iter().zip(torque.iter().copied().map(NonNegative::get));
     let torque = points.map(|(rpm, torque)| (rpm.get() / 60.0 * TAU, torque)).collect();

@@ -2,6 +2,7 @@
 //! configurations, reach. Seeded, without I/O.
 
 mod climb;
+mod english;
 mod jacobian;
 mod random;
 mod reach;
@@ -25,6 +26,7 @@ pub use voxels::Volume;
 
 use crate::{Axis, AxisKind, Machine, MachineFile};
 use seamwright_document::Document;
+use seamwright_message::Message;
 use serde::Serialize;
 use task::Task;
 
@@ -49,7 +51,8 @@ pub struct Check {
     /// True if every test passed; remarks do not count.
     pub passed: bool,
     /// Descriptions of the failures.
-    pub failures: Vec<String>,
+    #[serde(serialize_with = "english::list")]
+    pub failures: Vec<Message>,
     /// Unusual values.
     pub remarks: Vec<Remark>,
     /// The axes with their limits.
@@ -93,7 +96,8 @@ pub struct HeadCheck {
     /// Name of the head.
     pub name: String,
     /// Description of the inverse kinematics.
-    pub structure: String,
+    #[serde(serialize_with = "english::one")]
+    pub structure: Message,
     /// Forward, inverse, forward.
     pub round_trip: RoundTrip,
     /// Jacobian and differences.
@@ -152,34 +156,34 @@ fn one_head(machine: &Machine, options: &CheckOptions, step: &mut dyn FnMut()) -
     }
 }
 
-fn failures(heads: &[HeadCheck], pair: Option<&RoundTrip>) -> Vec<String> {
+fn failures(heads: &[HeadCheck], pair: Option<&RoundTrip>) -> Vec<Message> {
     let mut failures = Vec::new();
     for head in heads {
+        let failed = |why| Message::new("machine-check-head").text("head", &head.name).message("why", why);
         if !head.round_trip.passed {
-            failures.push(format!("head {}: {}", head.name, round_trip_words(&head.round_trip)));
+            failures.push(failed(round_trip_failure(&head.round_trip)));
         }
         if !head.jacobian.passed {
-            failures.push(format!(
-                "head {}: the Jacobian is off by {:.1e} of the column of axis {}",
-                head.name, head.jacobian.relative, head.jacobian.axis
-            ));
+            let why = Message::new("machine-check-jacobian")
+                .text("difference", format!("{:.1e}", head.jacobian.relative))
+                .axis("axis", &head.jacobian.axis);
+            failures.push(failed(why));
         }
     }
     if let Some(pair) = pair.filter(|p| !p.passed) {
-        failures.push(format!("both heads at once: {}", round_trip_words(pair)));
+        failures.push(Message::new("machine-check-pair").message("why", round_trip_failure(pair)));
     }
     failures
 }
 
-fn round_trip_words(r: &RoundTrip) -> String {
-    format!(
-        "round trip off by {:.1e} mm, {:.1e} deg, {:.1e} in an axis; {} poses unsolved, {} without their own branch",
-        r.point_mm,
-        r.direction_deg,
-        r.axes_mm_or_deg,
-        r.unsolved - r.off_centre,
-        r.branch_missed
-    )
+fn round_trip_failure(r: &RoundTrip) -> Message {
+    let small = |value: f64| format!("{value:.1e}");
+    Message::new("machine-check-round-trip")
+        .text("distance", small(r.point_mm))
+        .text("angle", small(r.direction_deg))
+        .text("difference", small(r.axes_mm_or_deg))
+        .count("unsolved", (r.unsolved - r.off_centre) as usize)
+        .count("missed", r.branch_missed as usize)
 }
 
 fn figures(axis: &Axis, side: Side) -> AxisFigures {

@@ -1,10 +1,15 @@
 use super::usual::*;
 use crate::{Axis, AxisKind, Clamped, Machine, MachineFile, StepFile, Surroundings};
 use seamwright_document::Document;
-use serde::Serialize;
+use seamwright_message::{Argument, Language, Message, Quantity, Unit};
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 /// A valid but unusual value.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+///
+/// As JSON, `why` and `cure` are English text, and `why_code`, `why_arguments`, `cure_code` and `cure_arguments` are the
+/// messages as data.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Remark {
     /// Path of the key.
     pub key: String,
@@ -13,9 +18,26 @@ pub struct Remark {
     /// The value as written; empty if it is missing.
     pub value: String,
     /// The reason of the remark.
-    pub why: String,
+    pub why: Message,
     /// The proposed action.
-    pub cure: String,
+    pub cure: Message,
+}
+
+impl Serialize for Remark {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { key, line, value, why, cure } = self;
+        let mut fields = serializer.serialize_struct("Remark", 9)?;
+        fields.serialize_field("key", key)?;
+        fields.serialize_field("line", line)?;
+        fields.serialize_field("value", value)?;
+        fields.serialize_field("why", &why.in_language(Language::English))?;
+        fields.serialize_field("cure", &cure.in_language(Language::English))?;
+        fields.serialize_field("why_code", &why.code)?;
+        fields.serialize_field("why_arguments", &why.named_arguments())?;
+        fields.serialize_field("cure_code", &cure.code)?;
+        fields.serialize_field("cure_arguments", &cure.named_arguments())?;
+        fields.end()
+    }
 }
 
 struct Remarks<'a> {
@@ -24,16 +46,15 @@ struct Remarks<'a> {
 }
 
 impl Remarks<'_> {
-    fn add(&mut self, key: &str, why: impl Into<String>, cure: impl Into<String>) {
+    fn add(&mut self, key: &str, why: Message, cure: Message) {
         let place = self.file.error_at(key, "", "");
         // A missing key has the line of its table, and no value.
         let value = if place.value.len() < 60 { place.value } else { String::new() };
-        let (why, cure) = (why.into(), cure.into());
         self.all.push(Remark { key: key.to_owned(), line: place.line, value, why, cure });
     }
 
     /// Adds a remark on a missing table.
-    fn missing(&mut self, key: &str, why: String, cure: String) {
+    fn missing(&mut self, key: &str, why: Message, cure: Message) {
         self.all.push(Remark { key: key.to_owned(), line: 0, value: String::new(), why, cure });
     }
 }
@@ -44,8 +65,8 @@ pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
     let mut remarks = Remarks { file, all: Vec::new() };
     let period = machine.servo_period_s;
     if !(SHORT_PERIOD_S..=LONG_PERIOD_S).contains(&period) {
-        let why = format!("the position loops would run every {} ms", number(1e3 * period));
-        remarks.add("servo_period_ms", why, "the period in ms; 1 is usual");
+        let why = Message::new("machine-remark-period").with("period", readable(1e3 * period, Unit::Ms));
+        remarks.add("servo_period_ms", why, Message::new("machine-cure-period"));
     }
     let m = &file.value;
     let mut branches: Vec<(String, &[StepFile])> = vec![("tool".to_owned(), &m.tool), ("work".to_owned(), &m.work)];
@@ -57,8 +78,8 @@ pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
             match (axis, &step.fixed) {
                 (Some(axis), _) => about_axis(&mut remarks, &path, axis, period),
                 (None, Some(fixed)) if fixed.affine().translation.length() > FAR_MM => {
-                    let why = "the displacement is longer than 100 m";
-                    remarks.add(&format!("{path}.fixed"), why, "lengths in mm");
+                    let why = Message::new("machine-remark-displacement").value("limit", 1e-3 * FAR_MM, Unit::M);
+                    remarks.add(&format!("{path}.fixed"), why, Message::new("machine-cure-displacement"));
                 }
                 _ => {}
             }
@@ -71,12 +92,8 @@ pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
 /// Remarks on a machine without shapes for collision checks, or with a collision at its home position.
 fn about_clearance(remarks: &mut Remarks, machine: &Machine) {
     if machine.solids.solids.is_empty() {
-        let why = "the machine has no shapes: nothing can be checked for collisions";
-        return remarks.missing(
-            "shapes",
-            why.to_owned(),
-            "[[shapes.torch]], and so on for what may collide".to_owned(),
-        );
+        let why = Message::new("machine-remark-no-shapes");
+        return remarks.missing("shapes", why, Message::new("machine-cure-no-shapes"));
     }
     // An invalid scene is reported as an error elsewhere.
     let Ok(around) = Surroundings::new(machine, &Clamped::default()) else { return };
@@ -85,14 +102,14 @@ fn about_clearance(remarks: &mut Remarks, machine: &Machine) {
         return;
     }
     let Some((watch, found)) = around.nearest(&home, around.greatest_least_mm() + 1.0) else { return };
-    let (a, b) = around.names(watch);
-    let least = around.scene().watches()[watch].least_mm();
-    let why = format!(
-        "at the home position {a} and {b} are {} mm apart, and {} mm are asked for",
-        number(found.distance),
-        number(least)
-    );
-    remarks.missing("home", why, "home_mm or home_deg of an axis, or the shapes".to_owned());
+    let (first, second) = around.bodies(watch);
+    let min = around.scene().watches()[watch].least_mm();
+    let why = Message::new("machine-remark-home-collision")
+        .message("first", first)
+        .message("second", second)
+        .with("distance", readable(found.distance, Unit::Mm))
+        .with("min", readable(min, Unit::Mm));
+    remarks.missing("home", why, Message::new("machine-cure-home-collision"));
 }
 
 fn about_axis(remarks: &mut Remarks, path: &str, axis: &Axis, period: f64) {
@@ -109,21 +126,23 @@ fn about_axis(remarks: &mut Remarks, path: &str, axis: &Axis, period: f64) {
 fn about_range(remarks: &mut Remarks, key: &str, axis: &Axis) {
     let Some((low, high)) = axis.range.map(|(low, high)| (axis.to_file(low), axis.to_file(high))) else { return };
     let span = high - low;
+    let why = |code| Message::new(code).axis("axis", &axis.name);
     match axis.kind {
         AxisKind::Linear if span > LONG_MM => {
-            let why = format!("axis {} would run over {} m", axis.name, number(1e-3 * span));
-            remarks.add(key, why, "the range in mm");
+            let why = why("machine-remark-range-long").with("travel", readable(1e-3 * span, Unit::M));
+            remarks.add(key, why, Message::new("machine-cure-range-long"));
         }
         AxisKind::Linear if span < SHORT_MM => {
-            let why = format!("axis {} would move by {} mm in all", axis.name, number(span));
-            remarks.add(key, why, "the range in mm; m may have been meant");
+            let why = why("machine-remark-range-short").with("travel", readable(span, Unit::Mm));
+            remarks.add(key, why, Message::new("machine-cure-range-short"));
         }
         AxisKind::Rotary if span > MANY_DEG => {
-            let why = format!("axis {} would make {} turns", axis.name, number(span / 360.0));
-            remarks.add(key, why, "the range in degrees, or continuous = true");
+            let why = why("machine-remark-turns").with("turns", readable(span / 360.0, Unit::One));
+            remarks.add(key, why, Message::new("machine-cure-turns"));
         }
         AxisKind::Rotary if span < FEW_DEG => {
-            remarks.add(key, format!("axis {} would turn by {} deg in all", axis.name, number(span)), "degrees");
+            let why = why("machine-remark-range-narrow").with("travel", readable(span, Unit::Deg));
+            remarks.add(key, why, Message::new("machine-cure-range-narrow"));
         }
         AxisKind::Rotary if span <= RADIANS_SPAN_DEG => {
             let quarter = |v: f64| {
@@ -131,15 +150,11 @@ fn about_range(remarks: &mut Remarks, key: &str, axis: &Axis) {
                 (v - quarters * std::f64::consts::FRAC_PI_2).abs() <= RADIANS_ROUNDED
             };
             let sure = quarter(low) && quarter(high);
-            let why = format!(
-                "axis {} would turn by {} deg in all; {} in rad this would be {} to {} deg",
-                axis.name,
-                number(span),
-                if sure { "the ends are quarter turns in rad:" } else { "read" },
-                number(low.to_degrees()),
-                number(high.to_degrees())
-            );
-            remarks.add(key, why, "the range in degrees; leave it if so little is meant");
+            let why = why(if sure { "machine-remark-range-quarter-turns" } else { "machine-remark-range-radians" })
+                .with("travel", readable(span, Unit::Deg))
+                .with("low", readable(low.to_degrees(), Unit::Deg))
+                .with("high", readable(high.to_degrees(), Unit::Deg));
+            remarks.add(key, why, Message::new("machine-cure-range-radians"));
         }
         _ => {}
     }
@@ -147,99 +162,95 @@ fn about_range(remarks: &mut Remarks, key: &str, axis: &Axis) {
 
 fn about_speed(remarks: &mut Remarks, key: &str, axis: &Axis) {
     let speed = axis.to_file(axis.max_speed);
-    let (slow, fast, others) = match axis.kind {
-        AxisKind::Linear => (SLOW_MM_S, FAST_MM_S, ("m/s", "mm/min")),
-        AxisKind::Rotary => (SLOW_DEG_S, FAST_DEG_S, ("rad/s or turns a minute", "deg/min")),
-    };
-    let unit = axis.unit();
+    let (slow, fast) = axis.one_of((SLOW_MM_S, FAST_MM_S), (SLOW_DEG_S, FAST_DEG_S));
+    let why = |code| Message::new(code).with("speed", readable(speed, axis.speed_unit()));
     if speed > fast {
-        let why = format!("{} {unit}/s is faster than such an axis goes", number(speed));
-        return remarks.add(key, why, format!("the speed in {unit}/s; {} may have been meant", others.1));
+        let cure = axis.one_of("machine-cure-linear-speed-high", "machine-cure-rotary-speed-high");
+        return remarks.add(key, why("machine-remark-speed-high"), Message::new(cure));
     }
     if speed < slow {
-        let why = format!("{} {unit}/s is slower than such an axis goes", number(speed));
-        return remarks.add(key, why, format!("the speed in {unit}/s; {} may have been meant", others.0));
+        let cure = axis.one_of("machine-cure-linear-speed-low", "machine-cure-rotary-speed-low");
+        return remarks.add(key, why("machine-remark-speed-low"), Message::new(cure));
     }
     // Acceleration and deceleration phases at full acceleration need v^2 / a.
     let (room, needed) = (axis.range.map(|(l, h)| h - l), axis.max_speed.powi(2) / axis.max_acceleration);
     if let Some(room) = room.filter(|room| needed > *room) {
-        let why = format!(
-            "axis {} never reaches it: run-up and run-down take {} {unit}, and its range is {} {unit}",
-            axis.name,
-            number(axis.to_file(needed)),
-            number(axis.to_file(room))
-        );
-        remarks.add(key, why, format!("speed in {unit}/s and acceleration in {unit}/s^2"));
+        let why = Message::new("machine-remark-speed-unreached")
+            .axis("axis", &axis.name)
+            .with("needed", readable(axis.to_file(needed), axis.position_unit()))
+            .with("travel", readable(axis.to_file(room), axis.position_unit()));
+        let cure = axis.one_of("machine-cure-linear-speed-unreached", "machine-cure-rotary-speed-unreached");
+        remarks.add(key, why, Message::new(cure));
     }
 }
 
 fn about_acceleration(remarks: &mut Remarks, key: &str, axis: &Axis) {
     let time = axis.max_speed / axis.max_acceleration;
-    let unit = axis.unit();
-    let cure = format!("the acceleration in {unit}/s^2");
+    let cure = Message::new(axis.one_of("machine-cure-linear-acceleration", "machine-cure-rotary-acceleration"));
     if time > LONG_RUN_UP_S {
-        let why = format!("axis {} takes {} s to reach its speed", axis.name, number(time));
-        remarks.add(key, why, format!("{cure}; m/s^2 or rad/s^2 may have been meant"));
+        let why = Message::new("machine-remark-acceleration-low").axis("axis", &axis.name);
+        let cure = axis.one_of("machine-cure-linear-acceleration-low", "machine-cure-rotary-acceleration-low");
+        remarks.add(key, why.with("time", readable(time, Unit::S)), Message::new(cure));
     } else if time < SHORT_RUN_UP_S {
-        let why = format!("axis {} reaches its speed in {} ms", axis.name, number(1e3 * time));
-        remarks.add(key, why, cure);
+        let why = Message::new("machine-remark-acceleration-high").axis("axis", &axis.name);
+        remarks.add(key, why.with("time", readable(1e3 * time, Unit::Ms)), cure);
     } else if axis.kind == AxisKind::Linear && axis.max_acceleration > HARD_MM_S2 {
-        let why =
-            format!("{} times gravity is more than such an axis can stand", number(axis.max_acceleration / 9807.0));
-        remarks.add(key, why, cure);
+        let factor = readable(axis.max_acceleration / 9807.0, Unit::One);
+        remarks.add(key, Message::new("machine-remark-gravity").with("factor", factor), cure);
     }
 }
 
 fn about_jerk(remarks: &mut Remarks, path: &str, key: &str, axis: &Axis) {
     let (unit, time) = (axis.unit(), axis.max_acceleration / axis.max_jerk);
     if axis.max_jerk.is_infinite() {
-        let why = format!("axis {} has no jerk limit", axis.name);
-        remarks.add(path, why, format!("max_jerk_{unit}_s3; ten times the acceleration is usual"));
+        let why = Message::new("machine-remark-jerk-missing").axis("axis", &axis.name);
+        let cure = Message::new("machine-cure-jerk-missing").key("key", format!("max_jerk_{unit}_s3"));
+        remarks.add(path, why, cure);
     } else if time > LONG_JERK_S {
-        let why = format!("the acceleration takes {} s to build up", number(time));
-        remarks.add(key, why, format!("a jerk in {unit}/s^3"));
+        let why = Message::new("machine-remark-jerk-low").with("time", readable(time, Unit::S));
+        remarks.add(key, why, Message::new(axis.one_of("machine-cure-linear-jerk", "machine-cure-rotary-jerk")));
     }
 }
 
 fn about_drive(remarks: &mut Remarks, axis: &Axis, period: f64) {
     let table = format!("drives.{}", axis.name);
     let Some(drive) = &axis.drive else {
-        let why = format!("axis {} has no drive: it is simulated with an assumed one", axis.name);
-        return remarks.missing(&table, why, format!("[drives.{}]", axis.name));
+        let of_axis = |code| Message::new(code).axis("axis", &axis.name);
+        return remarks.missing(&table, of_axis("machine-remark-drive-missing"), of_axis("machine-cure-drive-missing"));
     };
     // Forces are in N and kg m/s^2, limits in mm.
     let (scale, peak_key, inertia_key, force) = match axis.kind {
-        AxisKind::Linear => (1e-3, "peak_force_n", "mass_kg", "N"),
-        AxisKind::Rotary => (1.0, "peak_torque_n_m", "inertia_kg_m2", "N m"),
+        AxisKind::Linear => (1e-3, "peak_force_n", "mass_kg", Unit::N),
+        AxisKind::Rotary => (1.0, "peak_torque_n_m", "inertia_kg_m2", Unit::NM),
     };
     let load = &drive.load;
     let moving = load.inertia * scale * axis.max_acceleration;
     let needed = moving + load.coulomb + load.viscous * scale * axis.max_speed;
     if needed > load.peak {
-        let why = format!(
-            "axis {} needs {} {force} for its acceleration at its highest speed, friction included",
-            axis.name,
-            number(needed)
-        );
-        remarks.add(&format!("{table}.{peak_key}"), why, "a stronger drive, or a lower max_acceleration");
+        let why = Message::new("machine-remark-drive-weak").axis("axis", &axis.name);
+        let why = why.with("needed", readable(needed, force));
+        remarks.add(&format!("{table}.{peak_key}"), why, Message::new("machine-cure-drive-weak"));
     } else if load.peak > STRONG * needed {
-        let why = format!("the drive is {} times as strong as its load asks", number(load.peak / needed));
-        remarks.add(&format!("{table}.{inertia_key}"), why, format!("kg or kg m^2, and {force}"));
+        let why = Message::new("machine-remark-drive-strong");
+        let why = why.with("factor", readable(load.peak / needed, Unit::One));
+        let cure = axis.one_of("machine-cure-linear-drive-strong", "machine-cure-rotary-drive-strong");
+        remarks.add(&format!("{table}.{inertia_key}"), why, Message::new(cure));
     }
     let count = axis.to_file(1.0 / drive.encoder_counts_per_unit);
     let unit = axis.unit();
     if count > COARSE {
         let key = format!("{table}.encoder_counts_per_{unit}");
-        remarks.add(&key, format!("one count is {} {unit}", number(count)), format!("counts per {unit} at the axis"));
+        let why = Message::new("machine-remark-encoder").with("count", readable(count, axis.position_unit()));
+        let cure = axis.one_of("machine-cure-linear-encoder", "machine-cure-rotary-encoder");
+        remarks.add(&key, why, Message::new(cure));
     }
     // A velocity loop's period must span several periods of the position loop.
     if drive.velocity_bandwidth_hz * period > 0.25 {
-        let why = format!(
-            "{} Hz is too fast for a position loop every {} ms",
-            number(drive.velocity_bandwidth_hz),
-            number(1e3 * period)
-        );
-        remarks.add(&format!("{table}.velocity_bandwidth_hz"), why, "Hz; or a shorter servo_period_ms");
+        let why = Message::new("machine-remark-velocity-loop")
+            .with("bandwidth", readable(drive.velocity_bandwidth_hz, Unit::Hz))
+            .with("period", readable(1e3 * period, Unit::Ms));
+        let key = format!("{table}.velocity_bandwidth_hz");
+        remarks.add(&key, why, Message::new("machine-cure-velocity-loop"));
     }
 }
 
@@ -251,16 +262,15 @@ fn about_pitch(remarks: &mut Remarks, axis: &Axis) {
     let most = if axis.kind == AxisKind::Linear { PITCH_ERROR_MM } else { PITCH_ERROR_DEG };
     if worst > most {
         let unit = axis.unit();
-        let why = format!("axis {} would be off by up to {} {unit}", axis.name, number(worst));
-        remarks.add(&format!("pitch_error.{}.error_{unit}", axis.name), why, format!("errors in {unit}"));
+        let why = Message::new("machine-remark-pitch").axis("axis", &axis.name);
+        let why = why.with("error", readable(worst, axis.position_unit()));
+        let cure = Message::new(axis.one_of("machine-cure-linear-pitch", "machine-cure-rotary-pitch"));
+        remarks.add(&format!("pitch_error.{}.error_{unit}", axis.name), why, cure);
     }
 }
 
-/// Formats a number for reading: at most four decimals, none from 1000 on.
-fn number(value: f64) -> String {
-    let text = if value.abs() >= 1000.0 { format!("{value:.0}") } else { format!("{value:.4}") };
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
+/// A value rounded for reading: at most four decimals, none from 1000 on.
+fn readable(value: f64, unit: Unit) -> Argument {
+    let scale = if value.abs() >= 1000.0 { 1.0 } else { 1e4 };
+    Argument::Quantity(Quantity::exact((value * scale).round() / scale, unit))
 }

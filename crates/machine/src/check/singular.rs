@@ -5,6 +5,7 @@ use super::svd::svd;
 use super::task::Task;
 use crate::{AxisKind, Joints};
 use glam::DVec3;
+use seamwright_message::{Argument, Message, Quantity, Unit};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -45,7 +46,11 @@ pub struct Singularities {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SingularPlace {
     /// Description of the singularity.
-    pub what: String,
+    #[serde(serialize_with = "super::english::one")]
+    pub what: Message,
+    /// Linear axes that follow the freed motion.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub following: Vec<String>,
     /// The axes that determine it, with one set of positions in file units.
     pub at: Vec<(String, f64)>,
     /// For a single axis: other positions with the same singularity, in file units.
@@ -59,14 +64,26 @@ pub struct SingularPlace {
 }
 
 impl SingularPlace {
-    /// Describes the configuration in one sentence.
-    pub fn sentence(&self, unit: impl Fn(&str) -> &'static str) -> String {
-        let number = |v: &f64| ((v * 1e3).round() / 1e3 + 0.0).to_string();
-        let values = |v: &f64| std::iter::once(v).chain(&self.also).map(number).collect::<Vec<_>>().join(", ");
-        let at: Vec<String> =
-            self.at.iter().map(|(axis, v)| format!("{axis} = {} {}", values(v), unit(axis))).collect();
-        let joint = if self.family { "for example at" } else { "at" };
-        if at.is_empty() { self.what.clone() } else { format!("{}, {joint} {}", self.what, at.join(", ")) }
+    /// Describes the configuration with its positions; `unit` gives the symbol of an axis' unit.
+    pub fn sentence(&self, unit: impl Fn(&str) -> &'static str) -> Message {
+        let mut what = self.what.clone();
+        if !self.following.is_empty() {
+            let axes = self.following.iter().cloned().map(Argument::Axis);
+            what = Message::new("machine-singular-following").message("what", what).list("axes", axes);
+        }
+        if self.at.is_empty() {
+            return what;
+        }
+        let rounded = |v: &f64| (v * 1e3).round() / 1e3 + 0.0;
+        let position = |(axis, v): &(String, f64)| {
+            let unit = Unit::from_symbol(unit(axis)).unwrap_or(Unit::One);
+            let values = std::iter::once(v).chain(&self.also).map(rounded);
+            let values = values.map(|v| Argument::Quantity(Quantity::exact(v, unit)));
+            Message::new("machine-singular-position").axis("axis", axis).list("values", values)
+        };
+        let code = if self.family { "machine-singular-for-example" } else { "machine-singular-at" };
+        let positions = self.at.iter().map(|at| Argument::Message(Box::new(position(at))));
+        Message::new(code).message("what", what).list("positions", positions)
     }
 }
 
@@ -122,10 +139,9 @@ fn same(a: &SingularPlace, b: &SingularPlace) -> bool {
 
 /// True for the same singularity by the same axes.
 fn is_one_kind(a: &SingularPlace, b: &SingularPlace) -> bool {
-    let axes = |p: &SingularPlace| p.at.iter().map(|x| x.0.clone()).collect::<Vec<_>>();
     // The following linear axes depend on their positions.
-    let what = |p: &SingularPlace| p.what.split(", with").next().unwrap_or_default().to_owned();
-    what(a) == what(b) && axes(a) == axes(b)
+    let axes = |p: &SingularPlace| p.at.iter().map(|x| x.0.clone()).collect::<Vec<_>>();
+    a.what == b.what && axes(a) == axes(b)
 }
 
 /// Merges configurations of one kind that differ in the position of one axis, with the largest margin.
@@ -170,8 +186,8 @@ fn describe(task: &Task, q: &Joints) -> SingularPlace {
     let involved: Vec<usize> = (0..lost.len()).filter(part).collect();
     let (rotary, linear): (Vec<usize>, Vec<usize>) = involved.into_iter().partition(|&i| task.is_rotary(i));
     let defining: Vec<usize> = machine.heads[0].chain.axes().iter().filter(|&axis| depends(task, q, axis)).collect();
-    let what = if task.axes.len() < 5 && task.point_conditioning(q) <= SINGULAR {
-        point_lost(task, q)
+    let (what, following) = if task.axes.len() < 5 && task.point_conditioning(q) <= SINGULAR {
+        (point_lost(task, q), Vec::new())
     } else {
         freedom_lost(task, q, &rotary, &linear)
     };
@@ -181,7 +197,7 @@ fn describe(task: &Task, q: &Joints) -> SingularPlace {
     };
     let value = |&axis: &usize| (machine.axes[axis].name.clone(), machine.axes[axis].to_file(q[axis]));
     let at: Vec<(String, f64)> = defining.iter().map(value).collect();
-    SingularPlace { what, family: at.len() > 1, at, also: Vec::new(), margin }
+    SingularPlace { what, following, family: at.len() > 1, at, also: Vec::new(), margin }
 }
 
 /// True if a small displacement of the axis removes the singularity.
@@ -202,34 +218,32 @@ fn line(task: &Task, q: &Joints, i: usize) -> (DVec3, DVec3) {
     task.machine.links.screw_at(task.axes[i], &motion).map_or((DVec3::ZERO, DVec3::ZERO), |s| (s.direction, s.at))
 }
 
-/// Describes a motion of the decided axes that leaves the torch at rest.
-fn freedom_lost(task: &Task, q: &Joints, rotary: &[usize], linear: &[usize]) -> String {
+/// Describes a motion of the decided axes that leaves the torch at rest, and gives the linear axes that follow it.
+fn freedom_lost(task: &Task, q: &Joints, rotary: &[usize], linear: &[usize]) -> (Message, Vec<String>) {
     let tip = task.machine.forward(q);
-    let names = |of: &[usize]| of.iter().map(|&i| task.name(i)).collect::<Vec<_>>().join(", ");
-    let following = match linear {
-        [] => String::new(),
-        _ => format!(", with {} following", names(linear)),
-    };
+    let names = |of: &[usize]| of.iter().map(|&i| task.name(i).to_owned()).collect::<Vec<_>>();
+    let list = |of: &[usize]| names(of).into_iter().map(Argument::Axis);
+    let following = names(linear);
     match rotary {
-        [] => format!("the linear axes {} lie in one plane: the tip cannot leave it", names(linear)),
+        [] => (Message::new("machine-singular-linear").list("axes", list(linear)), Vec::new()),
         [one] => {
-            let direction = line(task, q, *one).0;
+            let along = line(task, q, *one).0.cross(tip.direction).length() < 1e-5;
             let name = task.name(*one);
-            match direction.cross(tip.direction).length() < 1e-5 {
-                true => format!("the torch lies along axis {name}: {name} is free there{following}"),
-                false => format!("what axis {name} does, {} can undo: {name} is free there", names(linear)),
+            match along {
+                true => (Message::new("machine-singular-along-axis").axis("axis", name), following),
+                false => {
+                    let what = Message::new("machine-singular-undone").axis("axis", name);
+                    (what.list("axes", list(linear)), Vec::new())
+                }
             }
         }
         [a, b] => {
             let [u, v] = [a, b].map(|&i| line(task, q, i).0);
-            let (a, b) = (task.name(*a), task.name(*b));
-            if u.cross(v).length() < 1e-5 {
-                format!("axes {a} and {b} are parallel: one undoes the other{following}")
-            } else {
-                format!("the torch lies in the plane of axes {a} and {b}: both tilt it the same way{following}")
-            }
+            let parallel = u.cross(v).length() < 1e-5;
+            let what = Message::new(if parallel { "machine-singular-parallel" } else { "machine-singular-tilt" });
+            (what.axis("first", task.name(*a)).axis("second", task.name(*b)), following)
         }
-        _ => format!("axes {} undo one another{following}", names(rotary)),
+        _ => (Message::new("machine-singular-undo").list("axes", list(rotary)), following),
     }
 }
 
@@ -246,36 +260,36 @@ fn of_arm(task: &Task, q: &Joints) -> SingularPlace {
             task.conditioning(&elsewhere) < NEARLY
         })
     };
-    let place = |what: String, by: &[usize], margin| SingularPlace {
+    let place = |what: Message, by: &[usize], margin| SingularPlace {
         what,
+        following: Vec::new(),
         at: by.iter().map(|&axis| (name(axis), machine.axes[axis].to_file(q[axis]))).collect(),
         also: Vec::new(),
         family: by.len() > 1,
         margin,
     };
     if alone(j5) {
-        let what = format!("wrist singularity: axes {} and {} are parallel", name(j4), name(j6));
+        let what = Message::new("machine-singular-wrist").axis("first", name(j4)).axis("second", name(j6));
         return place(what, &[j5], margin(task, q, j5));
     }
     if alone(j3) {
-        let what = "elbow singularity: the arm is stretched or folded".to_owned();
-        return place(what, &[j3], margin(task, q, j3));
+        return place(Message::new("machine-singular-elbow"), &[j3], margin(task, q, j3));
     }
-    place(format!("shoulder singularity: the wrist is over axis {}", name(j1)), &[j2, j3], None)
+    place(Message::new("machine-singular-shoulder").axis("axis", name(j1)), &[j2, j3], None)
 }
 
 /// Describes the lost direction of motion of the tip on a machine with few axes.
-fn point_lost(task: &Task, q: &Joints) -> String {
+fn point_lost(task: &Task, q: &Joints) -> Message {
     let tip = task.machine.forward(q).point;
     if let Some((a, b)) = in_line(task, q, tip) {
-        return format!("the arm is stretched or folded: axes {a} and {b} move the tip the same way");
+        return Message::new("machine-singular-stretched").axis("first", a).axis("second", b);
     }
     let on = (0..task.axes.len()).filter(|&i| task.is_rotary(i)).find(|&i| {
         let (direction, at) = line(task, q, i);
         direction.cross(tip - at).length() < 1e-3
     });
     if let Some(i) = on {
-        return format!("the tip lies on axis {}, which cannot move it", task.name(i));
+        return Message::new("machine-singular-tip-on-axis").axis("axis", task.name(i));
     }
     let columns = task.columns(q);
     let points = columns.iter().map(|c| [c[0], c[1], c[2], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
@@ -283,7 +297,8 @@ fn point_lost(task: &Task, q: &Joints) -> String {
     // Perpendicular to the two remaining directions.
     let way = |k: usize| found.left.get(k).map_or(DVec3::ZERO, |l| DVec3::new(l[0], l[1], l[2])).normalize_or_zero();
     let lost = way(0).cross(way(1));
-    format!("the tip cannot move along ({:.2}, {:.2}, {:.2}) of the work", lost.x, lost.y, lost.z)
+    let what = Message::new("machine-singular-direction");
+    what.number("x", lost.x, 2).number("y", lost.y, 2).number("z", lost.z, 2)
 }
 
 /// Finds two parallel rotary axes with the tip in the plane of both: both move the tip in the same direction.

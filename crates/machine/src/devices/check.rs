@@ -5,6 +5,7 @@ use super::modbus::{
 };
 use crate::MachineFile;
 use seamwright_document::{Document, DocumentError, Finite, Positive};
+use seamwright_message::{Message, Unit};
 
 type File = Document<MachineFile>;
 
@@ -16,62 +17,62 @@ const PORT: u16 = 502;
 /// Checks one device.
 pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<ModbusDevice, DocumentError> {
     let at = format!("devices.{name}.modbus");
-    let within = |key: &str, value: Option<Positive>, usual: f64, (low, high): (f64, f64), unit: &str| {
+    let within = |key: &str, value: Option<Positive>, usual: f64, (low, high): (f64, f64), unit: Unit| {
         let value = value.map_or(usual, Positive::get);
         if (low..=high).contains(&value) {
             return Ok(value);
         }
-        let allowed = format!("{low} to {high} {unit}");
-        Err(file.error_at(&format!("{at}.{key}"), "this is not a sensible value", allowed))
+        Err(file.error_at(&format!("{at}.{key}"), Message::new("machine-out-of-range"), between(low, high, unit)))
     };
     let unit = device.unit.unwrap_or(1);
     if (248..=254).contains(&unit) {
-        return Err(file.error_at(&format!("{at}.unit"), "this unit address is reserved", "0 to 247, or 255"));
+        let message = Message::new("machine-unit-reserved");
+        return Err(file.error_at(&format!("{at}.unit"), message, Message::new("machine-unit-allowed")));
     }
     let registers = registers(file, &at, device)?;
     if registers.is_empty() {
-        return Err(file.error_at(&at, "the device has no registers", "inputs, outputs, set, reports, actual"));
+        let message = Message::new("machine-device-without-registers");
+        return Err(file.error_at(&at, message, "inputs, outputs, set, reports, actual"));
     }
     if registers.iter().all(|r| matches!(r.role, Role::Watchdog | Role::Heartbeat)) {
-        let message = "the device is neither process source nor has inputs";
-        return Err(file.error_at(&at, message, "registers for inputs, or for outputs.on and reports.burning"));
+        let message = Message::new("machine-device-without-role");
+        return Err(file.error_at(&at, message, Message::new("machine-device-roles")));
     }
     overlaps(file, &at, &registers)?;
     let connections = device.connections.unwrap_or(2);
     if !(1..=2).contains(&connections) {
-        return Err(file.error_at(&format!("{at}.connections"), "this is not a sensible number", "1 or 2"));
+        let allowed = Message::new("document-whole-number").text("min", "1").text("max", "2");
+        return Err(file.error_at(&format!("{at}.connections"), Message::new("machine-out-of-range"), allowed));
     }
     // A command to switch off may wait for a missing answer.
     let switches = registers.iter().any(|r| r.role == Role::On);
     let longest = if switches { 1.0 } else { 5.0 };
-    let poll_hz = within("poll_hz", device.poll_hz, 100.0, (20.0, 1000.0), "Hz")?;
+    let poll_hz = within("poll_hz", device.poll_hz, 100.0, (20.0, 1000.0), Unit::Hz)?;
     Ok(ModbusDevice {
         name: name.to_owned(),
         address: address(file, &at, &device.address)?,
         unit,
         poll_s: 1.0 / poll_hz,
-        timeout_s: within("timeout_s", device.timeout_s, 0.2, (0.01, longest), "s")?,
+        timeout_s: within("timeout_s", device.timeout_s, 0.2, (0.01, longest), Unit::S)?,
         connections,
-        watchdog_s: within("watchdog_s", device.watchdog_s, 0.1, (0.01, 2.0), "s")?,
-        heartbeat_s: within("heartbeat_s", device.heartbeat_s, 0.5, (0.05, 10.0), "s")?,
+        watchdog_s: within("watchdog_s", device.watchdog_s, 0.1, (0.01, 2.0), Unit::S)?,
+        heartbeat_s: within("heartbeat_s", device.heartbeat_s, 0.5, (0.05, 10.0), Unit::S)?,
         registers,
     })
 }
 
 /// Host and port; the default port if none is given.
 fn address(file: &File, at: &str, address: &str) -> Result<String, DocumentError> {
-    let bad = |message: &str| {
-        file.error_at(&format!("{at}.address"), message, "host:port, like 192.168.1.20:502 or [fe80::1]:502")
-    };
+    let bad = |code| file.error_at(&format!("{at}.address"), Message::new(code), Message::new("machine-host-and-port"));
     let host_alone = !address.contains(':') || address.ends_with(']');
     let (host, port) = if host_alone { (address, "502") } else { address.rsplit_once(':').unwrap_or((address, "")) };
     let bracketed = host.starts_with('[') && host.ends_with(']');
     if host.is_empty() || host.chars().any(char::is_whitespace) || (host.contains(':') && !bracketed) {
-        return Err(bad("there is no host"));
+        return Err(bad("machine-host-missing"));
     }
     match port.parse::<u16>() {
         Ok(1..) => Ok(if host_alone { format!("{host}:{PORT}") } else { address.to_owned() }),
-        _ => Err(bad("there is no port from 1 to 65535")),
+        _ => Err(bad("machine-port-missing")),
     }
 }
 
@@ -107,7 +108,8 @@ fn registers(file: &File, at: &str, device: &ModbusFile) -> Result<Vec<Register>
         let register = number_register(file, at, "reports.fault".to_owned(), Role::Fault, fault)?;
         let plain = |s: Scaled| s.kind == NumberType::U16 && fault.scale.is_none() && fault.offset.get().abs() <= 0.0;
         if !matches!(register.place.word, Word::Number(s) if plain(s)) {
-            return Err(file.error_at(&format!("{at}.reports.fault"), "a fault code is a plain u16", "type = \"u16\""));
+            let message = Message::new("machine-fault-code-type");
+            return Err(file.error_at(&format!("{at}.reports.fault"), message, "type = \"u16\""));
         }
         registers.push(register);
     }
@@ -121,13 +123,13 @@ fn registers(file: &File, at: &str, device: &ModbusFile) -> Result<Vec<Register>
 fn table(file: &File, path: &str, given: &[(Table, Option<u16>)], role: &Role) -> Result<(Table, u16), DocumentError> {
     let writes = role.is_output();
     let allowed: Vec<&str> = given.iter().map(|g| g.0).filter(|t| !writes || may_write(*t)).map(Table::name).collect();
-    let allowed = format!("exactly one of {}", allowed.join(", "));
+    let allowed = Message::new("machine-exactly-one-of").text("names", allowed.join(", "));
     let mut named = given.iter().filter_map(|(table, at)| at.map(|at| (*table, at)));
     let (Some((table, at)), None) = (named.next(), named.next()) else {
-        return Err(file.error_at(path, "not exactly one table is named", allowed));
+        return Err(file.error_at(path, Message::new("machine-register-tables"), allowed));
     };
     if writes && !may_write(table) {
-        let message = format!("a {} can only be read, and this is written", full_name(table));
+        let message = Message::new("machine-register-read-only").key("table", table.name());
         return Err(file.error_at(&format!("{path}.{}", table.name()), message, allowed));
     }
     Ok((table, at))
@@ -137,13 +139,9 @@ fn may_write(table: Table) -> bool {
     matches!(table, Table::Coil | Table::Holding)
 }
 
-fn full_name(table: Table) -> &'static str {
-    match table {
-        Table::Coil => "coil",
-        Table::Discrete => "discrete input",
-        Table::Holding => "holding register",
-        Table::Input => "input register",
-    }
+/// Allowed: values from `low` to `high`.
+fn between(low: f64, high: f64, unit: Unit) -> Message {
+    Message::new("document-between").value("min", low, unit).value("max", high, unit)
 }
 
 fn bit_register(file: &File, at: &str, name: String, role: Role, bit: &BitFile) -> Result<Register, DocumentError> {
@@ -160,21 +158,26 @@ fn bit_register(file: &File, at: &str, name: String, role: Role, bit: &BitFile) 
     let word = match (table.has_bits(), bit.bit) {
         (true, None) => Word::Single,
         (true, Some(_)) => {
-            let message = format!("a {} is a single bit", full_name(table));
-            return Err(file.error_at(&key("bit"), message, "`bit` with holding or input"));
+            let message = Message::new("machine-register-single-bit").key("table", table.name());
+            return Err(file.error_at(&key("bit"), message, Message::new("machine-bit-with-register")));
         }
         (false, Some(bit @ 0..=15)) => Word::Bit(bit),
-        (false, Some(_)) => return Err(file.error_at(&key("bit"), "a register has 16 bits", "0 (lowest) to 15")),
+        (false, Some(_)) => {
+            let message = Message::new("machine-register-bits");
+            return Err(file.error_at(&key("bit"), message, Message::new("machine-bit-allowed")));
+        }
         (false, None) if whole => Word::Number(COUNT),
         (false, None) => {
-            return Err(file.error_at(&path, "which bit of the register is missing", "bit = 0 (lowest) to 15"));
+            let message = Message::new("document-missing-key").key("key", "bit");
+            return Err(file.error_at(&path, message, Message::new("machine-bit-form")));
         }
     };
     if bit.safe.is_some() && !(role.is_output() && role != Role::Watchdog) {
-        return Err(file.error_at(&key("safe"), "only outputs have a safe state", "`safe` with gas, on and set"));
+        let message = Message::new("machine-safe-of-input");
+        return Err(file.error_at(&key("safe"), message, Message::new("machine-safe-with-outputs")));
     }
     if role == Role::On && bit.safe == Some(true) {
-        return Err(file.error_at(&key("safe"), "arc or beam is never on where nobody watches it", "false"));
+        return Err(file.error_at(&key("safe"), Message::new("machine-safe-state-on"), "false"));
     }
     let safe = if bit.safe == Some(true) { 1.0 } else { 0.0 };
     Ok(Register { name, role, place: Place { table, at: cell, word }, safe, unit: String::new() })
@@ -195,26 +198,30 @@ fn number_register(
     let (table, cell) = table(file, &path, &given, &role)?;
     let key = |key: &str| format!("{path}.{key}");
     if number.words.is_some() && number.kind.registers() == 1 {
-        return Err(file.error_at(&key("words"), "16 bits are one register", "`words` with u32, i32 and f32"));
+        let message = Message::new("machine-words-of-16-bits");
+        return Err(file.error_at(&key("words"), message, Message::new("machine-words-with-32-bits")));
     }
     if cell > LAST - (number.kind.registers() - 1) {
-        let message = "32 bits need two registers, and this is the last one";
-        return Err(file.error_at(&key(table.name()), message, format!("up to {}", LAST - 1)));
+        let message = Message::new("machine-register-last");
+        let allowed = Message::new("document-at-most").value("max", f64::from(LAST - 1), Unit::One);
+        return Err(file.error_at(&key(table.name()), message, allowed));
     }
     let scale = number.scale.map_or(1.0, Finite::get);
     if scale.abs() < f64::MIN_POSITIVE {
-        return Err(file.error_at(&key("scale"), "every number would be the same value", "any number but 0"));
+        let message = Message::new("machine-scale-zero");
+        return Err(file.error_at(&key("scale"), message, Message::new("machine-not-zero")));
     }
     if number.safe.is_some() && !role.is_output() {
-        return Err(file.error_at(&key("safe"), "only outputs have a safe state", "`safe` with gas, on and set"));
+        let message = Message::new("machine-safe-of-input");
+        return Err(file.error_at(&key("safe"), message, Message::new("machine-safe-with-outputs")));
     }
     let scaled =
         Scaled { kind: number.kind, order: number.words.unwrap_or_default(), scale, offset: number.offset.get() };
     let safe = number.safe.map_or(scaled.offset, Finite::get);
     let (low, high) = scaled.range();
     if !(low..=high).contains(&safe) {
-        let message = "the register cannot hold this value";
-        return Err(file.error_at(&key("safe"), message, format!("{low} to {high}")));
+        let message = Message::new("machine-safe-out-of-range");
+        return Err(file.error_at(&key("safe"), message, between(low, high, Unit::One)));
     }
     let unit = number.unit.clone().unwrap_or_else(|| unit_of(&name));
     Ok(Register { name, role, place: Place { table, at: cell, word: Word::Number(scaled) }, safe, unit })
@@ -230,9 +237,11 @@ fn unit_of(name: &str) -> String {
 fn overlaps(file: &File, at: &str, registers: &[Register]) -> Result<(), DocumentError> {
     for (i, one) in registers.iter().enumerate() {
         if let Some(other) = registers[..i].iter().find(|other| meet(&one.place, &other.place)) {
-            let message = format!("`{}` is at {} already", other.name, other.place);
+            let message = Message::new("machine-register-taken")
+                .key("register", &other.name)
+                .text("address", other.place.to_string());
             let path = format!("{at}.{}.{}", one.name, one.place.table.name());
-            return Err(file.error_at(&path, message, "a place of its own"));
+            return Err(file.error_at(&path, message, Message::new("machine-own-address")));
         }
     }
     Ok(())
@@ -253,15 +262,15 @@ pub(super) fn together(file: &File, devices: &[ModbusDevice]) -> Result<(), Docu
     let mut with_source = devices.iter().filter(|d| d.registers.iter().any(|r| r.role.is_source()));
     if let (Some(first), Some(second)) = (with_source.next(), with_source.next()) {
         let register = second.registers.iter().find(|r| r.role.is_source()).map_or("", |r| r.name.as_str());
-        let message = format!("device `{}` is the process source already", first.name);
-        return Err(file.error_at(&at(second, register), message, "one process source"));
+        let message = Message::new("machine-source-taken").text("device", &first.name);
+        return Err(file.error_at(&at(second, register), message, Message::new("machine-one-source")));
     }
     for device in devices {
         let has = |role: &Role| device.registers.iter().any(|r| r.role == *role);
         if device.registers.iter().any(|r| r.role.is_source()) {
             for (role, key) in [(Role::On, "outputs.on"), (Role::Burning, "reports.burning")] {
                 if !has(&role) {
-                    let message = format!("the process source has no register for `{key}`");
+                    let message = Message::new("machine-source-without-register").key("key", key);
                     return Err(file.error_at(&format!("devices.{}.modbus", device.name), message, key));
                 }
             }
@@ -270,13 +279,15 @@ pub(super) fn together(file: &File, devices: &[ModbusDevice]) -> Result<(), Docu
     let mut with_inputs = devices.iter().filter(|d| d.registers.iter().any(|r| matches!(r.role, Role::Input(_))));
     let (Some(first), second) = (with_inputs.next(), with_inputs.next()) else { return Ok(()) };
     if let Some(second) = second {
-        let message = format!("device `{}` has inputs already", first.name);
-        return Err(file.error_at(&at(second, "inputs"), message, "all inputs on one device"));
+        let message = Message::new("machine-inputs-taken").text("device", &first.name);
+        return Err(file.error_at(&at(second, "inputs"), message, Message::new("machine-inputs-on-one-device")));
     }
     for (i, condition) in file.value.interlocks.iter().enumerate() {
         if !first.registers.iter().any(|r| r.role == Role::Input(i)) {
-            let message = format!("input `{}` of condition `{}` has no register", condition.input, condition.name);
-            return Err(file.error_at(&at(first, "inputs"), message, "a register for every condition's input"));
+            let message = Message::new("machine-input-without-register")
+                .text("input", &condition.input)
+                .text("interlock", &condition.name);
+            return Err(file.error_at(&at(first, "inputs"), message, Message::new("machine-register-for-every-input")));
         }
     }
     Ok(())

@@ -16,6 +16,7 @@ pub use steps::{Steps, StepsFile};
 use crate::Axis;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::Message;
 use serde::Deserialize;
 
 /// A device, by how it is reached. Exactly one of them.
@@ -56,8 +57,8 @@ pub(crate) fn devices(file: &Document<crate::MachineFile>, axes: &[Axis]) -> Res
     for (name, device) in &file.value.devices {
         let has_drives = devices.linuxcnc.is_some() || devices.steps.is_some();
         let taken = |kind: &str| {
-            let message = "another device has the drives already";
-            file.error_at(&format!("devices.{name}.{kind}"), message, "one device with `linuxcnc` or `steps`")
+            let message = Message::new("machine-drives-taken");
+            file.error_at(&format!("devices.{name}.{kind}"), message, Message::new("machine-one-device-of-drives"))
         };
         match device {
             DeviceFile::Modbus(modbus) => devices.modbus.push(check::modbus(file, name, modbus)?),

@@ -1,6 +1,7 @@
-use crate::{Axis, AxisKind, MachineFile};
+use crate::{Axis, MachineFile};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::{Message, Unit};
 use serde::Deserialize;
 
 /// The drives by step and direction pulses to the steppers of `[drives.<axis>.stepper]`.
@@ -46,15 +47,16 @@ pub(super) fn steps(
 ) -> Result<Steps, DocumentError> {
     let at = |key: &str| format!("devices.{name}.steps.{key}");
     if let Some(stream) = device.stream.as_ref().filter(|stream| !stream.ends_with(".vcd") || stream.len() == 4) {
-        let message = format!("`{stream}` is no value change dump");
-        return Err(file.error_at(&at("stream"), message, "the path of a file that ends in .vcd, or no `stream`"));
+        let message = Message::new("machine-stream-file").text("file", stream);
+        return Err(file.error_at(&at("stream"), message, Message::new("machine-stream-file-allowed")));
     }
     let period_ns = 1e6 * file.value.servo_period_ms.map_or(1.0, seamwright_document::Positive::get);
     let tick_ns = device.tick_ns.unwrap_or(TICK_NS);
     let ticks = period_ns / f64::from(tick_ns);
     if !(10..=100_000).contains(&tick_ns) || ticks < 1.0 || (ticks - ticks.round()).abs() > 1e-9 * ticks {
-        let allowed = format!("10 to 100000 ns, a whole number of times in the period of {period_ns} ns");
-        return Err(file.error_at(&at("tick_ns"), format!("the timer has ticks of {tick_ns} ns"), allowed));
+        let message = Message::new("machine-tick").value("tick", f64::from(tick_ns), Unit::Ns);
+        let allowed = Message::new("machine-tick-allowed").value("period", period_ns, Unit::Ns);
+        return Err(file.error_at(&at("tick_ns"), message, allowed));
     }
     let steps = Steps { stream: device.stream.clone(), tick_ns, period: ticks.round() as u64 };
     for axis in axes {
@@ -66,33 +68,33 @@ pub(super) fn steps(
 /// Checks that all pulses for the motion of an axis can be generated.
 fn check(file: &Document<MachineFile>, name: &str, axis: &Axis, steps: &Steps) -> Result<(), DocumentError> {
     let Some(stepper) = &axis.stepper else {
-        let message = format!("axis `{}` has no stepper that could take pulses", axis.name);
-        let allowed = format!("[drives.{}.stepper], or other drives than `steps`", axis.name);
+        let message = Message::new("machine-stepper-missing").axis("axis", &axis.name);
+        let allowed = Message::new("machine-stepper-or-other-drives").axis("axis", &axis.name);
         return Err(file.error_at(&format!("devices.{name}.steps"), message, allowed));
     };
-    let linear = axis.kind == AxisKind::Linear;
-    let (unit, speed_unit) = if linear { ("mm", "mm/s") } else { ("deg", "deg/s") };
+    let resolution = format!("resolution_{}", axis.unit());
     let at = |key: &str| format!("drives.{}.stepper.{key}", axis.name);
     let Some(microsteps) = stepper.least_microsteps() else {
         let finest = stepper.microsteps.last().copied().map_or(1.0, f64::from);
         let finest = axis.to_file(1.0 / (stepper.full_steps_per_unit() * finest));
-        let message = "the driver's finest setting does not meet this";
-        return Err(file.error_at(&at(&format!("resolution_{unit}")), message, format!("{finest} {unit} or more")));
+        let message = Message::new("machine-resolution-too-fine");
+        let allowed = Message::new("document-at-least").value("min", finest, axis.position_unit());
+        return Err(file.error_at(&at(&resolution), message, allowed));
     };
     let per_unit = stepper.full_steps_per_unit() * f64::from(microsteps);
     let driver = stepper.ticks(steps.tick_s());
     let most_hz = (1.0 - RESERVE) / (driver.spacing as f64 * steps.tick_s());
     let needed_hz = axis.max_speed * per_unit;
     if needed_hz > most_hz {
-        let message = format!(
-            "axis `{}` needs {needed_hz:.0} pulses a second at its highest speed ({:.6} {speed_unit}, {microsteps} microsteps), and {most_hz:.0} can be made",
-            axis.name,
-            axis.to_file(axis.max_speed),
-        );
-        let allowed = format!(
-            "a highest speed up to {:.6} {speed_unit}, a coarser resolution_{unit}, or a quicker driver (max_pulse_hz, min_pulse_us)",
-            axis.to_file(most_hz / per_unit)
-        );
+        let message = Message::new("machine-pulse-rate")
+            .axis("axis", &axis.name)
+            .quantity("needed", needed_hz, Unit::Hz, 0)
+            .quantity("speed", axis.to_file(axis.max_speed), axis.speed_unit(), 6)
+            .text("microsteps", microsteps.to_string())
+            .quantity("possible", most_hz, Unit::Hz, 0);
+        let allowed = Message::new("machine-pulse-rate-allowed")
+            .quantity("speed", axis.to_file(most_hz / per_unit), axis.speed_unit(), 6)
+            .key("resolution", resolution);
         return Err(file.error_at(&at("max_pulse_hz"), message, allowed));
     }
     // The first pulse after a reversal comes within a step of the turning point; then the axis accelerates.
@@ -103,8 +105,8 @@ fn check(file: &Document<MachineFile>, name: &str, axis: &Axis, steps: &Steps) -
     let turn = driver.width.saturating_add(driver.hold).saturating_add(driver.setup);
     if turn.saturating_add(pulses * driver.spacing) > steps.period {
         let most = steps.period.saturating_sub(pulses * driver.spacing + driver.width) as f64 * steps.tick_s() * 1e6;
-        let message = format!("after a reversal {pulses} pulses do not fit into the period any more");
-        let allowed = format!("direction_setup_us and direction_hold_us that make up to {most:.1} together");
+        let message = Message::new("machine-pulses-after-reversal").count("n", pulses as usize);
+        let allowed = Message::new("machine-direction-times-allowed").quantity("time", most, Unit::Us, 1);
         return Err(file.error_at(&at("direction_setup_us"), message, allowed));
     }
     Ok(())
@@ -145,7 +147,7 @@ mod tests {
             (steps, ("max_pulse_hz = 200000", "max_pulse_hz = 32052"), "", ""),
             // With ticks of 100 ns 15.64 us are 31,969 per second.
             (steps, ("min_pulse_us = 2.5", "min_pulse_us = 7.8125"), "max_pulse_hz", "up to"),
-            (steps, ("resolution_mm = 0.005", "resolution_mm = 0.0001"), "resolution_mm", "0.000390625 mm or more"),
+            (steps, ("resolution_mm = 0.005", "resolution_mm = 0.0001"), "resolution_mm", "at least 0.000390625 mm"),
             (steps, ("direction_setup_us = 5", "direction_setup_us = 990"), "direction_setup_us", "together"),
         ] {
             let result = read(lines, change);

@@ -18,8 +18,8 @@ use glam::DVec3;
 use numeric::Numeric;
 use plane_on_rotary::PlaneOnRotary;
 use seamwright_geometry::Pose;
+use seamwright_message::{Message, Unit, display_by_message};
 use std::ops::{Deref, DerefMut};
-use thiserror::Error;
 use three_linear::ThreeLinear;
 use two_linear::TwoLinear;
 
@@ -91,27 +91,21 @@ impl DerefMut for Branches {
 }
 
 /// Reason why no axis positions reach a pose; lengths in mm, angles in rad.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Unreachable {
     /// The two rotary axes cannot give the direction.
-    #[error("the rotary axes cannot turn the torch that way; the nearest direction is {:.4} degrees off", by.to_degrees())]
     Direction {
         /// Angle to the nearest direction, rad.
         by: f64,
     },
     /// The axes cannot reach the point.
-    #[error("the axes cannot reach the point; it is {by:.4} mm off")]
     Point {
         /// Distance to the nearest point, mm.
         by: f64,
     },
     /// The linear axes do not span space at these rotary positions.
-    #[error("the linear axes are parallel to a plane at these rotary positions")]
     Flat,
     /// Every branch takes a linear axis beyond its range.
-    #[error(
-        "out of reach by {by:.3} mm: axis {axis} would be at {value:.6} mm, {beyond:.6} mm beyond its limit {limit} mm"
-    )]
     OutOfReach {
         /// Distance of the point beyond the reach of the linear axes, mm.
         by: f64,
@@ -125,7 +119,6 @@ pub enum Unreachable {
         limit: f64,
     },
     /// Every branch puts an axis beyond its range.
-    #[error("axis {axis} would be at {value:.6} {unit}, {by:.6} {unit} beyond its limit {limit} {unit}")]
     Range {
         /// Name of the axis.
         axis: String,
@@ -135,15 +128,54 @@ pub enum Unreachable {
         by: f64,
         /// The limit, in the file's unit.
         limit: f64,
-        /// The file's unit: mm or deg.
-        unit: &'static str,
+        /// The file's unit: mm or degrees.
+        unit: Unit,
     },
     /// The machine's two heads cannot reach both points.
-    #[error("{0}")]
-    Pair(&'static str),
+    Pair(PairFault),
 }
 
+/// Reason why two heads cannot be at two poses at once.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PairFault {
+    /// The machine has no suitable axes that carry both heads.
+    Axes,
+    /// Both torches are at one point.
+    SamePoint,
+    /// The torches point at each other.
+    Opposed,
+}
+
+display_by_message!(Unreachable);
+
 impl Unreachable {
+    /// Describes the reason.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Direction { by } => {
+                Message::new("machine-unreachable-direction").quantity("angle", by.to_degrees(), Unit::Deg, 4)
+            }
+            Self::Point { by } => Message::new("machine-unreachable-point").quantity("distance", *by, Unit::Mm, 4),
+            Self::Flat => Message::new("machine-unreachable-flat"),
+            Self::OutOfReach { by, axis, value, beyond, limit } => Message::new("machine-out-of-reach")
+                .quantity("distance", *by, Unit::Mm, 3)
+                .axis("axis", axis)
+                .quantity("position", *value, Unit::Mm, 6)
+                .quantity("excess", *beyond, Unit::Mm, 6)
+                .value("limit", rounded(*limit), Unit::Mm),
+            Self::Range { axis, value, by, limit, unit } => Message::new("machine-axis-out-of-range")
+                .axis("axis", axis)
+                .quantity("position", *value, *unit, 6)
+                .quantity("excess", *by, *unit, 6)
+                .value("limit", rounded(*limit), *unit),
+            Self::Pair(fault) => Message::new(match fault {
+                PairFault::Axes => "machine-pair-axes",
+                PairFault::SamePoint => "machine-pair-same-point",
+                PairFault::Opposed => "machine-pair-opposed",
+            }),
+        }
+    }
+
     /// Distance from reachability, in mm or degrees, to compare reasons of one machine.
     pub(crate) fn by(&self) -> f64 {
         match self {
@@ -193,13 +225,13 @@ impl Inverse {
         matches!(self.form, Form::Numeric(_))
     }
 
-    /// The form in words.
-    pub(crate) fn words(&self) -> &'static str {
+    /// Code of the form's name.
+    pub(crate) fn method(&self) -> &'static str {
         match self.form {
-            Form::ThreeLinear(_) => "closed form",
-            Form::PlaneOnRotary(_) => "closed form, a plane on a rotary axis",
-            Form::TwoLinear(_) => "closed form, in a plane",
-            Form::Numeric(_) => "numeric (Newton's method)",
+            Form::ThreeLinear(_) => "machine-method-closed",
+            Form::PlaneOnRotary(_) => "machine-method-plane-on-rotary",
+            Form::TwoLinear(_) => "machine-method-in-plane",
+            Form::Numeric(_) => "machine-method-numeric",
         }
     }
 
@@ -277,6 +309,11 @@ impl Form {
             },
         }
     }
+}
+
+/// A limit in the unit of a file, without the rounding of rad to degrees.
+fn rounded(limit: f64) -> f64 {
+    (limit * 1e9).round() / 1e9
 }
 
 /// Home positions of the axes.

@@ -104,7 +104,7 @@ mod tests {
     proptest! {
         /// The library finds the same fastest change of speed; extremes are those of dense samples.
         #[test]
-        fn is_as_fast_as_the_librarys(
+        fn is_as_fast_as_the_library(
             v in -50.0..50.0f64, a in -1.0..1.0f64, to in prop::sample::select(vec![0.0, 0.0, -20.0, 7.5, 50.0]),
             acceleration in 1.0..1000.0f64, jerk in 10.0..20000.0f64,
         ) {

@@ -1,6 +1,7 @@
 use super::error::{Fault, Span};
 use super::lexer::same;
 use crate::{Code, Control};
+use seamwright_message::Message;
 
 /// Finds channels and codes by their names in the program.
 #[derive(Debug)]
@@ -60,7 +61,9 @@ impl Addresses {
 /// Fault of an unknown address.
 pub(super) fn no_address(control: &Control, span: Span, name: &str) -> Box<Fault> {
     let addresses: Vec<&str> = control.addresses.iter().map(String::as_str).filter(|a| !a.is_empty()).collect();
-    Fault::unknown(span, format!("{name} is no address of this machine and no word that is known"))
-        .allowed(format!("{} and the words of {}", addresses.join(" "), control.dialect.name()))
-        .cure(format!("an axis' address is set in the machine file, in [controls.{}.axes]", control.dialect.name()))
+    let dialect = control.dialect.name();
+    let allowed = Message::new("post-addresses-allowed").text("addresses", addresses.join(" "));
+    Fault::unknown(span, Message::new("post-no-address").text("name", name))
+        .allowed(allowed.text("dialect", dialect))
+        .cure(Message::new("post-addresses-cure").text("dialect", dialect))
 }

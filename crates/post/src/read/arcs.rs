@@ -19,7 +19,7 @@ pub(super) struct Tolerance {
     pub(super) radius: f64,
     /// An arc of less is a full circle more, rad.
     pub(super) least_angle: f64,
-    /// Whose rule it is.
+    /// Code of the rule's name.
     pub(super) rule: &'static str,
 }
 

@@ -1,3 +1,4 @@
+use seamwright_message::Message;
 use std::fmt;
 
 /// Invalid text in a part program, with its position.
@@ -14,15 +15,26 @@ pub struct ReadError {
     /// The line's text.
     pub text: String,
     /// Description of the fault.
-    pub message: String,
+    pub message: Message,
     /// Allowed values or words.
-    pub allowed: Option<String>,
+    pub allowed: Option<Message>,
     /// Operator action.
-    pub cure: Option<String>,
+    pub cure: Option<Message>,
     marked: usize,
 }
 
 impl std::error::Error for ReadError {}
+
+impl ReadError {
+    /// Returns the address and the fault as one message.
+    pub fn located(&self) -> Message {
+        Message::new("post-located")
+            .text("file", &self.file)
+            .text("line", self.line.to_string())
+            .text("column", self.column.to_string())
+            .message("message", self.message.clone())
+    }
+}
 
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -33,10 +45,10 @@ impl fmt::Display for ReadError {
         writeln!(f, " {number} | {}", self.text)?;
         writeln!(f, " {margin} | {}{}", " ".repeat(self.column.saturating_sub(1)), "^".repeat(self.marked.max(1)))?;
         if let Some(allowed) = &self.allowed {
-            writeln!(f, "   allowed: {allowed}")?;
+            writeln!(f, "   {}", Message::new("document-allowed").message("allowed", allowed.clone()))?;
         }
         if let Some(cure) = &self.cure {
-            writeln!(f, "   help: {cure}")?;
+            writeln!(f, "   {}", Message::new("document-help").message("help", cure.clone()))?;
         }
         Ok(())
     }
@@ -53,11 +65,26 @@ pub(super) struct Span {
 #[derive(Debug, Clone)]
 pub(super) struct Fault {
     pub(super) span: Span,
-    pub(super) message: String,
-    allowed: Option<String>,
-    cure: Option<String>,
+    pub(super) message: Message,
+    allowed: Option<Message>,
+    cure: Option<Message>,
     /// Whether the text is only unknown, so that a lenient reader may leave it out.
     pub(super) unknown: bool,
+}
+
+/// A message, or the code of one without arguments.
+pub(super) struct Words(Message);
+
+impl From<&'static str> for Words {
+    fn from(code: &'static str) -> Self {
+        Self(Message::new(code))
+    }
+}
+
+impl From<Message> for Words {
+    fn from(message: Message) -> Self {
+        Self(message)
+    }
 }
 
 /// Result of reading a part of a line. The fault is boxed, so that a good result stays small.
@@ -65,24 +92,24 @@ pub(super) type Read<T = ()> = Result<T, Box<Fault>>;
 
 impl Fault {
     /// Something is wrong.
-    pub(super) fn new(span: Span, message: impl Into<String>) -> Box<Self> {
-        Box::new(Self { span, message: message.into(), allowed: None, cure: None, unknown: false })
+    pub(super) fn new(span: Span, message: impl Into<Words>) -> Box<Self> {
+        Box::new(Self { span, message: message.into().0, allowed: None, cure: None, unknown: false })
     }
 
     /// Something is not understood.
-    pub(super) fn unknown(span: Span, message: impl Into<String>) -> Box<Self> {
+    pub(super) fn unknown(span: Span, message: impl Into<Words>) -> Box<Self> {
         let mut fault = Self::new(span, message);
         fault.unknown = true;
         fault
     }
 
-    pub(super) fn allowed(mut self: Box<Self>, allowed: impl Into<String>) -> Box<Self> {
-        self.allowed = Some(allowed.into());
+    pub(super) fn allowed(mut self: Box<Self>, allowed: impl Into<Words>) -> Box<Self> {
+        self.allowed = Some(allowed.into().0);
         self
     }
 
-    pub(super) fn cure(mut self: Box<Self>, cure: impl Into<String>) -> Box<Self> {
-        self.cure = Some(cure.into());
+    pub(super) fn cure(mut self: Box<Self>, cure: impl Into<Words>) -> Box<Self> {
+        self.cure = Some(cure.into().0);
         self
     }
 
@@ -116,8 +143,8 @@ pub(super) fn floor_char(text: &str, mut at: usize) -> usize {
 /// A code of a modal group, of which a block may have one: marks it in `groups`.
 pub(super) fn once(groups: &mut u32, group: u32, span: Span) -> Read {
     if *groups & group != 0 {
-        let fault = Fault::new(span, "two codes of one modal group stand in this block");
-        return Err(fault.cure("leave one of them out"));
+        let fault = Fault::new(span, "post-same-group");
+        return Err(fault.cure("post-omit-one"));
     }
     *groups |= group;
     Ok(())

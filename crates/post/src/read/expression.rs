@@ -3,6 +3,7 @@
 use super::error::{Fault, Read, Span};
 use super::lexer::{Cursor, same};
 use crate::Dialect;
+use seamwright_message::Message;
 use std::collections::HashMap;
 
 /// Brackets within brackets that are read; deeper ones are a mistake.
@@ -132,7 +133,7 @@ impl Expressions {
     fn factor(&self, c: &mut Cursor, depth: u32) -> Read<f64> {
         c.blanks();
         if depth > DEEPEST {
-            return Err(Fault::new(c.here(), "too many brackets within each other"));
+            return Err(Fault::new(c.here(), "post-nested-brackets"));
         }
         let (open, close) = self.brackets();
         match c.peek() {
@@ -156,7 +157,7 @@ impl Expressions {
                 self.parameter(c, depth + 1)
             }
             b if b.is_ascii_alphabetic() || b == b'_' => self.named_factor(c, depth + 1),
-            _ => Err(Fault::new(c.here(), "a number is missing here")),
+            _ => Err(Fault::new(c.here(), "post-number-missing")),
         }
     }
 
@@ -178,12 +179,12 @@ impl Expressions {
     pub(super) fn parameter_name(&self, c: &mut Cursor, depth: u32) -> Read<Parameter> {
         let from = c.at;
         if c.take(b'<') {
-            let name = c.until('>').ok_or_else(|| Fault::new(c.since(from), "> is missing behind this name"))?;
+            let name = c.until('>').ok_or_else(|| Fault::new(c.since(from), "post-name-open"))?;
             return Ok(Parameter::Name(name.replace([' ', '\t'], "").to_ascii_uppercase()));
         }
         let value = self.factor(c, depth)?;
         if !(0.0..=9999.0).contains(&value) || (value - value.round()).abs() > 1e-6 {
-            return Err(Fault::new(c.since(from), "this is no number of a parameter").allowed("1 to 9999, or a <name>"));
+            return Err(Fault::new(c.since(from), "post-parameter-number").allowed("post-parameter-number-allowed"));
         }
         Ok(Parameter::Number(value.round() as u32))
     }
@@ -222,7 +223,7 @@ impl Expressions {
         }
         match self.named.get(&name.to_ascii_uppercase()) {
             Some(value) if self.dialect == Dialect::Sinumerik => Ok(*value),
-            _ => Err(Fault::unknown(span, format!("{name} is no number and has no value"))),
+            _ => Err(Fault::unknown(span, Message::new("post-name-without-value").text("name", name))),
         }
     }
 
@@ -245,7 +246,8 @@ impl Expressions {
         let known = FUNCTIONS.iter().find(|(dialect, n, _)| *dialect == self.dialect && same(n, name));
         known.map(|(_, _, function)| *function).ok_or_else(|| {
             let names = FUNCTIONS.iter().filter(|f| f.0 == self.dialect).map(|f| f.1).collect::<Vec<_>>().join(" ");
-            Fault::unknown(span, format!("{name} is no function of this reader's")).allowed(names)
+            Fault::unknown(span, Message::new("post-unknown-function").text("name", name))
+                .allowed(Message::verbatim(names))
         })
     }
 }
@@ -309,10 +311,9 @@ fn finite(value: f64, span: Span) -> Read<f64> {
     if value.is_finite() {
         return Ok(value);
     }
-    Err(Fault::new(span, "this has no value: a division by zero, or a function outside its range"))
+    Err(Fault::new(span, "post-no-value"))
 }
 
 fn unset(span: Span) -> Box<Fault> {
-    Fault::new(span, "this variable has no value here")
-        .cure("set it in the program: what the control has in its memory is not known")
+    Fault::new(span, "post-variable-unset").cure("post-variable-unset-cure")
 }

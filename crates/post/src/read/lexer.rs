@@ -1,6 +1,7 @@
 //! Bytes of a line, and the numbers and names in them. This module does not allocate.
 
 use super::error::{Fault, Read, Span, floor_char};
+use seamwright_message::Message;
 
 /// A position in a line.
 #[derive(Debug, Clone, Copy)]
@@ -64,7 +65,8 @@ impl<'a> Cursor<'a> {
         if self.take(byte) {
             return Ok(());
         }
-        Err(Fault::new(self.here(), format!("{} is missing here", byte as char)))
+        let message = Message::new("post-character-missing").text("character", char::from(byte));
+        Err(Fault::new(self.here(), message))
     }
 
     /// The character here.
@@ -79,12 +81,11 @@ impl<'a> Cursor<'a> {
     /// Fault of a character that starts no word.
     pub(super) fn stray(&self) -> Box<Fault> {
         match self.peek() {
-            b',' if !self.comma => Fault::new(self.here(), "no word begins with a comma")
-                .cure("if numbers have a decimal comma here, say decimal_comma = true in the machine file"),
+            b',' if !self.comma => Fault::new(self.here(), "post-comma").cure("post-comma-cure"),
             b'0'..=b'9' | b'.' | b',' | b'+' | b'-' => {
-                Fault::new(self.here(), "this part of a number belongs to no word").cure("is the number right?")
+                Fault::new(self.here(), "post-stray-number").cure("post-stray-number-cure")
             }
-            _ => Fault::unknown(self.here(), "no word begins with this"),
+            _ => Fault::unknown(self.here(), "post-stray-character"),
         }
     }
 
@@ -164,7 +165,7 @@ impl<'a> Cursor<'a> {
         digits += decimals;
         if digits == 0 {
             self.at = from;
-            return Err(Fault::new(self.here(), "a number is missing here"));
+            return Err(Fault::new(self.here(), "post-number-missing"));
         }
         // Up to 15 digits are exact, and so is the power of ten: one correctly rounded division.
         let size = if digits <= 15 { whole as f64 / TENS[decimals] } else { self.long(first, point, comma) };
@@ -192,9 +193,9 @@ impl<'a> Cursor<'a> {
             self.at += 1;
         }
         match self.at - from {
-            0 => Err(Fault::new(self.here(), "a whole number is missing here")),
+            0 => Err(Fault::new(self.here(), "post-whole-number-missing")),
             1..=9 => Ok(value),
-            _ => Err(Fault::new(self.since(from), "this number has too many digits").allowed("at most nine digits")),
+            _ => Err(Fault::new(self.since(from), "post-too-many-digits").allowed("post-too-many-digits-allowed")),
         }
     }
 
@@ -208,7 +209,7 @@ impl<'a> Cursor<'a> {
         self.at += 1;
         let tenth = self.whole()?;
         if tenth > 9 {
-            return Err(Fault::unknown(self.since(from), "codes have at most one decimal"));
+            return Err(Fault::unknown(self.since(from), "post-code-decimals"));
         }
         Ok(10 * whole.min(99_999) + tenth)
     }

@@ -24,6 +24,7 @@ use crate::{Control, Dialect, Level, PartProgram, What};
 use error::{Fault, Read, Span};
 use lexer::Cursor;
 use programs::Programs;
+use seamwright_message::Message;
 use state::State;
 
 /// Result of reading a text.
@@ -34,7 +35,7 @@ pub struct Reading {
     /// Texts that a lenient reader did not understand and left out, in order.
     pub left_out: Vec<LeftOut>,
     /// Notes for the user: assumptions of the reader, with their position.
-    pub notes: Vec<String>,
+    pub notes: Vec<Message>,
 }
 
 /// Something that a lenient reader left out.
@@ -47,7 +48,7 @@ pub struct LeftOut {
     /// The words.
     pub text: String,
     /// Reason why they were not understood.
-    pub why: String,
+    pub why: Message,
 }
 
 /// Options of the reader.
@@ -119,8 +120,8 @@ pub fn read(control: &Control, file: &str, text: &str, options: &ReadOptions) ->
 fn run(state: &mut State, text: &str) -> Read {
     let start = Span { from: 0, to: 0 };
     if state.control.dialect == Dialect::Grblhal && state.program.axes() > 8 {
-        let fault = Fault::new(start, format!("grblHAL has at most 8 axes, this machine {}", state.program.axes()));
-        return Err(fault.cure("choose another control"));
+        let message = Message::new("post-grblhal-axes").count("axes", state.program.axes());
+        return Err(Fault::new(start, message).cure("post-another-control"));
     }
     let programs = Programs::find(text, state.control.dialect)?;
     match state.control.dialect {
@@ -157,10 +158,8 @@ fn run_lines(state: &mut State, text: &str, programs: &Programs, mut words: impl
         let mut c = Cursor::new(text, from, to, state.control.decimal_comma);
         called += u64::from(inside);
         if called > MAX_LINES {
-            return Err(Fault::new(
-                Span { from, to },
-                format!("more than {MAX_LINES} lines of sub-programs are called"),
-            ));
+            let message = Message::new("post-too-many-lines").count("max", MAX_LINES as usize);
+            return Err(Fault::new(Span { from, to }, message));
         }
         match words.line(state, &mut c, programs)? {
             Flow::Next => {}
@@ -168,8 +167,8 @@ fn run_lines(state: &mut State, text: &str, programs: &Programs, mut words: impl
             Flow::Call(sub, times) => {
                 let program = &programs.subs[sub];
                 if frames.len() > DEEPEST {
-                    let message = format!("more than {DEEPEST} calls within each other");
-                    return Err(Fault::new(Span { from, to }, message).cure("does a sub-program call itself?"));
+                    let message = Message::new("post-calls-too-deep").count("max", DEEPEST);
+                    return Err(Fault::new(Span { from, to }, message).cure("post-calls-too-deep-cure"));
                 }
                 let sub = Some((sub, times));
                 frames.push(Frame { at: program.from, to: program.to, line: program.line, sub });
@@ -184,10 +183,10 @@ fn run_lines(state: &mut State, text: &str, programs: &Programs, mut words: impl
         }
     }
     if !ended {
-        state.note("no end", "nothing says that the program ends here, as M30 does: is the file whole?");
+        state.note("post-no-end");
     }
     if state.is_burning() {
-        state.note("burning", "the arc is on at the program's end");
+        state.note("post-burning-at-end");
     }
     Ok(())
 }
@@ -213,7 +212,7 @@ fn rest(state: &mut State, text: &str, main: &Frame) {
     });
     if let Some(lines) = something {
         state.line = main.line + lines as u32;
-        state.note("behind the end", "what stands behind the program's end is not read");
+        state.note("post-behind-end");
     }
 }
 

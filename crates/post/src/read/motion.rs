@@ -7,6 +7,7 @@ use crate::Dialect;
 use crate::part_program::{Arc, ChannelKind, Curve, Level, Move, Path, What};
 use crate::polynomial::POWERS;
 use glam::DVec3;
+use seamwright_message::Message;
 
 /// Words of a block beside the channels.
 #[derive(Debug, Clone, Default)]
@@ -65,15 +66,15 @@ impl State<'_> {
         }
         let place = self.target.span().unwrap_or(block.span);
         let Some(motion) = self.motion else {
-            let fault = Fault::new(place, "no G0, G1, G2 or G3 is in force for this");
-            return Err(fault.cure("say how the axes go there"));
+            let fault = Fault::new(place, "post-no-motion-mode");
+            return Err(fault.cure("post-no-motion-mode-cure"));
         };
         if arc_word && !motion.is_arc() {
             let span = block.arc_word().unwrap_or(block.span);
-            return Err(Fault::new(span, "only arcs have this word").allowed("with G2 or G3"));
+            return Err(Fault::new(span, "post-arc-word").allowed("post-arc-word-allowed"));
         }
         if let Some((_, _, span)) = block.higher.first().filter(|_| motion != Motion::Polynomial) {
-            return Err(Fault::new(*span, "only POLY has polynomials").cure("say POLY before PO"));
+            return Err(Fault::new(*span, "post-polynomial-without-poly").cure("post-polynomial-without-poly-cure"));
         }
         self.resolve(block)?;
         let lost = self.lost != [false; 3];
@@ -126,7 +127,7 @@ impl State<'_> {
             };
             let turned = matches!(word.how, How::Nearest | How::Upwards | How::Downwards);
             if turned && self.program.channels[channel].kind != ChannelKind::Rotary {
-                return Err(Fault::new(word.span, "only rotary axes have DC, ACP and ACN").allowed("AC or IC"));
+                return Err(Fault::new(word.span, "post-rotary-words").allowed("post-rotary-words-allowed"));
             }
         }
         Ok(())
@@ -144,9 +145,9 @@ impl State<'_> {
         let all = (0..3).all(said);
         let counted = self.mode == FeedMode::PerMinute && motion != Motion::Rapid;
         if !all || counted || !matches!(motion, Motion::Rapid | Motion::Line) {
-            let what = if self.level == Level::Tip { "torch tip" } else { "axes" };
-            let message = format!("where the {what} stands at its begin is not known: the kinematics were switched");
-            let cure = "begin with a rapid or timed line to X, Y and Z, absolute";
+            let tip = self.level == Level::Tip;
+            let message = if tip { "post-start-unknown-tip" } else { "post-start-unknown-axes" };
+            let cure = "post-start-unknown-cure";
             return Err(Fault::new(place, message).cure(cure));
         }
         self.lost = [false; 3];
@@ -190,7 +191,7 @@ impl State<'_> {
         if way > 0.0 || self.control.dialect == Dialect::Linuxcnc {
             return way;
         }
-        self.note("beside", "F counts none of the axes that move in this block: it is taken for all of them");
+        self.note("post-feed-counts-none");
         let square = |i: usize| if self.is_interpolated(i) { (self.next[i] - self.row[i]).powi(2) } else { 0.0 };
         (0..self.row.len()).map(square).sum::<f64>().sqrt()
     }
@@ -208,7 +209,7 @@ impl State<'_> {
         let index = self.program.add_curve(&rows, self.rule.counted());
         let curve = self.program.curves[index as usize];
         if self.program.evenly(curve, (&self.row, &self.next)).length() <= 0.0 {
-            self.note("beside", "F counts none of the axes that move in this block: it is taken for all of them");
+            self.note("post-feed-counts-none");
             let all = (1u64 << self.program.axes()) - 1;
             self.program.curves[index as usize] = Curve { counted: all, ..curve };
         }
@@ -218,13 +219,11 @@ impl State<'_> {
     #[cold]
     fn no_feed(&self, place: Span) -> Box<Fault> {
         match (self.control.dialect, self.mode) {
-            (Dialect::Pmac, _) => {
-                Fault::new(place, "how fast to go is not said").cure("say TM, F, TA or PVT before it")
-            }
+            (Dialect::Pmac, _) => Fault::new(place, "post-speed-missing").cure("post-speed-missing-cure"),
             (Dialect::Linuxcnc | Dialect::Grblhal, FeedMode::InverseTime) => {
-                Fault::new(place, "F is missing").cure("with G93 every block with G1, G2 or G3 needs its own F")
+                Fault::new(place, "post-feed-missing").cure("post-feed-missing-inverse-time")
             }
-            _ => Fault::new(place, "F is missing").cure("say F; it must be said anew after G93, G94 and G95"),
+            _ => Fault::new(place, "post-feed-missing").cure("post-feed-missing-cure"),
         }
     }
 
@@ -234,11 +233,10 @@ impl State<'_> {
         for (channel, speed) in speeds.iter_mut().enumerate().take(self.program.axes()) {
             let Some(word) = self.target.get(channel) else {
                 let address = &self.control.addresses[channel];
-                let fault =
-                    Fault::new(block.span, format!("PVT wants every axis in every block: {address} is missing"));
-                return Err(fault.allowed("a position and a speed of each axis, like X10:2.5"));
+                let message = Message::new("post-pvt-axis-missing").text("address", address);
+                return Err(Fault::new(block.span, message).allowed("post-pvt-axis-missing-allowed"));
             };
-            let missing = || Fault::new(word.span, "PVT wants a speed behind the position").allowed("like X10:2.5");
+            let missing = || Fault::new(word.span, "post-pvt-speed-missing").allowed("post-pvt-speed-allowed");
             *speed = word.speed.ok_or_else(missing)?;
         }
         Ok(Path::Hermite(self.program.add_row(&speeds)))

@@ -11,6 +11,7 @@ use super::state::{FeedMode, Motion, State};
 use super::target::{How, twice};
 use super::{Flow, Lines};
 use glam::DVec3;
+use seamwright_message::Message;
 
 /// State of PMAC beside the other controls' state.
 #[derive(Debug)]
@@ -148,8 +149,8 @@ impl Words {
                 if state.own_code(letter, code) {
                     return Ok(());
                 }
-                let fault = Fault::unknown(c.since(from), "on PMAC this calls a program of the machine's own");
-                Err(fault.cure("say what it does in the machine file's codes"))
+                let fault = Fault::unknown(c.since(from), "post-pmac-call");
+                Err(fault.cure("post-pmac-call-cure"))
             }
             _ => {
                 let span = c.since(from);
@@ -169,7 +170,7 @@ impl Words {
             let place = c.at;
             speed = Some(state.expressions.word(c)?);
             if state.motion != Some(Motion::Hermite) {
-                return Err(Fault::new(c.since(place), "only PVT has speeds behind positions"));
+                return Err(Fault::new(c.since(place), "post-speed-without-pvt"));
             }
         }
         let how = if self.incremental[channel] { How::Increment } else { How::Absolute };
@@ -185,12 +186,12 @@ impl Words {
         let place = c.at;
         let value = c.number()?;
         if number != 190 && number != 5190 {
-            let fault = Fault::unknown(span, format!("what I{number} changes is not known here"));
-            return Err(fault.allowed("I190, or I5190, the unit of F's time in ms"));
+            let fault =
+                Fault::unknown(span, Message::new("post-unknown-i-variable").text("number", number.to_string()));
+            return Err(fault.allowed("post-i-variables-allowed"));
         }
         if !(1.0..=1e6).contains(&value) {
-            return Err(Fault::new(c.since(place), "this is no unit of time")
-                .allowed("1000 for F per second, 60000 per minute"));
+            return Err(Fault::new(c.since(place), "post-time-unit").allowed("post-time-unit-allowed"));
         }
         self.feed_time = 1e-3 * value;
         Ok(())
@@ -205,7 +206,7 @@ impl Words {
             return Ok(Flow::Next);
         }
         if self.closed {
-            return Err(Fault::new(block.span, "this stands behind CLOSE").cure("close the program at its end"));
+            return Err(Fault::new(block.span, "post-behind-close").cure("post-behind-close-cure"));
         }
         state.least_time = 0.0;
         let (mode, feed) = match state.motion {
@@ -219,7 +220,7 @@ impl Words {
             }
         };
         if self.acceleration.is_none() && matches!(state.motion, Some(motion) if motion != Motion::Rapid) {
-            state.note("acceleration", "TA is not said: it is taken as 0");
+            state.note("post-acceleration-missing");
         }
         (state.mode, state.feed) = (mode, feed);
         state.go(block)?;
@@ -291,16 +292,16 @@ fn m_variable(state: &mut State, c: &mut Cursor, from: usize) -> Read {
         1..=100 => {
             let on = value > 0.5;
             if (value - f64::from(u8::from(on))).abs() > 1e-9 {
-                return Err(Fault::new(c.since(place), "a digital output is on or off").allowed("0 and 1"));
+                return Err(Fault::new(c.since(place), "post-digital-value").allowed("post-digital-value-allowed"));
             }
             state.switch(number as u16 - 1, on, at_once);
             Ok(())
         }
         101..=200 => state.set_output(number - 101, value, at_once, span),
         _ => {
-            let fault = Fault::unknown(span, format!("what M{number} is is not known"));
-            Err(fault
-                .allowed("M1 to M100 digital outputs, M101 to M200 analogue ones, and addresses of process values"))
+            let fault =
+                Fault::unknown(span, Message::new("post-unknown-m-variable").text("number", number.to_string()));
+            Err(fault.allowed("post-m-variables-allowed"))
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::error::{Fault, Read, Span};
 use super::lexer::{Cursor, same};
 use crate::Dialect;
+use seamwright_message::Message;
 
 /// A program within the text.
 #[derive(Debug, Clone)]
@@ -57,9 +58,7 @@ fn sections<'a>(text: &'a str, whole: &Program<'a>) -> Read<Programs<'a>> {
             let blank = head.is_empty() || head.starts_with(';');
             if found.is_empty() && !blank {
                 let span = Span { from: at, to: at + line.len() };
-                return Err(
-                    Fault::new(span, "this stands before the first program").allowed("a line like %_N_WELD_MPF")
-                );
+                return Err(Fault::new(span, "post-before-first-program").allowed("post-before-first-program-allowed"));
             }
             continue;
         }
@@ -69,10 +68,12 @@ fn sections<'a>(text: &'a str, whole: &Program<'a>) -> Read<Programs<'a>> {
             last.to = at;
         }
         if found.iter().any(|(_, p)| same(p.name, name)) {
-            return Err(Fault::new(span, format!("there are two programs {name}")).cure("give one another name"));
+            return Err(
+                Fault::new(span, Message::new("post-program-twice").text("name", name)).cure("post-program-twice-cure")
+            );
         }
         if !same(kind, "MPF") && !same(kind, "SPF") {
-            return Err(Fault::new(span, "this is no kind of program").allowed("a name that ends in _MPF or _SPF"));
+            return Err(Fault::new(span, "post-program-kind").allowed("post-program-kind-allowed"));
         }
         let from = (at + line.len() + 1).min(text.len());
         found.push((same(kind, "MPF"), Program { name, from, to: text.len(), line: number + 1, ..whole.clone() }));
@@ -97,15 +98,15 @@ fn subroutines(text: &str) -> Read<Vec<Program<'_>>> {
         let span = c.since(word);
         if same(keyword, "sub") {
             if open.is_some() || found.iter().any(|p| same(p.name, name)) {
-                let message = format!("o<{name}> sub within another, or a second time");
-                return Err(Fault::new(span, message).cure("end the one before with endsub; give each its own name"));
+                let message = Message::new("post-sub-twice").text("name", name);
+                return Err(Fault::new(span, message).cure("post-sub-twice-cure"));
             }
             let from = (c.end + 1).min(text.len());
             let title = remark(&mut c);
             open = Some(Program { name, from, to: from, line: number + 1, title, after: (0, 0) });
         } else if same(keyword, "endsub") {
             let Some(mut sub) = open.take().filter(|p| same(p.name, name)) else {
-                return Err(Fault::new(span, format!("o<{name}> endsub without its sub")));
+                return Err(Fault::new(span, Message::new("post-endsub-without-sub").text("name", name)));
             };
             sub.to = at;
             sub.after = ((at + line.len() + 1).min(text.len()), number + 1);
@@ -116,7 +117,7 @@ fn subroutines(text: &str) -> Read<Vec<Program<'_>>> {
         None => Ok(found),
         Some(sub) => {
             let end = Span { from: sub.from.saturating_sub(1), to: sub.from };
-            Err(Fault::new(end, format!("o<{}> sub has no endsub", sub.name)))
+            Err(Fault::new(end, Message::new("post-sub-without-endsub").text("name", sub.name)))
         }
     }
 }
@@ -127,7 +128,7 @@ pub(super) fn o_word<'a>(c: &mut Cursor<'a>) -> Read<(&'a str, &'a str)> {
     c.blanks();
     let from = c.at;
     let name = if c.take(b'<') {
-        let name = c.until('>').ok_or_else(|| Fault::new(c.since(from), "> is missing behind this name"))?;
+        let name = c.until('>').ok_or_else(|| Fault::new(c.since(from), "post-name-open"))?;
         name.trim()
     } else {
         let from = c.at;

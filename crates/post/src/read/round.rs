@@ -8,6 +8,7 @@ use super::target::How;
 use crate::Dialect;
 use crate::part_program::Arc;
 use glam::DVec3;
+use seamwright_message::{Message, Unit};
 use std::f64::consts::TAU;
 
 const IJK: [char; 3] = ['I', 'J', 'K'];
@@ -26,7 +27,7 @@ impl State<'_> {
             return self.arc_through(block, start, end);
         }
         if let Some((_, _, span)) = block.middle.iter().flatten().next() {
-            return Err(Fault::new(*span, "only CIP goes through a point in between").allowed("I, J and K"));
+            return Err(Fault::new(*span, "post-point-without-cip").allowed("post-centre-words"));
         }
         let mut normal = block.normal.unwrap_or(DVec3::AXES[self.plane]);
         if (motion == Motion::Clockwise) != block.normal.is_some() {
@@ -44,8 +45,8 @@ impl State<'_> {
             return self.arc_by_angle(centre, start, normal, degrees.to_radians(), extra, span);
         }
         let Some((centre, span)) = centre else {
-            let fault = Fault::new(block.span, "neither centre nor radius of this arc is said");
-            return Err(fault.allowed("I, J, K, or a radius"));
+            let fault = Fault::new(block.span, "post-arc-undefined");
+            return Err(fault.allowed("post-arc-words"));
         };
         self.check_circle(start, end, centre, normal, span)?;
         Ok(arcs::about(start, end, centre, normal, extra, tolerance.least_angle))
@@ -54,13 +55,14 @@ impl State<'_> {
     /// Arcs want the axes of their plane, and no third centre word.
     fn check_plane(&self, block: &Block, normal: DVec3) -> Read {
         if let (Some((_, _, span)), None) = (block.centre[self.plane], block.normal) {
-            let message = format!("the plane is {}: {} has no place in it", PLANES[self.plane], IJK[self.plane]);
-            return Err(Fault::new(span, message).cure("choose the plane with G17, G18 or G19 before"));
+            let message = Message::new("post-centre-outside-plane").text("plane", PLANES[self.plane]);
+            let message = message.text("word", IJK[self.plane]);
+            return Err(Fault::new(span, message).cure("post-plane-cure"));
         }
         let missing = (0..3).find(|k| self.addresses.xyz[*k].is_none() && normal[*k].abs() < 1.0 - 1e-9);
         missing.map_or(Ok(()), |k| {
-            let message = format!("this arc wants an axis called {}, which this machine has not", ["x", "y", "z"][k]);
-            Err(Fault::new(block.span, message).cure("go there in straight blocks"))
+            let message = Message::new("post-arc-axis-missing").text("axis", ["x", "y", "z"][k]);
+            Err(Fault::new(block.span, message).cure("post-arc-axis-missing-cure"))
         })
     }
 
@@ -74,21 +76,21 @@ impl State<'_> {
         span: Span,
     ) -> Read<DVec3> {
         if let Some((_, _, other)) = block.centre.iter().flatten().next() {
-            return Err(Fault::new(*other, "centre and radius of an arc cannot both be said").cure("leave one out"));
+            return Err(Fault::new(*other, "post-centre-and-radius").cure("post-omit-one-word"));
         }
         if let Some((_, other)) = block.angle {
-            return Err(Fault::new(other, "angle and radius of an arc cannot both be said").cure("leave one out"));
+            return Err(Fault::new(other, "post-angle-and-radius").cure("post-omit-one-word"));
         }
         let radius = if self.inch { INCH * radius } else { radius };
         let chord = (end - start).reject_from_normalized(normal).length();
         if chord <= 0.0 {
-            return Err(Fault::new(span, "an arc by its radius cannot end where it begins")
-                .cure("write a full circle by its centre"));
+            return Err(Fault::new(span, "post-radius-full-circle").cure("post-radius-full-circle-cure"));
         }
         let slack = self.tolerance().radius;
         arcs::by_radius(start, end, radius, normal, slack).ok_or_else(|| {
-            let message = format!("this radius is too small: half the way to the end is {:.6} mm", 0.5 * chord);
-            Fault::new(span, message).allowed(format!("at least {:.6} mm, or as little below zero", 0.5 * chord))
+            let message = Message::new("post-radius-too-small").quantity("half", 0.5 * chord, Unit::Mm, 6);
+            let allowed = Message::new("post-radius-allowed").quantity("min", 0.5 * chord, Unit::Mm, 6);
+            Fault::new(span, message).allowed(allowed)
         })
     }
 
@@ -99,7 +101,7 @@ impl State<'_> {
         for (k, word) in block.centre.iter().enumerate() {
             let Some((value, how, _)) = word else {
                 if self.absolute_centre && k != self.plane {
-                    let message = format!("{} is missing: with G90.1 a centre is absolute", IJK[k]);
+                    let message = Message::new("post-absolute-centre-missing").text("word", IJK[k]);
                     return Err(Fault::new(span, message));
                 }
                 continue;
@@ -122,15 +124,15 @@ impl State<'_> {
         span: Span,
     ) -> Read<Arc> {
         if !(angle > 0.0 && angle < TAU) {
-            return Err(Fault::new(span, "this is no angle of an arc").allowed("more than 0 and less than 360 degrees"));
+            return Err(Fault::new(span, "post-arc-angle").allowed("post-arc-angle-allowed"));
         }
         let sweep = angle + f64::from(extra) * TAU;
         if let Some((centre, centre_span)) = centre {
             let said =
                 |k: usize| k != self.plane && self.addresses.xyz[k].is_some_and(|i| self.target.get(i).is_some());
             if (0..3).any(said) {
-                let message = "centre, angle and end of an arc cannot all be said";
-                return Err(Fault::new(centre_span, message).cure("leave one out"));
+                let message = "post-centre-angle-end";
+                return Err(Fault::new(centre_span, message).cure("post-omit-one-word"));
             }
             let end = arcs::turned(start, centre, angle, normal);
             for k in (0..3).filter(|k| *k != self.plane) {
@@ -142,7 +144,7 @@ impl State<'_> {
         }
         let end = self.place_of(&self.next);
         let centre = arcs::by_angle(start, end, angle, normal);
-        let centre = centre.ok_or_else(|| Fault::new(span, "an arc by its angle cannot end where it begins"))?;
+        let centre = centre.ok_or_else(|| Fault::new(span, "post-angle-full-circle"))?;
         Ok(Arc { centre, normal, sweep })
     }
 
@@ -150,33 +152,38 @@ impl State<'_> {
         let (first, last) = arcs::radii(start, end, centre, normal);
         let tolerance = self.tolerance();
         if first.min(last) < tolerance.radius.max(1e-6) {
-            let which = if first < last { "starts" } else { "ends" };
-            return Err(Fault::new(span, format!("this arc {which} at its own centre: it has no radius")));
+            let starts = first < last;
+            let message = if starts { "post-arc-starts-at-centre" } else { "post-arc-ends-at-centre" };
+            return Err(Fault::new(span, message));
         }
         let (off, most) = ((first - last).abs(), tolerance.off(first.max(last)));
         if off <= most {
             return Ok(());
         }
         if self.control.dialect == Dialect::Pmac {
-            self.note("spiral", "the radius changes along this arc: PMAC makes a spiral of it");
+            self.note("post-spiral");
             return Ok(());
         }
-        let message =
-            format!("the end of this arc is off its circle: radius {first:.6} mm at its start, {last:.6} at its end");
+        let message = Message::new("post-arc-off-circle").quantity("start", first, Unit::Mm, 6).quantity(
+            "end",
+            last,
+            Unit::Mm,
+            6,
+        );
+        let allowed = Message::new("post-arc-off-circle-allowed").quantity("max", most, Unit::Mm, 6);
         Err(Fault::new(span, message)
-            .allowed(format!("a difference of {most:.6} mm, by {}", tolerance.rule))
-            .cure("write centre and end with more decimals"))
+            .allowed(allowed.message("rule", Message::new(tolerance.rule)))
+            .cure("post-arc-off-circle-cure"))
     }
 
     fn arc_through(&mut self, block: &Block, start: DVec3, end: DVec3) -> Read<Arc> {
         let place = block.arc_word().unwrap_or(block.span);
         if self.addresses.xyz.contains(&None) {
-            return Err(Fault::new(place, "CIP wants axes called x, y and z"));
+            return Err(Fault::new(place, "post-cip-axes"));
         }
         let centre = block.centre.iter().flatten().map(|c| c.2).next();
         if let Some(span) = centre.or(block.radius.map(|r| r.1)).or(block.angle.map(|a| a.1)) {
-            return Err(Fault::new(span, "CIP goes through a point: it has no centre, radius or angle")
-                .allowed("I1, J1 and K1"));
+            return Err(Fault::new(span, "post-cip-words").allowed("post-cip-words-allowed"));
         }
         let mut middle = start;
         for (k, word) in block.middle.iter().enumerate() {
@@ -185,10 +192,8 @@ impl State<'_> {
             let increment = if *how == How::Modal { self.incremental } else { *how == How::Increment };
             middle[k] = if increment { start[k] + value } else { value };
         }
-        let mut arc = arcs::through(start, middle, end).ok_or_else(|| {
-            Fault::new(place, "start, the point in between and end of this arc lie on a line or in one place")
-                .cure("write a line, or a full circle by its centre")
-        })?;
+        let mut arc = arcs::through(start, middle, end)
+            .ok_or_else(|| Fault::new(place, "post-cip-on-line").cure("post-cip-on-line-cure"))?;
         arc.sweep += f64::from(block.turns.map_or(0, |t| t.0)) * TAU;
         Ok(arc)
     }
@@ -199,16 +204,14 @@ impl State<'_> {
             // Its interpreter: absolute and relative, and at most a hundred times the absolute one for any radius.
             Dialect::Linuxcnc => {
                 let least = 2f64.sqrt() * if self.inch { 0.002 * INCH } else { 0.02 };
-                (least, 0.001, 100.0 * least, 0.00127, 1e-6, "LinuxCNC's rule: 0.1 % of the radius, at least 0.028 mm")
+                (least, 0.001, 100.0 * least, 0.00127, 1e-6, "post-rule-linuxcnc")
             }
-            Dialect::Grblhal => {
-                (0.005, 0.001, 0.5, 0.0, 5e-7, "grblHAL's rule: 0.1 % of the radius, at least 0.005 mm")
-            }
+            Dialect::Grblhal => (0.005, 0.001, 0.5, 0.0, 5e-7, "post-rule-grblhal"),
             Dialect::Sinumerik => {
-                let rule = "MD21000 and MD21010 as delivered: 0.1 % of the radius, at least 0.01 mm";
+                let rule = "post-rule-sinumerik";
                 (0.01, 0.001, f64::INFINITY, 0.01, 1e-9, rule)
             }
-            Dialect::Pmac => (0.01, 0.001, f64::INFINITY, 0.001, std::f64::consts::PI / 1_048_576.0, "PMAC"),
+            Dialect::Pmac => (0.01, 0.001, f64::INFINITY, 0.001, std::f64::consts::PI / 1_048_576.0, "post-rule-pmac"),
         };
         Tolerance { least, relative, most, radius, least_angle, rule }
     }

@@ -12,6 +12,7 @@ use super::state::State;
 use super::target::{How, twice};
 use super::{Flow, Lines};
 use crate::{Dialect, Event};
+use seamwright_message::Message;
 
 /// grblHAL's buffer for a line has this many characters.
 const LONGEST: usize = 256;
@@ -60,7 +61,7 @@ impl Lines for Words {
         let grblhal = state.control.dialect == Dialect::Grblhal;
         if grblhal && whole.to - whole.from > LONGEST && c.of(whole).trim_end().len() > LONGEST {
             let span = Span { from: whole.from + LONGEST, to: whole.to };
-            return Err(Fault::new(span, "this line is too long for grblHAL").allowed("256 characters"));
+            return Err(Fault::new(span, "post-line-too-long").allowed("post-line-too-long-allowed"));
         }
         state.number = None;
         state.target.clear();
@@ -167,18 +168,22 @@ impl Words {
             Some(sub) if same(keyword, "call") => Flow::Call(sub, 1),
             None if same(keyword, "call") => {
                 let names: Vec<&str> = programs.subs.iter().map(|p| p.name).collect();
-                let fault = Fault::new(span, format!("there is no sub-program {name} in this text"));
-                return Err(fault.allowed(if names.is_empty() { "none".to_owned() } else { names.join(" ") }));
+                let fault = Fault::new(span, Message::new("post-no-sub-program").text("name", name));
+                return Err(fault.allowed(match names.is_empty() {
+                    true => Message::new("post-none"),
+                    false => Message::verbatim(names.join(" ")),
+                }));
             }
             _ => {
-                let fault = Fault::new(span, format!("o{name} {keyword}: loops and branches are not read"));
-                return Err(fault.allowed("sub, endsub and call").cure("write the blocks out, one after the other"));
+                let message = Message::new("post-no-branches").text("name", format!("o{name} {keyword}"));
+                let fault = Fault::new(span, message);
+                return Err(fault.allowed("post-subs-allowed").cure("post-write-out"));
             }
         };
         let title = remark(c);
         c.blanks();
         if !c.is_done() {
-            return Err(Fault::new(c.here(), "calls have no arguments here").allowed("a line like o101 call (root)"));
+            return Err(Fault::new(c.here(), "post-call-arguments").allowed("post-call-arguments-allowed"));
         }
         let named = sub.map_or("", |sub| programs.subs[sub].title);
         let name = [title, named, name].into_iter().find(|n| !n.is_empty()).unwrap_or_default();
@@ -217,7 +222,7 @@ fn value(state: &State, c: &mut Cursor) -> Read<f64> {
         return state.expressions.word(c);
     }
     if matches!(c.peek(), b'#' | b'[') {
-        return Err(Fault::new(c.here(), "parameters and expressions are not for grblHAL").allowed("a number"));
+        return Err(Fault::new(c.here(), "post-grblhal-expression").allowed("a number"));
     }
     c.number()
 }
@@ -233,7 +238,7 @@ fn keep(place: &mut Option<(f64, Span)>, value: f64, span: Span) -> Read {
 /// A remark in brackets, or a message.
 fn comment(state: &mut State, c: &mut Cursor, from: usize) -> Read {
     let Some(text) = c.until(')') else {
-        return Err(Fault::new(Span { from, to: c.end }, "this remark has no end").allowed("( and ) in one line"));
+        return Err(Fault::new(Span { from, to: c.end }, "post-comment-open").allowed("post-comment-allowed"));
     };
     let text = text.trim();
     match text.split_once(',') {

@@ -12,6 +12,7 @@ use super::state::{Motion, State};
 use super::target::{How, twice};
 use super::{Flow, Lines};
 use crate::Level;
+use seamwright_message::Message;
 
 /// State of the text so far.
 #[derive(Debug, Default)]
@@ -114,12 +115,8 @@ impl Line {
             b'[' if same(name, "PO") => self.polynomial(state, c, span),
             b'[' => {
                 c.skip_word();
-                let fault = Fault::unknown(span, format!("{name}[..] is not read"));
-                Err(if same(name, "FGREF") {
-                    fault.cure("a degree counts as a mm here: leave FGREF out")
-                } else {
-                    fault
-                })
+                let fault = Fault::unknown(span, Message::new("post-indexed-name-not-read").text("name", name));
+                Err(if same(name, "FGREF") { fault.cure("post-fgref-cure") } else { fault })
             }
             _ => self.keyword(name, first, state, c, span, programs),
         }
@@ -199,7 +196,7 @@ impl Line {
                 let value = state.expressions.expression(c)?;
                 let at = c.since(span.from);
                 if !(1e-4..=99_999.999_9).contains(&value) {
-                    return Err(Fault::new(at, "this is no length of a parameter").allowed("0.0001 to 99999.9999"));
+                    return Err(Fault::new(at, "post-parameter-length").allowed("post-parameter-length-allowed"));
                 }
                 again(self.block.parameter.replace(value).is_some(), c)
             }
@@ -207,7 +204,7 @@ impl Line {
                 let value = state.expressions.expression(c)?;
                 let at = c.since(span.from);
                 if !(0.0..=999.0).contains(&value) || (value - value.round()).abs() > 1e-9 {
-                    return Err(Fault::new(at, "this is no number of turns").allowed("a whole number from 0 to 999"));
+                    return Err(Fault::new(at, "post-turns").allowed("post-turns-allowed"));
                 }
                 again(self.block.turns.replace((value.round() as u32, at)).is_some(), c)
             }
@@ -244,8 +241,8 @@ impl Line {
                 state.motion = Some(Motion::Polynomial);
             }
             "ASPLINE" | "BSPLINE" | "CSPLINE" => {
-                let fault = Fault::new(span, format!("{upper}: these splines are not read"));
-                return Err(fault.allowed("G1 G2 G3 CIP POLY").cure("have it written with POLY or G1"));
+                let fault = Fault::new(span, Message::new("post-splines-not-read").text("name", upper));
+                return Err(fault.allowed("post-curves-allowed").cure("post-splines-not-read-cure"));
             }
             "TRAORI" => state.switch_level(Level::Tip, span)?,
             "TRAFOOF" => state.switch_level(Level::Joint, span)?,
@@ -259,11 +256,11 @@ impl Line {
                 return self.call(sub, name, first, state, c, span);
             }
             _ if STEERING.contains(&upper.as_str()) => {
-                return Err(Fault::new(span, format!("{upper}: loops, branches and calls of others are not read"))
-                    .cure("write the blocks out, one after the other"));
+                let message = Message::new("post-no-calls-of-others").text("name", upper);
+                return Err(Fault::new(span, message).cure("post-write-out"));
             }
             _ if state.addresses.name(name).is_some() || "FGMIJKN".contains(&upper) => {
-                return Err(Fault::new(c.here(), format!("a value is missing behind {upper}")));
+                return Err(Fault::new(c.here(), Message::new("post-value-missing").text("word", upper)));
             }
             _ => return Err(no_address(state.control, span, name)),
         }
@@ -273,7 +270,7 @@ impl Line {
     /// A line with just a sub-program's name, and perhaps how often.
     fn call(&mut self, sub: usize, name: &str, first: bool, state: &mut State, c: &mut Cursor, span: Span) -> Read {
         if !first {
-            return Err(Fault::new(span, "a call stands alone in its line").cure("write two lines"));
+            return Err(Fault::new(span, "post-call-not-alone").cure("post-two-lines"));
         }
         let mut times = 1;
         if matches!(c.peek(), b'P' | b'p') {
@@ -283,13 +280,13 @@ impl Line {
             let from = c.at;
             times = c.whole()?;
             if !(1..=9999).contains(&times) {
-                return Err(Fault::new(c.since(from), "this is no number of repeats").allowed("1 to 9999"));
+                return Err(Fault::new(c.since(from), "post-repeats").allowed("post-repeats-allowed"));
             }
         }
         let title = remark(c);
         c.blanks();
         if !c.is_done() {
-            return Err(Fault::new(c.here(), "a call stands alone in its line").allowed("a name, and P with a number"));
+            return Err(Fault::new(c.here(), "post-call-not-alone").allowed("post-call-allowed"));
         }
         state.pass(if title.is_empty() { name } else { title });
         self.flow = Some(Flow::Call(sub, times));
@@ -357,5 +354,5 @@ fn put(state: &mut State, channel: usize, value: f64, how: How, span: Span) -> R
 fn skipped(c: &mut Cursor) -> Box<Fault> {
     let from = c.at;
     c.at = c.end;
-    Fault::unknown(c.since(from), "whether the operator skips this block is not known").cure("leave it out, or its /")
+    Fault::unknown(c.since(from), "post-skipped-block").cure("post-skipped-block-cure")
 }

@@ -9,6 +9,7 @@ use super::{LeftOut, ReadOptions};
 use crate::feed::FeedRule;
 use crate::part_program::ChannelKind;
 use crate::{Code, Control, Event, Level, PartProgram, Step, What};
+use seamwright_message::Message;
 
 /// Motion mode of the axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,7 +59,7 @@ pub(super) struct State<'a> {
     pub(super) addresses: Addresses,
     pub(super) expressions: Expressions,
     pub(super) program: PartProgram,
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Message>,
     pub(super) left_out: Vec<LeftOut>,
     noted: Vec<&'static str>,
     lenient: bool,
@@ -149,11 +150,12 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Adds a note for the user, once for each `key`.
-    pub(super) fn note(&mut self, key: &'static str, text: &str) {
-        if !self.noted.contains(&key) {
-            self.noted.push(key);
-            self.notes.push(format!("line {}: {text}", self.line));
+    /// Adds a note for the user, once for each `code`.
+    pub(super) fn note(&mut self, code: &'static str) {
+        if !self.noted.contains(&code) {
+            self.noted.push(code);
+            let note = Message::new("post-note").text("line", self.line.to_string());
+            self.notes.push(note.message("note", Message::new(code)));
         }
     }
 
@@ -218,9 +220,13 @@ impl<'a> State<'a> {
         let channel = self.control.outputs.iter().position(|o| o.map(u32::from) == Some(output));
         let Some(channel) = channel else {
             let known: Vec<String> = self.control.outputs.iter().flatten().map(ToString::to_string).collect();
-            return Err(Fault::unknown(span, format!("no process value has the analogue output {output}"))
-                .allowed(if known.is_empty() { "none on this machine".to_owned() } else { known.join(" ") })
-                .cure("outputs of process values are set in the machine file, in io.analog"));
+            let message = Message::new("post-no-process-value").text("output", output.to_string());
+            return Err(Fault::unknown(span, message)
+                .allowed(match known.is_empty() {
+                    true => Message::new("post-none-on-machine"),
+                    false => Message::verbatim(known.join(" ")),
+                })
+                .cure("post-process-value-cure"));
         };
         self.set(channel, value, at_once);
         Ok(())
@@ -267,7 +273,7 @@ impl<'a> State<'a> {
     pub(super) fn switch_level(&mut self, level: Level, span: Span) -> Read {
         if level != self.level {
             if self.addresses.xyz.contains(&None) {
-                return Err(Fault::new(span, "this machine has no axes X, Y and Z to move the torch tip by"));
+                return Err(Fault::new(span, "post-no-tip-axes"));
             }
             self.lost = [true; 3];
         }
@@ -278,7 +284,7 @@ impl<'a> State<'a> {
     /// A dwell; one of no time right behind a move is that move's exact stop if `marks`.
     pub(super) fn dwell(&mut self, seconds: f64, marks: bool, span: Span) -> Read {
         if !(0.0..=1e6).contains(&seconds) {
-            return Err(Fault::new(span, "this is no time to dwell").allowed("0 to 1000000 s"));
+            return Err(Fault::new(span, "post-dwell-time").allowed("post-dwell-allowed"));
         }
         let mut steps = self.program.steps.iter_mut().rev();
         if marks
@@ -295,10 +301,10 @@ impl<'a> State<'a> {
     /// Checks the value of F or TM.
     pub(super) fn check_feed(value: f64, span: Span) -> Read {
         if value <= 0.0 {
-            return Err(Fault::new(span, "a feed must be greater than 0"));
+            return Err(Fault::new(span, "post-feed-not-positive"));
         }
         if !(1e-6..=1e9).contains(&value) {
-            return Err(Fault::new(span, "this feed is out of all sense").allowed("0.000001 to 1000000000"));
+            return Err(Fault::new(span, "post-feed-out-of-range").allowed("post-feed-allowed"));
         }
         Ok(())
     }

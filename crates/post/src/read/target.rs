@@ -60,7 +60,7 @@ impl Target {
             return Err(twice(span));
         }
         if value.abs() > FARTHEST {
-            return Err(Fault::new(span, "this position is out of all sense").allowed("-10000000 to 10000000"));
+            return Err(Fault::new(span, "post-position-too-large").allowed("post-position-allowed"));
         }
         self.words[channel] = Word { value, how, span, speed, stamp: self.now };
         self.count += 1;
@@ -82,5 +82,5 @@ impl Target {
 
 /// The same word twice in a block.
 pub(super) fn twice(span: Span) -> Box<Fault> {
-    Fault::new(span, "this word stands twice in the block").cure("leave one of them out")
+    Fault::new(span, "post-word-twice").cure("post-omit-one")
 }

@@ -9,6 +9,7 @@ use crate::part_program::PartProgram;
 use crate::points::is_posted_as_it_stands;
 use crate::{Control, Level};
 use seamwright_machine::Machine;
+use seamwright_message::{Argument, Language, Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_program::Program;
 use serde::Serialize;
@@ -92,11 +93,11 @@ pub fn verify(
     told: &PartProgram,
     start: &[f64],
     planned: Planned,
-) -> Result<Verification, Vec<String>> {
+) -> Result<Verification, Vec<Message>> {
     let same = same::same(planned.control, asked, told, start).map_err(|wrong| vec![wrong])?;
     let mut wrong = Vec::new();
     if same.rounding > ROUNDING {
-        wrong.push(format!("a value read back is {:.2e} off the one asked for", same.rounding));
+        wrong.push(Message::new("post-rounding").text("difference", format!("{:.2e}", same.rounding)));
     }
     let mut passes = Vec::new();
     for (i, pass) in planned.program.passes.iter().enumerate() {
@@ -108,7 +109,7 @@ pub fn verify(
         // Checks the text itself, not `asked`: the arc must be off in a pass without one.
         let burns = |block: &same::Block| block.pass == i && block.told.arc && planned.control.switches_arc();
         if !pass.has_arc() && same.blocks.iter().any(burns) {
-            wrong.push(format!("pass {} ({}): the arc is on in a pass without one", i + 1, pass.name));
+            wrong.push(in_pass(i + 1, &pass.name, Message::new("post-arc-in-pass-without")));
         }
         passes.push(checked);
     }
@@ -117,67 +118,72 @@ pub fn verify(
 }
 
 impl PassVerification {
-    fn complaints(&self, planned: Planned, number: usize) -> Vec<String> {
+    fn complaints(&self, planned: Planned, number: usize) -> Vec<Message> {
         let Planned { tolerance_mm, speed_percent, .. } = planned;
         let mut wrong = Vec::new();
-        let mut complain = |text: String| wrong.push(format!("pass {number} ({}): {text}", self.name));
+        let mut complain = |fault: Message| wrong.push(in_pass(number, &self.name, fault));
+        let percent = |code, deviation: f64, decimals: u8, max: f64| {
+            let message = Message::new(code).quantity("deviation", deviation, Unit::Percent, decimals);
+            message.value("max", max, Unit::Percent)
+        };
         if self.tip_mm > tolerance_mm + ROUNDING {
-            complain(format!(
-                "the tip leaves the planned path by {:.6} mm; {tolerance_mm} mm are allowed",
-                self.tip_mm
-            ));
+            let message = Message::new("post-tip-off").quantity("deviation", self.tip_mm, Unit::Mm, 6);
+            complain(message.value("max", tolerance_mm, Unit::Mm));
         }
         if self.time_percent.is_nan() || self.time_percent.abs() > TIME_PERCENT {
-            complain(format!(
-                "its time is {:.3} % off the planned one; {TIME_PERCENT} % are allowed",
-                self.time_percent
-            ));
+            complain(percent("post-time-off", self.time_percent, 3, TIME_PERCENT));
         }
         if self.speed_bounded_percent > speed_percent {
-            complain(format!(
-                "the tip's speed inside a block is {:.2} % off the planned one; {speed_percent} % are allowed",
-                self.speed_bounded_percent
-            ));
+            complain(percent("post-speed-off", self.speed_bounded_percent, 2, speed_percent));
         }
-        if let Some((percent, name)) = self.process.as_ref().filter(|(percent, _)| *percent > PROCESS_PERCENT) {
-            complain(format!("{name} is {percent:.2} % off the planned one; {PROCESS_PERCENT} % are allowed"));
+        if let Some((off, name)) = self.process.as_ref().filter(|(off, _)| *off > PROCESS_PERCENT) {
+            complain(percent("post-process-off", *off, 2, PROCESS_PERCENT).text("name", name));
         }
         wrong
     }
 
-    /// The proof in a line of a header.
-    pub fn line(&self) -> String {
+    /// Returns the proof in a line.
+    pub fn message(&self) -> Message {
         if self.as_it_stands {
-            return format!("{}: blocks as in the program, {:.3} s", self.name, self.arc_s);
+            let message = Message::new("post-proof-as-it-stands").text("name", &self.name);
+            return message.quantity("time", self.arc_s, Unit::S, 3);
         }
-        let axis = |worst: &Option<(f64, String)>, unit: &str| {
-            worst.as_ref().map_or(String::new(), |(off, name)| format!(", {name} {off:.5} {unit}"))
+        let of = |code, value: f64, unit, decimals| Message::new(code).quantity("deviation", value, unit, decimals);
+        let named = |worst: &Option<(f64, String)>, unit, decimals| {
+            worst.as_ref().map(|(off, name)| of("post-proof-named", *off, unit, decimals).text("name", name))
         };
-        let process = match &self.process {
-            Some((percent, name)) => format!(", {name} {percent:.2} %"),
-            None => String::new(),
-        };
-        format!(
-            "{}: tip {:.5} mm{}{}, speed {:.2} %, time {:.4} %{process}",
-            self.name,
-            self.tip_mm,
-            axis(&self.linear, "mm"),
-            axis(&self.rotary, "deg"),
-            self.speed_percent.max(self.speed_inside_percent),
-            self.time_percent
-        )
+        let speed = self.speed_percent.max(self.speed_inside_percent);
+        let deviations = [
+            Some(of("post-proof-tip", self.tip_mm, Unit::Mm, 5)),
+            named(&self.linear, Unit::Mm, 5),
+            named(&self.rotary, Unit::Deg, 5),
+            Some(of("post-proof-speed", speed, Unit::Percent, 2)),
+            Some(of("post-proof-time", self.time_percent, Unit::Percent, 4)),
+            named(&self.process, Unit::Percent, 2),
+        ];
+        let deviations = deviations.into_iter().flatten().map(|deviation| Argument::Message(Box::new(deviation)));
+        Message::new("post-proof-pass").text("name", &self.name).list("deviations", deviations)
     }
 }
 
 impl Verification {
-    /// The proof in lines of a header.
-    pub fn lines(&self) -> Vec<String> {
-        let all = format!(
-            "proven by reading back: {} moves, rounding {:.1e}; greatest deviations:",
-            self.moves, self.rounding
-        );
-        std::iter::once(all).chain(self.passes.iter().map(PassVerification::line)).collect()
+    /// Returns the proof: a summary, and a message for each pass.
+    pub fn messages(&self) -> Vec<Message> {
+        let all = Message::new("post-proof").count("moves", self.moves);
+        let all = all.text("rounding", format!("{:.1e}", self.rounding));
+        std::iter::once(all).chain(self.passes.iter().map(PassVerification::message)).collect()
     }
+
+    /// Returns the proof in lines of a header, in English and ASCII like all comments of part programs.
+    pub fn lines(&self) -> Vec<String> {
+        let line = |message: &Message| message.in_language(Language::English).replace('°', " deg");
+        self.messages().iter().map(line).collect()
+    }
+}
+
+/// A fault in a pass, counted from 1.
+fn in_pass(number: usize, name: &str, fault: Message) -> Message {
+    Message::new("post-in-pass").pass("pass", number).text("name", name).message("fault", fault)
 }
 
 /// The level of a move, where X, Y and Z are the tip.

@@ -1,6 +1,7 @@
 use crate::Control;
 use crate::part_program::{ChannelKind, Event, PartProgram, Path, What};
 use crate::play::{Segment, play};
+use seamwright_message::{Message, Unit};
 
 /// A block of motion as read back, with its data in the program that it was written from.
 pub(super) struct Block {
@@ -29,33 +30,36 @@ const OTHER: f64 = 1e-3;
 ///
 /// # Errors
 /// A description of the first difference.
-pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, start: &[f64]) -> Result<Same, String> {
+pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, start: &[f64]) -> Result<Same, Message> {
     let [of_asked, of_told] = [asked, told].map(|program| moves(program, start));
     let passes = passes(asked);
     let arc = control.switches_arc();
     let mut same = Same { blocks: Vec::new(), rounding: 0.0 };
     for (k, (a, t)) in of_asked.iter().zip(&of_told).enumerate() {
-        let place = || {
+        let differs = |fault: Message| {
             let line = told.steps[t.step].line;
-            format!("block {} (line {line})", k + 1)
+            let message = Message::new("post-in-block").text("block", (k + 1).to_string());
+            Err(message.text("line", line.to_string()).message("fault", fault))
         };
         // A rest in which an output changes is a block without motion.
         let level = |s: &Segment| s.level.filter(|_| goes(asked, s));
         if level(a) != level(t) {
-            return Err(format!("{}: it moves where it should rest, or at another level", place()));
+            return differs(Message::new("post-moves-at-rest"));
         }
         if arc && a.arc != t.arc {
-            return Err(format!("{}: the arc is {} there", place(), if t.arc { "on" } else { "off" }));
+            return differs(Message::new(if t.arc { "post-arc-is-on" } else { "post-arc-is-off" }));
         }
         if (a.seconds - t.seconds).abs() > TIME.0 * a.seconds + TIME.1 {
-            return Err(format!("{}: it takes {} s, not {} s", place(), t.seconds, a.seconds));
+            let times = Message::new("post-other-time").value("found", t.seconds, Unit::S);
+            return differs(times.value("planned", a.seconds, Unit::S));
         }
         for (i, channel) in asked.channels.iter().enumerate() {
             let ends = [(a.start(), t.start()), (a.end(), t.end())];
             for (a, t) in ends {
                 let off = (a[i] - t[i]).abs();
                 if off > OTHER {
-                    return Err(format!("{}: {} is {}, not {}", place(), channel.name, t[i], a[i]));
+                    let values = Message::new("post-other-value").text("name", &channel.name);
+                    return differs(values.value("found", t[i], Unit::One).value("planned", a[i], Unit::One));
                 }
                 same.rounding = same.rounding.max(off);
             }
@@ -63,21 +67,24 @@ pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, s
         if a.is_move() {
             same.rounding = same.rounding.max(between(a, t));
             if same.rounding > OTHER {
-                return Err(format!("{}: it goes another way between its ends", place()));
+                return differs(Message::new("post-other-path"));
             }
         }
         let rapid = matches!(asked.steps[a.step].what, What::Move(m) if m.path == Path::Rapid);
         same.blocks.push(Block { told: t.clone(), arc: a.arc, pass: passes[a.step], rapid });
     }
     if of_asked.len() != of_told.len() {
-        return Err(format!("{} blocks are read back, not {}", of_told.len(), of_asked.len()));
+        let counts = Message::new("post-block-count").count("found", of_told.len());
+        return Err(counts.count("planned", of_asked.len()));
     }
     let [a, t] = [asked, told].map(|program| events(control, program));
     if a != t {
         let differs = a.iter().zip(&t).find(|(a, t)| a != t);
         return Err(match differs {
-            Some((a, t)) => format!("an output is read back as {t:?}, not {a:?}"),
-            None => format!("{} outputs are read back, not {}", t.len(), a.len()),
+            Some((a, t)) => {
+                Message::new("post-other-output").message("found", t.message()).message("planned", a.message())
+            }
+            None => Message::new("post-output-count").count("found", t.len()).count("planned", a.len()),
         });
     }
     Ok(same)

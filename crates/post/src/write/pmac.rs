@@ -80,7 +80,7 @@ impl Pmac {
     fn arc(&mut self, w: &mut Writer, step: &Move, index: u32, to: &[f64]) -> Result<(), Problem> {
         let arc = w.arc(index)?;
         if super::rs274::whole_turns(&arc) > 0 {
-            return Err(Problem::new("an arc of more than a turn", "make it several"));
+            return Err(Problem::plain("post-arc-more-than-turn", "post-split-arc"));
         }
         // By the control's rule a thumb along the vector makes fingers show clockwise, so the usual planes have
         // negative ones.
@@ -222,8 +222,8 @@ impl Tongue for Pmac {
                 }
             }
             Path::Curve(_) => {
-                let cure = "plan it again for this control, or write it for Sinumerik";
-                return Err(Problem::new("polynomials, which only Sinumerik has", cure));
+                let cure = "post-plan-again-sinumerik";
+                return Err(Problem::plain("post-only-sinumerik", cure));
             }
             Path::Spline => {
                 self.mode(w, Mode::Spline);

@@ -4,6 +4,7 @@ use super::feed_mode::FeedMode;
 use super::fixed;
 use super::writer::{Problem, Writer};
 use crate::part_program::{Arc, Move, Path};
+use seamwright_message::Message;
 use std::f64::consts::TAU;
 
 /// The modal state that lasts from block to block.
@@ -37,8 +38,8 @@ impl Rs274 {
             Path::Rapid | Path::Line => None,
             Path::Arc(index) => Some(w.arc(index)?),
             Path::Hermite(_) | Path::Spline | Path::Curve(_) => {
-                let cure = "plan it again for this control, or write it for PMAC";
-                return Err(Problem::new("cubics in time, which only PMAC has", cure));
+                let cure = "post-plan-again-pmac";
+                return Err(Problem::plain("post-only-pmac", cure));
             }
         };
         if step.path == Path::Rapid {
@@ -73,8 +74,8 @@ impl Rs274 {
 
     fn arc(&mut self, w: &mut Writer, arc: &Arc, to: &[f64]) -> Result<(), Problem> {
         let square = (0..3).find(|k| arc.normal[*k].abs() > 1.0 - 1e-9).ok_or_else(|| {
-            let cure = "plan it again for this control: it gets lines there";
-            Problem::new("an arc that is in none of the planes G17, G18 and G19", cure)
+            let cure = "post-plan-again-lines";
+            Problem::plain("post-arc-outside-planes", cure)
         })?;
         if self.plane != Some(square) {
             w.text.word(["G19", "G18", "G17"][square]);
@@ -137,8 +138,8 @@ pub(super) fn set(w: &mut Writer, channel: usize, value: f64, at_once: bool) -> 
         w.pending.push_str(&fixed(value, 6));
         return Ok(());
     } else {
-        let cure = "give it an output in the machine file's io.analog, or one letter in [controls.*.process]";
-        return Err(Problem::new(format!("the process value {name} has no output"), cure));
+        let cure = "post-value-without-output-cure";
+        return Err(Problem::new(Message::new("post-value-without-output").text("name", name), cure));
     }
     match at_once && value == 0.0 {
         true => w.text.remark(&format!("{name} off")),

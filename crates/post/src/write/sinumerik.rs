@@ -48,13 +48,13 @@ impl Sinumerik {
     fn arc(&mut self, w: &mut Writer, arc: &Arc, to: &[f64]) -> Result<(), Problem> {
         let Some(square) = (0..3).find(|k| arc.normal[*k].abs() > 1.0 - 1e-9) else {
             if whole_turns(arc) > 0 {
-                let cure = "make it two arcs";
-                return Err(Problem::new("more than a turn of an arc in no plane of G17, G18 and G19", cure));
+                let cure = "post-two-arcs";
+                return Err(Problem::plain("post-slanted-arc-turns", cure));
             }
             let (from, end) = (w.place(&w.here), w.place(to));
             if (end - from).dot(arc.normal).abs() > 1e-4 {
-                let cure = "make it lines";
-                return Err(Problem::new("a helix whose axis is none of X, Y and Z", cure));
+                let cure = "post-make-lines";
+                return Err(Problem::plain("post-slanted-helix", cure));
             }
             w.text.word("CIP");
             Self::words(w, to, [true; 3]);
@@ -80,16 +80,16 @@ impl Sinumerik {
     fn curve(w: &mut Writer, index: u32, to: &[f64]) -> Result<(), Problem> {
         let (program, axes) = (w.program, w.program.axes());
         let curve = program.curves[index as usize];
-        let problem = |what: &str, cure| Err(Problem::new(what, cure));
+        let problem = |what, cure| Err(Problem::plain(what, cure));
         let all = (1 << axes) - 1;
         if w.control.decimal_comma {
-            return problem("polynomials with decimal commas, which cannot be told apart", "use lines and arcs");
+            return problem("post-polynomials-with-commas", "post-lines-and-arcs");
         }
         if curve.counted != all {
-            return problem("a polynomial whose feed does not count all axes", "make it lines");
+            return problem("post-polynomial-feed", "post-make-lines");
         }
         if !w.known {
-            return problem("a polynomial whose start the control has not been told", "begin the pass with a line");
+            return problem("post-polynomial-start", "post-begin-pass-with-line");
         }
         w.text.word("POLY");
         let higher = |i: usize| (0..POWERS as u32).map(move |k| program.row(curve.row + k)[i]);
@@ -222,8 +222,8 @@ impl Tongue for Sinumerik {
             Path::Rapid | Path::Line | Path::Curve(_) => None,
             Path::Arc(index) => Some(w.arc(index)?),
             Path::Hermite(_) | Path::Spline => {
-                let cure = "plan it again for this control, or write it for PMAC";
-                return Err(Problem::new("cubics in time, which only PMAC has", cure));
+                let cure = "post-plan-again-pmac";
+                return Err(Problem::plain("post-only-pmac", cure));
             }
         };
         let rapid = step.path == Path::Rapid;

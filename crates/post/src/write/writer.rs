@@ -4,17 +4,24 @@ use super::tongue::Tongue;
 use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
 use crate::{Code, Control, Dialect, Error};
 use glam::DVec3;
+use seamwright_message::{Message, Unit};
 use std::ops::Range;
 
 /// Feature that the control lacks, and the operator action.
 pub(super) struct Problem {
-    pub(super) what: String,
+    pub(super) what: Message,
     pub(super) cure: &'static str,
 }
 
 impl Problem {
-    pub(super) fn new(what: impl Into<String>, cure: &'static str) -> Self {
-        Self { what: what.into(), cure }
+    /// A problem and the code of its operator action.
+    pub(super) fn new(what: Message, cure: &'static str) -> Self {
+        Self { what, cure }
+    }
+
+    /// A problem without arguments, by its code.
+    pub(super) fn plain(what: &'static str, cure: &'static str) -> Self {
+        Self::new(Message::new(what), cure)
     }
 }
 
@@ -84,13 +91,12 @@ impl<'a> Writer<'a> {
     /// Checks channels and levels.
     fn checked(mut self) -> Result<Self, Error> {
         if self.program.channels != self.control.channels {
-            let problem =
-                Problem::new("its channels are not those of the machine", "read it with the machine it is for");
+            let problem = Problem::plain("post-other-channels", "post-other-channels-cure");
             return Err(self.error(problem));
         }
         let axes = self.program.axes();
         if self.control.dialect == Dialect::Grblhal && axes > 8 {
-            let problem = Problem::new(format!("{axes} axes: grblHAL has 8 at most"), "use another control");
+            let problem = Problem::new(Message::new("post-grblhal-axes").count("axes", axes), "post-another-control");
             return Err(self.error(problem));
         }
         let level = |step: &Step| match &step.what {
@@ -103,8 +109,8 @@ impl<'a> Writer<'a> {
         if tip && !self.tells_level {
             self.at = steps.iter().position(|s| level(s) == Some(Level::Joint)).unwrap_or(0);
             if steps.iter().any(|s| level(s) == Some(Level::Joint)) {
-                let cure = "use one level throughout (LinuxCNC: give the machine file's kinematics_output)";
-                return Err(self.error(Problem::new("the control cannot go over from tip to axes", cure)));
+                let cure = "post-tip-to-axes-cure";
+                return Err(self.error(Problem::plain("post-tip-to-axes", cure)));
             }
         }
         Ok(self)
@@ -114,11 +120,10 @@ impl<'a> Writer<'a> {
     fn error(&self, problem: Problem) -> Error {
         let before = self.program.steps.iter().take(self.at + 1).rev();
         let pass = before.into_iter().find_map(|step| match &step.what {
-            What::Pass(name) => Some(format!(" of pass \"{name}\"")),
+            What::Pass(name) => Some(name.to_string()),
             _ => None,
         });
-        let pass = pass.unwrap_or_default();
-        Error::Unwritable { step: self.at + 1, pass, what: problem.what, cure: problem.cure }
+        Error::Unwritable { step: self.at + 1, pass, what: problem.what, cure: Message::new(problem.cure) }
     }
 
     pub(super) fn run<T: Tongue>(&mut self, tongue: &mut T) -> Result<(), Error> {
@@ -155,8 +160,8 @@ impl<'a> Writer<'a> {
     pub(super) fn finish(self) -> Result<String, Error> {
         let (fits, longest) = self.text.fits();
         if !fits {
-            let what = format!("a line is longer than the control's {longest} characters");
-            return Err(self.error(Problem::new(what, "use shorter addresses in the machine file")));
+            let what = Message::new("post-line-longer").count("max", longest);
+            return Err(self.error(Problem::new(what, "post-line-longer-cure")));
         }
         Ok(self.text.finish())
     }
@@ -243,8 +248,9 @@ impl<'a> Writer<'a> {
             self.remark(event, at_once);
             return Ok(());
         }
-        let cure = "give its output in the machine file's [io], or its code in [controls.*.codes]";
-        Err(Problem::new(format!("the machine file does not say how the control does {}", name(event)), cure))
+        let cure = "post-event-without-code-cure";
+        let what = Message::new("post-event-without-code").message("event", event.message());
+        Err(Problem::new(what, cure))
     }
 
     /// Ends the line with a comment on its effect.
@@ -277,8 +283,8 @@ impl<'a> Writer<'a> {
             self.known = false;
         }
         if step.path != Path::Rapid && !(step.seconds > 0.0 && step.seconds <= LONGEST_S) {
-            let what = format!("a block that takes {} s", step.seconds);
-            return Err(Problem::new(what, "give it a time above 0 and up to an hour, in parts if need be"));
+            let what = Message::new("post-block-time").value("time", step.seconds, Unit::S);
+            return Err(Problem::new(what, "post-block-time-cure"));
         }
         if step.path == Path::Line && self.known && !self.order.iter().any(|i| self.changes(*i, to)) {
             tongue.dwell(self, step.seconds, None);
@@ -324,10 +330,10 @@ impl<'a> Writer<'a> {
 
     /// The arc of a move from the end of the last one.
     pub(super) fn arc(&self, index: u32) -> Result<Arc, Problem> {
-        let cure = "begin the pass with a rapid move or a line";
-        let start = Problem::new("an arc whose start the control has not been told", cure);
+        let cure = "post-begin-with-line";
+        let start = Problem::plain("post-arc-start-unknown", cure);
         let arc = self.program.arcs.get(index as usize).copied();
-        if self.known { arc.ok_or_else(|| Problem::new("an arc that is not there", cure)) } else { Err(start) }
+        if self.known { arc.ok_or_else(|| Problem::plain("post-arc-missing", cure)) } else { Err(start) }
     }
 
     /// Feed of a move to `to` along all axes, per minute (PMAC: per s); `None` if the feed counts no moving axis.
@@ -343,18 +349,5 @@ impl<'a> Writer<'a> {
         };
         let per = if self.control.dialect == Dialect::Pmac { 1.0 } else { 60.0 };
         (way > 0.0).then_some(per * way / step.seconds)
-    }
-}
-
-/// An event in words.
-fn name(event: &Event) -> String {
-    let switched = |what: &str, on: bool| format!("{what} {}", if on { "on" } else { "off" });
-    match event {
-        Event::Arc(on) => switched("arc", *on),
-        Event::Gas(on) => switched("gas", *on),
-        Event::Wire(on) => switched("wire", *on),
-        Event::Output(number, on) => switched(&format!("output {number}"), *on),
-        Event::Message(text) => format!("\"{text}\""),
-        Event::Call(name) => format!("\"{name}\""),
     }
 }

@@ -129,7 +129,7 @@ fn random_polynomials_are_gone_along_evenly() {
         if case.counted.len() == 5 {
             let of = |program| seamwright_post::write(&control, program, &WriteOptions::default());
             let error = of(&program).unwrap_err().to_string();
-            assert!(error.contains("begin the pass with a line"), "{error}");
+            assert!(error.contains("start the pass with a line"), "{error}");
             let program = good(Sinumerik, &format!("G0 X0 Y0 Z0 B0 C1=0\n{}", case.text));
             let back = good(Sinumerik, &of(&program).unwrap());
             let [asked, told] = [&program, &back].map(play_all);
@@ -215,11 +215,11 @@ fn words_of_polynomials() {
 fn what_is_no_polynomial() {
     refused(Sinumerik, "F60 G1 PO[X]=(1,2)\n", 1, 8, "only POLY");
     refused(Sinumerik, "F60 POLY PO[]=(1,2)\n", 1, 10, "denominator");
-    refused(Sinumerik, "F60 POLY PO[Q]=(1,2)\n", 1, 13, "no address");
+    refused(Sinumerik, "F60 POLY PO[Q]=(1,2)\n", 1, 13, "neither an address");
     refused(Sinumerik, "F60 POLY PO[CW]=(1,2)\n", 1, 13, "only axes");
-    refused(Sinumerik, "F60 POLY PO[X]=(1,2,3,4,5,6)\n", 1, 27, "fifth");
+    refused(Sinumerik, "F60 POLY PO[X]=(1,2,3,4,5,6)\n", 1, 27, "above five");
     refused(Sinumerik, "F60 POLY PO[X]=(1,2 PL=1\n", 1, 21, ")");
-    refused(Sinumerik, "F60 POLY PO[X]=(1,100000000)\n", 1, 19, "out of all sense");
+    refused(Sinumerik, "F60 POLY PO[X]=(1,100000000)\n", 1, 19, "too large");
     refused(Sinumerik, "F60 POLY PO[X]=(1,2) PL=0\n", 1, 22, "length of a parameter");
     refused(Sinumerik, "F60 POLY PO[X]=(1,2) X=1\n", 1, 22, "twice");
     refused(Sinumerik, "POLY PO[X]=(1,2)\n", 1, 6, "F is missing");

@@ -43,7 +43,7 @@ fn the_printed_program_of_ebw_2004() {
     assert!(program.steps.iter().any(|s| s.what == What::Dwell(0.5)));
     let numbers: Vec<_> = program.steps.iter().filter(|s| matches!(s.what, What::Move(_))).map(|s| s.number).collect();
     assert_eq!(numbers, [None, Some(3), Some(12), Some(22), Some(32), Some(42), Some(52)]);
-    assert!(reading.notes.iter().any(|n| n.contains("offsets")), "{:?}", reading.notes);
+    assert!(reading.notes.iter().any(|n| n.to_string().contains("offsets")), "{:?}", reading.notes);
 }
 
 #[test]
@@ -324,6 +324,6 @@ fn what_is_not_understood_is_left_out_and_listed() {
 fn what_stands_behind_the_end_is_told() {
     let reading = reading::try_read(Linuxcnc, "G0 X1\nM2\n\nG0 X2\n").unwrap();
     assert_eq!(rows(&reading.program).len(), 1);
-    assert!(reading.notes[0].starts_with("line 4: "), "{:?}", reading.notes);
+    assert!(reading.notes[0].to_string().starts_with("line 4: "), "{:?}", reading.notes);
     assert!(reading::try_read(Linuxcnc, "%\nG0 X1\nM2\n%\n").unwrap().notes.is_empty());
 }

@@ -87,14 +87,14 @@ fn arcs_by_radius() {
         is(dialect, &at("R-10"), [10.0, 10.0, 0.0], UP, 270.0);
         // Half a circle exactly, where the root may be of a hair below zero.
         is(dialect, "F60 G0 X10\nG2 X-10 R10\n", [0.0; 3], DOWN, 180.0);
-        refused(dialect, "F60 G0 X10\nG3 X10 Y0 R5\n", 2, 11, "cannot end where it begins");
-        refused(dialect, "F60 G0 X10\nG3 R5\n", 2, 4, "cannot end where it begins");
+        refused(dialect, "F60 G0 X10\nG3 X10 Y0 R5\n", 2, 11, "must end away from its start");
+        refused(dialect, "F60 G0 X10\nG3 R5\n", 2, 4, "must end away from its start");
         refused(dialect, &at("R7"), 2, 11, "too small");
-        refused(dialect, &at("R10 I-10"), 2, 15, "cannot both");
+        refused(dialect, &at("R10 I-10"), 2, 15, "not both");
     }
     is(Sinumerik, &at("CR=-10"), [10.0, 10.0, 0.0], UP, 270.0);
     refused(Sinumerik, &at("CR=7"), 2, 11, "too small");
-    refused(Sinumerik, "F60 G0 X10\nG3 CR=7\n", 2, 4, "cannot end where it begins");
+    refused(Sinumerik, "F60 G0 X10\nG3 CR=7\n", 2, 4, "must end away from its start");
     // LinuxCNC takes a radius too short by a micrometre; grblHAL does not.
     is(Linuxcnc, "F60 G0 X10\nG2 X-10 R9.999\n", [0.0; 3], DOWN, 180.0);
     refused(Grblhal, "F60 G0 X10\nG2 X-10 R9.999\n", 2, 9, "too small");
@@ -188,17 +188,17 @@ fn ends_off_the_circle() {
     assert!((arc.at(start, end, 1.0) - end).length() < 1e-9);
     assert!((arc.at(start, end, 0.5).length() - 11.0).abs() < 1e-9);
     refused(Linuxcnc, "F60 G0 X10\nG3 X0 Y10 I0\n", 2, 11, "starts at its own centre");
-    refused(Linuxcnc, "F60 G0 X10\nG3 X0 Y10\n", 2, 1, "neither centre nor radius");
+    refused(Linuxcnc, "F60 G0 X10\nG3 X0 Y10\n", 2, 1, "centre or radius of this arc is missing");
     refused(Linuxcnc, "F60 G0 X10\nG90.1 G3 X0 Y10 I0\n", 2, 17, "J is missing");
 }
 
 #[test]
 fn angles_of_arcs() {
-    refused(Sinumerik, "F60 G0 X10\nG3 X0 Y10 AR=360\n", 2, 11, "no angle");
-    refused(Sinumerik, "F60 G0 X10\nG3 X0 Y10 AR=-5\n", 2, 11, "no angle");
-    refused(Sinumerik, "F60 G0 X10\nG3 AR=90\n", 2, 4, "cannot end where it begins");
-    refused(Sinumerik, "F60 G0 X10\nG3 X0 I-10 AR=90\n", 2, 7, "cannot all");
-    refused(Sinumerik, "F60 G0 X10\nG3 X0 CR=5 AR=90\n", 2, 12, "cannot both");
+    refused(Sinumerik, "F60 G0 X10\nG3 X0 Y10 AR=360\n", 2, 11, "invalid angle");
+    refused(Sinumerik, "F60 G0 X10\nG3 X0 Y10 AR=-5\n", 2, 11, "invalid angle");
+    refused(Sinumerik, "F60 G0 X10\nG3 AR=90\n", 2, 4, "must end away from its start");
+    refused(Sinumerik, "F60 G0 X10\nG3 X0 I-10 AR=90\n", 2, 7, "not all three");
+    refused(Sinumerik, "F60 G0 X10\nG3 X0 CR=5 AR=90\n", 2, 12, "not both");
 }
 
 /// Random arcs written in every way a dialect has, against the circle that they were made from.

@@ -122,7 +122,9 @@ fn a_wrong_text_is_no_proof() {
     // A coarser program than was allowed.
     let strict = seamwright_post::Planned { tolerance_mm: 1e-4, ..of };
     let back = read(&control, "p", &written, &ReadOptions::default()).unwrap();
-    assert!(verify(&program, &back.program, &start, strict).unwrap_err()[0].contains("leaves the planned path"));
+    assert!(
+        verify(&program, &back.program, &start, strict).unwrap_err()[0].to_string().contains("leaves the planned path")
+    );
 }
 
 /// Inside blocks, too, the tip has the planned speed, within the requested bound. The proof has the deviation there,
@@ -160,7 +162,7 @@ fn inside_blocks_the_tip_keeps_its_speed() {
                 if found > 0.05 {
                     let wrong =
                         verify(&program, &back.program, &vec![0.0; control.channels.len()], strict).unwrap_err();
-                    assert!(wrong[0].contains("speed inside a block"), "{wrong:?}");
+                    assert!(wrong[0].to_string().contains("speed inside a block"), "{wrong:?}");
                 }
             }
         }

@@ -9,7 +9,7 @@ pub fn check_page(check: &Check, drawing: &MachineDrawing, file: &str, source: &
     let mut blocks = vec![Block::Tiles(tiles(check))];
     if !check.failures.is_empty() {
         blocks.push(Block::Heading("Failed tests".to_owned()));
-        blocks.push(Block::Findings(check.failures.iter().map(|f| failure(f)).collect()));
+        blocks.push(Block::Findings(check.failures.iter().map(|f| failure(f.to_string())).collect()));
     }
     blocks.push(Block::Heading("Axes".to_owned()));
     blocks.push(Block::Figure {
@@ -60,7 +60,9 @@ fn verdict(check: &Check) -> String {
         true => format!(
             "Every pose comes back from its own positions, and the Jacobian agrees with differences; {remarks}."
         ),
-        false => format!("{}; {remarks}.", check.failures.join("; ")),
+        false => {
+            format!("{}; {remarks}.", check.failures.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))
+        }
     }
 }
 
@@ -96,8 +98,8 @@ fn tiles(check: &Check) -> Vec<Tile> {
     ]
 }
 
-fn failure(text: &str) -> Finding {
-    Finding { severity: Severity::Error, text: text.to_owned(), place: String::new(), cure: String::new() }
+fn failure(text: String) -> Finding {
+    Finding { severity: Severity::Error, text, place: String::new(), cure: String::new() }
 }
 
 fn remark(r: &Remark, file: &str) -> Finding {
@@ -106,7 +108,7 @@ fn remark(r: &Remark, file: &str) -> Finding {
         severity: Severity::Warning,
         text: format!("{}{value}: {}", r.key, r.why),
         place: if r.line > 0 { format!("{file}, line {}", r.line) } else { file.to_owned() },
-        cure: r.cure.clone(),
+        cure: r.cure.to_string(),
     }
 }
 
@@ -163,11 +165,11 @@ pub fn check_text(check: &Check) -> String {
         let _ = writeln!(text, "  {name:<12} {what}");
     };
     line("result", if check.passed { "passed".to_owned() } else { "FAILED".to_owned() });
-    check.failures.iter().for_each(|f| line("failed", f.clone()));
+    check.failures.iter().for_each(|f| line("failed", f.to_string()));
     for h in &check.heads {
         let r = &h.round_trip;
         line("head", h.name.clone());
-        line("  inverse", h.structure.clone());
+        line("  inverse", h.structure.to_string());
         line(
             "  round trip",
             format!(
@@ -189,7 +191,7 @@ pub fn check_text(check: &Check) -> String {
                     format_number(*by, 3)
                 )
             });
-            line("  singular", p.sentence(|name| unit(check, name)) + &margin);
+            line("  singular", p.sentence(|name| unit(check, name)).to_string() + &margin);
         }
         if h.singular.places.is_empty() {
             line("  singular", "no place inside the ranges".to_owned());

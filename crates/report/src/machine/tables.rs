@@ -99,7 +99,7 @@ fn word(passed: bool) -> String {
 pub(super) fn structure(check: &Check) -> Table {
     let row = |h: &HeadCheck| {
         let j = &h.jacobian;
-        vec![h.name.clone(), h.structure.clone(), word(j.passed), small(j.relative), j.axis.clone()]
+        vec![h.name.clone(), h.structure.to_string(), word(j.passed), small(j.relative), j.axis.clone()]
     };
     Table {
         caption: "How positions are found for a pose, and the Jacobian beside central differences: the worst difference as a part of its column.".to_owned(),
@@ -118,7 +118,7 @@ pub(super) fn singular(check: &Check, head: &HeadCheck) -> Table {
                 format!("{} {unit} ({axis} too slow nearer by)", format_number(*by, 3))
             },
         );
-        vec![p.sentence(|name| unit(check, name)), margin]
+        vec![p.sentence(|name| unit(check, name)).to_string(), margin]
     };
     Table {
         caption: format!(

@@ -135,7 +135,7 @@ fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {
     let made = proven(&loaded, &motion, &control, &Options::default(), Feed::InverseTime);
     let (text, proof) = made.map_err(|e| match e {
         Unproven::Failure(failure) => failure.into(),
-        Unproven::Wrong(lines) => Refused::server(lines.join("\n")),
+        Unproven::Wrong(lines) => Refused::server(lines.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")),
     })?;
     Ok(PostAnswer { text, proof: proof.lines() })
 }

@@ -94,7 +94,8 @@ async fn a_collision_of_a_job_for_another_machine_can_be_seen() {
     let work = plan(&ball).await;
     assert_eq!(work["good"], false);
     let findings = work["findings"].as_array().unwrap();
-    let hit = findings.iter().find(|f| f["kind"] == "clearance" && f["message"].as_str().unwrap().contains("ball"));
+    let hit =
+        findings.iter().find(|f| f["kind"] == "clearance" && f["message"]["text"].as_str().unwrap().contains("ball"));
     let hit = hit.unwrap_or_else(|| panic!("{findings:?}"));
     let near = &hit["nearest"];
     assert!(near["between"].as_array().unwrap().contains(&json!("ball")), "{hit}");

@@ -28,11 +28,11 @@ impl Deflection {
     pub fn new(limits: DeflectionLimits, cycle_s: f64) -> Result<Self, Error> {
         for (key, value) in [("range_mm", limits.range_mm), ("slew", limits.slew), ("cycle_s", cycle_s)] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Error::Value { key, value, allowed: "a finite number greater than 0" });
+                return Err(Error::not_positive(key, value));
             }
         }
         if !(0.0..=1.0).contains(&limits.latency_s) {
-            return Err(Error::Value { key: "latency_s", value: limits.latency_s, allowed: "0 to 1" });
+            return Err(Error::not_between("latency_s", limits.latency_s, [0.0, 1.0]));
         }
         Ok(Self { limits, cycle_s, at: DVec2::ZERO })
     }

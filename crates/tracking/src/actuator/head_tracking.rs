@@ -2,6 +2,7 @@ use super::preview::softened;
 use super::{Following, Slide, SlideLimits};
 use crate::lead::{Error, Estimate, Measurement, Moment, OwnCurve, Refusal, Settings, Sight, Tracker, Verdict};
 use glam::DVec2;
+use seamwright_message::Message;
 
 /// Fraction of a slide's speed and stroke that is used before the torch slows down with a warning.
 const RESERVE: f64 = 0.8;
@@ -49,7 +50,22 @@ pub enum Cause {
 }
 
 impl Cause {
-    /// Returns a description.
+    /// Returns the description.
+    #[must_use]
+    pub fn message(self) -> Message {
+        Message::new(match self {
+            Self::Silent => "tracking-sensor-silent",
+            Self::Wild => "tracking-sensor-contradictory",
+            Self::Refused(Refusal::Confidence) => "tracking-sensor-confidence",
+            Self::Refused(Refusal::Faint) => "tracking-sensor-faint",
+            Self::Refused(Refusal::OutOfField) => "tracking-sensor-out-of-field",
+            Self::Refused(Refusal::Clock) => "tracking-sensor-clock",
+            Self::Refused(Refusal::Late) => "tracking-sensor-late",
+            Self::Refused(Refusal::Frozen) => "tracking-sensor-frozen",
+        })
+    }
+
+    /// Returns the description in English.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -81,7 +97,25 @@ impl Alarm {
         Self::Misfit,
     ];
 
-    /// Returns a description.
+    /// Returns the description.
+    #[must_use]
+    pub fn message(self) -> Message {
+        Message::new(match self {
+            Self::NearStroke => "tracking-near-stroke-end",
+            Self::AxesCarry => "tracking-axes-carry",
+            Self::Slowed => "tracking-slowed",
+            Self::Blind => "tracking-blind",
+            Self::Coasting => "tracking-coasting",
+            Self::Unknown => "tracking-beyond-history",
+            Self::FadingOut => "tracking-fading-out",
+            Self::StrokeEnd => "tracking-stroke-end",
+            Self::Lost => "tracking-joint-lost",
+            Self::SlideStuck => "tracking-slide-stuck",
+            Self::Misfit => "tracking-stored-deviation-misfit",
+        })
+    }
+
+    /// Returns the description in English: the stable name of the alarm.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -146,7 +180,7 @@ impl HeadTracking {
         let slides = [x?, y?];
         if slides.iter().any(|slide| slide.lag_s() >= settings.notice_s) {
             let (key, value) = ("notice_s", settings.notice_s);
-            return Err(Error::Value { key, value, allowed: "more than the slides' lag, at most 0.02" });
+            return Err(Error::Value { key, value, allowed: Message::new("tracking-notice-allowed") });
         }
         let tracker = Tracker::new(settings, own)?;
         let (ordered, target) = (DVec2::ZERO, DVec2::ZERO);

@@ -26,7 +26,7 @@ impl SlideLimits {
             ("jerk", self.jerk),
         ];
         match values.into_iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
-            Some((key, value)) => Err(Error::Value { key, value, allowed: "a finite number greater than 0" }),
+            Some((key, value)) => Err(Error::not_positive(key, value)),
             None => Ok(()),
         }
     }

@@ -4,6 +4,7 @@ use glam::{DMat3, DVec3};
 use nalgebra::SVector;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, MAX_AXES, Machine};
+use seamwright_message::Message;
 
 /// Part of every axis' speed, acceleration and jerk that plans leave to corrections.
 pub const RESERVE: f64 = 0.3;
@@ -118,11 +119,8 @@ impl<'a> OverAxes<'a> {
     ) -> Result<SlideLimits, Error> {
         let mut most =
             SlideLimits { stroke_mm: range_mm, speed: f64::INFINITY, acceleration: f64::INFINITY, jerk: f64::INFINITY };
-        let singular = Error::Value {
-            key: "correction",
-            value: range_mm,
-            allowed: "a path along which the axes can shift the torch to all sides",
-        };
+        let singular =
+            Error::Value { key: "correction", value: range_mm, allowed: Message::new("tracking-correction-allowed") };
         for (q, directions) in places {
             let gains = self.gains(&q, directions).ok_or_else(|| singular.clone())?;
             for (axis, gain) in self.machine.axes.iter().zip(gains.iter()).filter(|(_, gain)| **gain > 1e-9) {

@@ -40,7 +40,7 @@ impl Slide {
     pub fn new(limits: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
         limits.check()?;
         if !(LONGEST_MEAN_S / ROOM as f64..=LONGEST_MEAN_S).contains(&cycle_s) {
-            return Err(Error::Value { key: "cycle_s", value: cycle_s, allowed: "0.00025 to 0.04" });
+            return Err(Error::not_between("cycle_s", cycle_s, [0.00025, 0.04]));
         }
         let mean_s = (2.0 * limits.acceleration / limits.jerk).min(LONGEST_MEAN_S);
         let cycles = ((mean_s / cycle_s).floor() as usize).clamp(1, ROOM);

@@ -1,11 +1,11 @@
+use seamwright_message::{Message, Unit, display_by_message};
+
 /// Invalid settings or records of beam mode.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Error {
     /// An invalid value.
-    #[error(transparent)]
-    Value(#[from] crate::lead::Error),
+    Value(crate::lead::Error),
     /// Frames would interrupt the weld too often.
-    #[error("period_s = {period_s}: the weld may be interrupted every {every_s} s; allowed is that or more")]
     TooOften {
         /// Frame period, s.
         period_s: f64,
@@ -13,7 +13,6 @@ pub enum Error {
         every_s: f64,
     },
     /// A frame would interrupt the weld for too long.
-    #[error("scan_s = {scan_s}: the weld may be interrupted for {longest_s} s; allowed is that or less")]
     TooLong {
         /// Duration of a frame, s.
         scan_s: f64,
@@ -21,11 +20,6 @@ pub enum Error {
         longest_s: f64,
     },
     /// The detection zone lies outside the frame.
-    #[error(
-        "at {speed_mm_s} mm/s the joint must be seen from {from_mm:.1} to {to_mm:.1} mm ahead, and the frame ends at \
-         {reach_mm:.1} mm; {}",
-        allowed(.speeds_that_work)
-    )]
     ZoneOutside {
         /// The speed, mm/s.
         speed_mm_s: f64,
@@ -39,10 +33,6 @@ pub enum Error {
         speeds_that_work: Option<[f64; 2]>,
     },
     /// A stored deviation that does not cover the pass.
-    #[error(
-        "the pass goes from {from_mm} to {to_mm} mm of the stored seam, and deviations are stored from {first_mm} to \
-         {last_mm} mm"
-    )]
     NotCovered {
         /// Start of the pass in stored path length, mm.
         from_mm: f64,
@@ -55,9 +45,41 @@ pub enum Error {
     },
 }
 
-fn allowed(speeds: &Option<[f64; 2]>) -> String {
-    match speeds {
-        Some([slow, fast]) => format!("allowed are {slow:.1} to {fast:.1} mm/s"),
-        None => "no speed works with such a frame".to_owned(),
+display_by_message!(Error);
+
+impl From<crate::lead::Error> for Error {
+    fn from(error: crate::lead::Error) -> Self {
+        Self::Value(error)
+    }
+}
+
+impl Error {
+    /// Returns the description of the error.
+    pub fn message(&self) -> Message {
+        match *self {
+            Self::Value(ref error) => error.message(),
+            Self::TooOften { period_s, every_s } => Message::new("tracking-frames-too-often")
+                .value("period", period_s, Unit::S)
+                .value("min", every_s, Unit::S),
+            Self::TooLong { scan_s, longest_s } => {
+                Message::new("tracking-frame-too-long").value("scan", scan_s, Unit::S).value("max", longest_s, Unit::S)
+            }
+            Self::ZoneOutside { speed_mm_s, from_mm, to_mm, reach_mm, speeds_that_work } => {
+                let works = speeds_that_work.is_some();
+                let code = if works { "tracking-zone-outside" } else { "tracking-zone-outside-at-any-speed" };
+                let message = Message::new(code)
+                    .value("speed", speed_mm_s, Unit::MmPerS)
+                    .quantity("from", from_mm, Unit::Mm, 1)
+                    .quantity("to", to_mm, Unit::Mm, 1)
+                    .quantity("reach", reach_mm, Unit::Mm, 1);
+                let Some([slow, fast]) = speeds_that_work else { return message };
+                message.quantity("min", slow, Unit::MmPerS, 1).quantity("max", fast, Unit::MmPerS, 1)
+            }
+            Self::NotCovered { from_mm, to_mm, first_mm, last_mm } => Message::new("tracking-pass-not-covered")
+                .value("from", from_mm, Unit::Mm)
+                .value("to", to_mm, Unit::Mm)
+                .value("first", first_mm, Unit::Mm)
+                .value("last", last_mm, Unit::Mm),
+        }
     }
 }

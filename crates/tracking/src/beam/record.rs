@@ -1,5 +1,6 @@
 use crate::lead::{Estimate, Sight};
 use glam::DVec2;
+use seamwright_message::{Message, Unit, display_by_message};
 use std::fmt::Write as _;
 
 /// Deviation of a seam at one station.
@@ -20,8 +21,7 @@ pub struct DeviationRecord {
 }
 
 /// Invalid stored deviation, with its location.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{file}:{line}: {column} = `{value}` {wrong}\n   allowed: {allowed}")]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RecordError {
     /// File name as given.
     pub file: String,
@@ -32,13 +32,29 @@ pub struct RecordError {
     /// Text of the field.
     pub value: String,
     /// Description of the error.
-    pub wrong: &'static str,
+    pub wrong: Message,
     /// Description of the allowed values.
-    pub allowed: &'static str,
+    pub allowed: Message,
+}
+
+display_by_message!(RecordError);
+
+impl RecordError {
+    /// Returns the description of the error.
+    pub fn message(&self) -> Message {
+        Message::new("tracking-record")
+            .text("file", &self.file)
+            .text("line", self.line.to_string())
+            .key("column", self.column)
+            .text("value", &self.value)
+            .message("wrong", self.wrong.clone())
+            .message("allowed", self.allowed.clone())
+    }
 }
 
 const COLUMNS: [&str; 4] = ["s_mm", "lateral_mm", "height_mm", "confidence"];
-const HEADER: &str = "a header line with s_mm,lateral_mm,height_mm,confidence, then two rows of numbers or more";
+/// Allowed text.
+const TABLE: Message = Message::new("tracking-record-table");
 /// Maximum path length and deviation, mm; larger values are in a wrong unit.
 const LONGEST_MM: f64 = 1e6;
 const FARTHEST_MM: f64 = 1e3;
@@ -101,7 +117,8 @@ impl DeviationRecord {
     /// # Errors
     /// A [`RecordError`] for the first error.
     pub fn from_csv(file: &str, text: &str) -> Result<Self, RecordError> {
-        let error = |line: usize, column: &'static str, value: &str, wrong, allowed| {
+        let error = |line: usize, column: &'static str, value: &str, wrong: &'static str, allowed: Message| {
+            let wrong = Message::new(wrong);
             let (file, value) = (file.to_owned(), value.chars().take(60).collect());
             RecordError { file, line: line + 1, column, value, wrong, allowed }
         };
@@ -111,7 +128,7 @@ impl DeviationRecord {
         let mut places = [0; 4];
         for (place, column) in places.iter_mut().zip(COLUMNS) {
             let found = names.iter().position(|name| *name == column);
-            *place = found.ok_or_else(|| error(first, column, header, "is no column of the header", HEADER))?;
+            *place = found.ok_or_else(|| error(first, column, header, "tracking-record-no-column", TABLE))?;
         }
         let mut rows: Vec<Row> = Vec::new();
         for (i, line) in lines {
@@ -120,25 +137,27 @@ impl DeviationRecord {
             for (k, column) in COLUMNS.into_iter().enumerate() {
                 let field = fields.get(places[k]).copied().unwrap_or("");
                 let number = field.parse().ok().filter(|v: &f64| v.is_finite());
-                values[k] = number.ok_or_else(|| error(i, column, field, "is not a finite number", HEADER))?;
-                let (ok, allowed) = match k {
-                    0 => (values[k].abs() <= LONGEST_MM, "-1000000 to 1000000 mm"),
-                    3 => ((0.0..=1.0).contains(&values[k]), "0 to 1"),
-                    _ => (values[k].abs() <= FARTHEST_MM, "-1000 to 1000 mm"),
+                values[k] = number.ok_or_else(|| error(i, column, field, "tracking-record-not-finite", TABLE))?;
+                let (min, max, unit) = match k {
+                    0 => (-LONGEST_MM, LONGEST_MM, Unit::Mm),
+                    3 => (0.0, 1.0, Unit::One),
+                    _ => (-FARTHEST_MM, FARTHEST_MM, Unit::Mm),
                 };
-                if !ok {
-                    return Err(error(i, column, field, "is out of range", allowed));
+                if !(min..=max).contains(&values[k]) {
+                    let allowed = Message::new("document-between").value("min", min, unit).value("max", max, unit);
+                    return Err(error(i, column, field, "tracking-record-out-of-range", allowed));
                 }
             }
             let [s_mm, lateral, height, confidence] = values;
             if rows.last().is_some_and(|last| s_mm <= last.s_mm) {
                 let field = fields.get(places[0]).copied().unwrap_or("");
-                return Err(error(i, "s_mm", field, "is not beyond the row before", "path lengths that increase"));
+                let allowed = Message::new("tracking-record-path-lengths");
+                return Err(error(i, "s_mm", field, "tracking-record-not-increasing", allowed));
             }
             rows.push(Row { s_mm, deviation: DVec2::new(lateral, height), confidence });
         }
         if rows.len() < 2 {
-            return Err(error(text.lines().count().max(1) - 1, "s_mm", "", "has fewer than two rows", HEADER));
+            return Err(error(text.lines().count().max(1) - 1, "s_mm", "", "tracking-record-too-short", TABLE));
         }
         Ok(Self { rows })
     }
@@ -260,7 +279,7 @@ mod tests {
             (&format!("{head}0,0,0,1\n\n1,0,0,-0.1\n"), 4, "confidence", "0 to 1"),
             (&format!("{head}0,0,0,1\n1,0\n"), 3, "height_mm", "finite"),
             (&format!("{head}0,0,0,1\n1,0,inf,1\n"), 3, "height_mm", "finite"),
-            (&format!("{head}0,0,0,1\n1,5000,0,1\n"), 3, "lateral_mm", "-1000 to 1000"),
+            (&format!("{head}0,0,0,1\n1,5000,0,1\n"), 3, "lateral_mm", "-1000 mm to 1000 mm"),
             (&format!("{head}0,0,0,1\n0,0,0,1\n"), 3, "s_mm", "increase"),
         ];
         for (text, line, column, says) in cases {

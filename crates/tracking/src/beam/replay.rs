@@ -5,6 +5,7 @@ use super::{Allowed, Beam, DeviationRecord, Error, Orders, Picture, Row, Schedul
 use crate::actuator::{Alarm, DeflectionLimits, Following, SlideLimits};
 use crate::lead::{Estimate, History, Moment, Sight};
 use arrayvec::ArrayVec;
+use seamwright_message::{Message, Unit, display_by_message};
 
 /// Stored deviation applied to another pass over the same seam.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,13 +94,9 @@ pub struct Fit {
 }
 
 /// Reason for refusing a replay.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Misfit {
     /// The joint has moved.
-    #[error(
-        "the stored deviation does not fit: {within_mm:.3} mm off in nine of ten of {points} points ({median_mm:+.3} mm in the \
-         median), allowed is {most_mm} mm; track this pass instead"
-    )]
     Moved {
         /// Number of compared points.
         points: usize,
@@ -111,16 +108,31 @@ pub enum Misfit {
         most_mm: f64,
     },
     /// Too few points were detected.
-    #[error(
-        "the stored deviation could not be checked: {points} points in {frames} frames, allowed are {FEWEST} or more; check no \
-         frames where there is no joint left to see"
-    )]
     Unseen {
         /// Number of detected points.
         points: usize,
         /// Number of frames taken.
         frames: usize,
     },
+}
+
+display_by_message!(Misfit);
+
+impl Misfit {
+    /// Returns the description of the reason.
+    pub fn message(&self) -> Message {
+        match *self {
+            Self::Moved { points, median_mm, within_mm, most_mm } => Message::new("tracking-stored-deviation-moved")
+                .quantity("within", within_mm, Unit::Mm, 3)
+                .count("points", points)
+                .quantity("median", median_mm, Unit::Mm, 3)
+                .value("max", most_mm, Unit::Mm),
+            Self::Unseen { points, frames } => Message::new("tracking-stored-deviation-unseen")
+                .count("points", points)
+                .count("frames", frames)
+                .count("min", FEWEST),
+        }
+    }
 }
 
 /// Minimum number of points for a judgement, and maximum number stored.
@@ -160,7 +172,9 @@ impl<'a> BeamReplay<'a> {
         let ReplaySettings { most_mm, oldest_s, cycle_s, .. } = settings;
         for (key, value) in [("most_mm", most_mm), ("oldest_s", oldest_s), ("cycle_s", cycle_s)] {
             if !(value > 0.0 && value <= 10.0) {
-                return Err(crate::lead::Error::Value { key, value, allowed: "more than 0, at most 10" }.into());
+                let allowed = Message::new("document-more-than-up-to");
+                let allowed = allowed.value("min", 0.0, Unit::One).value("max", 10.0, Unit::One);
+                return Err(crate::lead::Error::Value { key, value, allowed }.into());
             }
         }
         Ok(Self {

@@ -1,5 +1,6 @@
 use super::Error;
 use crate::lead;
+use seamwright_message::Message;
 
 /// Allowed interruptions of a weld.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +53,7 @@ impl Schedule {
         for (key, value) in [("every_s", every_s), ("longest_s", longest_s), ("period_s", period_s), ("scan_s", scan_s)]
         {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(lead::Error::Value { key, value, allowed: "a finite number greater than 0" }.into());
+                return Err(lead::Error::not_positive(key, value).into());
             }
         }
         if period_s < every_s {
@@ -62,7 +63,7 @@ impl Schedule {
             return Err(Error::TooLong { scan_s, longest_s });
         }
         if scan_s >= period_s {
-            let allowed = "less than the period";
+            let allowed = Message::new("tracking-scan-allowed");
             return Err(lead::Error::Value { key: "scan_s", value: scan_s, allowed }.into());
         }
         Ok(Self { period_s, scan_s, begun_s: None, scans: false })
@@ -103,10 +104,6 @@ mod tests {
         assert_eq!(new(0.299, 0.005), Err(Error::TooOften { period_s: 0.299, every_s: 0.3 }));
         let long = new(0.3, 0.0051);
         assert_eq!(long, Err(Error::TooLong { scan_s: 0.0051, longest_s: 0.005 }));
-        assert_eq!(
-            long.unwrap_err().to_string(),
-            "scan_s = 0.0051: the weld may be interrupted for 0.005 s; allowed is that or less"
-        );
         for (period, scan) in [(f64::NAN, 0.005), (0.3, 0.0), (0.3, -1.0), (f64::INFINITY, 0.005)] {
             assert!(matches!(new(period, scan), Err(Error::Value(_))), "{period} {scan}");
         }

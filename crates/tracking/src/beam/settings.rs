@@ -1,6 +1,7 @@
 use super::{Allowed, Error, Schedule, Zone, ZoneNeeds};
 use crate::lead;
 use glam::DVec2;
+use seamwright_message::Message;
 
 /// Settings of beam tracking.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,16 +88,16 @@ impl Settings {
         ];
         for (key, value) in positive {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(lead::Error::Value { key, value, allowed: "a finite number greater than 0" }.into());
+                return Err(lead::Error::not_positive(key, value).into());
             }
         }
         let [slow, fast] = self.speed_mm_s;
         if !(slow > 0.0 && slow <= fast && fast.is_finite()) {
-            let allowed = "greater than 0, the slowest speed first";
+            let allowed = Message::new("tracking-speeds-allowed");
             return Err(lead::Error::Value { key: "speed_mm_s", value: slow, allowed }.into());
         }
         if !(1.0..=100.0).contains(&self.looks) {
-            return Err(lead::Error::Value { key: "looks", value: self.looks, allowed: "1 to 100" }.into());
+            return Err(lead::Error::not_between("looks", self.looks, [1.0, 100.0]).into());
         }
         let schedule = Schedule::new(self.allowed, self.period_s, self.scan_s)?;
         // The zone's end is a convex function of speed: its maximum is at one end of the speed range.

@@ -1,21 +1,18 @@
+use seamwright_message::{Message, Unit, display_by_message};
+
 /// Invalid tracking settings.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Error {
     /// A value outside its allowed range.
-    #[error("{key} = {value}: allowed is {allowed}")]
     Value {
         /// Name of the setting.
         key: &'static str,
         /// Given value.
         value: f64,
         /// Description of the allowed range.
-        allowed: &'static str,
+        allowed: Message,
     },
     /// Measurements arrive too late to be followed at this speed.
-    #[error(
-        "a sensor {lead_mm} mm ahead is too near at {speed_mm_s} mm/s: a deviation must be known {notice_s} s before the torch \
-         is there; allowed is a lead of {lead_that_works_mm:.1} mm or more, or {speed_that_works_mm_s:.1} mm/s or less"
-    )]
     LeadTooShort {
         /// Look-ahead distance of the sensor, mm.
         lead_mm: f64,
@@ -28,4 +25,37 @@ pub enum Error {
         /// Maximum speed for this look-ahead distance, mm/s.
         speed_that_works_mm_s: f64,
     },
+}
+
+display_by_message!(Error);
+
+impl Error {
+    /// A value that must be finite and greater than 0.
+    pub(crate) fn not_positive(key: &'static str, value: f64) -> Self {
+        Self::Value { key, value, allowed: Message::new("document-positive-number") }
+    }
+
+    /// A value that must lie from `min` to `max`.
+    pub(crate) fn not_between(key: &'static str, value: f64, [min, max]: [f64; 2]) -> Self {
+        let allowed = Message::new("document-between").value("min", min, Unit::One).value("max", max, Unit::One);
+        Self::Value { key, value, allowed }
+    }
+
+    /// Returns the description of the error.
+    pub fn message(&self) -> Message {
+        match *self {
+            Self::Value { key, value, ref allowed } => Message::new("tracking-value")
+                .key("key", key)
+                .value("value", value, Unit::One)
+                .message("allowed", allowed.clone()),
+            Self::LeadTooShort { lead_mm, speed_mm_s, notice_s, lead_that_works_mm, speed_that_works_mm_s } => {
+                Message::new("tracking-look-ahead-too-short")
+                    .value("distance", lead_mm, Unit::Mm)
+                    .value("speed", speed_mm_s, Unit::MmPerS)
+                    .value("notice", notice_s, Unit::S)
+                    .quantity("min", lead_that_works_mm, Unit::Mm, 1)
+                    .quantity("max", speed_that_works_mm_s, Unit::MmPerS, 1)
+            }
+        }
+    }
 }

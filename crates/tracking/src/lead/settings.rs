@@ -1,5 +1,6 @@
 use super::Error;
 use glam::DVec2;
+use seamwright_message::Message;
 
 /// Smoothing reach to each side of a position, as a fraction of the look-ahead distance; measurements must extend that
 /// far beyond the position.
@@ -84,7 +85,7 @@ impl Settings {
         ];
         for (key, value) in positive {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Error::Value { key, value, allowed: "a finite number greater than 0" });
+                return Err(Error::not_positive(key, value));
             }
         }
         let [young, old] = self.age_s;
@@ -92,15 +93,14 @@ impl Settings {
             [("age_s", young), ("notice_s", self.notice_s), ("drift", self.drift), ("tack_mm", self.tack_mm)]
         {
             if !(value >= 0.0 && value.is_finite()) {
-                return Err(Error::Value { key, value, allowed: "a finite number, 0 or more" });
+                return Err(Error::Value { key, value, allowed: Message::new("document-non-negative-number") });
             }
         }
         if !(old > young && old <= 10.0) {
-            return Err(Error::Value { key: "age_s", value: old, allowed: "more than the least age, at most 10 s" });
+            return Err(Error::Value { key: "age_s", value: old, allowed: Message::new("tracking-ages") });
         }
         if !(0.0..=1.0).contains(&self.least_confidence) {
-            let value = self.least_confidence;
-            return Err(Error::Value { key: "least_confidence", value, allowed: "0 to 1" });
+            return Err(Error::not_between("least_confidence", self.least_confidence, [0.0, 1.0]));
         }
         self.check_lead()
     }

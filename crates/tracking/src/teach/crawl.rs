@@ -3,6 +3,7 @@ use super::line::{GAP_MM, RawPoint, Source, TaughtLine};
 use super::sight::{Aim, FrameEnd, Patch, Shape, Surface, View};
 use super::{EyeNote, Settings, levelled};
 use glam::DVec3;
+use seamwright_message::{Message, Unit};
 use seamwright_vision::camera::{HeightError, HeightTable};
 
 /// Reach to both sides for the line's direction, mm.
@@ -164,7 +165,7 @@ impl<'a> Crawl<'a> {
         (self.line.points()[i].point, along)
     }
 
-    fn refused(&mut self, why: String) -> Command {
+    fn refused(&mut self, why: Message) -> Command {
         // Halves the step each time; the line is known up to the target.
         self.shortened += 1;
         let step = self.way - self.before;
@@ -236,12 +237,12 @@ impl<'a> Crawl<'a> {
         });
         if !agrees {
             return self.look_again(overlap.map_or_else(
-                || "what is seen does not join what was seen before".to_owned(),
-                |off| format!("what two frames see of the joint is {off:.2} mm apart"),
+                || Message::new("tracking-crawl-not-joined"),
+                |off| Message::new("tracking-crawl-frames-apart").quantity("distance", off, Unit::Mm, 2),
             ));
         }
         if points.is_empty() {
-            return self.look_again("the joint is not seen".to_owned());
+            return self.look_again(Message::new("tracking-crawl-not-seen"));
         }
         self.take(&points);
         self.onward(seen.end, mean)
@@ -310,10 +311,9 @@ impl<'a> Crawl<'a> {
                     return Command::Done(End::JointEnd);
                 }
                 (None, FrameEnd::JointEnd) => {
-                    let why = "the joint is seen no further: it ends here, or more than the longest tack hides it";
-                    return self.look_again(why.to_owned());
+                    return self.look_again(Message::new("tracking-crawl-end-or-tack"));
                 }
-                _ => return self.look_again("the joint is not seen any further".to_owned()),
+                _ => return self.look_again(Message::new("tracking-crawl-not-seen-further")),
             }
         }
         self.again = 0;
@@ -355,7 +355,7 @@ impl<'a> Crawl<'a> {
         aligned.then(|| (ways[i], (off - off.dot(along) * along).length()))
     }
 
-    fn look_again(&mut self, why: String) -> Command {
+    fn look_again(&mut self, why: Message) -> Command {
         self.again += 1;
         if self.again <= self.settings.again { Command::Look } else { Command::Ask(why) }
     }

@@ -2,6 +2,7 @@
 
 use super::sight::{FrameEnd, Row, View};
 use glam::DVec3;
+use seamwright_message::Message;
 
 /// Camera pose: the optical axis passes through `point`, against `normal`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +44,7 @@ pub enum Event<'a> {
     /// The camera has reached its target.
     Reached,
     /// The machine cannot reach the target (limit, zone); description.
-    Refused(String),
+    Refused(Message),
     /// A frame was taken and evaluated, from any pose.
     Seen(Seen<'a>),
     /// The operator has answered.
@@ -58,7 +59,7 @@ pub enum Command {
     /// Take a frame, search its midline from [`Crawl::aim`](super::Crawl::aim), then send [`Event::Seen`].
     Look,
     /// Ask the operator for help, with the reason, then send [`Event::Operator`].
-    Ask(String),
+    Ask(Message),
     /// Finished.
     Done(End),
 }
@@ -74,7 +75,7 @@ pub enum End {
         gap_mm: f64,
     },
     /// The machine cannot go further, and the reason.
-    Limit(String),
+    Limit(Message),
     /// The operator ended it.
     Operator,
     /// The joint exceeds the maximum length.

@@ -62,15 +62,15 @@ pub struct Reduced {
 /// joint to the torch, one per point.
 ///
 /// # Errors
-/// Those of [`reduce`] and [`reduce_to_spline`]; [`Error::Size`] with fewer than two points, or with a different number
-/// of vectors.
+/// Those of [`reduce`] and [`reduce_to_spline`]; [`Error::TooFewPoints`] with fewer than two points, or for a program
+/// without passes.
 pub fn to_program(
     (line, torch): (&[LinePoint], &[DVec3]),
     like: &Program,
     (tolerance, attitude): (f64, f64),
     kind: Kind,
 ) -> Result<Reduced, Error> {
-    let few = || Error::Size { what: "the number of points", value: line.len() as f64 };
+    let few = || Error::TooFewPoints { what: "geometry-points-taught-line", given: line.len(), min: 2 };
     let points: Vec<DVec3> = line.iter().map(|p| p.point).collect();
     let directions = [0, 1, 2].map(|i| torch.iter().map(|axis| -axis[i]).collect::<Vec<f64>>());
     let curves = match kind {

@@ -3,6 +3,7 @@
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
+use seamwright_message::Message;
 use seamwright_tracking::teach::{
     Answer, Command, Crawl, End, Event, EyePose, FrameEnd, Patch, Row, Seen, Settings, Shape, View, smoothed,
 };
@@ -157,7 +158,7 @@ fn crawl<'a>(
     let mut camera = DAffine3::IDENTITY;
     for _ in 0..2000 {
         command = match command {
-            Command::Move(pose) if refuse(&pose) => crawl.next(Event::Refused("axis x".to_owned())),
+            Command::Move(pose) if refuse(&pose) => crawl.next(Event::Refused(Message::verbatim("axis x"))),
             Command::Move(pose) => {
                 // The direction of the picture's x axis is arbitrary.
                 let z = -pose.normal;
@@ -173,7 +174,7 @@ fn crawl<'a>(
                 let (rows, end) = world.midline(table, &camera, aim.start, aim.direction);
                 crawl.next(Event::Seen(Seen { view, rows: &rows, end }))
             }
-            Command::Ask(why) => crawl.next(Event::Operator(answer(&why))),
+            Command::Ask(why) => crawl.next(Event::Operator(answer(&why.to_string()))),
             Command::Done(end) => return (crawl, end),
         };
     }
@@ -306,7 +307,7 @@ fn limits_stop_it_short_of_them() {
     let mut world = World::new(s_curve, false);
     let from = start(DVec3::ZERO, DVec3::X, DVec3::Z);
     let (crawl, end) = crawl(&mut world, (&table, &Plane, &Plane), from, |pose| pose.point.x > 40.0, no_one);
-    assert_eq!(end, End::Limit("axis x".to_owned()));
+    assert_eq!(end, End::Limit(Message::verbatim("axis x")));
     assert!(crawl.target().point.x > 39.0, "{}", crawl.target().point.x);
     // An unreachable start gives an empty line.
     let (crawl, end) = self::crawl(&mut world, (&table, &Plane, &Plane), from, |_| true, no_one);
@@ -351,6 +352,6 @@ fn frames_that_do_not_agree_are_not_believed() {
             Command::Done(end) => panic!("{end:?}"),
         };
     };
-    assert!(why.contains("apart") && looks == 6, "{why} after {looks}");
+    assert!(why.code == "tracking-crawl-frames-apart" && looks == 6, "{why} after {looks}");
     assert!(crawl.line().points().iter().all(|p| world.distance(p.point) < 0.2));
 }

@@ -2,8 +2,8 @@
 
 use arrayvec::ArrayVec;
 use glam::DVec2;
+use seamwright_message::{Message, display_by_message};
 use serde::Serialize;
-use thiserror::Error;
 
 /// Joint types that can be detected, as seen by a sensor from above.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -173,32 +173,37 @@ pub struct Features {
 }
 
 /// Reason for a low confidence of a detected joint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Doubt {
     /// Points lie off the joint's lines, or something as bright lies beside them.
-    #[error("much of what is seen is not on the joint's lines: reflections or spatter")]
     Clutter,
     /// A part of the joint is visible in few columns only.
-    #[error("a part of the joint is seen in fewer than 30 columns: move the sensor nearer or across the whole joint")]
     Short,
     /// A part of the joint is not straight.
-    #[error("a part of the joint is not straight: its places are several rows off the line")]
     Uneven,
     /// The light on a part has holes, continues beyond its end, or the end is hidden.
-    #[error(
-        "the light does not begin and end where the joint's parts do: dark places on them, light beyond their ends, or \
-         something that hides an end"
-    )]
     Light,
     /// The shape is nearly that of another joint.
-    #[error("the shape is at the limit of this kind of joint")]
     Shape,
     /// The joint is far from its expected position.
-    #[error("it is far from where it was expected")]
     Moved,
     /// A point or value is not finite.
-    #[error("a place or a value of it is not known")]
     Unknown,
+}
+
+impl Doubt {
+    /// Returns the description of the reason.
+    pub fn message(&self) -> Message {
+        Message::new(match self {
+            Self::Clutter => "vision-doubt-clutter",
+            Self::Short => "vision-doubt-short",
+            Self::Uneven => "vision-doubt-uneven",
+            Self::Light => "vision-doubt-light",
+            Self::Shape => "vision-doubt-shape",
+            Self::Moved => "vision-doubt-moved",
+            Self::Unknown => "vision-doubt-unknown",
+        })
+    }
 }
 
 impl Features {
@@ -232,16 +237,13 @@ impl Features {
 }
 
 /// Reason why no joint was detected.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NoFeatures {
     /// No chain of bright points.
-    #[error("there is no stripe")]
     NoStripe,
     /// More than half of the image's background is saturated.
-    #[error("the image is saturated: shorter exposure or less light")]
     Saturated,
     /// The stripe is visible in too few columns.
-    #[error("the stripe is seen in {found} of {columns} columns, a quarter is needed")]
     ShortStripe {
         /// Columns with the stripe.
         found: usize,
@@ -249,7 +251,6 @@ pub enum NoFeatures {
         columns: usize,
     },
     /// Too few points in a profile.
-    #[error("the profile has {found} usable points, {needed} are needed")]
     TooFewPoints {
         /// Usable points.
         found: usize,
@@ -257,15 +258,34 @@ pub enum NoFeatures {
         needed: usize,
     },
     /// No two faces at 60 to 120 degrees that meet, or the profile has more than these.
-    #[error("no corner of two faces at 60 to 120 degrees that make up the profile")]
     NoCorner,
     /// No walls of this groove type between two shoulders.
-    #[error("no groove of this kind between two shoulders")]
     NoGroove,
     /// No two parallel sheets with a high enough step.
-    #[error("no step between two parallel sheets")]
     NoStep,
     /// No two plates in line with a gap, a mismatch or a dark line between them.
-    #[error("no gap, mismatch or dark line between two plates in line")]
     NoSeam,
 }
+
+impl NoFeatures {
+    /// Returns the description of the reason.
+    pub fn message(&self) -> Message {
+        let new = Message::new;
+        match *self {
+            Self::NoStripe => new("vision-no-stripe"),
+            Self::Saturated => new("vision-saturated"),
+            Self::ShortStripe { found, columns } => {
+                new("vision-short-stripe").count("found", found).count("columns", columns)
+            }
+            Self::TooFewPoints { found, needed } => {
+                new("vision-too-few-points").count("found", found).count("needed", needed)
+            }
+            Self::NoCorner => new("vision-no-corner"),
+            Self::NoGroove => new("vision-no-groove"),
+            Self::NoStep => new("vision-no-step"),
+            Self::NoSeam => new("vision-no-seam"),
+        }
+    }
+}
+
+display_by_message!(Doubt, NoFeatures);

@@ -7,11 +7,19 @@ mod touched;
 mod tune;
 mod tuning;
 
+use super::{io, kinematics, latency, lists, move_to};
+use crate::args::ListArgs;
 use crate::args::machine::{MachineArgs, MachineVerb};
 use crate::failure::Failure;
 
 pub(crate) fn run(args: &MachineArgs) -> Result<(), Failure> {
     match &args.verb {
+        MachineVerb::List(a) => lists::machines(&ListArgs { name: None, json: a.json }),
+        MachineVerb::Show(a) => lists::machines(&ListArgs { name: Some(a.name.clone()), json: false }),
+        MachineVerb::Kinematics(a) => kinematics::run(a),
+        MachineVerb::Move(a) => move_to::run(a),
+        MachineVerb::Io(a) => io::run(a),
+        MachineVerb::Latency(a) => latency::run(a),
         MachineVerb::Place(a) => place::run(a),
         MachineVerb::Check(a) => check::run(a),
         MachineVerb::Tune(a) => tune::run(a),

@@ -4,6 +4,7 @@ use crate::clock;
 use crate::failure::Failure;
 use crate::files::{Output, written_text};
 use crate::rows::{print_json, print_text};
+use seamwright_message::Language;
 use seamwright_report::recorded_weld_page;
 
 pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {
@@ -18,7 +19,7 @@ pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let program = library.program_of(args.id)?;
     let json = serde_json::to_string_pretty(&detail).map_err(|e| Failure::Environment(e.to_string()))?;
     output.text("record.json", &(json + "\n"))?;
-    let page = recorded_weld_page(&detail, &figures, &program.text, &clock::now(), args.language);
+    let page = recorded_weld_page(&detail, &figures, &program.text, &clock::now(), Language::of_process());
     output.text("report.html", &page)?;
     output.text("program.toml", &program.text)?;
     let paths = output.finish()?;

@@ -85,7 +85,7 @@ fn tell_missed(ended: &Ended, period_s: f64) {
     let _ = writeln!(
         std::io::stderr(),
         "note: {missed} of {all} cycles of {period} ms were missed: the worst began {most:.2} ms late\n   \
-         better: a longer servo_period_ms, or less that runs beside; `seamwright latency` measures it"
+         better: a longer servo_period_ms, or less that runs beside; `seamwright machine latency` measures it"
     );
 }
 

@@ -8,6 +8,7 @@ use crate::read::lexer::Cursor;
 use crate::read::motion::Block;
 use crate::read::state::{FeedMode, Motion, State};
 use glam::DVec3;
+use seamwright_message::Message;
 
 /// Words that steer the program: they are not read.
 #[rustfmt::skip]
@@ -33,13 +34,13 @@ impl Words {
                 state.motion = Some(match number {
                     1 => Motion::Clockwise,
                     2 => Motion::Counterclockwise,
-                    _ => return Err(Fault::new(c.since(from), "there is no such mode").allowed("CIRCLE1 and CIRCLE2")),
+                    _ => return Err(Fault::new(c.since(from), "post-no-mode").allowed("post-circle-modes")),
                 });
             }
             "SPLINE" => {
                 if c.whole()? != 1 {
-                    let fault = Fault::new(c.since(from), "splines of uneven times are not read");
-                    return Err(fault.allowed("SPLINE1, with TA for the time of a piece"));
+                    let fault = Fault::new(c.since(from), "post-uneven-splines");
+                    return Err(fault.allowed("post-spline-allowed"));
                 }
                 state.motion = Some(Motion::Spline);
             }
@@ -71,13 +72,12 @@ impl Words {
                 c.letters();
             }
             _ if STEERING.contains(&name.as_str()) => {
-                return Err(Fault::new(span, format!("{name}: loops, branches and calls are not read"))
-                    .cure("write the blocks out, one after the other"));
+                return Err(Fault::new(span, Message::new("post-no-calls").text("name", name)).cure("post-write-out"));
             }
             _ => {
                 c.skip_word();
                 let mut fault = no_address(state.control, span, &name);
-                fault = fault.allowed(format!("axes by single letters, and {WORDS}"));
+                fault = fault.allowed(Message::new("post-words-allowed").text("words", WORDS));
                 return Err(fault);
             }
         }
@@ -119,7 +119,7 @@ impl Words {
             normal[k] = state.expressions.word(c)?;
         }
         let Some(normal) = normal.try_normalize() else {
-            return Err(Fault::new(span, "this normal has no direction").allowed("like NORMAL K-1 for the XY plane"));
+            return Err(Fault::new(span, "post-normal-without-direction").allowed("post-normal-allowed"));
         };
         self.normal = normal;
         block.normal = Some(normal);
@@ -143,8 +143,8 @@ fn time(state: &State, c: &mut Cursor, positive: bool) -> Read<f64> {
     let from = c.at;
     let value = state.expressions.word(c)?;
     if !(0.0..=1e9).contains(&value) || (positive && value <= 0.0) {
-        let allowed = if positive { "more than 0 ms" } else { "0 ms or more" };
-        return Err(Fault::new(c.since(from), "this is no time").allowed(allowed));
+        let allowed = if positive { "post-time-positive" } else { "post-time-not-negative" };
+        return Err(Fault::new(c.since(from), "post-time").allowed(allowed));
     }
     Ok(1e-3 * value)
 }
@@ -174,7 +174,7 @@ fn feed_axes(state: &mut State, c: &mut Cursor) -> Read {
 /// SEND"..": words for the operator.
 fn send(state: &mut State, c: &mut Cursor, span: Span) -> Read {
     c.need(b'"')?;
-    let text = c.until('"').ok_or_else(|| Fault::new(Span { from: span.from, to: c.end }, "this text has no end"))?;
+    let text = c.until('"').ok_or_else(|| Fault::new(Span { from: span.from, to: c.end }, "post-text-open"))?;
     state.event(Event::Message(text.into()), true);
     Ok(())
 }
@@ -183,7 +183,7 @@ fn send(state: &mut State, c: &mut Cursor, span: Span) -> Read {
 fn open(c: &mut Cursor, span: Span) -> Read {
     c.blanks();
     if !c.letters().eq_ignore_ascii_case("PROG") {
-        return Err(Fault::unknown(span, "only motion programs are read").allowed("OPEN PROG with a number"));
+        return Err(Fault::unknown(span, "post-motion-programs").allowed("post-motion-programs-allowed"));
     }
     c.blanks();
     c.whole().map(|_| ())

@@ -5,6 +5,7 @@ use crate::read::Flow;
 use crate::read::error::{Fault, Read, Span, once};
 use crate::read::state::{FeedMode, Motion, State};
 use crate::{Dialect, Event, Level, Step, What};
+use seamwright_message::Message;
 
 /// Modal groups, as bits.
 const MOTION: u32 = 1;
@@ -22,8 +23,8 @@ const STOP: u32 = 2048;
 const SPINDLE: u32 = 4096;
 const OUTPUT: u32 = 8192;
 
-const G_CODES: &str = "G0 G1 G2 G3 G4 G17 G18 G19 G20 G21 G40 G49 G53 G54 to G59.3 G61 G64 G80 G90 G91 G93 G94";
-const M_CODES: &str = "M0 M1 M2 M3 M4 M5 M30 M62 to M68, and those in the machine file's codes";
+const G_CODES: &str = "G0 G1 G2 G3 G4 G17 G18 G19 G20 G21 G40 G49 G53 G54-G59.3 G61 G64 G80 G90 G91 G93 G94";
+const M_CODES: &str = "M0 M1 M2 M3 M4 M5 M30 M62-M68";
 
 impl Line {
     fn group(&mut self, group: u32, span: Span) -> Read {
@@ -51,15 +52,11 @@ impl Line {
             901 if linuxcnc => CENTRE,
             911 => CENTRE,
             920 => {
-                return Err(refused(
-                    span,
-                    "G92 moves the zero of all that follows",
-                    "write positions that count from zero",
-                ));
+                return Err(Fault::unknown(span, "post-zero-moved").cure("post-zero-cure"));
             }
             930 | 940 => FEED,
-            950 => return Err(refused(span, "G95 is a feed for each turn of a spindle", "use G93 or G94")),
-            _ => return Err(Fault::unknown(span, "this G-code is not known").allowed(G_CODES)),
+            950 => return Err(Fault::unknown(span, "post-feed-per-turn").cure("post-feed-per-turn-cure")),
+            _ => return Err(Fault::unknown(span, "post-unknown-g-code").allowed(Message::verbatim(G_CODES))),
         };
         self.group(group, span)?;
         match code {
@@ -80,7 +77,7 @@ impl Line {
             901 | 911 => state.absolute_centre = code == 901,
             930 => state.set_mode(FeedMode::InverseTime),
             940 => state.set_mode(FeedMode::PerMinute),
-            _ if group == OFFSET => state.note("offset", "work offsets are taken as zero"),
+            _ if group == OFFSET => state.note("post-offsets-zero"),
             _ => {}
         }
         Ok(())
@@ -107,16 +104,17 @@ impl Line {
                 self.output = Some((code / 10, span));
             }
             30 | 40 | 50 => {
-                let fault = Fault::unknown(span, "what the spindle's codes switch on this machine is not known");
-                return Err(
-                    fault.cure("give S in the control's `process`, or name it in its codes, as M3 = \"arc_on\"")
-                );
+                let fault = Fault::unknown(span, "post-spindle-code");
+                return Err(fault.cure("post-spindle-code-cure"));
             }
             70 | 80 | 90 => {
-                let fault = Fault::unknown(span, "what coolant switches here is not known");
-                return Err(fault.cure("name it in the machine file's codes, as M8 = \"gas_on\""));
+                let fault = Fault::unknown(span, "post-coolant-code");
+                return Err(fault.cure("post-coolant-code-cure"));
             }
-            _ => return Err(Fault::unknown(span, "this M-code is not known").allowed(M_CODES)),
+            _ => {
+                return Err(Fault::unknown(span, "post-unknown-m-code")
+                    .allowed(Message::new("post-m-codes-allowed").text("codes", M_CODES)));
+            }
         }
         Ok(())
     }
@@ -130,7 +128,7 @@ impl Line {
         if let Some((value, _)) = self.values[S].take() {
             match state.addresses.letter(b'S') {
                 Some(channel) => state.set_later(channel, value),
-                None => state.note("S", "S drives nothing of this machine that is known: it is not read"),
+                None => state.note("post-s-not-read"),
             }
         }
         if let Some((code, _)) = self.spindle {
@@ -150,7 +148,7 @@ impl Line {
             self.values[Q] = None;
         }
         if let Some((_, span)) = self.values.iter().flatten().next() {
-            return Err(Fault::new(*span, "this word belongs to nothing in the block"));
+            return Err(Fault::new(*span, "post-stray-word"));
         }
         if self.dwell.is_none() {
             state.go(&self.block)?;
@@ -202,7 +200,7 @@ impl Line {
             && let Some((turns, span)) = self.values[P].take()
         {
             if !(1.0..=10_000.0).contains(&turns) || (turns - turns.round()).abs() > 1e-9 {
-                return Err(Fault::new(span, "this is no number of turns").allowed("a whole number from 1 on"));
+                return Err(Fault::new(span, "post-turns").allowed("post-turns-from-one"));
             }
             self.block.turns = Some((turns as u32 - 1, span));
         }
@@ -212,10 +210,10 @@ impl Line {
     fn dwell_for(&mut self, span: Span, moves: bool, state: &mut State) -> Read {
         if moves {
             let place = state.target.span().unwrap_or(span);
-            return Err(Fault::new(place, "nothing moves in a block with G4").cure("write two blocks"));
+            return Err(Fault::new(place, "post-moves-with-dwell").cure("post-two-blocks"));
         }
         let Some((seconds, span)) = self.values[P].take() else {
-            return Err(Fault::new(span, "G4 wants P, the time in seconds"));
+            return Err(Fault::new(span, "post-dwell-needs-p"));
         };
         state.dwell(seconds, state.control.dialect == Dialect::Grblhal, span)
     }
@@ -223,10 +221,10 @@ impl Line {
     /// A whole number that the code needs.
     fn need(&mut self, letter: usize, code: Span, what: &str) -> Read<u32> {
         let Some((value, span)) = self.values[letter].take() else {
-            return Err(Fault::new(code, format!("{what} is missing for this code")));
+            return Err(Fault::new(code, Message::new("post-word-missing").text("word", what)));
         };
         if !(0.0..=255.0).contains(&value) || (value - value.round()).abs() > 1e-9 {
-            return Err(Fault::new(span, "this is no number of an output").allowed("a whole number from 0 to 255"));
+            return Err(Fault::new(span, "post-output-number").allowed("post-output-number-allowed"));
         }
         Ok(value.round() as u32)
     }
@@ -237,14 +235,14 @@ impl Line {
             67 | 68 => {
                 let output = self.need(E, span, "E")?;
                 let Some((value, value_span)) = self.values[Q].take() else {
-                    return Err(Fault::new(span, "Q is missing for this code"));
+                    return Err(Fault::new(span, Message::new("post-word-missing").text("word", "Q")));
                 };
                 if state.control.kinematics_output.map(u32::from) != Some(output) {
                     return state.set_output(output, value, code == 68, span);
                 }
                 if code == 67 || !(value == 0.0 || (value - 1.0).abs() < 1e-9) {
-                    let fault = Fault::new(value_span, "this output switches the kinematics");
-                    return Err(fault.allowed("M68 with Q0 for the axes, Q1 for the torch tip"));
+                    let fault = Fault::new(value_span, "post-kinematics-output");
+                    return Err(fault.allowed("post-kinematics-output-allowed"));
                 }
                 state.switch_level(if value > 0.5 { Level::Tip } else { Level::Joint }, span)
             }
@@ -261,7 +259,7 @@ impl Line {
         let (digital, analogue) = (self.values[P].take(), self.values[E].take());
         let (how, _) = (self.values[L].take().map_or(0.0, |l| l.0), self.values[Q].take());
         let Some((input, _)) = digital.xor(analogue) else {
-            return Err(Fault::new(span, "M66 wants P or E").allowed("one of them"));
+            return Err(Fault::new(span, "post-wait-input").allowed("post-wait-input-allowed"));
         };
         if how > 0.0 {
             let kind = if digital.is_some() { "digital" } else { "analogue" };
@@ -269,10 +267,6 @@ impl Line {
         }
         Ok(())
     }
-}
-
-fn refused(span: Span, message: &str, cure: &str) -> Box<Fault> {
-    Fault::unknown(span, format!("{message}: this is not read")).cure(cure)
 }
 
 /// With a process value called S the spindle's codes are the arc; else they are calls.

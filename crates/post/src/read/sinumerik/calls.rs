@@ -10,6 +10,7 @@ use crate::read::lexer::{Cursor, same};
 use crate::read::programs::Programs;
 use crate::read::state::State;
 use crate::read::target::{FARTHEST, How};
+use seamwright_message::Message;
 
 /// `NAME(..)`; the cursor is at the bracket.
 pub(super) fn call(name: &str, state: &mut State, c: &mut Cursor, span: Span) -> Read {
@@ -26,13 +27,13 @@ pub(super) fn call(name: &str, state: &mut State, c: &mut Cursor, span: Span) ->
         }
         "POLYPATH" => poly_path(c, span),
         "IF" | "WHILE" | "UNTIL" | "CASE" => {
-            let fault = Fault::new(span, format!("{name}: loops and branches are not read"));
-            Err(fault.cure("write the blocks out, one after the other"))
+            let fault = Fault::new(span, Message::new("post-no-branches").text("name", name));
+            Err(fault.cure("post-write-out"))
         }
         _ => {
             c.skip_word();
-            let allowed = "FGROUP, MSG, POLYPATH, PRESETON, TRAORI, and sub-programs of this text by their names alone";
-            Err(Fault::unknown(span, format!("{name}(..) is not known")).allowed(allowed))
+            let allowed = Message::new("post-calls-allowed").text("names", "FGROUP, MSG, POLYPATH, PRESETON, TRAORI");
+            Err(Fault::unknown(span, Message::new("post-unknown-call").text("name", name)).allowed(allowed))
         }
     }
 }
@@ -44,7 +45,7 @@ pub(super) fn channel(state: &State, c: &mut Cursor) -> Read<(usize, Span)> {
     let name = c.name();
     let span = c.since(from);
     if name.is_empty() {
-        return Err(Fault::new(c.here(), "an axis is missing here"));
+        return Err(Fault::new(c.here(), "post-axis-missing"));
     }
     // An unknown axis changes the meaning of the rest, so even a lenient reader does not leave it out.
     let mut fault = match state.addresses.name(name) {
@@ -66,10 +67,10 @@ fn feed_group(state: &mut State, c: &mut Cursor) -> Read {
     loop {
         let (axis, span) = channel(state, c)?;
         if group.contains(&axis) {
-            return Err(Fault::new(span, "this axis stands twice in the group"));
+            return Err(Fault::new(span, "post-feed-group-twice"));
         }
         if state.program.channels[axis].kind == ChannelKind::Stepped {
-            return Err(Fault::new(span, "only axes are in the group of the feed"));
+            return Err(Fault::new(span, "post-feed-group-axes"));
         }
         group.push(axis);
         if !c.take(b',') {
@@ -93,7 +94,7 @@ fn poly_path(c: &mut Cursor, span: Span) -> Read {
     if axes {
         Ok(())
     } else {
-        Err(Fault::new(span, "without AXES no axis is a polynomial").allowed("POLYPATH(\"AXES\")"))
+        Err(Fault::new(span, "post-polynomial-without-axes").allowed(Message::verbatim("POLYPATH(\"AXES\")")))
     }
 }
 
@@ -103,7 +104,7 @@ fn message(state: &mut State, c: &mut Cursor) -> Read {
     let mut text = "";
     if c.take(b'"') {
         let from = c.at;
-        text = c.until('"').ok_or_else(|| Fault::new(c.since(from.saturating_sub(1)), "this text has no end"))?;
+        text = c.until('"').ok_or_else(|| Fault::new(c.since(from.saturating_sub(1)), "post-text-open"))?;
     }
     c.need(b')')?;
     state.event(Event::Message(text.into()), true);
@@ -118,8 +119,8 @@ fn preset(state: &mut State, c: &mut Cursor) -> Read {
         c.need(b',')?;
         let value = state.expressions.expression(c)?;
         if matches!(state.program.channels[channel].kind, ChannelKind::Linear | ChannelKind::Rotary) {
-            let fault = Fault::new(span, "PRESETON of an axis moves the zero of all that follows");
-            return Err(fault.allowed("process values").cure("write positions that count from zero"));
+            let fault = Fault::new(span, "post-preset-moves-zero");
+            return Err(fault.allowed("post-process-values").cure("post-zero-cure"));
         }
         state.set(channel, value, true);
         if !c.take(b',') {
@@ -134,7 +135,7 @@ pub(super) fn define(state: &mut State, c: &mut Cursor, programs: &Programs) -> 
     let from = c.at;
     let kind = c.name();
     if !same(kind, "REAL") && !same(kind, "INT") {
-        return Err(Fault::unknown(c.since(from), "variables of this kind are not read").allowed("REAL and INT"));
+        return Err(Fault::unknown(c.since(from), "post-variable-kind").allowed("post-variable-kinds"));
     }
     loop {
         c.blanks();
@@ -142,10 +143,12 @@ pub(super) fn define(state: &mut State, c: &mut Cursor, programs: &Programs) -> 
         let name = c.name();
         let span = c.since(from);
         if name.len() < 2 || name.as_bytes()[0].is_ascii_digit() {
-            return Err(Fault::new(c.here(), "a name is missing here").allowed("two letters or more"));
+            return Err(Fault::new(c.here(), "post-name-missing").allowed("post-name-allowed"));
         }
         if state.addresses.name(name).is_some() || programs.sub(name).is_some() {
-            return Err(Fault::new(span, format!("{name} is already something else")).cure("choose another name"));
+            return Err(
+                Fault::new(span, Message::new("post-name-taken").text("name", name)).cure("post-name-taken-cure")
+            );
         }
         let value = if c.take(b'=') { state.expressions.expression(c)? } else { 0.0 };
         state.expressions.set_named(name, value);
@@ -160,16 +163,16 @@ impl Line {
     pub(super) fn polynomial(&mut self, state: &mut State, c: &mut Cursor, span: Span) -> Read {
         c.need(b'[')?;
         if c.take(b']') {
-            let fault = Fault::new(span, "PO[] is a denominator of polynomials: these are not read");
-            return Err(fault.cure("have it written with G2, G3 or CIP"));
+            let fault = Fault::new(span, "post-polynomial-denominator");
+            return Err(fault.cure("post-polynomial-denominator-cure"));
         }
         let (channel, at) = channel(state, c)?;
         if channel >= state.program.axes() {
-            return Err(Fault::new(at, "only axes are polynomials").cure("give process values their ends alone"));
+            return Err(Fault::new(at, "post-polynomial-axes").cure("post-polynomial-axes-cure"));
         }
         if state.control.decimal_comma {
-            let fault = Fault::new(span, "where decimals have a comma, nothing tells these numbers apart");
-            return Err(fault.cure("write decimal points, and take decimal_comma out of the machine file"));
+            let fault = Fault::new(span, "post-polynomial-comma");
+            return Err(fault.cure("post-polynomial-comma-cure"));
         }
         [b']', b'=', b'('].into_iter().try_for_each(|byte| c.need(byte))?;
         let end = state.expressions.expression(c)?;
@@ -179,10 +182,10 @@ impl Line {
             let place = c.here();
             let value = state.expressions.expression(c)?;
             let Some(power) = powers.next() else {
-                return Err(Fault::new(place, "a polynomial of more than the fifth degree"));
+                return Err(Fault::new(place, "post-polynomial-degree"));
             };
             if value.abs() > FARTHEST {
-                return Err(Fault::new(place, "this coefficient is out of all sense").allowed("-10000000 to 10000000"));
+                return Err(Fault::new(place, "post-coefficient-too-large").allowed("post-position-allowed"));
             }
             *power = value;
         }
@@ -202,7 +205,8 @@ impl Line {
         let analogue = same(name, "A_OUTA");
         if !analogue && !same(name, "A_OUT") {
             c.skip_word();
-            return Err(Fault::unknown(span, format!("${name} is not read")).allowed("$A_OUT[n] and $A_OUTA[n]"));
+            return Err(Fault::unknown(span, Message::new("post-system-variable").text("name", name))
+                .allowed("post-system-variables-allowed"));
         }
         c.need(b'[')?;
         c.blanks();
@@ -215,14 +219,14 @@ impl Line {
         let place = c.at;
         let value = state.expressions.expression(c)?;
         if !(1..=256).contains(&number) {
-            return Err(Fault::new(number_span, "there is no such output").allowed("1 to 256"));
+            return Err(Fault::new(number_span, "post-no-output").allowed("post-output-allowed"));
         }
         if analogue {
             return state.set_output(number - 1, value, at_once, c.since(from));
         }
         let on = value > 0.5;
         if (value - f64::from(u8::from(on))).abs() > 1e-9 {
-            return Err(Fault::new(c.since(place), "a digital output is on or off").allowed("0 and 1"));
+            return Err(Fault::new(c.since(place), "post-digital-value").allowed("post-digital-value-allowed"));
         }
         state.switch((number - 1) as u16, on, at_once);
         Ok(())
@@ -236,8 +240,8 @@ impl Line {
         c.blanks();
         if !same(condition, "TRUE") || !same(then, "DO") || c.peek() != b'$' {
             c.at = c.end;
-            let fault = Fault::unknown(Span { from: span.from, to: c.end }, "this action is not read");
-            return Err(fault.allowed("WHEN TRUE DO $A_OUT[n]=.. or $A_OUTA[n]=.."));
+            let fault = Fault::unknown(Span { from: span.from, to: c.end }, "post-action");
+            return Err(fault.allowed("post-action-allowed"));
         }
         while c.peek() == b'$' {
             self.system_variable(state, c, false)?;

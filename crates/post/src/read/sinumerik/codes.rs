@@ -5,6 +5,7 @@ use crate::Event;
 use crate::read::Flow;
 use crate::read::error::{Fault, Read, Span, once};
 use crate::read::state::{FeedMode, Motion, State};
+use seamwright_message::Message;
 
 /// Siemens' G groups, as bits.
 pub(super) const MOTION: u32 = 1;
@@ -20,8 +21,9 @@ const DISTANCE: u32 = 512;
 const FEED: u32 = 1024;
 const STOP: u32 = 2048;
 
-const G_CODES: &str = "G0 G1 G2 G3 CIP POLY G4 G9 G17 G18 G19 G40 G53 G54 to G57 G500 G60 G64 G641 to G645 G70 G71 G700 G710 G90 G91 G93 G94";
-const M_CODES: &str = "M0 M1 M2 M17 M30, and those in the machine file's codes";
+const G_CODES: &str =
+    "G0 G1 G2 G3 CIP POLY G4 G9 G17 G18 G19 G40 G53 G54-G57 G500 G60 G64 G641-G645 G70 G71 G700 G710 G90 G91 G93 G94";
+const M_CODES: &str = "M0 M1 M2 M17 M30";
 
 impl Line {
     pub(super) fn group(&mut self, group: u32, span: Span) -> Read {
@@ -48,10 +50,10 @@ impl Line {
             90 | 91 => DISTANCE,
             93 | 94 => FEED,
             95 => {
-                let fault = Fault::unknown(span, "G95 is a feed for each turn of a spindle: this is not read");
-                return Err(fault.cure("use G93 or G94"));
+                let fault = Fault::unknown(span, "post-feed-per-turn");
+                return Err(fault.cure("post-feed-per-turn-cure"));
             }
-            _ => return Err(Fault::unknown(span, "this G-code is not known").allowed(G_CODES)),
+            _ => return Err(Fault::unknown(span, "post-unknown-g-code").allowed(Message::verbatim(G_CODES))),
         };
         self.group(group, span)?;
         match number {
@@ -64,7 +66,7 @@ impl Line {
             17 => state.plane = 2,
             18 => state.plane = 1,
             19 => state.plane = 0,
-            54..=57 => state.note("offset", "work offsets are taken as zero"),
+            54..=57 => state.note("post-offsets-zero"),
             60 => state.exact_stop = true,
             64 | 641..=645 => state.exact_stop = false,
             70 | 71 | 700 | 710 => (state.inch, state.inch_feed) = (matches!(number, 70 | 700), number == 700),
@@ -82,7 +84,8 @@ impl Line {
             return Ok(());
         }
         if !matches!(code, 0 | 10 | 20 | 170 | 300) {
-            return Err(Fault::unknown(span, "this M-code is not known").allowed(M_CODES));
+            return Err(Fault::unknown(span, "post-unknown-m-code")
+                .allowed(Message::new("post-m-codes-allowed").text("codes", M_CODES)));
         }
         self.group(STOP, span)?;
         self.stop = Some(code / 10);
@@ -97,11 +100,11 @@ impl Line {
         if let Some(code) = self.dwell {
             if moves {
                 let place = state.target.span().unwrap_or(code);
-                return Err(Fault::new(place, "nothing moves in a block with G4").cure("write two blocks"));
+                return Err(Fault::new(place, "post-moves-with-dwell").cure("post-two-blocks"));
             }
             let Some((seconds, span)) = self.feed else {
-                let fault = Fault::new(code, "G4 wants F, the time in seconds");
-                return Err(fault.cure("turns of a spindle, S, are not known here"));
+                let fault = Fault::new(code, "post-dwell-needs-f");
+                return Err(fault.cure("post-dwell-needs-f-cure"));
             };
             state.dwell(seconds, false, span)?;
         } else {

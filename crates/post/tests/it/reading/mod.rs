@@ -84,7 +84,7 @@ pub fn bad(dialect: Dialect, text: &str) -> (usize, usize, String) {
     assert!(shown.starts_with(&format!("test:{}:{}: ", error.line, error.column)), "{shown}");
     assert!(shown.contains('^') && shown.contains(&error.text), "{shown}");
     assert_eq!(error.text, text.lines().nth(error.line - 1).unwrap_or_default().replace('\t', " "), "{shown}");
-    (error.line, error.column, error.message)
+    (error.line, error.column, error.message.to_string())
 }
 
 /// Checks an error's position and a part of its message.

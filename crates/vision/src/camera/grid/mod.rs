@@ -7,7 +7,7 @@ mod order;
 use super::{MapError, PlaneMap};
 use crate::Frame;
 use glam::DVec2;
-use thiserror::Error;
+use seamwright_message::{Message, Unit, display_by_message};
 
 /// Minimum dots of a usable picture.
 pub(crate) const FEWEST_DOTS: usize = 25;
@@ -46,22 +46,18 @@ pub struct Dot {
 }
 
 /// Reason why a picture gives no map.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GridError {
     /// Invalid pitch.
-    #[error("a pitch of {0} mm: a finite number greater than 0")]
     Pitch(f64),
     /// Too little contrast.
-    #[error("no dark dots: the picture is nearly plain (the darkest places are {0:.1} % darker than those about them)")]
     Plain(f64),
     /// Too few connected dots.
-    #[error("{found} dots of a grid: at least {FEWEST_DOTS} are needed, all over the picture")]
     Few {
         /// Number of dots found.
         found: usize,
     },
     /// Two paths through the grid assign different crossings to one dot.
-    #[error("the dots are not the crossings of one grid: near ({x:.0}, {y:.0}) rows and columns do not meet")]
     Tangled {
         /// Pixels to the right, in the picture.
         x: f64,
@@ -69,12 +65,8 @@ pub enum GridError {
         y: f64,
     },
     /// The dots cover only a part of the frame.
-    #[error("the dots cover {0:.0} % of the picture's width or height: at least half is needed")]
     Corner(f64),
     /// The dots fit no map.
-    #[error(
-        "the dots are {rms:.2} px RMS from any map, at most {max:.2}: the picture is not of this grid, or not sharp"
-    )]
     Residual {
         /// RMS distance, pixels.
         rms: f64,
@@ -82,8 +74,33 @@ pub enum GridError {
         max: f64,
     },
     /// The fitted parameters form an invalid map.
-    #[error("what fits the dots is no map: {0}")]
-    Map(#[from] MapError),
+    Map(MapError),
+}
+
+display_by_message!(GridError);
+
+impl From<MapError> for GridError {
+    fn from(error: MapError) -> Self {
+        Self::Map(error)
+    }
+}
+
+impl GridError {
+    /// Returns the description of the reason.
+    pub fn message(&self) -> Message {
+        let new = Message::new;
+        match *self {
+            Self::Pitch(pitch) => new("vision-grid-pitch").value("pitch", pitch, Unit::Mm),
+            Self::Plain(part) => new("vision-grid-plain").quantity("contrast", part, Unit::Percent, 1),
+            Self::Few { found } => new("vision-grid-few-dots").count("found", found).count("min", FEWEST_DOTS),
+            Self::Tangled { x, y } => new("vision-grid-tangled").number("x", x, 0).number("y", y, 0),
+            Self::Corner(part) => new("vision-grid-corner").quantity("part", part, Unit::Percent, 0),
+            Self::Residual { rms, max } => {
+                new("vision-grid-residual").quantity("rms", rms, Unit::Px, 2).quantity("max", max, Unit::Px, 2)
+            }
+            Self::Map(error) => new("vision-grid-map").message("why", error.message()),
+        }
+    }
 }
 
 /// Identifies the map of a plane from one picture of a grid of dots on it.

@@ -1,0 +1,95 @@
+//! Names of verbs before they were grouped. They go on working, and a note names the new ones.
+
+use super::machine::{ListMachinesArgs, MachineArgs, MachineVerb, ShowArgs};
+use super::*;
+
+/// A verb under its former name.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Former {
+    /// See `tools seam`
+    #[command(hide = true)]
+    Seam(SeamArgs),
+    /// See `tools section`
+    #[command(hide = true)]
+    Section(SectionArgs),
+    /// See `tools motion`
+    #[command(hide = true)]
+    Motion(MotionArgs),
+    /// See `tools pulses`
+    #[command(hide = true)]
+    Pulses(PulsesArgs),
+    /// See `tools follow`
+    #[command(hide = true)]
+    Follow(follow::FollowArgs),
+    /// See `tools reduce`
+    #[command(hide = true)]
+    Reduce(reduce::ReduceArgs),
+    /// See `tools interpolate`
+    #[command(hide = true)]
+    Interpolate(InterpolateArgs),
+    /// See `tools bench`
+    #[command(hide = true)]
+    Bench(bench::BenchArgs),
+    /// See `machine latency`
+    #[command(hide = true)]
+    Latency(run::LatencyArgs),
+    /// See `machine io`
+    #[command(hide = true)]
+    Io(io::IoArgs),
+    /// See `machine kinematics`
+    #[command(hide = true)]
+    Kinematics(KinematicsArgs),
+    /// See `machine move`
+    #[command(hide = true)]
+    Move(move_to::MoveArgs),
+    /// See `machine list` and `machine show`
+    #[command(hide = true)]
+    Machines(ListArgs),
+    /// See `examples --procedures`
+    #[command(hide = true)]
+    Procedures(ListArgs),
+    /// See `import`
+    #[command(hide = true)]
+    Read(read::ReadArgs),
+    /// See `vision joint`
+    #[command(hide = true)]
+    FindJoint(find_joint::FindJointArgs),
+    /// See `vision stripe`
+    #[command(hide = true)]
+    Stripe(stripe::StripeArgs),
+}
+
+impl Former {
+    /// Returns the former name, the present one, and the verb.
+    pub(crate) fn renamed(self) -> (&'static str, &'static str, Verb) {
+        let tools = |verb| Verb::Tools(ToolsArgs { verb });
+        let machine = |verb| Verb::Machine(MachineArgs { verb });
+        let vision = |verb| Verb::Vision(VisionArgs { verb });
+        match self {
+            Self::Seam(a) => ("seam", "tools seam", tools(ToolsVerb::Seam(a))),
+            Self::Section(a) => ("section", "tools section", tools(ToolsVerb::Section(a))),
+            Self::Motion(a) => ("motion", "tools motion", tools(ToolsVerb::Motion(a))),
+            Self::Pulses(a) => ("pulses", "tools pulses", tools(ToolsVerb::Pulses(a))),
+            Self::Follow(a) => ("follow", "tools follow", tools(ToolsVerb::Follow(a))),
+            Self::Reduce(a) => ("reduce", "tools reduce", tools(ToolsVerb::Reduce(a))),
+            Self::Interpolate(a) => ("interpolate", "tools interpolate", tools(ToolsVerb::Interpolate(a))),
+            Self::Bench(a) => ("bench", "tools bench", tools(ToolsVerb::Bench(a))),
+            Self::Latency(a) => ("latency", "machine latency", machine(MachineVerb::Latency(a))),
+            Self::Io(a) => ("io", "machine io", machine(MachineVerb::Io(a))),
+            Self::Kinematics(a) => ("kinematics", "machine kinematics", machine(MachineVerb::Kinematics(a))),
+            Self::Move(a) => ("move", "machine move", machine(MachineVerb::Move(a))),
+            Self::Machines(ListArgs { name: Some(name), .. }) => {
+                ("machines", "machine show", machine(MachineVerb::Show(ShowArgs { name })))
+            }
+            Self::Machines(ListArgs { json, .. }) => {
+                ("machines", "machine list", machine(MachineVerb::List(ListMachinesArgs { json })))
+            }
+            Self::Procedures(list) => {
+                ("procedures", "examples --procedures", Verb::Examples(ExamplesArgs { list, procedures: true }))
+            }
+            Self::Read(a) => ("read", "import", Verb::Import(a)),
+            Self::FindJoint(a) => ("find-joint", "vision joint", vision(VisionVerb::Joint(a))),
+            Self::Stripe(a) => ("stripe", "vision stripe", vision(VisionVerb::Stripe(a))),
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! The groups of verbs, their former names, the language of the process, and what packages need.
+
+use crate::common::{bad, example, good, run, run_with};
+use std::collections::BTreeSet;
+use std::fs;
+use std::process::{Command, Output};
+
+/// The verbs of a help text.
+fn verbs(help: &str) -> Vec<String> {
+    let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    lines
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| line.split_whitespace().next())
+        .map(str::to_owned)
+        .collect()
+}
+
+#[test]
+fn the_verbs_are_grouped() {
+    let top = verbs(&good(&["--help"]));
+    let expected = [
+        "plan", "check", "simulate", "run", "serve", "post", "import", "edit", "teach", "records", "machine", "vision",
+        "tools", "examples", "schema", "help",
+    ];
+    assert_eq!(top, expected);
+    let machine = verbs(&good(&["machine", "--help"]));
+    let expected = ["list", "show", "place", "check", "tune", "kinematics", "move", "io", "latency", "help"];
+    assert_eq!(machine, expected);
+    assert_eq!(verbs(&good(&["vision", "--help"])), ["joint", "stripe", "help"]);
+}
+
+#[test]
+fn former_names_do_the_same_with_a_note() {
+    let saddle = example("saddle");
+    let cases: [(&[&str], &[&str]); 6] = [
+        (&["seam", &saddle, "--points", "5"], &["tools", "seam", &saddle, "--points", "5"]),
+        (&["machines"], &["machine", "list"]),
+        (&["machines", "torch-5axis"], &["machine", "show", "torch-5axis"]),
+        (&["machines", "--json"], &["machine", "list", "--json"]),
+        (&["procedures"], &["examples", "--procedures"]),
+        (
+            &["interpolate", "--curve", "ellipse", "--summary"],
+            &["tools", "interpolate", "--curve", "ellipse", "--summary"],
+        ),
+    ];
+    for (former, present) in cases {
+        let (former_run, present_run) = (run(former), run(present));
+        assert_eq!(former_run.status.code(), Some(0), "{former:?}");
+        assert_eq!(former_run.stdout, present_run.stdout, "{former:?}");
+        assert!(present_run.stderr.is_empty());
+        let note = String::from_utf8(former_run.stderr).unwrap();
+        assert_eq!(note.lines().count(), 1, "{note}");
+        assert!(note.contains(&format!("`seamwright {}` is now `seamwright {}", former[0], present[0])), "{note}");
+    }
+    let poses = "x,y\n1,2\n";
+    let former = run_with(&["kinematics", "ellipse-xy", "--forward"], poses);
+    assert_eq!(former.stdout, run_with(&["machine", "kinematics", "ellipse-xy", "--forward"], poses).stdout);
+}
+
+/// Runs a command with these variables of the locale.
+fn in_locale(arguments: &[&str], locale: &[(&str, &str)]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_seamwright"));
+    for name in ["LC_ALL", "LC_MESSAGES", "LANG"] {
+        command.env_remove(name);
+    }
+    command.args(arguments).envs(locale.iter().copied()).output().unwrap()
+}
+
+#[test]
+fn errors_are_in_the_language_that_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("job.toml").display().to_string();
+    fs::write(&path, fs::read_to_string(example("saddle")).unwrap().replace("radius_mm = 250", "radius_mm = -250"))
+        .unwrap();
+    let error = |arguments: &[&str], locale: &[(&str, &str)]| {
+        let output = in_locale(&[&["check", &path], arguments].concat(), locale);
+        assert_eq!(output.status.code(), Some(2));
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let german = "unzulässiger Wert";
+    assert!(error(&["--language", "de"], &[]).contains(german));
+    assert!(error(&[], &[("LANG", "de_AT.UTF-8")]).contains(german));
+    assert!(error(&[], &[("LANG", "ru_RU.UTF-8"), ("LC_MESSAGES", "de_DE")]).contains(german));
+    assert!(error(&["--language", "uk"], &[("LC_ALL", "de_DE")]).contains("дозволено"));
+    for english in
+        [error(&[], &[]), error(&[], &[("LANG", "C.UTF-8")]), error(&["--language", "en"], &[("LANG", "de")])]
+    {
+        assert!(english.contains("invalid value") && !english.contains("note:"), "{english}");
+    }
+}
+
+#[test]
+fn an_unknown_language_is_english_with_one_note() {
+    for output in
+        [in_locale(&["examples", "--language", "xx"], &[]), in_locale(&["examples"], &[("LANG", "fr_FR.UTF-8")])]
+    {
+        assert_eq!((output.status.code(), output.stdout), (Some(0), good(&["examples"]).into_bytes()));
+        let note = String::from_utf8(output.stderr).unwrap();
+        assert!(note.lines().count() == 1 && note.contains("so this is English"), "{note}");
+    }
+}
+
+#[test]
+fn packages_get_completions_and_manual_pages() {
+    for shell in ["bash", "zsh", "fish"] {
+        let text = good(&["completions", shell]);
+        assert!(text.contains("seamwright") && text.contains("simulate"), "{shell}");
+    }
+    assert!(bad(2, &["completions", "cmd"]).contains("bash"));
+    let folder = tempfile::tempdir().unwrap();
+    let pages = folder.path().join("deep/man1");
+    good(&["man", &pages.display().to_string()]);
+    let names: BTreeSet<String> =
+        fs::read_dir(&pages).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    for name in ["seamwright.1", "seamwright-plan.1", "seamwright-machine-kinematics.1", "seamwright-tools-seam.1"] {
+        assert!(names.contains(name), "{names:?}");
+    }
+    assert!(!names.contains("seamwright-seam.1"), "former names have no page");
+    let page = fs::read_to_string(pages.join("seamwright-machine-kinematics.1")).unwrap();
+    assert!(page.starts_with(".ie") || page.contains(".TH"), "{page}");
+    assert!(page.contains("inverse"));
+}
