@@ -49,7 +49,7 @@ fn with_option(mut findings: Vec<Finding>) -> Vec<Finding> {
 fn within<T>(args: &PlanningArgs, plan: impl FnOnce(&Planning) -> Result<T, Failure>) -> Result<T, Failure> {
     let limit = positive("--time-limit", args.time_limit)?;
     if limit > MAX_LIMIT_S {
-        return Err(Failure::Input(format!("--time-limit {limit}: not allowed\n   allowed: up to {MAX_LIMIT_S} s")));
+        return Err(Failure::input(format!("--time-limit {limit}: not allowed\n   allowed: up to {MAX_LIMIT_S} s")));
     }
     let bar = Progress::of_searches();
     let show = |progress: &SearchProgress| bar.searched(progress);

@@ -181,6 +181,16 @@ pub fn fault_in_serde(fault: &Message, allowed: &Message) -> String {
     format!("{}, expected {}", in_serde(fault), in_serde(allowed))
 }
 
+/// Text of an error of serde, with the words of the messages that [`in_serde`] has put into it.
+pub fn serde_text(error: &str) -> String {
+    let message = |text: &str| serde_json::from_str::<Message>(text).map(|message| message.to_string());
+    let part = |(i, part): (usize, &str)| match message(part) {
+        Ok(words) if i % 2 == 1 => words,
+        _ => part.to_owned(),
+    };
+    error.split(ENCLOSED).enumerate().map(part).collect()
+}
+
 fn from_serde(text: &str) -> Option<Message> {
     serde_json::from_str(text.trim().strip_prefix(ENCLOSED)?.strip_suffix(ENCLOSED)?).ok()
 }

@@ -19,7 +19,7 @@ mod number;
 mod vector;
 
 pub use bounds::{BOUNDS, Bound};
-pub use document::{Document, closest, fault_in_serde, in_serde};
+pub use document::{Document, closest, fault_in_serde, in_serde, serde_text};
 pub use error::DocumentError;
 /// Names of columns in tables and traces, which no axis and no process value may have.
 pub const RESERVED_COLUMNS: [&str; 11] = [

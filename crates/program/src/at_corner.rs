@@ -1,6 +1,7 @@
 use crate::Tolerance;
 use schemars::JsonSchema;
-use seamwright_document::{Document, DocumentError, Positive};
+use seamwright_document::{Document, DocumentError, Positive, in_serde};
+use seamwright_message::{Message, Unit};
 use serde::de::{Error, MapAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::fmt;
@@ -29,7 +30,7 @@ impl<'de> Deserialize<'de> for AtCorner {
         impl<'de> Visitor<'de> for Choice {
             type Value = AtCorner;
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("\"refuse\", \"stop\" or { blend_mm = 0.2 }")
+                f.write_str(&in_serde(&Message::new("program-corner-choice")))
             }
             fn visit_str<E: Error>(self, word: &str) -> Result<AtCorner, E> {
                 match word {
@@ -67,8 +68,12 @@ impl AtCorner {
         let most = tolerance.path_mm;
         match self {
             Self::BlendMm(distance) if *distance > most => {
-                let message = "the torch would leave the tolerance of the weld";
-                let allowed = format!("more than 0, up to {from}.path_mm = {}", most.get());
+                let message = Message::new("program-corner-outside-tolerance");
+                let allowed = Message::new("program-positive-up-to-key").key("key", format!("{from}.path_mm")).value(
+                    "max",
+                    most.get(),
+                    Unit::One,
+                );
                 Err(file.error_at(&format!("{path}.blend_mm"), message, allowed))
             }
             _ => Ok(()),

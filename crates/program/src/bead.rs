@@ -1,6 +1,7 @@
 use crate::is_beyond;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// Work angles of a bead are smaller than this, degrees.
@@ -38,7 +39,8 @@ impl Bead {
     pub(crate) fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         let rows = self.s_mm.len();
         if rows == 0 {
-            return Err(file.error_at(&format!("{path}.s_mm"), "the bead has no rows", "at least one path length"));
+            let allowed = Message::new("program-at-least-one-path-length");
+            return Err(file.error_at(&format!("{path}.s_mm"), Message::new("program-bead-empty"), allowed));
         }
         let columns = [
             ("across_mm", self.across_mm.len()),
@@ -48,21 +50,25 @@ impl Bead {
             ("weave_part", if self.weave_part.is_empty() { rows } else { self.weave_part.len() }),
         ];
         if let Some((key, found)) = columns.into_iter().find(|(_, found)| *found != rows) {
-            let message = format!("the column has {found} rows, s_mm has {rows}");
-            return Err(file.error_at(&format!("{path}.{key}"), message, format!("{rows} numbers")));
+            let message = Message::new("program-bead-column-length").count("rows", found).count("wanted", rows);
+            let allowed = Message::new("program-numbers").count("numbers", rows);
+            return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
         }
         if let Some(i) = (1..rows).find(|&i| !is_beyond(self.s_mm[i].get(), self.s_mm[i - 1].get())) {
-            let allowed = format!("more than {}", self.s_mm[i - 1].get());
-            return Err(file.error_at(&format!("{path}.s_mm[{i}]"), "the path lengths must increase", allowed));
+            let message = Message::new("program-path-lengths-increase");
+            let allowed = Message::new("document-more-than").value("min", self.s_mm[i - 1].get(), Unit::Mm);
+            return Err(file.error_at(&format!("{path}.s_mm[{i}]"), message, allowed));
         }
         if let Some(i) = self.work_angle_deg.iter().position(|a| a.get().abs() >= MAX_WORK_DEG) {
-            let allowed = format!("more than -{MAX_WORK_DEG} and less than {MAX_WORK_DEG}");
-            let message = "the torch would lie behind a face";
+            let message = Message::new("program-torch-behind-face");
+            let allowed = Message::new("document-strictly-between");
+            let allowed = allowed.value("min", -MAX_WORK_DEG, Unit::Deg).value("max", MAX_WORK_DEG, Unit::Deg);
             return Err(file.error_at(&format!("{path}.work_angle_deg[{i}]"), message, allowed));
         }
         if let Some(i) = self.weave_part.iter().position(|part| part.get() > 1.0) {
-            let message = "the weave would be wider than it is";
-            return Err(file.error_at(&format!("{path}.weave_part[{i}]"), message, "0 to 1"));
+            let message = Message::new("program-weave-part-above-one");
+            let allowed = Message::new("document-between").number("min", 0.0, 0).number("max", 1.0, 0);
+            return Err(file.error_at(&format!("{path}.weave_part[{i}]"), message, allowed));
         }
         Ok(())
     }

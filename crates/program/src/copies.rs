@@ -2,6 +2,7 @@ use crate::Program;
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Transform};
+use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroU32;
 
@@ -26,17 +27,19 @@ impl SeamCopy {
     /// With the key's address: a name twice, a placement beside copies.
     pub fn check<T>(file: &Document<T>, copies: &[Self], placement: &Transform) -> Result<(), DocumentError> {
         if !copies.is_empty() && !placement.is_identity() {
-            let message = "the copies have placements of their own";
-            return Err(file.error_at("placement", message, "no [placement] beside [[copies]]"));
+            let message = Message::new("program-copies-and-placement");
+            return Err(file.error_at("placement", message, Message::new("program-no-placement")));
         }
         for (i, copy) in copies.iter().enumerate() {
             if let Some(k) = copies[..i].iter().position(|other| other.name == copy.name) {
-                let message = format!("copies[{k}] has this name already");
-                return Err(file.error_at(&format!("copies[{i}].name"), message, "a name of its own"));
+                let message = Message::new("program-name-taken").key("other", format!("copies[{k}]"));
+                let allowed = Message::new("document-own-name");
+                return Err(file.error_at(&format!("copies[{i}].name"), message, allowed));
             }
             if let Some(k) = copies[..i].iter().position(|other| other.placement == copy.placement) {
-                let message = format!("copies[{k}] stands at this place already");
-                return Err(file.error_at(&format!("copies[{i}].placement"), message, "a place of its own"));
+                let message = Message::new("program-placement-taken").key("other", format!("copies[{k}]"));
+                let allowed = Message::new("program-own-placement");
+                return Err(file.error_at(&format!("copies[{i}].placement"), message, allowed));
             }
         }
         Ok(())

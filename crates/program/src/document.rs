@@ -6,6 +6,7 @@ use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, SchemaVersion, Transform};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// A weld program: everything needed to weld, but for the machine's own file.
@@ -86,7 +87,8 @@ impl Program {
         check_offset(&document, document.value.offset.as_deref(), &document.value.offsets)?;
         SeamCopy::check(&document, &document.value.copies, &document.value.placement)?;
         if document.value.passes.is_empty() {
-            return Err(document.error_at("passes", "the program has no passes", "at least one [[passes]]"));
+            let allowed = Message::new("program-at-least-one-table").key("table", "[[passes]]");
+            return Err(document.error_at("passes", Message::new("program-no-passes"), allowed));
         }
         Self::check_extent(&document)?;
         if let Some(procedure) = &document.value.procedure {
@@ -97,10 +99,11 @@ impl Program {
             let mut end = 0.0;
             if pass.copy >= document.value.copy_count() {
                 let allowed = match document.value.copies.len() {
-                    0 => "0: the program has no [[copies]]".to_owned(),
-                    count => format!("0 to {}, the place in [[copies]]", count - 1),
+                    0 => Message::new("program-no-copies"),
+                    count => Message::new("program-copy-index").number("max", (count - 1) as f64, 0),
                 };
-                return Err(document.error_at(&format!("passes[{p}].copy"), "there is no such copy", allowed));
+                let message = Message::new("program-no-such-copy");
+                return Err(document.error_at(&format!("passes[{p}].copy"), message, allowed));
             }
             if let Some(points) = &pass.points {
                 points.check(&document, &format!("passes[{p}].points"))?;
@@ -108,13 +111,14 @@ impl Program {
                 continue;
             }
             if document.value.seam.is_none() {
-                let path = format!("passes[{p}]");
-                let allowed = "[seam] in the program, or [passes.points]";
-                return Err(document.error_at(&path, "the pass runs along a seam, and there is none", allowed));
+                let message = Message::new("program-pass-without-seam");
+                let allowed = Message::new("program-seam-or-points");
+                return Err(document.error_at(&format!("passes[{p}]"), message, allowed));
             }
             if pass.spans.is_empty() {
-                let path = format!("passes[{p}].spans");
-                return Err(document.error_at(&path, "the pass has no spans", "at least one [[passes.spans]]"));
+                let message = Message::new("program-pass-without-spans");
+                let allowed = Message::new("program-at-least-one-table").key("table", "[[passes.spans]]");
+                return Err(document.error_at(&format!("passes[{p}].spans"), message, allowed));
             }
             let within = format!("passes[{p}].tolerance");
             if let Some(bead) = &pass.bead {
@@ -134,25 +138,26 @@ impl Program {
             for (i, span) in pass.spans.iter().enumerate() {
                 let path = |key: &str| format!("passes[{p}].spans[{i}].{key}");
                 if !is_same_position(span.from_mm.get(), end) {
-                    let message = "the span does not begin where the one before it ends";
-                    return Err(document.error_at(&path("from_mm"), message, end.to_string()));
+                    let message = Message::new("program-span-gap");
+                    let allowed = Message::new("quantity").value("value", end, Unit::One);
+                    return Err(document.error_at(&path("from_mm"), message, allowed));
                 }
                 check_process(&document, &path("process"), &span.process)?;
                 if !span.process.keys().eq(pass.spans[0].process.keys()) {
                     let names: Vec<&str> = pass.spans[0].process.keys().map(String::as_str).collect();
-                    let message = "the span sets other process values than the first one";
+                    let message = Message::new("program-span-other-values");
                     return Err(document.error_at(&path("process"), message, names.join(", ")));
                 }
                 let (from, to) = span.speed_mm_s.ends();
                 if pass.least_speed_mm_s.is_some_and(|least| least.get() >= from.min(to)) {
-                    let allowed = format!("less than speed_mm_s = {} of every span", from.min(to));
-                    let message = "the least speed is not below the asked one";
+                    let message = Message::new("program-min-speed-not-below");
+                    let allowed = Message::new("program-below-span-speed").value("max", from.min(to), Unit::One);
                     return Err(document.error_at(&format!("passes[{p}].least_speed_mm_s"), message, allowed));
                 }
                 end = span.to_mm.get();
                 if !is_beyond(end, span.from_mm.get()) {
-                    let allowed = format!("more than {}", span.from_mm.get());
-                    return Err(document.error_at(&path("to_mm"), "the span has no length", allowed));
+                    let allowed = Message::new("document-more-than").value("min", span.from_mm.get(), Unit::Mm);
+                    return Err(document.error_at(&path("to_mm"), Message::new("program-span-empty"), allowed));
                 }
             }
         }

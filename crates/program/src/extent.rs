@@ -2,6 +2,7 @@
 
 use crate::{Pass, Program};
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::Message;
 
 /// Most passes of a program, each as often as it is welded.
 pub const MAX_PASSES: usize = 10_000;
@@ -47,19 +48,16 @@ impl Program {
             let times = usize::from(pass.repeat.get());
             passes += times;
             rows += times * pass.rows();
-            let wrong = |what: String, allowed: String| {
+            let wrong = |code, max: usize| {
                 let key = if times > 1 { format!("passes[{i}].repeat") } else { format!("passes[{i}]") };
-                Err(document.error_at(&key, what, allowed))
+                let allowed = Message::new("program-up-to-in-all").number("max", max as f64, 0);
+                Err(document.error_at(&key, Message::new(code), allowed))
             };
             if passes > MAX_PASSES {
-                return wrong(
-                    "with this the program has too many passes".to_owned(),
-                    format!("up to {MAX_PASSES} in all"),
-                );
+                return wrong("program-too-many-passes", MAX_PASSES);
             }
             if rows > MAX_ROWS {
-                let what = "with this the program has too many rows of points, beads and spans".to_owned();
-                return wrong(what, format!("up to {MAX_ROWS} in all"));
+                return wrong("program-too-many-rows", MAX_ROWS);
             }
         }
         Ok(())

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// The joint along the seam.
@@ -349,33 +350,35 @@ impl Joint {
     /// fillet without or with several sizes, and positions that do not increase.
     pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         let at = |key: &str| format!("{path}.preparation.{}.{key}", self.preparation.key());
-        let wrong = |key: &str, message: &str, allowed: String| Err(file.error_at(&at(key), message, allowed));
+        let wrong = |key: &str, code, allowed: Message| Err(file.error_at(&at(key), Message::new(code), allowed));
+        let below = |key: &str, max: Positive| {
+            Message::new("program-less-than-key").key("key", key).value("max", max.get(), Unit::One)
+        };
         let face = |face: NonNegative, thickness: Positive| match face.get() < thickness.get() {
             true => Ok(()),
-            false => wrong(
-                "root_face_mm",
-                "the root face leaves nothing of the thickness to be bevelled",
-                format!("less than thickness_mm = {}", thickness.get()),
-            ),
+            false => wrong("root_face_mm", "program-root-face-too-high", below("thickness_mm", thickness)),
         };
         let angle = |degrees: f64, most: f64| match degrees < most {
             true => Ok(()),
-            false => wrong("angle_deg", "no groove has this angle", format!("less than {most}")),
+            false => {
+                let allowed = Message::new("document-less-than").value("max", most, Unit::Deg);
+                wrong("angle_deg", "program-groove-angle-too-large", allowed)
+            }
         };
         let curved = |angle: NonNegative, radius: Positive, depth: f64| {
             let high = radius.get() * (1.0 - angle.get().to_radians().sin());
             match high < depth {
                 true => Ok(()),
-                false => wrong(
-                    "radius_mm",
-                    "the radius is too large for the depth over the root face",
-                    format!("less than {:.3}", depth * radius.get() / high),
-                ),
+                false => {
+                    let max = depth * radius.get() / high;
+                    let allowed = Message::new("document-less-than").quantity("max", max, Unit::Mm, 3);
+                    wrong("radius_mm", "program-radius-too-large", allowed)
+                }
             }
         };
         let unfilled = |unfilled: NonNegative, radius: Positive| match unfilled.get() < radius.get() {
             true => Ok(()),
-            false => wrong("unfilled_mm", "nothing would be filled", format!("less than radius_mm = {}", radius.get())),
+            false => wrong("unfilled_mm", "program-nothing-filled", below("radius_mm", radius)),
         };
         match &self.preparation {
             Preparation::Square(_) => {}
@@ -402,9 +405,9 @@ impl Joint {
                 let one = p.first_leg_mm.is_some() != p.second_leg_mm.is_some();
                 let given = usize::from(p.leg_mm.is_some()) + usize::from(p.throat_mm.is_some()) + both;
                 if given != 1 || one {
-                    let allowed = "one of leg_mm, throat_mm, or both first_leg_mm and second_leg_mm";
-                    let path = format!("{path}.preparation.fillet");
-                    return Err(file.error_at(&path, "the size of the fillet is not clear", allowed));
+                    let message = Message::new("program-fillet-size-unclear");
+                    let allowed = Message::new("program-fillet-sizes");
+                    return Err(file.error_at(&format!("{path}.preparation.fillet"), message, allowed));
                 }
             }
             Preparation::FlareBevel(p) => unfilled(p.unfilled_mm, p.radius_mm)?,
@@ -412,9 +415,9 @@ impl Joint {
             Preparation::TBevel(p) => {
                 face(p.root_face_mm, p.thickness_mm)?;
                 if p.angle_deg.is_some() == p.cut_deg.is_some() {
-                    let allowed = "either angle_deg (of the groove) or cut_deg (of the edge)";
-                    let path = format!("{path}.preparation.t_bevel");
-                    return Err(file.error_at(&path, "the bevel's angle is not clear", allowed));
+                    let message = Message::new("program-bevel-angle-unclear");
+                    let allowed = Message::new("program-bevel-angles");
+                    return Err(file.error_at(&format!("{path}.preparation.t_bevel"), message, allowed));
                 }
             }
             Preparation::TJ(p) => {
@@ -430,13 +433,13 @@ impl Joint {
         for (i, pair) in self.fit_up.windows(2).enumerate() {
             if pair[1].s_mm <= pair[0].s_mm {
                 let key = format!("{path}.fit_up[{}].s_mm", i + 1);
-                let allowed = format!("more than {}", pair[0].s_mm.get());
-                return Err(file.error_at(&key, "the places must increase", allowed));
+                let allowed = Message::new("document-more-than").value("min", pair[0].s_mm.get(), Unit::Mm);
+                return Err(file.error_at(&key, Message::new("program-positions-increase"), allowed));
             }
         }
         let flare = matches!(self.preparation, Preparation::FlareBevel(_) | Preparation::FlareV(_));
         if flare && self.fit_up.iter().any(|f| f.root_gap_mm.get() > 0.0) {
-            let message = "round parts that touch have no root gap";
+            let message = Message::new("program-flare-root-gap");
             return Err(file.error_at(&format!("{path}.fit_up"), message, "root_gap_mm = 0"));
         }
         Ok(())

@@ -1,6 +1,7 @@
 use crate::{Figure, Pass};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// Oscillation of a beam by its deflection: no axis moves.
@@ -29,8 +30,9 @@ impl Oscillation {
     /// With the key's address: a length of a figure that has no length.
     pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         if self.along_mm.is_some() && !self.figure.is_round() {
-            let allowed = "no such key, or figure = \"circle\" or \"eight\"";
-            return Err(file.error_at(&format!("{path}.along_mm"), "this figure has no length", allowed));
+            let message = Message::new("program-figure-without-length");
+            let allowed = Message::new("program-figures-with-length");
+            return Err(file.error_at(&format!("{path}.along_mm"), message, allowed));
         }
         Ok(())
     }
@@ -54,17 +56,14 @@ impl Oscillation {
     }
 
     /// Describes gaps that the oscillation leaves in `pass`, with the operator action.
-    pub fn gaps(&self, pass: &Pass) -> Option<(String, String)> {
+    pub fn gaps(&self, pass: &Pass) -> Option<(Message, Message)> {
         let (spot, (_, fastest)) = (self.spot_mm?.get(), pass.speeds());
         let advance = self.advance(fastest);
         (advance > spot).then(|| {
-            (
-                format!(
-                    "the beam goes on by {advance:.4} mm in a period of its oscillation, more than its spot of {spot} mm: it \
-                     leaves gaps"
-                ),
-                format!("ask for a frequency_hz of {:.4} or more, or weld slower", (1e4 * fastest / spot).ceil() * 1e-4),
-            )
+            let frequency = (1e4 * fastest / spot).ceil() * 1e-4;
+            let gaps = Message::new("program-oscillation-gaps").quantity("advance", advance, Unit::Mm, 4);
+            let cure = Message::new("program-cure-oscillation-gaps").quantity("frequency", frequency, Unit::Hz, 4);
+            (gaps.value("spot", spot, Unit::Mm), cure)
         })
     }
 }
@@ -105,7 +104,10 @@ mod tests {
         let gaps = |pass: &Pass| pass.oscillation.unwrap().gaps(pass);
         assert!(gaps(&with("")).is_none() && gaps(&with("spot_mm = 0.02")).is_none());
         let (message, cure) = gaps(&with("spot_mm = 0.0199")).unwrap();
-        assert!(message.contains("0.0200 mm") && cure.contains("502.5126"), "{message} {cure}");
+        assert!(
+            message.to_string().contains("0.0200 mm") && cure.to_string().contains("502.5126 Hz"),
+            "{message} {cure}"
+        );
     }
 
     #[test]

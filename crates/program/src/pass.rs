@@ -3,6 +3,7 @@ use crate::{
 };
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
+use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 
 /// One progression along the seam. Its own path length counts from where it begins, and is the way along the seam, also
@@ -109,7 +110,18 @@ pub enum Role {
 impl Role {
     const ALL: [Self; 5] = [Self::Tack, Self::Root, Self::Fill, Self::Cap, Self::Cosmetic];
 
-    /// In words.
+    /// In words of any language.
+    pub fn message(self) -> Message {
+        Message::new(match self {
+            Self::Tack => "program-role-tack",
+            Self::Root => "program-role-root",
+            Self::Fill => "program-role-fill",
+            Self::Cap => "program-role-cap",
+            Self::Cosmetic => "program-role-cosmetic",
+        })
+    }
+
+    /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Tack => "tack",

@@ -4,6 +4,7 @@
 use crate::{Pass, ProcessValues, Ramp, SpanValue, Torch, check_process_name};
 use schemars::JsonSchema;
 use seamwright_document::{Bound, Direction, Document, DocumentError, Finite, Point};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// The columns of a pose: torch tip in the seam's frame (that of `placement`), mm, and the direction in which wire or beam points.
@@ -191,8 +192,8 @@ impl Points {
         let columns = self.known_columns();
         self.check_row(file, &format!("{path}.start"), &self.start, (&columns, None))?;
         if self.count() == 0 {
-            let at = format!("{path}.spans");
-            return Err(file.error_at(&at, "the pass goes nowhere", "at least one span with at least one point"));
+            let allowed = Message::new("program-at-least-one-point");
+            return Err(file.error_at(&format!("{path}.spans"), Message::new("program-pass-without-points"), allowed));
         }
         for (i, span) in self.spans.iter().enumerate() {
             let at = |key: &str| format!("{path}.spans[{i}].{key}");
@@ -213,7 +214,8 @@ impl Points {
         for (i, name) in self.columns.iter().enumerate() {
             let Some(bound) = Bound::of_column(name) else { continue };
             let refused = |at: &str, row: &[Finite]| {
-                let message = format!("{name} = {} is out of bounds", row[i].get());
+                let message = Message::new("program-value-out-of-bounds").key("column", name);
+                let message = message.value("value", row[i].get(), Unit::One);
                 Err(file.error_at(&format!("{at}[{i}]"), message, bound.allowed()))
             };
             if !bound.allows(self.start[i].get()) {
@@ -232,7 +234,8 @@ impl Points {
         let at = |i: usize| format!("{path}.columns[{i}]");
         for (i, name) in self.columns.iter().enumerate() {
             if self.columns[..i].contains(name) {
-                return Err(file.error_at(&at(i), format!("the column `{name}` is there twice"), "each column once"));
+                let message = Message::new("program-column-twice").key("column", name);
+                return Err(file.error_at(&at(i), message, Message::new("program-each-column-once")));
             }
             if name.contains('_') && !known(name) {
                 check_process_name(file, &at(i), name)?;
@@ -248,15 +251,16 @@ impl Points {
         let has = |name: &&str| self.columns.iter().any(|c| c == name);
         let last = self.columns.last().map_or("", String::as_str);
         if has(&TIME_COLUMN) == has(&SPEED_COLUMN) || ![TIME_COLUMN, SPEED_COLUMN].contains(&last) {
-            let message = "the last column must say how long a point takes, and no other one";
-            return Err(file.error_at(&format!("{path}.columns"), message, "time_s or speed_mm_s last"));
+            let message = Message::new("program-last-column");
+            let allowed = Message::new("program-time-or-speed-last");
+            return Err(file.error_at(&format!("{path}.columns"), message, allowed));
         }
         let columns = self.known_columns();
         let poses = POSE_COLUMNS.iter().filter(|name| has(name)).count();
         let complete = [0, 3, 6].contains(&poses) && poses == columns.pose;
         if !complete || (poses == 0) == columns.axes.is_empty() {
-            let message = "the columns say no place, or two";
-            let allowed = "x_mm, y_mm, z_mm, with ax, ay, az or without; or names of the machine's axes";
+            let message = Message::new("program-columns-without-position");
+            let allowed = Message::new("program-position-columns");
             return Err(file.error_at(&format!("{path}.columns"), message, allowed));
         }
         Ok(())
@@ -270,22 +274,24 @@ impl Points {
         columns: &Columns,
     ) -> Result<(), DocumentError> {
         if span.points.is_empty() {
-            return Err(file.error_at(&at("points"), "the span has no points", "at least one"));
+            let message = Message::new("program-span-without-points");
+            return Err(file.error_at(&at("points"), message, Message::new("program-at-least-one")));
         }
         self.check_speeds(file, at, span, columns)?;
         if span.along == Along::Arc {
             let has = |name: &str| columns.axes.iter().any(|(axis, _)| axis == name);
             if span.via_mm.is_none() || span.points.len() != 1 {
-                let message = "an arc needs `via_mm`, and has one point";
-                return Err(file.error_at(&at("along"), message, "an arc a span, with `via_mm` halfway"));
+                let message = Message::new("program-arc-in-span");
+                return Err(file.error_at(&at("along"), message, Message::new("program-one-arc-per-span")));
             }
             if columns.pose == 0 && ["x", "y", "z"].iter().filter(|name| has(name)).count() < 2 {
-                let message = "axis positions go along an arc only if there are two of x, y and z";
+                let message = Message::new("program-arc-of-axes");
                 return Err(file.error_at(&at("along"), message, "line, rapid, spline, cubic, taught"));
             }
         } else if span.via_mm.is_some() || span.normal.is_some() {
             let key = if span.via_mm.is_some() { "via_mm" } else { "normal" };
-            return Err(file.error_at(&at(key), "only arcs have it", "`along = \"arc\"`, or leave it out"));
+            let allowed = Message::new("program-arc-or-leave-out");
+            return Err(file.error_at(&at(key), Message::new("program-only-arcs"), allowed));
         }
         Ok(())
     }
@@ -300,17 +306,18 @@ impl Points {
         let places = columns.pose + columns.axes.len();
         let wanted = if span.along == Along::Cubic { span.points.len() + 1 } else { 0 };
         if span.speeds.len() != wanted {
-            let message = format!("{} rows of speeds", span.speeds.len());
-            let allowed = "for a cubic one more than points, the first at its begin; for anything else none";
-            return Err(file.error_at(&at("speeds"), message, allowed));
+            let message = Message::new("program-speed-rows").count("rows", span.speeds.len());
+            return Err(file.error_at(&at("speeds"), message, Message::new("program-cubic-speeds")));
         }
         if wanted > 0 && !columns.timed {
-            return Err(file.error_at(&at("along"), "a cubic needs times", "the last column `time_s`"));
+            let message = Message::new("program-cubic-needs-times");
+            return Err(file.error_at(&at("along"), message, Message::new("program-time-last")));
         }
         match span.speeds.iter().position(|row| row.len() != places) {
             Some(k) => {
-                let message = format!("{} speeds for {places} columns that say the place", span.speeds[k].len());
-                Err(file.error_at(&at(&format!("speeds[{k}]")), message, "one for each"))
+                let message = Message::new("program-speeds-for-columns").count("speeds", span.speeds[k].len());
+                let message = message.count("columns", places);
+                Err(file.error_at(&at(&format!("speeds[{k}]")), message, Message::new("program-one-for-each")))
             }
             None => Ok(()),
         }
@@ -324,35 +331,35 @@ impl Points {
         row: &[Finite],
         (columns, along): (&Columns, Option<Along>),
     ) -> Result<(), DocumentError> {
-        let names = self.columns.join(", ");
         if row.len() != self.columns.len() {
-            let message = format!("{} numbers for {} columns", row.len(), self.columns.len());
-            return Err(file.error_at(path, message, format!("one for each of {names}")));
+            let (message, allowed) = numbers_for_columns(row.len(), &self.columns);
+            return Err(file.error_at(path, message, allowed));
         }
-        let wrong = |i: usize, allowed: &str| {
-            let message = format!("{} = {} is not allowed here", self.columns[i], row[i].get());
-            Err(file.error_at(&format!("{path}[{i}]"), message, allowed))
+        let wrong = |i: usize, allowed| {
+            let message = Message::new("program-value-not-allowed").key("column", self.columns[i].as_str());
+            let message = message.value("value", row[i].get(), Unit::One);
+            Err(file.error_at(&format!("{path}[{i}]"), message, Message::new(allowed)))
         };
         let last = row.len() - 1;
         let pace = row[last].get();
         let stands = matches!(along, None | Some(Along::Rapid));
         if stands && pace != 0.0 {
-            return wrong(last, "0: it is the start, or as fast as the axes can");
+            return wrong(last, "program-pace-zero");
         }
         if !stands && pace <= 0.0 {
-            return wrong(last, "more than 0");
+            return wrong(last, "document-positive-number");
         }
         if let Some((_, i)) = columns.process.iter().find(|(_, i)| row[*i].get() < 0.0) {
-            return wrong(*i, "0 or greater");
+            return wrong(*i, "document-non-negative-number");
         }
         if let Some(i) = columns.number.filter(|i| {
             let n = row[*i].get();
             n < 0.0 || n.fract() != 0.0 || n > 1e9
         }) {
-            return wrong(i, "a whole number, 0 (none) or greater");
+            return wrong(i, "program-block-number");
         }
         if columns.pose == 6 && (3..6).all(|k| row[self.column(POSE_COLUMNS[k])].get().abs() < 1e-12) {
-            return wrong(self.column("ax"), "a direction: ax, ay, az not all 0");
+            return wrong(self.column("ax"), "program-direction-columns");
         }
         Ok(())
     }
@@ -380,8 +387,9 @@ impl Pass {
             ("oscillation", self.oscillation.is_some()),
         ];
         if let Some((key, _)) = given.into_iter().find(|(_, given)| *given) {
-            let message = "the pass goes through points: this is of passes along a seam";
-            return Err(file.error_at(&format!("{path}.{key}"), message, "leave it out, or leave out `points`"));
+            let message = Message::new("program-key-of-seam-passes");
+            let allowed = Message::new("program-leave-out-key-or-points");
+            return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
         }
         let corner = (format!("{path}.corner"), format!("{path}.tolerance"));
         self.corner.check(file, &corner.0, (&corner.1, &self.tolerance))?;
@@ -392,11 +400,18 @@ impl Pass {
     }
 }
 
+/// Fault and allowed values of a row of `found` numbers that are not one for each of `columns`.
+pub(crate) fn numbers_for_columns(found: usize, columns: &[String]) -> (Message, Message) {
+    let message = Message::new("program-numbers-for-columns").count("numbers", found).count("columns", columns.len());
+    (message, Message::new("program-one-for-each-of").text("columns", columns.join(", ")))
+}
+
 impl PointEvent {
     fn check<T>(&self, file: &Document<T>, path: &str, points: usize) -> Result<(), DocumentError> {
         if self.after > points {
-            let allowed = format!("0 (the start) to {points} (the last point)");
-            return Err(file.error_at(&format!("{path}.after"), "there are not so many points", allowed));
+            let message = Message::new("program-event-after-end");
+            let allowed = Message::new("program-start-to-last-point").number("max", points as f64, 0);
+            return Err(file.error_at(&format!("{path}.after"), message, allowed));
         }
         let given = [
             self.gas.is_some(),
@@ -406,8 +421,8 @@ impl PointEvent {
             self.call.is_some(),
         ];
         if given.iter().filter(|given| **given).count() != 1 || self.on.is_some() != self.output.is_some() {
-            let allowed = "one of gas, wire, output (with on), message, call";
-            return Err(file.error_at(path, "an event is one thing", allowed));
+            let message = Message::new("program-event-several");
+            return Err(file.error_at(path, message, Message::new("program-event-keys")));
         }
         Ok(())
     }

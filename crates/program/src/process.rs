@@ -1,5 +1,6 @@
 use crate::SpanValue;
 use seamwright_document::{Document, DocumentError, Finite};
+use seamwright_message::{Message, Unit};
 use std::collections::BTreeMap;
 
 /// Process values by name; the name ends in the unit, like `current_a`, `voltage_v`, `wire_feed_m_min`.
@@ -15,11 +16,12 @@ pub type ProcessValue = SpanValue<Finite>;
 pub fn check_process_name<T>(file: &Document<T>, path: &str, name: &str) -> Result<(), DocumentError> {
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
     if !name.chars().all(plain) || !name.contains('_') {
-        let allowed = "lower-case letters, digits and _, ending in the unit, like current_a";
-        return Err(file.error_at(path, "this is no name of a process value", allowed));
+        let message = Message::new("program-process-name-invalid");
+        return Err(file.error_at(path, message, Message::new("program-process-names")));
     }
     if seamwright_document::RESERVED_COLUMNS.contains(&name) {
-        return Err(file.error_at(path, "another column has this name", "a name of its own"));
+        let message = Message::new("program-column-name-taken");
+        return Err(file.error_at(path, message, Message::new("document-own-name")));
     }
     Ok(())
 }
@@ -77,12 +79,15 @@ pub fn check_process_value<'a, T>(
     names: impl Iterator<Item = &'a String>,
 ) -> Result<(), DocumentError> {
     if value < 0.0 {
-        return Err(file.error_at(key, "a process value is not negative", "0 or greater"));
+        let message = Message::new("program-process-value-negative");
+        return Err(file.error_at(key, message, Message::new("document-non-negative-number")));
     }
     let greatest = greatest(name, names);
     if value > greatest {
-        let message = format!("no welding machine has {value} of `{name}`");
-        return Err(file.error_at(key, message, format!("0 to {greatest}")));
+        let message =
+            Message::new("program-process-value-too-large").key("name", name).value("value", value, Unit::One);
+        let allowed = Message::new("document-between").number("min", 0.0, 0).value("max", greatest, Unit::One);
+        return Err(file.error_at(key, message, allowed));
     }
     Ok(())
 }
@@ -100,8 +105,9 @@ pub(crate) fn check_process_units<'a, T>(
         let Some((stem, dimension, _)) = quantity(name) else { continue };
         let twice = |other: &&String| quantity(other).is_some_and(|(s, d, _)| (s, d) == (stem, dimension));
         if let Some(other) = names.clone().take(i).find(twice) {
-            let message = format!("`{other}` is the same quantity in another unit: they could contradict one another");
-            return Err(file.error_at(&format!("{path}.{name}"), message, format!("either {other} or {name}")));
+            let message = Message::new("program-same-quantity").key("other", other);
+            let allowed = Message::new("program-either").key("first", other).key("second", name);
+            return Err(file.error_at(&format!("{path}.{name}"), message, allowed));
         }
     }
     Ok(())

@@ -2,6 +2,8 @@
 
 use crate::{Pass, Program};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use seamwright_document::in_serde;
+use seamwright_message::Message;
 use serde::de::{Error as _, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
@@ -40,7 +42,10 @@ impl<'de> Deserialize<'de> for Repeat {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let times = f64::deserialize(deserializer)?;
         let whole = times.fract() == 0.0 && (0.0..=f64::from(Self::MAX)).contains(&times);
-        let wrong = || D::Error::invalid_value(Unexpected::Float(times), &"a whole number from 1 to 1000");
+        let wrong = || {
+            let allowed = Message::new("document-whole-number").text("min", "1").text("max", Self::MAX.to_string());
+            D::Error::invalid_value(Unexpected::Float(times), &in_serde(&allowed).as_str())
+        };
         Some(times as u16).filter(|_| whole).and_then(Self::new).ok_or_else(wrong)
     }
 }

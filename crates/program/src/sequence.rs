@@ -1,6 +1,7 @@
 use crate::{ProcessValues, check_process_value};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -82,20 +83,20 @@ impl Sequence {
     /// With the key's address.
     pub fn check<T>(&self, file: &Document<T>, path: &str, weld: &ProcessValues) -> Result<(), DocumentError> {
         let slopes = [
-            ("upslope", &self.upslope, "travel_delay_s", self.travel_delay_s),
-            ("downslope", &self.downslope, "crater_s", self.crater_s),
+            ("upslope", &self.upslope, "program-upslope-too-long", ("travel_delay_s", self.travel_delay_s)),
+            ("downslope", &self.downslope, "program-downslope-too-long", ("crater_s", self.crater_s)),
         ];
-        for (name, slope, within, time) in slopes {
+        for (name, slope, too_long, (within, time)) in slopes {
             let Some(slope) = slope else { continue };
             if slope.time_s.get() > time.get() {
                 let key = format!("{path}.{name}.time_s");
-                let message = format!("the {name} takes longer than there is time for it");
-                return Err(file.error_at(&key, message, format!("up to {within} = {}", time.get())));
+                let allowed = Message::new("program-up-to-key").key("key", within).value("max", time.get(), Unit::One);
+                return Err(file.error_at(&key, Message::new(too_long), allowed));
             }
             if let Some(unknown) = slope.process.keys().find(|key| !weld.contains_key(*key)) {
                 let key = format!("{path}.{name}.process.{unknown}");
                 let names: Vec<&str> = weld.keys().map(String::as_str).collect();
-                return Err(file.error_at(&key, "the weld has no such process value", names.join(", ")));
+                return Err(file.error_at(&key, Message::new("program-no-such-process-value"), names.join(", ")));
             }
             for (value_name, value) in &slope.process {
                 let key = format!("{path}.{name}.process.{value_name}");

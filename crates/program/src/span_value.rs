@@ -1,4 +1,6 @@
 use schemars::JsonSchema;
+use seamwright_document::in_serde;
+use seamwright_message::Message;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -63,7 +65,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for SpanValue<T> {
         impl<'de, T: Deserialize<'de>> Visitor<'de> for Value<T> {
             type Value = SpanValue<T>;
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a finite number, or { from = .., to = .. }")
+                f.write_str(&in_serde(&Message::new("program-number-or-ramp")))
             }
             fn visit_f64<E: serde::de::Error>(self, v: f64) -> Result<SpanValue<T>, E> {
                 T::deserialize(v.into_deserializer()).map(SpanValue::Steady)

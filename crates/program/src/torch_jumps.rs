@@ -2,6 +2,7 @@
 
 use crate::{Finding, TorchPath};
 use seamwright_geometry::Pose;
+use seamwright_message::{Message, Unit};
 
 /// Distance from a knot at which the torch pose is evaluated, mm.
 const ASIDE_MM: f64 = 1e-7;
@@ -34,29 +35,24 @@ fn jumps(pose: impl Fn(f64) -> Pose, s: f64, pass: usize) -> Vec<Finding> {
     };
     // Of small angles, arc cosines would leave half the digits.
     let turn = abrupt(|a, b| 2.0 * (0.5 * a.direction.distance(b.direction)).min(1.0).asin()).map(|turn| {
-        let turn = turn.to_degrees();
-        let message = format!("the torch's direction would jump by {turn:.2} degrees at the corner at s = {s:.3} mm");
-        let cure = "let one pass end there and another begin after it (in a job order.parts = \"at_corners\", tacks \
-                    elsewhere); or round the corner in the seam; in a butt joint weld without work and travel angle";
-        finding((message, cure), s, pass)
+        let message = Message::new("program-torch-direction-jumps").quantity("jump", turn.to_degrees(), Unit::Deg, 2);
+        finding((message, "program-cure-direction-jumps"), s, pass)
     });
     let way = abrupt(|a, b| a.point.distance(b.point)).map(|jump| {
-        let message = format!("the torch's tip would jump by {jump:.3} mm at the corner at s = {s:.3} mm");
-        let cure = "let one pass end there and another begin after it (in a job order.parts = \"at_corners\", tacks \
-                    elsewhere), or round the corner in the seam";
-        finding((message, cure), s, pass)
+        let message = Message::new("program-torch-tip-jumps").quantity("jump", jump, Unit::Mm, 3);
+        finding((message, "program-cure-tip-jumps"), s, pass)
     });
     turn.into_iter().chain(way).collect()
 }
 
-fn finding((message, cure): (String, &str), s: f64, pass: usize) -> Finding {
+fn finding((message, cure): (Message, &'static str), s: f64, pass: usize) -> Finding {
     Finding {
         kind: "turn",
-        message: message.into(),
+        message: message.quantity("s", s, Unit::Mm, 3),
         pass,
         from_mm: s,
         to_mm: s,
-        cure: Some(cure.into()),
+        cure: Some(Message::new(cure)),
         allowed: false,
     }
 }

@@ -4,6 +4,7 @@
 //! errors have their own line and key. Texts for people (`title`, `name`, `message`) are left alone.
 
 use seamwright_document::{Document, DocumentError, Finite};
+use seamwright_message::Message;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -16,9 +17,9 @@ pub type Variables = BTreeMap<String, Finite>;
 /// Keys whose texts are for people.
 const WORDS: [&str; 3] = ["title", "name", "message"];
 /// Allowed content of an expression.
-const GRAMMAR: &str = "numbers, names of variables, + - * / and parentheses";
+const GRAMMAR: Message = Message::new("program-expression-grammar");
 /// Allowed characters of a name.
-const NAMES: &str = "a letter or _, then letters, digits and _";
+const NAMES: Message = Message::new("program-variable-names");
 /// Most parentheses and signs within each other.
 const DEEPEST: usize = 64;
 
@@ -45,7 +46,8 @@ pub(crate) fn substituted<'a>(file: &str, text: &'a str) -> Result<Cow<'a, str>,
     let mut numbers = Vec::new();
     for (path, expression, span) in found {
         if text[span.clone()].contains('\n') {
-            return Err(document.error_at(&path, "an expression stays on its line", "\"= expression\""));
+            let message = Message::new("program-expression-lines");
+            return Err(document.error_at(&path, message, Message::new("program-expression")));
         }
         numbers.push((span, evaluate(&document, &path, &expression, &variables)));
     }
@@ -79,16 +81,20 @@ fn is_name(name: &str) -> bool {
 fn given(document: &Document<toml::Table>) -> Result<BTreeMap<String, f64>, DocumentError> {
     let Some(value) = document.value.get("variables") else { return Ok(BTreeMap::new()) };
     let Some(table) = value.as_table() else {
-        return Err(document.error_at("variables", "the variables are a table", "[variables] with name = number"));
+        let message = Message::new("program-variables-no-table");
+        return Err(document.error_at("variables", message, Message::new("program-variables-table")));
     };
     let mut variables = BTreeMap::new();
     for (name, value) in table {
         let path = format!("variables.{name}");
         if !is_name(name) {
-            return Err(document.error_at("variables", format!("`{name}` is no name of a variable"), NAMES));
+            let message = Message::new("program-variable-name-invalid").text("name", name);
+            return Err(document.error_at("variables", message, NAMES));
         }
         let number = value.as_float().or(value.as_integer().map(|i| i as f64)).filter(|v| v.is_finite());
-        let number = number.ok_or_else(|| document.error_at(&path, "this is no number", "a finite number"))?;
+        let wrong =
+            || document.error_at(&path, Message::new("program-not-a-number"), Message::new("document-finite-number"));
+        let number = number.ok_or_else(wrong)?;
         variables.insert(name.clone(), number);
     }
     Ok(variables)
@@ -142,16 +148,19 @@ fn evaluate(
     let mut reader = Reader { rest: text, variables, depth: 0 };
     let value = reader.sum().and_then(|value| match reader.next() {
         None => Ok(value),
-        Some(_) => Err(Wrong::Syntax(format!("`{}` is not understood", reader.rest.trim()))),
+        Some(_) => Err(syntax("program-expression-rest", reader.rest.trim())),
     });
     match value {
         Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(document.error_at(path, "the result is not finite", "no division by 0, no number beyond 1e308")),
+        Ok(_) => {
+            let message = Message::new("program-result-not-finite");
+            Err(document.error_at(path, message, Message::new("program-finite-result")))
+        }
         Err(Wrong::Name(name)) => {
             let known: Vec<&str> = variables.keys().map(String::as_str).collect();
             let mut error = document.unknown_name(path, &name, &known);
             if known.is_empty() {
-                error.help = Some("no variables are given: [variables] with name = number".into());
+                error.help = Some(Message::new("program-no-variables"));
             }
             Err(error)
         }
@@ -161,7 +170,12 @@ fn evaluate(
 
 enum Wrong {
     Name(String),
-    Syntax(String),
+    Syntax(Message),
+}
+
+/// Wrong syntax at `text`.
+fn syntax(code: &'static str, text: impl Into<String>) -> Wrong {
+    Wrong::Syntax(Message::new(code).text("text", text))
 }
 
 /// Reads an expression from left to right.
@@ -216,7 +230,7 @@ impl Reader<'_> {
     fn factor(&mut self) -> Result<f64, Wrong> {
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err(Wrong::Syntax("too many parentheses or signs within each other".to_owned()));
+            return Err(Wrong::Syntax(Message::new("program-nesting-too-deep")));
         }
         let value = if self.take('-') {
             -self.factor()?
@@ -225,7 +239,7 @@ impl Reader<'_> {
         } else if self.take('(') {
             let value = self.sum()?;
             if !self.take(')') {
-                return Err(Wrong::Syntax("a closing parenthesis is missing".to_owned()));
+                return Err(Wrong::Syntax(Message::new("program-parenthesis-missing")));
             }
             value
         } else {
@@ -237,17 +251,17 @@ impl Reader<'_> {
 
     fn atom(&mut self) -> Result<f64, Wrong> {
         let Some(first) = self.next() else {
-            return Err(Wrong::Syntax("the expression ends where a number or a name should come".to_owned()));
+            return Err(Wrong::Syntax(Message::new("program-expression-ends")));
         };
         if first.is_ascii_digit() || first == '.' {
             let length = number_length(self.rest);
             let (number, rest) = self.rest.split_at(length);
             self.rest = rest;
-            return number.parse().map_err(|_| Wrong::Syntax(format!("`{number}` is no number")));
+            return number.parse().map_err(|_| syntax("program-number-invalid", number));
         }
         let end = self.rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(self.rest.len());
         if end == 0 {
-            return Err(Wrong::Syntax(format!("`{first}` stands where a number or a name should come")));
+            return Err(syntax("program-unexpected-character", first));
         }
         let (name, rest) = self.rest.split_at(end);
         self.rest = rest;

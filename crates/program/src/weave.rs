@@ -3,6 +3,7 @@
 use crate::{AtCorner, ProcessValues, Span};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -155,54 +156,48 @@ impl Weave {
         (corner, at_corner): (&str, &AtCorner),
     ) -> Result<(), DocumentError> {
         if matches!(at_corner, AtCorner::BlendMm(_)) {
-            let message = "corners cannot be blended where the torch weaves";
-            return Err(file.error_at(corner, message, "\"refuse\" or \"stop\", or no weave"));
+            let message = Message::new("program-weave-at-blend");
+            return Err(file.error_at(corner, message, Message::new("program-corner-or-no-weave")));
         }
-        let wrong =
-            |key: &str, message: &str, allowed: String| Err(file.error_at(&format!("{path}.{key}"), message, allowed));
+        let wrong = |key: &str, code, allowed: Message| {
+            Err(file.error_at(&format!("{path}.{key}"), Message::new(code), allowed))
+        };
         if self.pitch_mm.is_some() == self.frequency_hz.is_some() {
-            let allowed = "either pitch_mm or frequency_hz";
-            return Err(file.error_at(path, "how fast the weave goes is not clear", allowed));
+            let allowed = Message::new("program-either").key("first", "pitch_mm").key("second", "frequency_hz");
+            return Err(file.error_at(path, Message::new("program-weave-pitch-unclear"), allowed));
         }
         let dwell = self.dwell_first_s.get() + self.dwell_second_s.get();
         if dwell > 0.0 {
             let key = if self.dwell_first_s.get() > 0.0 { "dwell_first_s" } else { "dwell_second_s" };
             if self.figure != Figure::Trapezoid {
-                return wrong(key, "only a trapezoid dwells", "0, or figure = \"trapezoid\"".to_owned());
+                return wrong(key, "program-only-trapezoid-dwells", Message::new("program-no-dwell-or-trapezoid"));
             }
             match self.frequency_hz {
                 None => {
-                    return wrong(
-                        key,
-                        "a dwell in seconds needs a frequency",
-                        "frequency_hz instead of pitch_mm".to_owned(),
-                    );
+                    let allowed = Message::new("program-frequency-instead-of-pitch");
+                    return wrong(key, "program-dwell-needs-frequency", allowed);
                 }
                 Some(frequency) if dwell * frequency.get() > MAX_DWELL => {
                     let most = MAX_DWELL / frequency.get();
-                    return wrong(
-                        key,
-                        "the dwells leave no time to go across",
-                        format!("up to {most:.4} s both together"),
-                    );
+                    let allowed = Message::new("program-dwells-together").quantity("max", most, Unit::S, 4);
+                    return wrong(key, "program-dwells-too-long", allowed);
                 }
                 _ => {}
             }
         }
         if self.plane_deg.get().abs() > MAX_PLANE_DEG {
-            let allowed = format!("-{MAX_PLANE_DEG} to {MAX_PLANE_DEG}");
-            return wrong("plane_deg", "the weave would go to and fro along the torch", allowed);
+            let allowed = Message::new("document-between");
+            let allowed = allowed.value("min", -MAX_PLANE_DEG, Unit::Deg).value("max", MAX_PLANE_DEG, Unit::Deg);
+            return wrong("plane_deg", "program-weave-along-torch", allowed);
         }
         if self.length_mm.is_some() && !self.figure.is_round() {
-            return wrong(
-                "length_mm",
-                "this figure has no length",
-                "no such key, or figure = \"circle\" or \"eight\"".to_owned(),
-            );
+            let allowed = Message::new("program-figures-with-length");
+            return wrong("length_mm", "program-figure-without-length", allowed);
         }
         crate::check_process(file, &format!("{path}.at_sides"), &self.at_sides)?;
         if let Some(name) = self.at_sides.iter().find_map(|(name, value)| value.is_ramp().then_some(name)) {
-            return wrong(&format!("at_sides.{name}"), "the sides have steady values", "a number".to_owned());
+            let allowed = Message::new("document-number");
+            return wrong(&format!("at_sides.{name}"), "program-sides-not-steady", allowed);
         }
         if let Some(name) = self.at_sides.keys().find(|name| !process.contains_key(*name)) {
             let known: Vec<&str> = process.keys().map(String::as_str).collect();
@@ -226,18 +221,23 @@ impl Weave {
         let (key, pitch, allowed) = match (self.frequency_hz, self.pitch_mm) {
             (Some(frequency), _) => {
                 let most = slowest / MIN_PITCH_MM;
-                ("frequency_hz", slowest / frequency.get(), format!("up to {most:.4} Hz at {slowest} mm/s"))
+                let allowed = Message::new("program-frequency-at-speed").quantity("max", most, Unit::Hz, 4);
+                ("frequency_hz", slowest / frequency.get(), allowed.value("speed", slowest, Unit::MmPerS))
             }
-            (None, pitch) => ("pitch_mm", pitch.map_or(slowest, Positive::get), format!("{MIN_PITCH_MM} or more")),
+            (None, pitch) => {
+                let allowed = Message::new("document-at-least").value("min", MIN_PITCH_MM, Unit::Mm);
+                ("pitch_mm", pitch.map_or(slowest, Positive::get), allowed)
+            }
         };
         if pitch < MIN_PITCH_MM {
-            let message = format!("a period of the weave would take only {pitch:.4} mm of the seam");
+            let message = Message::new("program-weave-period-short").quantity("pitch", pitch, Unit::Mm, 4);
             return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
         }
         let periods: f64 = spans.iter().map(|span| self.periods(span, span.to_mm.get())).sum();
         if periods > MAX_PERIODS {
-            let message = format!("the weave would have {periods:.0} periods in one pass");
-            return Err(file.error_at(&format!("{path}.{key}"), message, format!("up to {MAX_PERIODS} periods")));
+            let message = Message::new("program-weave-periods").number("periods", periods, 0);
+            let allowed = Message::new("program-up-to-periods").number("max", MAX_PERIODS, 0);
+            return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
         }
         let jump = (1..spans.len()).find(|&i| {
             let (before, after) = (spans[i - 1].speed_mm_s.ends().1, spans[i].speed_mm_s.ends().0);
@@ -247,8 +247,8 @@ impl Weave {
             None => Ok(()),
             Some(i) => {
                 let before = spans[i - 1].speed_mm_s.ends().1;
-                let message = "the speed jumps where the span begins, and with it a weave that goes by its frequency";
-                let allowed = format!("a span that begins with {before}, or a weave with pitch_mm");
+                let message = Message::new("program-weave-speed-jumps");
+                let allowed = Message::new("program-span-speed-or-pitch").value("speed", before, Unit::MmPerS);
                 Err(file.error_at(&speed_at(i), message, allowed))
             }
         }

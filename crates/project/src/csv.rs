@@ -1,6 +1,7 @@
 //! Tables as files.
 
 use crate::failure::Failure;
+use seamwright_message::Message;
 use std::io::{BufRead, Lines};
 
 /// Rows of numbers (or texts) from CSV with a header line; columns in any order, others ignored. One line at a time is
@@ -92,8 +93,10 @@ impl<R: BufRead> CsvReader<R> {
     }
 
     /// Failure for a value in a column of the line read last, with the allowed values.
-    pub fn error(&self, column: &str, value: &str, wrong: &str, allowed: &str) -> Failure {
-        Failure::Input(format!("{}:{}: {column} = `{value}` {wrong}\n   allowed: {allowed}", self.source, self.line))
+    pub fn error(&self, column: &str, value: &str, fault: impl Into<Message>, allowed: impl Into<Message>) -> Failure {
+        let message = Message::new("project-csv-value").text("file", &self.source).number("line", self.line as f64, 0);
+        let message = message.key("column", column).text("value", value).message("fault", fault.into());
+        Failure::refused(message, allowed)
     }
 
     /// The next row, if any; empty lines are skipped.
@@ -107,8 +110,9 @@ impl<R: BufRead> CsvReader<R> {
             match field(*place).parse().ok().filter(|v: &f64| v.is_finite()) {
                 Some(number) => *value = number,
                 None => {
-                    let allowed = format!("a header line with {}, then numbers", self.names.join(","));
-                    return Some(Err(self.error(name, field(*place), "is not a finite number", &allowed)));
+                    let allowed = Message::new("project-header-line").text("columns", self.names.join(","));
+                    let fault = Message::new("project-not-a-finite-number");
+                    return Some(Err(self.error(name, field(*place), fault, allowed)));
                 }
             }
         }
@@ -118,13 +122,15 @@ impl<R: BufRead> CsvReader<R> {
 
 /// Failure for a header line without the column `missing`.
 fn no_column(source: &str, missing: &str, header: &[&str], wanted: &[&[&str]]) -> Failure {
-    let allowed: Vec<String> = wanted.iter().map(|names| names.join(",")).collect();
-    let apart = if header.len() == 1 && header[0].contains([';', '\t']) { ", apart by commas" } else { "" };
-    Failure::Input(format!(
-        "{source}:1: there is no column `{missing}` in `{}`\n   allowed: a header line with {}, then numbers{apart}",
-        header.join(","),
-        allowed.join(" or ")
-    ))
+    let sets = wanted.iter().map(|names| Message::verbatim(names.join(",")));
+    let either = |a: Message, b: Message| Message::new("project-or").message("first", a).message("second", b);
+    let commas = header.len() == 1 && header[0].contains([';', '\t']);
+    let allowed = Message::new(if commas { "project-header-line-with-commas" } else { "project-header-line" });
+    let message = Message::new("project-no-column").text("file", source).key("column", missing);
+    Failure::refused(
+        message.text("header", header.join(",")),
+        allowed.message("columns", sets.reduce(either).unwrap_or_default()),
+    )
 }
 
 /// The names in a header line.

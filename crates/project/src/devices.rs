@@ -1,6 +1,7 @@
 //! The devices of a run: those that the machine file names, and simulated ones for the rest.
 
 use crate::Failure;
+use crate::failure::with_hint;
 use crate::steps::StreamedSteps;
 #[cfg(target_os = "linux")]
 use seamwright_cell::devices::LinuxCncDrives;
@@ -11,6 +12,7 @@ use seamwright_cell::devices::{
 };
 use seamwright_cell::executive::{DriveReport, Interlocks, SourceReport};
 use seamwright_machine::{LinuxCnc, Machine};
+use seamwright_message::{Argument, Message, Unit};
 use serde_json::{Value, json};
 use std::io::Write as _;
 use std::path::Path;
@@ -39,11 +41,10 @@ pub fn check_period(machine: &Machine) -> Result<(), Failure> {
     if (least - 1e-9..=most + 1e-9).contains(&ms) {
         return Ok(());
     }
-    Err(Failure::Input(format!(
-        "machine `{}`: servo_period_ms is {ms}: no cell runs so\n   allowed: {least} to {most}, 1 if missing; `seamwright latency` \
-         measures what this computer can do",
-        machine.name
-    )))
+    let message =
+        Message::new("project-period-of-no-cell").text("machine", &machine.name).value("period", ms, Unit::Ms);
+    let allowed = Message::new("project-periods").value("min", least, Unit::Ms).value("max", most, Unit::Ms);
+    Err(Failure::refused(message, allowed))
 }
 
 /// Simulated devices.
@@ -58,7 +59,7 @@ pub fn simulated(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell,
 }
 
 fn simulated_drives(machine: &Machine, seed: u64) -> Result<Box<dyn Drives + Send>, Failure> {
-    Ok(Box::new(SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(e.to_string()))?))
+    Ok(Box::new(SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(e.message()))?))
 }
 
 /// The drives that the machine file names.
@@ -73,19 +74,19 @@ fn drives(machine: &Machine, folder: &Path) -> Result<Option<Box<dyn Drives + Se
 /// Prints a note to standard error.
 fn note(text: &str) {
     // Errors are ignored: standard error may be closed.
-    let _ = writeln!(std::io::stderr(), "note: {text}");
+    let _ = writeln!(std::io::stderr(), "{}", Message::new("project-note").text("note", text));
 }
 
 /// Drives by LinuxCNC's HAL.
 #[cfg(target_os = "linux")]
 fn linuxcnc_drives(machine: &Machine, folder: &Path, device: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
     let drives = LinuxCncDrives::start(machine, device, folder, |message| note(&message.to_string()));
-    Ok(Box::new(drives.map_err(|e| Failure::Environment(e.to_string()))?))
+    Ok(Box::new(drives.map_err(|e| Failure::Environment(e.message()))?))
 }
 
 #[cfg(not(target_os = "linux"))]
 fn linuxcnc_drives(_: &Machine, _: &Path, _: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
-    Err(Failure::Environment("drives by LinuxCNC are only on Linux".to_owned()))
+    Err(Failure::Environment(Message::new("project-linuxcnc-needs-linux")))
 }
 
 fn put_together(
@@ -127,10 +128,15 @@ pub fn of_machine(
         lines.push((device.name.clone(), parts.traffic));
     }
     let drives = drives(machine, folder)?;
-    let missing = [("drives", drives.is_none()), ("process source", source.is_none()), ("inputs", inputs.is_none())];
-    let simulated: Vec<&str> = missing.iter().filter(|m| m.1).map(|m| m.0).collect();
+    let missing = [
+        ("project-drives", drives.is_none()),
+        ("project-process-source", source.is_none()),
+        ("project-inputs", inputs.is_none()),
+    ];
+    let simulated: Vec<&'static str> = missing.iter().filter(|m| m.1).map(|m| m.0).collect();
     if simulated.len() < missing.len() && !simulated.is_empty() {
-        note(&format!("simulated: {}", simulated.join(", ")));
+        let devices = simulated.into_iter().map(|code| Argument::Message(Box::new(Message::new(code))));
+        note(&Message::new("project-simulated").list("devices", devices).to_string());
     }
     let source = source.unwrap_or_else(|| Box::new(SimulatedSource::new(seed, machine.servo_period_s)));
     let inputs =
@@ -141,12 +147,13 @@ pub fn of_machine(
 
 fn failure(error: &ModbusError) -> Failure {
     match error {
-        ModbusError::NoRegister { device, value } => Failure::Input(format!(
-            "{error}\n   allowed: a register `{value}` in [devices.{device}.modbus.set] of the machine file, or a job without it"
-        )),
-        ModbusError::Unreachable { .. } => Failure::Environment(format!(
-            "{error}\n   look at cable, address, unit and registers; `seamwright io MACHINE` reads them one by one"
-        )),
+        ModbusError::NoRegister { device, value } => {
+            let allowed = Message::new("project-register-or-no-value").key("value", value).text("device", device);
+            Failure::refused(error.message(), allowed)
+        }
+        ModbusError::Unreachable { .. } => {
+            Failure::Environment(with_hint(error.message(), Message::new("project-check-modbus")))
+        }
     }
 }
 

@@ -1,7 +1,9 @@
 //! Reasons why a command ends without its result.
 
 use seamwright_document::DocumentError;
+use seamwright_message::{Argument, Message, Unit};
 use seamwright_program::{Finding, FindingGroup, FindingPlace, Severity, group_findings};
+use std::fmt;
 use std::io::{self, Write};
 
 /// Reason why the command ends without its result, by exit code.
@@ -12,11 +14,11 @@ pub enum Failure {
     /// 1: the same, and the findings have been printed already.
     Printed,
     /// 2: bad input or usage.
-    Input(String),
+    Input(Message),
     /// 2: the same, for a file with an address of the fault.
     Document(Box<DocumentError>),
     /// 3: a device or the environment failed.
-    Environment(String),
+    Environment(Message),
     /// 3: planning was cancelled.
     Cancelled,
     /// 0: the reader of our output has stopped reading.
@@ -29,51 +31,77 @@ const MAX_PLACES: usize = 6;
 /// Findings for people, equal ones once, those that stand against the weld first.
 pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<()> {
     let groups = group_findings(findings);
-    match groups.iter().filter(|group| !group.finding.allowed).count() {
-        0 if findings.is_empty() => writeln!(out, "the weld can be made as asked")?,
-        0 => writeln!(out, "the weld can be made, with remarks")?,
-        1 => writeln!(out, "the weld cannot be made as asked: 1 finding")?,
-        n => writeln!(out, "the weld cannot be made as asked: {n} findings")?,
-    }
+    let heading = match groups.iter().filter(|group| !group.finding.allowed).count() {
+        0 if findings.is_empty() => Message::new("project-weld-possible"),
+        0 => Message::new("project-weld-possible-with-remarks"),
+        n => Message::new("project-weld-impossible").count("findings", n),
+    };
+    writeln!(out, "{heading}")?;
     for group in &groups {
-        let f = group.finding;
-        writeln!(out, "{} ({}): {}", severity_word(f), f.kind, group.message)?;
-        writeln!(out, "   where: {}", places_text(group))?;
+        let finding = Message::new("project-finding").message("severity", severity(group.finding));
+        let finding = finding.text("kind", group.finding.kind).message("finding", group.message.clone());
+        writeln!(out, "{finding}")?;
+        writeln!(out, "   {}", Message::new("project-where").text("places", places_text(group)))?;
         if let Some(cure) = &group.cure {
-            writeln!(out, "   cure: {cure}")?;
+            writeln!(out, "   {}", Message::new("project-cure").message("cure", cure.clone()))?;
         }
     }
     Ok(())
 }
 
 /// Word for a finding's severity at the command line.
-pub fn severity_word(finding: &Finding) -> &'static str {
-    match finding.severity() {
-        Severity::Error => "finding",
-        Severity::Warning => "warning",
-        Severity::Note => "note",
-    }
+pub fn severity_word(finding: &Finding) -> String {
+    severity(finding).to_string()
+}
+
+fn severity(finding: &Finding) -> Message {
+    Message::new(match finding.severity() {
+        Severity::Error => "project-severity-error",
+        Severity::Warning => "project-severity-warning",
+        Severity::Note => "project-severity-note",
+    })
 }
 
 /// Positions of a group's findings: `pass 1, s = 3.000 to 5.000 mm; passes 2 to 14, s = 0.000 mm`.
 pub fn places_text(group: &FindingGroup<'_>) -> String {
-    let text = |place: &FindingPlace| {
-        let passes = match (place.first_pass, place.last_pass) {
-            (first, last) if first == last => format!("pass {first}"),
-            (first, last) => format!("passes {first} to {last}"),
-        };
-        match place.is_point() {
-            true => format!("{passes}, s = {:.3} mm", place.from_mm),
-            false => format!("{passes}, s = {:.3} to {:.3} mm", place.from_mm, place.to_mm),
-        }
-    };
+    let text = |place: &FindingPlace| place_message(place).to_string();
     let mut places: Vec<String> = group.places.iter().take(MAX_PLACES).map(text).collect();
     match group.places.len().saturating_sub(MAX_PLACES) {
         0 => {}
-        1 => places.push("1 more place".to_owned()),
-        more => places.push(format!("{more} more places")),
+        more => places.push(Message::new("project-more-places").count("places", more).to_string()),
     }
     places.join("; ")
+}
+
+/// A range of path length in one or several passes.
+fn place_message(place: &FindingPlace) -> Message {
+    let passes = match (place.first_pass, place.last_pass) {
+        (first, last) if first == last => Message::new("project-pass").pass("pass", first),
+        (first, last) => Message::new("project-passes").pass("first", first).pass("last", last),
+    };
+    match place.is_point() {
+        true => Message::new("project-place").message("passes", passes).quantity("s", place.from_mm, Unit::Mm, 3),
+        false => {
+            let range = Message::new("project-place-range").message("passes", passes);
+            range.number("from", place.from_mm, 3).quantity("to", place.to_mm, Unit::Mm, 3)
+        }
+    }
+}
+
+/// Two lines: `message`, and the allowed values.
+pub fn with_allowed(message: Message, allowed: impl Into<Message>) -> Message {
+    let allowed = Message::new("document-allowed").message("allowed", allowed.into());
+    Message::new("project-with-allowed").message("message", message).message("allowed", allowed)
+}
+
+/// Two lines: `message`, and a hint.
+pub(crate) fn with_hint(message: Message, hint: Message) -> Message {
+    Message::new("project-with-hint").message("message", message).message("hint", hint)
+}
+
+/// The words of an error from outside, or of a type without messages.
+pub(crate) fn foreign(error: &dyn fmt::Display) -> Message {
+    Message::verbatim(error.to_string())
 }
 
 impl From<DocumentError> for Failure {
@@ -86,46 +114,65 @@ impl From<io::Error> for Failure {
     fn from(e: io::Error) -> Self {
         match e.kind() {
             io::ErrorKind::BrokenPipe => Self::ReaderGone,
-            io::ErrorKind::InvalidData => Self::Input(format!("standard input: {e}")),
-            _ => Self::Environment(e.to_string()),
+            io::ErrorKind::InvalidData => {
+                Self::Input(Message::new("project-standard-input").message("why", foreign(&e)))
+            }
+            _ => Self::Environment(foreign(&e)),
         }
     }
 }
 
 impl From<seamwright_cell::frames::FrameError> for Failure {
     fn from(e: seamwright_cell::frames::FrameError) -> Self {
-        if e.is_environment() { Self::Environment(e.to_string()) } else { Self::Input(e.to_string()) }
+        if e.is_environment() { Self::Environment(e.message()) } else { Self::Input(e.message()) }
     }
 }
 
 impl From<seamwright_cell::Error> for Failure {
     fn from(e: seamwright_cell::Error) -> Self {
         match e {
-            seamwright_cell::Error::Drive { .. } => Self::Input(format!("machine file: {e}")),
-            _ => Self::Input(e.to_string()),
+            seamwright_cell::Error::Drive { .. } => {
+                Self::Input(Message::new("project-in-machine-file").message("why", e.message()))
+            }
+            _ => Self::Input(e.message()),
         }
     }
 }
 
 impl From<seamwright_cell::tracking::Error> for Failure {
     fn from(e: seamwright_cell::tracking::Error) -> Self {
-        Self::Input(e.to_string())
+        Self::Input(e.message())
     }
 }
 
 impl From<seamwright_record::Error> for Failure {
     fn from(e: seamwright_record::Error) -> Self {
-        if e.is_input() { Self::Input(e.to_string()) } else { Self::Environment(e.to_string()) }
+        if e.is_input() { Self::Input(e.message()) } else { Self::Environment(e.message()) }
     }
 }
 
 impl From<seamwright_motion::textbook::Error> for Failure {
     fn from(e: seamwright_motion::textbook::Error) -> Self {
-        Self::Input(e.to_string())
+        Self::Input(foreign(&e))
     }
 }
 
 impl Failure {
+    /// Bad input or usage.
+    pub fn input(message: impl Into<Message>) -> Self {
+        Self::Input(message.into())
+    }
+
+    /// Bad input or usage, with the allowed values.
+    pub fn refused(message: Message, allowed: impl Into<Message>) -> Self {
+        Self::Input(with_allowed(message, allowed))
+    }
+
+    /// A device or the environment failed.
+    pub fn environment(message: impl Into<Message>) -> Self {
+        Self::Environment(message.into())
+    }
+
     /// The exit code of a command that ends so: 0 done, 1 cannot be welded as asked, 2 bad input, 3 the environment
     /// failed. A file that was named and is not there is bad input.
     pub fn exit_code(&self) -> u8 {
@@ -137,20 +184,48 @@ impl Failure {
         }
     }
 
-    /// Description of the failure.
-    pub fn text(&self) -> String {
+    /// Fault and allowed values, separately.
+    pub(crate) fn fault_and_allowed(&self) -> (Message, Message) {
+        let part = |message: &Message, name| match message.argument(name) {
+            Some(Argument::Message(part)) if message.code == "project-with-allowed" => Some((**part).clone()),
+            _ => None,
+        };
+        let allowed = |message: &Message| match part(message, "allowed")?.argument("allowed") {
+            Some(Argument::Message(allowed)) => Some((**allowed).clone()),
+            _ => None,
+        };
+        match self {
+            Self::Document(e) => {
+                let fault = Message::new("project-document-fault").text("file", &e.file).key("key", &e.key);
+                let fault = fault.number("line", e.line as f64, 0).message("message", e.message.clone());
+                (fault, e.allowed.clone().unwrap_or_default())
+            }
+            Self::Input(message) => {
+                (part(message, "message").unwrap_or(message.clone()), allowed(message).unwrap_or_default())
+            }
+            other => (other.message(), Message::default()),
+        }
+    }
+
+    /// Description of the failure. Findings and errors in files are text in the language of the process.
+    pub fn message(&self) -> Message {
         match self {
             Self::Findings(findings) => {
                 let mut out = Vec::new();
                 // Writing to memory cannot fail.
                 drop(write_findings(&mut out, findings));
-                String::from_utf8_lossy(&out).trim_end().to_owned()
+                Message::verbatim(String::from_utf8_lossy(&out).trim_end())
             }
-            Self::Input(text) | Self::Environment(text) => text.trim_end().to_owned(),
-            Self::Document(error) => error.to_string().trim_end().to_owned(),
-            Self::Cancelled => "planning was cancelled".to_owned(),
-            Self::Printed | Self::ReaderGone => "it failed".to_owned(),
+            Self::Input(message) | Self::Environment(message) => message.clone(),
+            Self::Document(error) => Message::verbatim(error.to_string().trim_end()),
+            Self::Cancelled => Message::new("project-planning-cancelled"),
+            Self::Printed | Self::ReaderGone => Message::new("project-failed"),
         }
+    }
+
+    /// Words of the failure.
+    pub fn text(&self) -> String {
+        self.message().to_string().trim_end().to_owned()
     }
 }
 
@@ -160,7 +235,7 @@ mod tests {
 
     #[test]
     fn equal_findings_are_printed_once_with_where_they_are() {
-        let at = |pass, from_mm, to_mm| Finding::note("process", "no gas".to_owned(), pass, (from_mm, to_mm));
+        let at = |pass, from_mm, to_mm| Finding::note("process", Message::verbatim("no gas"), pass, (from_mm, to_mm));
         let mut findings: Vec<Finding> = (1..=9).map(|pass| at(pass, 0.0, 0.0)).collect();
         findings.extend((1..=7).map(|i| at(3, 10.0 * f64::from(i), 10.0 * f64::from(i) + 1.0)));
         let mut out = Vec::new();

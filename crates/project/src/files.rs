@@ -1,6 +1,8 @@
 //! Files that the user names: read, or written whole, as [`WholeFile`] does it.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, foreign};
+use crate::within::FileRefusal;
+use seamwright_message::Message;
 use seamwright_record::{ClosedFile, WholeFile};
 use std::fs;
 use std::io::{BufWriter, Read as _, Write};
@@ -15,21 +17,32 @@ const MAX_NAMES: usize = 6;
 
 /// Reads a text file that the user named.
 pub fn read(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|e| Failure::Input(format!("{}: cannot be read: {e}", path.display())))
+    fs::read_to_string(path).map_err(|e| unreadable(&path.display().to_string(), &e))
+}
+
+/// Failure of reading the file called `source`.
+fn unreadable(source: &str, e: &std::io::Error) -> Failure {
+    Failure::Input(Message::new("project-unreadable").text("file", source).message("why", io_error(e)))
+}
+
+/// The words of an error of the system, or of one of our own within it.
+pub(crate) fn io_error(e: &std::io::Error) -> Message {
+    let own = e.get_ref().and_then(|own| own.downcast_ref::<FileRefusal>());
+    own.map_or_else(|| foreign(e), FileRefusal::message)
 }
 
 /// Reads a file of bytes, or standard input for `-`; `source` names it in messages.
 pub fn read_bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
-    let unreadable = |e: &std::io::Error| Failure::Input(format!("{source}: cannot be read: {e}"));
     let mut bytes = Vec::new();
     let result = if source == "-" {
         std::io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes)
     } else {
         fs::File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
     };
-    result.map_err(|e| unreadable(&e))?;
+    result.map_err(|e| unreadable(source, &e))?;
     if bytes.len() as u64 > MAX_BYTES {
-        return Err(Failure::Input(format!("{source}: the file is too large\n   allowed: up to 1 GiB")));
+        let message = Message::new("project-file-too-large").text("file", source);
+        return Err(Failure::refused(message, Message::new("project-up-to-1-gib")));
     }
     Ok(bytes)
 }
@@ -77,19 +90,19 @@ pub(crate) fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
         AlreadyExists, BrokenPipe, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied,
         ReadOnlyFilesystem,
     };
+    let message = Message::new("project-not-writable").text("file", path.display().to_string());
     // The error's own text may name our temporary file; those of invalid input are our own.
     let why = match e.kind() {
         BrokenPipe => return Failure::ReaderGone,
-        NotFound => "there is no such folder".to_owned(),
-        PermissionDenied => "permission denied".to_owned(),
-        NotADirectory | AlreadyExists => "it is not a folder".to_owned(),
-        IsADirectory => "it is a folder".to_owned(),
-        ReadOnlyFilesystem => e.kind().to_string(),
-        InvalidInput => e.to_string(),
-        kind => return Failure::Environment(format!("{}: cannot be written: {kind}", path.display())),
+        NotFound => Message::new("project-no-such-folder"),
+        PermissionDenied => Message::new("project-permission-denied"),
+        NotADirectory | AlreadyExists => Message::new("project-not-a-folder"),
+        IsADirectory => Message::new("project-is-a-folder"),
+        ReadOnlyFilesystem => foreign(&e.kind()),
+        InvalidInput => foreign(e),
+        kind => return Failure::Environment(message.message("why", foreign(&kind))),
     };
-    let allowed = "a folder or file that you may write";
-    Failure::Input(format!("{}: cannot be written: {why}\n   allowed: {allowed}", path.display()))
+    Failure::refused(message.message("why", why), Message::new("project-writable"))
 }
 
 /// Files that are named first where many were written.
@@ -116,8 +129,10 @@ fn folder_text(folder: &Path, mut names: Vec<String>) -> String {
     let count = names.len();
     names.sort_by_key(|name| MAIN.iter().position(|main| main == name).unwrap_or(MAIN.len()));
     let shown = if count > MAX_NAMES { MAIN.len() } else { count };
-    let more = if shown < count { format!(" and {} more", count - shown) } else { String::new() };
-    format!("{count} files to {}: {}{more}", folder.display(), names[..shown].join(", "))
+    let code = if shown < count { "project-files-written-more" } else { "project-files-written" };
+    let text = Message::new(code).count("files", count).text("folder", folder.display().to_string());
+    let text = text.text("names", names[..shown].join(", "));
+    if shown < count { text.count("more", count - shown).to_string() } else { text.to_string() }
 }
 
 /// A folder that results go to, all at once when everything has been made.
@@ -144,8 +159,7 @@ impl Output {
 
     /// Copies the file at `from` to `name`, replacing any file there.
     pub fn take(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
-        let unreadable = |e| Failure::Input(format!("{}: cannot be read: {e}", from.display()));
-        let mut source = fs::File::open(from).map_err(unreadable)?;
+        let mut source = fs::File::open(from).map_err(|e| unreadable(&from.display().to_string(), &e))?;
         self.fill(name, |file| std::io::copy(&mut source, file).map(drop))
     }
 
@@ -170,16 +184,16 @@ impl Output {
     /// Takes a copy of the file at `from` under `name`, unless it is that file; another file of that name is not
     /// touched.
     pub fn copy(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
-        let bytes = fs::read(from).map_err(|e| Failure::Input(format!("{}: cannot be read: {e}", from.display())))?;
+        let bytes = fs::read(from).map_err(|e| unreadable(&from.display().to_string(), &e))?;
         let to = self.folder.join(name);
         match fs::read(&to) {
             Ok(there) if there == bytes => Ok(()),
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => self.fill(name, |file| file.write_all(&bytes)),
-            _ => Err(Failure::Input(format!(
-                "{}: another file stands where the copy of {} should go\n   allowed: another output folder",
-                to.display(),
-                from.display()
-            ))),
+            _ => {
+                let message = Message::new("project-other-file-there").text("file", to.display().to_string());
+                let message = message.text("from", from.display().to_string());
+                Err(Failure::refused(message, Message::new("project-other-folder")))
+            }
         }
     }
 

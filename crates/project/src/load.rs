@@ -1,14 +1,15 @@
 //! From files to a planned weld.
 
 use crate::examples::{EXAMPLES, example};
-use crate::failure::Failure;
-use crate::files;
+use crate::failure::{Failure, foreign, with_hint};
+use crate::files::{self, io_error};
 use crate::outside::Beside;
 use crate::planning::{Clocked, Planning};
 use crate::within::Within;
 use seamwright_cell::{Error, check_drives};
 use seamwright_document::{Document, closest};
 use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::{PassMotion, Terms, WeldMotion, redundancy};
 use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_weld::{SeamCurve, WeldPath, Welding};
@@ -49,11 +50,12 @@ pub fn load(path: &Path) -> Result<Loaded, Failure> {
 fn no_such_job(path: &Path) -> Failure {
     let names: Vec<&str> = EXAMPLES.iter().map(|example| example.name).collect();
     let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-    let meant = closest(stem, &names).map_or_else(String::new, |name| {
-        format!("\n   there is an example `{name}`; to copy it: seamwright examples {name} > {name}.toml")
-    });
-    let allowed = format!("a job or program file, or the name of an example: {}", names.join(", "));
-    Failure::Input(format!("{}: there is no such file{meant}\n   allowed: {allowed}", path.display()))
+    let message = Message::new("project-no-such-file").text("file", path.display().to_string());
+    let message = match closest(stem, &names) {
+        Some(name) => with_hint(message, Message::new("project-copy-example").text("name", name)),
+        None => message,
+    };
+    Failure::refused(message, Message::new("project-job-or-example").text("names", names.join(", ")))
 }
 
 /// The same from text; machine files are looked for from `folder`.
@@ -73,17 +75,17 @@ fn load_within(name: &str, text: &str, within: &Within<'_>, own: Own) -> Result<
     let (machine, machine_file) = match described(wanted, within, &stl, own)? {
         Some(Described { machine, file, .. }) => (machine, file),
         None => {
-            let allowed = format!("{}, or the path of a machine file", names());
-            let message = format!("there is no such machine, and no file {}", within.folder().join(wanted).display());
-            let mut error = welding.program.error_at("machine", message, allowed);
-            error.help = machine_meant(wanted).map(Into::into);
+            let file = within.folder().join(wanted).display().to_string();
+            let message = Message::new("project-no-machine-or-file").text("file", file);
+            let mut error = welding.program.error_at("machine", message, machine_names());
+            error.help = machine_meant(wanted);
             return Err(error.into());
         }
     };
     let process = welding.program.value.passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys());
     if let Some(clash) = process.into_iter().find(|name| machine.axis(name).is_some()) {
-        let message = format!("process value `{clash}` has the name of an axis of the machine");
-        return Err(welding.program.error_at("machine", message, "names of their own").into());
+        let message = Message::new("project-process-value-is-axis").axis("name", clash);
+        return Err(welding.program.error_at("machine", message, Message::new("document-own-names")).into());
     }
     check_held(&welding, &machine)?;
     check_registers(&welding, &machine)?;
@@ -114,13 +116,11 @@ fn check_registers(welding: &Welding, machine: &Machine) -> Result<(), Failure> 
                 let Some((least, most)) = pass.process_range(name) else { continue };
                 let outside = [least, most].into_iter().find(|value| !(low..=high).contains(value));
                 let Some(value) = outside else { continue };
-                let message = format!(
-                    "pass {} asks for {value} of `{name}`, which its register ({}) of device `{}` cannot hold",
-                    i + 1,
-                    register.place,
-                    device.name
-                );
-                let allowed = format!("{low} to {high}, or another scale or type in the machine file");
+                let message = Message::new("project-register-too-small").pass("pass", i + 1).key("name", name);
+                let message = message.value("value", value, Unit::One).text("register", register.place.to_string());
+                let message = message.text("device", &device.name);
+                let allowed = Message::new("project-register-range").value("min", low, Unit::One);
+                let allowed = allowed.value("max", high, Unit::One);
                 return Err(program.error_at(&welding.keys(i).process(name), message, allowed).into());
             }
         }
@@ -142,14 +142,16 @@ impl StlFiles {
 }
 
 /// The shipped machine whose name is closest to the unknown `name`.
-fn machine_meant(name: &str) -> Option<String> {
+fn machine_meant(name: &str) -> Option<Message> {
     let known: Vec<&str> = SHIPPED.iter().map(|shipped| shipped.name).collect();
     let stem = Path::new(name).file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-    closest(stem, &known).map(|meant| format!("did you mean `{meant}`?"))
+    closest(stem, &known).map(|meant| Message::new("document-suggestion").key("name", meant))
 }
 
-fn names() -> String {
-    SHIPPED.iter().map(|s| s.name).collect::<Vec<_>>().join(", ")
+/// Allowed names of machines.
+fn machine_names() -> Message {
+    let names: Vec<&str> = SHIPPED.iter().map(|s| s.name).collect();
+    Message::new("project-machine-names").text("names", names.join(", "))
 }
 
 /// The machine that a job names; `None` if it is missing.
@@ -199,8 +201,8 @@ fn described(name: &str, within: &Within<'_>, stl: &StlFiles, own: Own) -> Resul
     let path = match within.file(name) {
         Ok(path) if path.is_file() => path,
         Err(e) if e.kind() == std::io::ErrorKind::PermissionDenied => {
-            let allowed = "the name of a machine that ships, or a machine file among the jobs";
-            return Err(Failure::Input(format!("machine `{name}`: {e}\n   allowed: {allowed}")));
+            let message = Message::new("project-machine-refused").text("name", name).message("why", io_error(&e));
+            return Err(Failure::refused(message, Message::new("project-machine-among-jobs")));
         }
         _ => return Ok(None),
     };
@@ -240,11 +242,12 @@ pub fn machine(name: &str) -> Result<Machine, Failure> {
 pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), Failure> {
     let found = described(name, &Within::open(Path::new(".")), &StlFiles::default(), Own::Never)?;
     found.map(|found| (found.machine, found.document)).ok_or_else(|| {
-        Failure::Input(format!(
-            "{name}: there is no such machine, and no such file{}\n   allowed: {}, or the path of a machine file",
-            machine_meant(name).map_or_else(String::new, |meant| format!("\n   {meant}")),
-            names()
-        ))
+        let message = Message::new("project-no-such-machine").text("name", name);
+        let message = match machine_meant(name) {
+            Some(meant) => with_hint(message, meant),
+            None => message,
+        };
+        Failure::refused(message, machine_names())
     })
 }
 
@@ -265,40 +268,35 @@ impl Loaded {
         let short = motion.passes.iter().position(|p| p.law.duration() < period_s);
         if let Some(i) = short {
             let travel = motion.passes[i].law.duration();
-            return Err(Failure::Input(format!(
-                "a period of {} ms is longer than the travel of pass {}\n   allowed: up to {:.3} ms, in which it is over",
-                period_s * 1e3,
-                i + 1,
-                travel * 1e3
-            )));
+            let message = Message::new("project-period-too-long").pass("pass", i + 1);
+            let allowed = Message::new("project-period-within-travel").quantity("max", travel * 1e3, Unit::Ms, 3);
+            return Err(Failure::refused(message.value("period", period_s * 1e3, Unit::Ms), allowed));
         }
         if count <= MAX_SET_POINTS {
             return Ok(());
         }
-        Err(Failure::Input(format!(
-            "the motion takes {total:.3e} s, {count:.1e} set-points of {:.3e} ms\n   allowed: up to {MAX_SET_POINTS:.0e}; a higher speed, shorter times or a longer period",
-            period_s * 1e3
-        )))
+        let message = Message::new("project-too-many-set-points").quantity("time", total, Unit::S, 0);
+        let message = message.number("set-points", count, 0).value("period", period_s * 1e3, Unit::Ms);
+        let allowed = Message::new("project-up-to-set-points").number("max", MAX_SET_POINTS, 0);
+        Err(Failure::refused(message, allowed))
     }
 
     /// Reports the parts that the collision check does not cover, so that every plan mentions them.
     fn part_not_watched(&self) -> Option<Finding> {
-        let (message, cure) = if self.clamped.part.is_empty() {
-            let message = "no part is watched: collisions are checked against the machine and the fixtures only";
-            (message, "describe the part with [[part.solids]], or with the [seam] that it is made from")
+        let (code, cure) = if self.clamped.part.is_empty() {
+            ("project-part-not-checked", Some(Message::new("project-cure-describe-part")))
         } else if self.welding.program.value.part.replace {
-            ("the part made from the seam is replaced: only the solids of [part] are watched", "")
+            ("project-part-replaced", None)
         } else {
             return None;
         };
-        let (message, cure) = (message.to_owned(), cure.to_owned());
         Some(Finding {
             kind: "unchecked",
-            message: message.into(),
+            message: Message::new(code),
             pass: 1,
             from_mm: 0.0,
             to_mm: 0.0,
-            cure: Some(cure.into()),
+            cure,
             allowed: true,
         })
     }
@@ -309,8 +307,11 @@ impl Loaded {
     /// A program whose passes all go through points, without a seam.
     pub fn seam(&self) -> Result<&SeamCurve, Failure> {
         let program = &self.welding.program;
-        let allowed = "a job, or a program with [seam]";
-        self.welding.seam.as_ref().ok_or_else(|| program.error_at("", "the program has no seam", allowed).into())
+        let wrong = || {
+            let allowed = Message::new("project-job-or-seam");
+            program.error_at("", Message::new("project-program-without-seam"), allowed).into()
+        };
+        self.welding.seam.as_ref().ok_or_else(wrong)
     }
 
     /// Obstacles of the machine: itself and what is clamped on it.
@@ -318,8 +319,13 @@ impl Loaded {
     /// # Errors
     /// Solids whose clearance cannot be checked.
     pub fn surroundings(&self) -> Result<Surroundings<'_>, Failure> {
-        Surroundings::new(&self.machine, &self.clamped)
-            .map_err(|e| Failure::Input(format!("{}: {e}", self.welding.program.file())))
+        Surroundings::new(&self.machine, &self.clamped).map_err(|e| self.fault(&e))
+    }
+
+    /// A fault of the job or program file.
+    fn fault(&self, why: &dyn std::fmt::Display) -> Failure {
+        let file = self.welding.program.file();
+        Failure::Input(Message::new("project-in-file").text("file", file).message("why", foreign(why)))
     }
 
     /// The paths of all passes.
@@ -368,14 +374,13 @@ impl Loaded {
         planning: &Planning,
     ) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
         let program = &self.welding.program.value;
-        let around = Surroundings::new(machine, &self.clamped)
-            .map_err(|e| Failure::Input(format!("{}: {e}", self.welding.program.file())))?;
+        let around = Surroundings::new(machine, &self.clamped).map_err(|e| self.fault(&e))?;
         let paths = self.paths();
         let passes = self.passes(&paths);
         let mut findings = self.welding.findings();
         if self.welding.seam.as_ref().is_some_and(SeamCurve::is_double) && machine.heads.len() < 2 {
             let path = "seam.t_joint.fillet";
-            let message = format!("{} has one head: it cannot weld both fillets at once", machine.name);
+            let message = Message::new("project-one-head").text("machine", &machine.name);
             return Err(self.welding.program.error_at(path, message, "left, right").into());
         }
         let clocked = Clocked::new(planning);

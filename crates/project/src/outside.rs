@@ -1,13 +1,15 @@
 //! Data that a job names outside its file: tables of points, and the torch poses of its machine's axes.
 
 use crate::csv::CsvReader;
-use crate::failure::Failure;
+use crate::failure::{Failure, foreign};
+use crate::files::io_error;
 use crate::load;
 use crate::within::Within;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::AxisKind;
 use seamwright_machine::{Joints, Machine};
+use seamwright_message::Message;
 use seamwright_program::AxisPositions;
 use seamwright_weld::{MachineAxes, MachineAxis, Outside, Wrong};
 use std::cell::RefCell;
@@ -36,16 +38,15 @@ impl<'a> Beside<'a> {
 
     fn rows(&self, name: &str) -> Result<Vec<Vec<f64>>, Failure> {
         let file = self.within.file(name).and_then(File::open).map_err(|e| {
-            let allowed = "a file that is there, its path seen from the job's folder";
-            Failure::Input(format!("{name}: the file cannot be read: {e}\n   allowed: {allowed}"))
+            let message = Message::new("project-unreadable").text("file", name).message("why", io_error(&e));
+            Failure::refused(message, Message::new("project-file-from-job"))
         })?;
         let (mut reader, _) = CsvReader::open(name, BufReader::new(file), &[&NORMALS, &ONE_NORMAL, &POINTS])?;
         let mut rows = Vec::new();
         while let Some(row) = reader.row() {
             if rows.len() == MAX_ROWS {
-                return Err(Failure::Input(format!(
-                    "{name}: the table is too long\n   allowed: up to {MAX_ROWS} points"
-                )));
+                let allowed = Message::new("project-up-to-points").number("max", MAX_ROWS as f64, 0);
+                return Err(Failure::refused(Message::new("project-table-too-long").text("file", name), allowed));
             }
             rows.push(row?.to_vec());
         }
@@ -53,16 +54,9 @@ impl<'a> Beside<'a> {
     }
 }
 
-/// The fault and the allowed values, split from a message with both.
 fn wrong(failure: &Failure) -> Wrong {
-    let text = match failure {
-        Failure::Input(_) | Failure::Document(_) | Failure::Environment(_) => failure.text(),
-        Failure::Findings(_) | Failure::Printed | Failure::Cancelled | Failure::ReaderGone => {
-            "it cannot be read".to_owned()
-        }
-    };
-    let (message, allowed) = text.split_once("\n   allowed: ").unwrap_or((&text, ""));
-    Wrong { message: message.to_owned(), allowed: allowed.to_owned() }
+    let (message, allowed) = failure.fault_and_allowed();
+    Wrong { message, allowed }
 }
 
 impl Outside for Beside<'_> {
@@ -81,21 +75,22 @@ impl Outside for Beside<'_> {
             *known = machine.map(|machine| (name.to_owned(), machine));
         }
         let Some((_, machine)) = known.as_ref() else {
-            let message = format!("there is no machine `{name}` that could have recorded them");
-            return Err(Wrong { message, allowed: "`machine` as it was when they were recorded".to_owned() });
+            let message = Message::new("project-no-recording-machine").text("name", name);
+            return Err(Wrong { message, allowed: Message::new("project-machine-as-recorded") });
         };
         let names: Vec<&str> = machine.axes.iter().map(|a| a.name.as_str()).collect();
         if axes.len() != names.len() {
-            let message = format!("{} positions, and {name} has {} axes", axes.len(), names.len());
-            return Err(Wrong { message, allowed: names.join(", ") });
+            let message = Message::new("project-positions-for-axes").text("machine", name);
+            let message = message.count("positions", axes.len()).count("axes", names.len());
+            return Err(Wrong { message, allowed: names.join(", ").into() });
         }
         let mut q = Joints::default();
         for ((q, axis), value) in q.iter_mut().zip(&machine.axes).zip(axes) {
             *q = axis.from_file(*value);
         }
         if let Some(violation) = machine.outside(&q) {
-            let message = machine.range_error(&violation).to_string();
-            return Err(Wrong { message, allowed: "positions within the axes' ranges".to_owned() });
+            let message = foreign(&machine.range_error(&violation));
+            return Err(Wrong { message, allowed: Message::new("project-within-axis-ranges") });
         }
         Ok(machine.forward(&q).point)
     }
@@ -104,8 +99,8 @@ impl Outside for Beside<'_> {
         match load::machine_beside(name, &self.within).map_err(|failure| wrong(&failure))? {
             Some(machine) => Ok(Arc::new(Axes(machine))),
             None => {
-                let message = format!("there is no machine `{name}`");
-                Err(Wrong { message, allowed: "a machine that ships, or the path of a machine file".to_owned() })
+                let message = Message::new("project-no-machine").text("name", name);
+                Err(Wrong { message, allowed: Message::new("project-shipped-machine-or-file") })
             }
         }
     }

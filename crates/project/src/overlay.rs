@@ -1,6 +1,6 @@
 //! A frame as a picture that is drawn on, to PNG.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, foreign};
 use glam::DVec2;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _};
@@ -96,7 +96,7 @@ impl Overlay {
         let mut png = Vec::new();
         let (width, height) = (self.width as u32, self.height as u32);
         let encoded = PngEncoder::new(&mut png).write_image(&self.pixels, width, height, ExtendedColorType::Rgb8);
-        encoded.map_err(|e| Failure::Environment(e.to_string()))?;
+        encoded.map_err(|e| Failure::Environment(foreign(&e)))?;
         Ok(png)
     }
 }

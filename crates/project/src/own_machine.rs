@@ -1,11 +1,12 @@
 //! The machine of a cell as it was found to be: tools that were calibrated, drives that were tuned, kept in its file.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, foreign};
 use crate::files;
 use crate::load::{Loaded, machine_foreign, own_copy};
 use seamwright_machine::{Machine, shipped};
+use seamwright_message::Message;
 use std::path::{Path, PathBuf};
-use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, Value, value};
+use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TomlError, Value, value};
 
 /// The machine file of a job, and the path for changes to it.
 pub struct OwnMachine {
@@ -36,7 +37,7 @@ impl OwnMachine {
         match (&loaded.machine_file, shipped(name)) {
             (Some(path), _) => Ok(Self { path: path.clone(), text: files::read(path)? }),
             (None, Some(shipped)) => Ok(Self { path: jobs.join(own_copy(name)), text: shipped.text.to_owned() }),
-            (None, None) => Err(Failure::Input(format!("machine `{name}` has no file"))),
+            (None, None) => Err(Failure::Input(Message::new("project-machine-without-file").text("name", name))),
         }
     }
 
@@ -46,13 +47,16 @@ impl OwnMachine {
     /// # Errors
     /// A text in which the table is missing and cannot be added.
     pub fn with(&self, table: &[Step<'_>], settings: &[(&str, Setting)]) -> Result<String, Failure> {
-        let wrong = |e: &dyn std::fmt::Display| Failure::Input(format!("{}: {e}", self.path.display()));
-        let mut document: DocumentMut = self.text.parse().map_err(|e| wrong(&e))?;
+        let not_a_table = |step: &Step<'_>| {
+            let why = Message::new("project-not-a-table").key("table", step.to_string());
+            self.fault(why)
+        };
+        let mut document = self.parsed()?;
         let mut at = document.as_item_mut();
         for step in table {
-            at = step.enter(at).ok_or_else(|| wrong(&format!("`{step}` is no table")))?;
+            at = step.enter(at).ok_or_else(|| not_a_table(step))?;
         }
-        let at = at.as_table_like_mut().ok_or_else(|| wrong(&"no table"))?;
+        let at = at.as_table_like_mut().ok_or_else(|| not_a_table(table.last().unwrap_or(&Step::Table(""))))?;
         for (key, setting) in settings {
             // An inline table stays inline: it cannot hold other tables.
             let inline = at.get(key).is_some_and(Item::is_value);
@@ -68,6 +72,15 @@ impl OwnMachine {
             }
         }
         Ok(document.to_string())
+    }
+
+    fn parsed(&self) -> Result<DocumentMut, Failure> {
+        self.text.parse().map_err(|e: TomlError| self.fault(foreign(&e)))
+    }
+
+    fn fault(&self, why: Message) -> Failure {
+        let file = self.path.display().to_string();
+        Failure::Input(Message::new("project-in-file").text("file", file).message("why", why))
     }
 
     /// The table of the step in which the axis called `name` stands.
@@ -106,8 +119,7 @@ impl OwnMachine {
     /// # Errors
     /// A text that is not TOML.
     pub fn rows(&self, table: &[Step<'_>], keys: &[&str]) -> Result<Vec<Vec<f64>>, Failure> {
-        let parsed = self.text.parse::<DocumentMut>();
-        let document = parsed.map_err(|e| Failure::Input(format!("{}: {e}", self.path.display())))?;
+        let document = self.parsed()?;
         let mut at = Some(document.as_item());
         for step in table {
             at = at.and_then(|item| step.of(item));

@@ -7,6 +7,7 @@ use seamwright_cell::Conditions;
 use seamwright_cell::devices::Fault;
 use seamwright_cell::tracking::{Distortion, RESERVE, check};
 use seamwright_machine::{Machine, Surroundings};
+use seamwright_message::Message;
 use seamwright_motion::WeldMotion;
 use seamwright_tracking::beam::DeviationRecord;
 
@@ -42,9 +43,8 @@ impl Part {
         if !self.tracking || machine.devices.is_empty() {
             return Ok(());
         }
-        let why = "passes are tracked with simulated sensors, and the machine file has devices of its own";
-        let allowed = "a machine file without [devices], or no tracking";
-        Err(Failure::Input(format!("{why}\n   allowed: {allowed}")))
+        let message = Message::new("project-tracking-with-devices");
+        Err(Failure::refused(message, Message::new("project-no-devices-or-tracking")))
     }
 
     /// The plan, with the axes' reserve for tracking.

@@ -1,6 +1,7 @@
 //! Part programs that are proven before anybody sees them.
 
 use crate::Failure;
+use crate::failure::foreign;
 use crate::load::Loaded;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
@@ -42,8 +43,11 @@ pub fn proven(
     let program = &loaded.welding.program.value;
     let part = part_program(&loaded.machine, control, program, &paths, motion, options);
     let part = part.map_err(|e| match &e {
-        Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", options.tolerance_mm)),
-        _ => Failure::Input(e.to_string()),
+        Error::TooFine { .. } => {
+            let message = Message::new("project-option-tolerance").number("value", options.tolerance_mm, 6);
+            Failure::Input(message.message("why", foreign(&e)))
+        }
+        _ => Failure::Input(foreign(&e)),
     })?;
     let mut write_options = WriteOptions {
         machine: loaded.machine.title.clone(),
@@ -51,7 +55,7 @@ pub fn proven(
         rounding_mm: options.rounding_mm(),
         remarks: Vec::new(),
     };
-    let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(e.to_string()));
+    let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(foreign(&e)));
     let planned = Planned {
         machine: &loaded.machine,
         control,

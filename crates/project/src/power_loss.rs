@@ -3,6 +3,7 @@
 use crate::Failure;
 use seamwright_cell::executive::{Mode, Place};
 use seamwright_cell::realtime::Shown;
+use seamwright_message::{Message, Unit};
 use seamwright_record::journal::{Journal, Position};
 use seamwright_record::{DataFolder, Error};
 use std::path::Path;
@@ -58,19 +59,15 @@ pub fn check(data: Option<&Path>, from: Option<Place>) -> Result<(), Failure> {
         return Ok(());
     }
     if journal.is_damaged() {
-        return Err(Failure::Input(format!(
-            "{}: both files of the journal of positions are damaged: a weld may have been left by a failure, and where is not known\n   \
-             allowed: look at the part, then --from PASS,MM to go on there, or --from 1,0 to weld anew",
-            folder.display()
-        )));
+        let message = Message::new("project-journal-damaged").text("folder", folder.display().to_string());
+        return Err(Failure::refused(message, Message::new("project-look-and-choose")));
     }
     let Some(left) = journal.last() else { return Ok(()) };
     let (pass, welded) = (left.pass.max(1), left.welded_to);
-    Err(Failure::Input(format!(
-        "weld {} was left by a failure of power or program: pass {pass}, welded up to {welded:.2} mm, the torch at {:.2} mm\n   \
-         allowed: look at the end of the bead, grind it, then --from {pass},{welded:.2}; or --from 1,0 to weld anew",
-        left.weld, left.s
-    )))
+    let message = Message::new("project-weld-left").number("weld", left.weld as f64, 0).pass("pass", pass as usize);
+    let message = message.quantity("welded", welded, Unit::Mm, 2).quantity("torch", left.s, Unit::Mm, 2);
+    let allowed = Message::new("project-grind-and-continue").text("from", format!("{pass},{welded:.2}"));
+    Err(Failure::refused(message, allowed))
 }
 
 /// Data that wait to be written: only the newest position is written.
@@ -174,7 +171,7 @@ impl Places {
     /// What kept the journal from being written.
     pub fn end(mut self) -> Result<(), Failure> {
         self.waiting.tell(|slot| slot.ended = true);
-        let gone = || Failure::Environment("the journal's thread failed".to_owned());
+        let gone = || Failure::Environment(Message::new("project-journal-thread-failed"));
         let mut journal = self.thread.take().ok_or_else(gone)?.join().map_err(|_| gone())?;
         let cleared = journal.clear();
         let failed = self.waiting.lock().failed.take();

@@ -1,6 +1,7 @@
 //! Data recorded of a weld beside its rows.
 
 use crate::Failure;
+use crate::failure::foreign;
 use crate::files;
 use crate::load::Loaded;
 use seamwright_cell::executive::Place;
@@ -72,7 +73,7 @@ fn kind(name: &str) -> Kind {
 pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, who: Who) -> Result<Plan, Failure> {
     let document = &loaded.welding.program;
     let program = &document.value;
-    let failed = |e: &dyn std::fmt::Display| Failure::Environment(e.to_string());
+    let failed = |e: &dyn std::fmt::Display| Failure::Environment(foreign(e));
     let text = program.to_toml().map_err(|e| failed(&e))?;
     let file = std::path::Path::new(document.file()).file_name().map(|n| n.to_string_lossy().into_owned());
     let machine = match &loaded.machine_file {
@@ -106,8 +107,8 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
 fn goes_on(program: &Program, at: Place) -> Message {
     let pass = at.pass.checked_sub(1).and_then(|i| program.passes.get(i));
     let overlap = pass.map_or(0.0, |pass| pass.sequence.overlap_mm.get());
-    let from = (at.s_mm - overlap).max(0.0);
-    Message::new("cell-note-resumed").pass("pass", at.pass).quantity("at", from, Unit::Mm, 2)
+    let note = Message::new("project-goes-on").pass("pass", at.pass);
+    note.quantity("from", (at.s_mm - overlap).max(0.0), Unit::Mm, 2)
 }
 
 /// Values that are judged: process values, speed and heat input of each pass between its acceleration and deceleration

@@ -1,10 +1,12 @@
 //! Drives by pulses whose pulses go to a file.
 
+use crate::failure::foreign;
 use crate::{Failure, files};
 use rtrb::Consumer;
 use seamwright_cell::devices::{Drives, StepDrives};
 use seamwright_cell::executive::{DriveReport, Orders, Slack};
 use seamwright_machine::{AxisKind, Joints, Machine, Steps};
+use seamwright_message::Message;
 use seamwright_motion::pulses::{Edge, Event};
 use seamwright_record::{VcdAxis, VcdWriter, Wire};
 use std::fs::File;
@@ -30,7 +32,7 @@ pub(crate) struct StreamedSteps {
 impl StreamedSteps {
     /// With the stream of `device`, if it has one, beside the machine file in `folder`. A named pipe waits for its reader.
     pub(crate) fn start(machine: &Machine, device: &Steps, folder: &Path) -> Result<Self, Failure> {
-        let mut drives = StepDrives::new(machine, device).map_err(|e| Failure::Input(e.to_string()))?;
+        let mut drives = StepDrives::new(machine, device).map_err(|e| Failure::Input(e.message()))?;
         let late_s = drives.late_s();
         let Some(name) = &device.stream else { return Ok(Self { drives: Some(drives), late_s, writer: None }) };
         let path = folder.join(name);
@@ -52,7 +54,9 @@ impl StreamedSteps {
         let writer = std::thread::spawn(move || {
             if let Err(error) = write(vcd, edges, tick_ns) {
                 // The drives have noticed: their edges are not read any more.
-                let _ = writeln!(std::io::stderr(), "note: {}: {error}: the pulses end here", path.display());
+                let note = Message::new("project-pulses-end").text("file", path.display().to_string());
+                let note = note.message("why", foreign(&error)).to_string();
+                let _ = writeln!(std::io::stderr(), "{}", Message::new("project-note").text("note", note));
             }
         });
         Ok(Self { drives: Some(drives), late_s, writer: Some(writer) })

@@ -1,9 +1,38 @@
+use seamwright_message::{Message, Unit, display_by_message};
 use std::borrow::Cow;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
 /// Maximum size of a file that a text from elsewhere names, bytes.
 const MAX_BYTES: u64 = 64 << 20;
+
+/// Reason why a file that a text from elsewhere names is not read; within an [`io::Error`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FileRefusal {
+    /// Its name leads out of the folder.
+    Outside,
+    /// A link leads out of the folder.
+    LinkOutside,
+    /// A folder, pipe or device.
+    NotPlain,
+    /// Larger than [`MAX_BYTES`].
+    TooLarge,
+}
+
+impl FileRefusal {
+    pub(crate) fn message(&self) -> Message {
+        match self {
+            Self::Outside => Message::new("project-file-outside"),
+            Self::LinkOutside => Message::new("project-link-outside"),
+            Self::NotPlain => Message::new("project-not-a-plain-file"),
+            Self::TooLarge => {
+                Message::new("project-file-above").quantity("max", (MAX_BYTES >> 20) as f64, Unit::MiB, 0)
+            }
+        }
+    }
+}
+
+display_by_message!(FileRefusal);
 
 /// Location of the files that a job or a machine file names.
 #[derive(Debug, Clone)]
@@ -42,20 +71,20 @@ impl<'a> Within<'a> {
     pub(crate) fn file(&self, name: &str) -> io::Result<PathBuf> {
         let path = self.folder.join(name);
         let Some(fence) = self.fence else { return Ok(path) };
-        let refused = |why: &str| Err(io::Error::new(io::ErrorKind::PermissionDenied, why));
+        let refused = |why: FileRefusal| Err(io::Error::new(io::ErrorKind::PermissionDenied, why));
         // By its name first: the error must not reveal whether a file outside exists.
         if !Path::new(name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
-            return refused("it would lie outside of the folder of the jobs");
+            return refused(FileRefusal::Outside);
         }
         let real = path.canonicalize()?;
         if !real.starts_with(fence.canonicalize()?) {
-            return refused("it leads out of the folder of the jobs");
+            return refused(FileRefusal::LinkOutside);
         }
         // Pipes and devices are refused: reading them may block for ever.
         let about = real.metadata()?;
         match about.len() {
-            _ if !about.is_file() => refused("it is no plain file"),
-            size if size > MAX_BYTES => refused("it is larger than 64 MiB"),
+            _ if !about.is_file() => refused(FileRefusal::NotPlain),
+            size if size > MAX_BYTES => refused(FileRefusal::TooLarge),
             _ => Ok(real),
         }
     }

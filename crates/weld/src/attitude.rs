@@ -1,8 +1,10 @@
+use crate::allowed::{more_than, on_weld, strictly_between};
 use crate::stretch::repeated;
 use crate::{SeamCurve, SeamPoint};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::MonotoneCurve;
+use seamwright_message::{Message, Unit};
 use seamwright_program::{SAME_POSITION_MM, Torch, is_before, is_beyond, is_same_position};
 
 /// Largest travel angle, degrees: beyond it the torch lies along the seam.
@@ -29,13 +31,12 @@ impl Attitude {
             // On a seam welded all round its end is its start, which has a row of its own.
             let is_end = seam.all_round() && is_same_position(s, end);
             if is_before(s, 0.0) || is_beyond(s, end) || is_end {
-                let or_end = if seam.all_round() { "less than" } else { "up to" };
-                let allowed = format!("from 0 {or_end} {end:.6}");
-                return Err(file.error_at(&format!("{key}.s_mm"), "this place is not on the weld", allowed));
+                let message = Message::new("weld-position-beside-weld");
+                return Err(file.error_at(&format!("{key}.s_mm"), message, on_weld(end, seam.all_round())));
             }
-            if rows.last().is_some_and(|(last, ..): &(f64, f64, f64)| !is_beyond(s, *last)) {
-                let message = "the places must increase";
-                return Err(file.error_at(&format!("{key}.s_mm"), message, "more than the one before"));
+            if let Some((last, ..)) = rows.last().filter(|(last, ..): &&(f64, f64, f64)| !is_beyond(s, *last)) {
+                let message = Message::new("weld-positions-must-increase");
+                return Err(file.error_at(&format!("{key}.s_mm"), message, more_than(*last, Unit::Mm)));
             }
             rows.push((s, at.work_angle_deg.get(), at.travel_angle_deg.get()));
             check_angles(file, &key, rows[i].1, rows[i].2)?;
@@ -44,8 +45,8 @@ impl Attitude {
             rows.push((0.0, torch.work_angle_deg.get(), torch.travel_angle_deg.get()));
             check_angles(file, path, rows[0].1, rows[0].2)?;
         } else if torch.work_angle_deg.get() != 0.0 || torch.travel_angle_deg.get() != 0.0 {
-            let message = "angles are given both constant and at several places";
-            return Err(file.error_at(path, message, "either the constant angles or [[torch.at]]"));
+            let message = Message::new("weld-angles-twice");
+            return Err(file.error_at(path, message, Message::new("weld-allowed-angles-once")));
         }
         let curve_of = |value: fn(&(f64, f64, f64)) -> f64| {
             let points: Vec<_> = rows.iter().map(|r| (r.0, value(r).to_radians())).collect();
@@ -53,7 +54,7 @@ impl Attitude {
                 true => MonotoneCurve::periodic(&points, seam.length()),
                 false => MonotoneCurve::level(&points),
             };
-            curve.map_err(|e| file.error_at(path, e.to_string(), "places that increase"))
+            curve.map_err(|e| file.error_at(path, e.message(), Message::new("weld-allowed-positions-increasing")))
         };
         Ok(Self { work: curve_of(|r| r.1)?, travel: curve_of(|r| r.2)? })
     }
@@ -90,12 +91,15 @@ impl Attitude {
 /// With the key's address.
 pub(crate) fn check_angles<T>(file: &Document<T>, path: &str, work: f64, travel: f64) -> Result<(), DocumentError> {
     if travel.abs() > MAX_TRAVEL_DEG {
-        let allowed = format!("-{MAX_TRAVEL_DEG} (push) to {MAX_TRAVEL_DEG} (drag)");
-        return Err(file.error_at(&format!("{path}.travel_angle_deg"), "the torch would lie along the seam", allowed));
+        let message = Message::new("weld-travel-angle-too-large");
+        let push = Message::new("weld-allowed-travel-angle").value("min", -MAX_TRAVEL_DEG, Unit::Deg);
+        let allowed = push.value("max", MAX_TRAVEL_DEG, Unit::Deg);
+        return Err(file.error_at(&format!("{path}.travel_angle_deg"), message, allowed));
     }
     if work.abs() >= 90.0 {
-        let message = "the torch would lie behind a face";
-        return Err(file.error_at(&format!("{path}.work_angle_deg"), message, "more than -90 and less than 90"));
+        let message = Message::new("weld-work-angle-too-large");
+        let allowed = strictly_between(-90.0, 90.0, Unit::Deg);
+        return Err(file.error_at(&format!("{path}.work_angle_deg"), message, allowed));
     }
     Ok(())
 }

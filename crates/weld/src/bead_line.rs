@@ -1,8 +1,10 @@
+use crate::allowed::{at_most, between, on_weld, rounded};
 use crate::stretch::repeated;
 use crate::{PassKeys, SeamCurve, SeamPoint, Stretch};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_geometry::CubicSpline;
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Bead, SAME_POSITION_MM, is_before, is_beyond, is_same_position};
 
 /// Position of a bead beside the seam, by the seam's path length: cubic splines through the rows of a [`Bead`],
@@ -32,8 +34,8 @@ impl BeadLine {
     ) -> Result<Self, DocumentError> {
         let rows: Vec<f64> = bead.s_mm.iter().map(|s| s.get()).collect();
         let last = rows.len().saturating_sub(1);
-        let wrong = |i: usize, message: &str, allowed: String| {
-            Err(file.error_at(&keys.of(&format!("bead.s_mm[{i}]")), message, allowed))
+        let wrong = |i: usize, code: &'static str, allowed: Message| {
+            Err(file.error_at(&keys.of(&format!("bead.s_mm[{i}]")), Message::new(code), allowed))
         };
         let period = seam.all_round().then(|| seam.length());
         let end = period.unwrap_or(seam.weld_length());
@@ -41,17 +43,16 @@ impl BeadLine {
         let is_end = |s: f64| period.is_some() && is_same_position(s, end);
         let beside = |s: f64| is_before(s, 0.0) || is_beyond(s, end) || is_end(s);
         if let Some(i) = rows.iter().position(|s| beside(*s)) {
-            let or_end = if period.is_some() { "less than" } else { "up to" };
-            return wrong(i, "this place is not on the weld", format!("from 0 {or_end} {end}"));
+            return wrong(i, "weld-position-beside-weld", on_weld(end, period.is_some()));
         }
         let (from, to) = stretch.range();
         if period.is_none() && rows.len() > 1 {
-            let message = "the rows do not reach over the whole pass";
+            let code = "weld-bead-rows-too-short";
             if is_beyond(rows[0], from) {
-                return wrong(0, message, format!("up to {from}"));
+                return wrong(0, code, at_most(rounded(from), Unit::Mm));
             }
             if is_before(rows[last], to) {
-                return wrong(last, message, format!("from {to} up to {end}"));
+                return wrong(last, code, between(rounded(to), rounded(end), Unit::Mm));
             }
         }
         let spline = |column: &[Finite], unit: f64| {
@@ -60,7 +61,8 @@ impl BeadLine {
                 Some(period) => CubicSpline::periodic(&points, period),
                 None => CubicSpline::natural(&points),
             };
-            spline.map_err(|e| file.error_at(&keys.of("bead.s_mm"), e.to_string(), "path lengths that increase"))
+            let allowed = || Message::new("weld-allowed-path-lengths-increasing");
+            spline.map_err(|e| file.error_at(&keys.of("bead.s_mm"), e.message(), allowed()))
         };
         let parts: Vec<Finite> = bead.weave_part.iter().filter_map(|part| Finite::new(part.get())).collect();
         Ok(Self {

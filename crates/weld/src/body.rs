@@ -1,5 +1,6 @@
 //! The bodies that nozzles stand on, from the keys of a job or program: their outside, and the inside of their wall.
 
+use crate::allowed::{by_key, more_than, strictly_between};
 use crate::head;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Positive};
@@ -7,12 +8,12 @@ use seamwright_geometry::{
     Edge, Error, Head, HeadIntersection, Quadric, QuadricDistance, SignedDistance, Torus, TorusIntersection, Tube,
     TubeIntersection,
 };
+use seamwright_message::{Message, Unit};
 use seamwright_program::Body;
 
-/// A body's surface with its name and size in words.
+/// A body's surface with its description.
 pub(crate) struct Shell {
-    name: &'static str,
-    size: String,
+    description: Message,
     surface: Surface,
 }
 
@@ -37,70 +38,92 @@ impl Shell {
     /// With the key's address: a thickness that is missing or too large, a body whose inside has no closed form.
     pub(crate) fn inside<T>(file: &Document<T>, body: &Body) -> Result<Self, DocumentError> {
         let shell = Self::below(file, body, thickness(file, body)?)?;
-        Ok(Self { size: format!("inside of the wall; outside {}", shell.size), ..shell })
+        Ok(Self { description: Message::new("weld-body-inside").message("body", shell.description), ..shell })
     }
 
     /// The surface `depth` mm below the outside.
     fn below<T>(file: &Document<T>, body: &Body, depth: f64) -> Result<Self, DocumentError> {
-        let across = |diameter: Positive| format!("{} mm in diameter", diameter.get());
-        let of_head = |name, diameter, head| Ok(Self { name, size: across(diameter), surface: Surface::Head(head) });
-        let (name, size, quadric) = match body {
+        let radius_of = |code, r| Message::new(code).value("radius", r, Unit::Mm);
+        let of_head = |code, diameter: Positive, head| {
+            let description = Message::new(code).value("diameter", diameter.get(), Unit::Mm);
+            Ok(Self { description, surface: Surface::Head(head) })
+        };
+        let (key, description, quadric) = match body {
             Body::Cylinder { radius_mm, point_mm, axis, .. } => {
                 let r = radius_mm.get();
-                ("cylinder", format!("radius {r} mm"), Quadric::cylinder(point_mm.get(), axis.unit(), r - depth))
+                let cylinder = Quadric::cylinder(point_mm.get(), axis.unit(), r - depth);
+                ("cylinder", radius_of("weld-body-cylinder", r), cylinder)
             }
             Body::Cone { half_angle_deg, apex_mm, axis, .. } => {
                 let (degrees, axis) = (half_angle_deg.get(), axis.unit());
                 if degrees >= 90.0 {
                     let path = "seam.nozzle.body.cone.half_angle_deg";
-                    return Err(file.error_at(path, "not the half angle of a cone", "more than 0 and less than 90"));
+                    let message = Message::new("weld-cone-angle-too-large");
+                    return Err(file.error_at(path, message, strictly_between(0.0, 90.0, Unit::Deg)));
                 }
                 let angle = degrees.to_radians();
                 let apex = apex_mm.get() + depth / angle.sin() * axis;
-                ("cone", format!("half angle {degrees} degrees"), Quadric::cone(apex, axis, angle))
+                let description = Message::new("weld-body-cone").value("angle", degrees, Unit::Deg);
+                ("cone", description, Quadric::cone(apex, axis, angle))
             }
             Body::Sphere { radius_mm, centre_mm, .. } => {
                 let r = radius_mm.get();
-                ("sphere", format!("radius {r} mm"), Quadric::sphere(centre_mm.get(), r - depth))
+                ("sphere", radius_of("weld-body-sphere", r), Quadric::sphere(centre_mm.get(), r - depth))
             }
             Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction } => {
                 let semi = DVec3::from_array(semi_axes_mm.map(Positive::get));
-                let size = format!("semi-axes {} x {} x {} mm", semi.x, semi.y, semi.z);
-                ("ellipsoid", size, Quadric::ellipsoid(centre_mm.get(), axis.unit(), x_direction.unit(), semi))
+                let description = Message::new("weld-body-ellipsoid").value("a", semi.x, Unit::Mm);
+                let description = description.value("b", semi.y, Unit::Mm).value("c", semi.z, Unit::Mm);
+                ("ellipsoid", description, Quadric::ellipsoid(centre_mm.get(), axis.unit(), x_direction.unit(), semi))
             }
             Body::Plane { point_mm, normal, .. } => {
                 let normal = normal.unit();
                 let plane = Quadric::plane(point_mm.get() - depth * normal, normal);
-                ("plane", "its normal points out of the plate".to_owned(), plane)
+                ("plane", Message::new("weld-body-plane"), plane)
             }
             Body::Torus { bend_radius_mm, radius_mm, centre_mm, axis, .. } => {
                 let (ring, radius) = (bend_radius_mm.get(), radius_mm.get());
                 let path = "seam.nozzle.body.torus.bend_radius_mm";
                 if ring <= radius {
-                    let message = "the pipe would meet itself in the middle of the bend";
-                    return Err(file.error_at(path, message, format!("more than radius_mm = {radius}")));
+                    let message = Message::new("weld-torus-meets-itself");
+                    return Err(file.error_at(
+                        path,
+                        message,
+                        by_key("weld-allowed-more-than-key", "radius_mm", radius),
+                    ));
                 }
                 let torus = Torus::new(centre_mm.get(), axis.unit(), ring, radius - depth)
-                    .map_err(|e| file.error_at(path, e.to_string(), "see the job's schema"))?;
-                return Ok(Self { name: "torus", size: format!("radius {radius} mm"), surface: Surface::Torus(torus) });
+                    .map_err(|e| file.error_at(path, e.message(), Message::new("weld-allowed-schema")))?;
+                return Ok(Self { description: radius_of("weld-body-torus", radius), surface: Surface::Torus(torus) });
             }
             Body::TorisphericalHead(h) => {
-                return of_head("torispherical head", h.outer_diameter_mm, head::torispherical(file, h, depth)?);
+                return of_head(
+                    "weld-body-torispherical-head",
+                    h.outer_diameter_mm,
+                    head::torispherical(file, h, depth)?,
+                );
             }
             Body::EllipsoidalHead(h) => {
-                return of_head("ellipsoidal head", h.outer_diameter_mm, head::ellipsoidal(file, h)?);
+                return of_head("weld-body-ellipsoidal-head", h.outer_diameter_mm, head::ellipsoidal(file, h)?);
             }
             Body::HemisphericalHead(h) => {
-                return of_head("hemispherical head", h.outer_diameter_mm, head::hemispherical(file, h, depth)?);
+                return of_head(
+                    "weld-body-hemispherical-head",
+                    h.outer_diameter_mm,
+                    head::hemispherical(file, h, depth)?,
+                );
             }
-            Body::FlatHead(h) => return of_head("flat head", h.outer_diameter_mm, head::flat(file, h, depth)?),
+            Body::FlatHead(h) => {
+                return of_head("weld-body-flat-head", h.outer_diameter_mm, head::flat(file, h, depth)?);
+            }
             Body::ConicalHead(h) => {
-                return of_head("conical head", h.outer_diameter_mm, head::conical(file, h, depth)?);
+                return of_head("weld-body-conical-head", h.outer_diameter_mm, head::conical(file, h, depth)?);
             }
         };
-        let path = format!("seam.nozzle.body.{name}");
-        let quadric = quadric.map_err(|e| file.error_at(&path, e.to_string(), "see the job's schema"))?;
-        Ok(Self { name, size, surface: Surface::Quadric(quadric) })
+        let path = format!("seam.nozzle.body.{key}");
+        let allowed = || Message::new("weld-allowed-schema");
+        let quadric = quadric.map_err(|e| file.error_at(&path, e.message(), allowed()))?;
+        Ok(Self { description, surface: Surface::Quadric(quadric) })
     }
 
     /// The curve where a tube leaves this surface; its faces are the tube's outside and this surface's.
@@ -133,30 +156,19 @@ impl Shell {
 
     /// Error of a nozzle of `radius` that does not stand on it.
     fn unfit<T>(&self, file: &Document<T>, e: &Error, radius: f64) -> DocumentError {
-        let Self { name, size, .. } = self;
+        let of_radius = |code| Message::new(code).value("radius", radius, Unit::Mm);
         let (at, allowed) = match e {
-            Error::TubeLargerThanBody => ("radius_mm", format!("a nozzle that fits the {name} ({size})")),
-            Error::TubeBesideBody => ("origin_mm", format!("an axis that meets the {name} ({size})")),
-            Error::NotClosed { .. } => (
-                "radius_mm",
-                format!("a radius and an axis with the whole wall ({radius} mm about it) on the {name} ({size})"),
-            ),
-            Error::BeyondHead { .. } => (
-                "origin_mm",
-                format!(
-                    "a nozzle with the whole wall ({radius} mm about its axis) on the {name} ({size}) and its flange"
-                ),
-            ),
-            Error::Tangent { .. } => ("radius_mm", format!("a nozzle smaller than the {name} ({size})")),
-            _ => ("direction", format!("a direction out of the {name}")),
+            Error::TubeLargerThanBody => ("radius_mm", Message::new("weld-allowed-nozzle-fits")),
+            Error::TubeBesideBody => ("origin_mm", Message::new("weld-allowed-nozzle-axis")),
+            Error::NotClosed { .. } => ("radius_mm", of_radius("weld-allowed-nozzle-on-body")),
+            Error::BeyondHead { .. } => ("origin_mm", of_radius("weld-allowed-nozzle-on-head")),
+            Error::Tangent { .. } => ("radius_mm", Message::new("weld-allowed-nozzle-smaller")),
+            _ => ("direction", Message::new("weld-allowed-nozzle-direction")),
         };
-        file.error_at(&format!("seam.nozzle.{at}"), e.to_string(), allowed)
+        let allowed = allowed.message("body", self.description.clone());
+        file.error_at(&format!("seam.nozzle.{at}"), e.message(), allowed)
     }
 }
-
-/// Bodies whose inside is known.
-const WITH_INSIDE: &str = "`mount = \"set_on\"`, or a cylinder, cone, sphere, plane, torus, torispherical_head, \
-                           hemispherical_head, flat_head or conical_head";
 
 /// The thickness of a body's wall, mm.
 ///
@@ -178,23 +190,23 @@ pub(crate) fn thickness<T>(file: &Document<T>, body: &Body) -> Result<f64, Docum
         Body::FlatHead(h) => ("flat_head", Some(h.thickness_mm), None),
         Body::ConicalHead(h) => ("conical_head", Some(h.thickness_mm), None),
         Body::Ellipsoid { .. } | Body::EllipsoidalHead(_) => {
-            let message = "what lies a thickness below an ellipsoid is no ellipsoid: its inside is not known";
-            return Err(file.error_at("seam.nozzle.body", message, WITH_INSIDE));
+            let message = Message::new("weld-ellipsoid-inside-unknown");
+            return Err(file.error_at("seam.nozzle.body", message, Message::new("weld-allowed-bodies-with-inside")));
         }
     };
     let path = format!("seam.nozzle.body.{name}.thickness_mm");
     let allowed = match most {
-        Some(("outer_diameter_mm", d)) => format!("more than 0 and less than half of outer_diameter_mm = {}", d.get()),
-        Some((key, size)) => format!("more than 0 and less than {key} = {}", size.get()),
-        None => "more than 0".to_owned(),
+        Some((key @ "outer_diameter_mm", size)) => by_key("weld-allowed-positive-less-than-half-key", key, size.get()),
+        Some((key, size)) => by_key("weld-allowed-positive-less-than-key", key, size.get()),
+        None => more_than(0.0, Unit::Mm),
     };
     let Some(given) = given.map(Positive::get) else {
-        let message = "the nozzle is set in: the thickness of the body's wall is missing";
+        let message = Message::new("weld-set-in-wall-missing");
         return Err(file.error_at(&path, message, allowed));
     };
     let room = most.map_or(f64::INFINITY, |(key, size)| size.get() * if key == "radius_mm" { 1.0 } else { 0.5 });
     if given >= room {
-        return Err(file.error_at(&path, "the wall leaves no room inside", allowed));
+        return Err(file.error_at(&path, Message::new("weld-wall-leaves-no-room"), allowed));
     }
     Ok(given)
 }

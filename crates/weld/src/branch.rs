@@ -1,9 +1,11 @@
 //! Tubes that branch off a chord along x, from the keys of a job or program.
 
+use crate::allowed::{between, by_key};
 use crate::seam::tube;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, Positive};
 use seamwright_geometry::{Edge, Error, Quadric, TrimmedIntersection, Tube, TubeIntersection};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Branch, OtherBranch};
 
 /// The tubes of a T-, Y- or K-joint, in the seam's frame.
@@ -41,11 +43,13 @@ impl Joint {
         let radius = keys.radius(branch.radius_mm)?;
         let sideways = keys.sideways(radius, branch.eccentricity_mm)?;
         let leg = Leg { origin: sideways * DVec3::Y, direction: DVec3::new(angle.cos(), 0.0, angle.sin()), radius };
-        let outside = leg.tube(radius).map_err(|e| file.error_at("seam.branch", e.to_string(), "a tube"))?;
+        let outside = leg.tube(radius);
+        let outside =
+            outside.map_err(|e| file.error_at("seam.branch", e.message(), Message::new("weld-allowed-tube")))?;
         let bore = branch.wall_mm.map(Positive::get).map(|wall| {
             leg.tube(radius - wall).map_err(|_| {
-                let allowed = format!("more than 0 and less than radius_mm = {radius}");
-                file.error_at("seam.branch.wall_mm", "the wall leaves no bore", allowed)
+                let allowed = by_key("weld-allowed-positive-less-than-key", "radius_mm", radius);
+                file.error_at("seam.branch.wall_mm", Message::new("weld-wall-leaves-no-bore"), allowed)
             })
         });
         let other = branch.other.as_ref().map(|other| second(file, other, (&leg, branch.angle_deg), chord));
@@ -67,7 +71,7 @@ impl Joint {
                 Error::Beside { .. } | Error::NeverLeaves => "seam.branch.other",
                 _ => "seam.branch.radius_mm",
             };
-            file.error_at(at, e.to_string(), "tubes whose walls meet all round: a smaller branch, or less overlap")
+            file.error_at(at, e.message(), Message::new("weld-allowed-tubes-meet"))
         };
         let cylinder = |origin, direction, radius| Quadric::cylinder(origin, direction, radius).map_err(unfit);
         let chord = cylinder(DVec3::ZERO, DVec3::X, self.chord)?;
@@ -101,13 +105,13 @@ fn second<T>(
     let sideways = keys.sideways(radius, b.eccentricity_mm)?;
     let direction = DVec3::new(-angle.cos(), 0.0, angle.sin());
     if first.direction.cross(direction).y >= -1e-9 {
-        let message = "the two branches are parallel or run into each other: their axes must part";
+        let message = Message::new("weld-branches-do-not-part");
         let first = first_angle.map_or(90.0, Positive::get);
-        let allowed = format!("less than {} with the first branch at {first}", 180.0 - first);
+        let allowed = Message::new("weld-allowed-other-branch-angle").value("max", 180.0 - first, Unit::Deg);
+        let allowed = allowed.value("first", first, Unit::Deg);
         return Err(file.error_at("seam.branch.other.angle_deg", message, allowed));
     }
-    let one =
-        "exactly one of `gap_mm` (between the toes; negative where they overlap) and `offset_mm` (between the axes)";
+    let one = || Message::new("weld-allowed-gap-or-offset");
     let x = match (b.gap_mm, b.offset_mm) {
         (None, Some(offset)) => -offset.get(),
         // A toe is where the branch's outside meets the chord in the plane of both its axis and the chord's direction.
@@ -119,13 +123,20 @@ fn second<T>(
             let first_toe = toe(first.direction, first.origin.y, first.radius, -1.0);
             first_toe - gap.get() - toe(direction, sideways, radius, 1.0)
         }
-        (None, None) => return Err(file.error_at("seam.branch.other", "where it stands is missing", one)),
-        (Some(_), Some(_)) => return Err(file.error_at("seam.branch.other.offset_mm", "two places are given", one)),
+        (None, None) => {
+            let message = Message::new("weld-branch-position-missing");
+            return Err(file.error_at("seam.branch.other", message, one()));
+        }
+        (Some(_), Some(_)) => {
+            let message = Message::new("weld-branch-position-twice");
+            return Err(file.error_at("seam.branch.other.offset_mm", message, one()));
+        }
     };
     let leg = Leg { origin: DVec3::new(x, sideways, 0.0), direction, radius };
     let on_chord =
         Quadric::cylinder(DVec3::ZERO, DVec3::X, chord).and_then(|c| TubeIntersection::new(leg.tube(radius)?, c));
-    on_chord.map(|_| leg).map_err(|e| file.error_at("seam.branch.other", e.to_string(), "a branch within the chord"))
+    let allowed = || Message::new("weld-allowed-branch-within-chord");
+    on_chord.map(|_| leg).map_err(|e| file.error_at("seam.branch.other", e.message(), allowed()))
 }
 
 /// A table of one branch.
@@ -136,8 +147,8 @@ struct Keys<'a, T> {
 }
 
 impl<T> Keys<'_, T> {
-    fn error(&self, key: &str, message: &str, allowed: String) -> DocumentError {
-        self.file.error_at(&format!("{}.{key}", self.path), message, allowed)
+    fn error(&self, key: &str, code: &'static str, allowed: Message) -> DocumentError {
+        self.file.error_at(&format!("{}.{key}", self.path), Message::new(code), allowed)
     }
 
     /// Between the axes, rad.
@@ -146,16 +157,16 @@ impl<T> Keys<'_, T> {
         if (ANGLES_DEG.0..=ANGLES_DEG.1).contains(&degrees) {
             return Ok(degrees.to_radians());
         }
-        let allowed = format!("{} to {}", ANGLES_DEG.0, ANGLES_DEG.1);
-        Err(self.error("angle_deg", "the branch lies along the chord", allowed))
+        let allowed = between(ANGLES_DEG.0, ANGLES_DEG.1, Unit::Deg);
+        Err(self.error("angle_deg", "weld-branch-along-chord", allowed))
     }
 
     fn radius(&self, radius: Positive) -> Result<f64, DocumentError> {
         if radius.get() < self.chord {
             return Ok(radius.get());
         }
-        let allowed = format!("more than 0 and less than chord_radius_mm = {}", self.chord);
-        Err(self.error("radius_mm", "the branch is as wide as the chord or wider", allowed))
+        let allowed = by_key("weld-allowed-positive-less-than-key", "chord_radius_mm", self.chord);
+        Err(self.error("radius_mm", "weld-branch-wider-than-chord", allowed))
     }
 
     fn sideways(&self, radius: f64, eccentricity: Finite) -> Result<f64, DocumentError> {
@@ -163,7 +174,7 @@ impl<T> Keys<'_, T> {
         if sideways.abs() < room {
             return Ok(sideways);
         }
-        let allowed = format!("more than {} and less than {room}: chord_radius_mm less radius_mm", -room);
-        Err(self.error("eccentricity_mm", "the branch's wall goes past the chord", allowed))
+        let allowed = Message::new("weld-allowed-eccentricity").value("min", -room, Unit::Mm);
+        Err(self.error("eccentricity_mm", "weld-branch-past-chord", allowed.value("max", room, Unit::Mm)))
     }
 }

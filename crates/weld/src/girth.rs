@@ -1,6 +1,8 @@
+use crate::allowed::not_along;
 use crate::seam::tube;
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{Curve, Edge, EdgePoint, Jet, Quadric, TubeIntersection};
+use seamwright_message::{Message, Unit};
 use seamwright_program::Girth;
 
 /// Largest angle between the cut's normal and the tube's axis, degrees.
@@ -36,17 +38,19 @@ impl Edge for GirthEdge {
 pub(crate) fn edge<T>(file: &Document<T>, g: &Girth) -> Result<GirthEdge, DocumentError> {
     let direction = g.direction.unit();
     let tube = tube(g.origin_mm.get(), direction, g.zero_direction, g.radius_mm.get())
-        .map_err(|e| file.error_at("seam.girth.zero_direction", e.to_string(), "not along `direction`"))?;
+        .map_err(|e| file.error_at("seam.girth.zero_direction", e.message(), not_along("direction")))?;
     let normal = g.cut_normal.map_or(direction, Direction::unit);
     // A plane has two normals; the one out of the second part is on the tube's side.
     let normal = if normal.dot(direction) < 0.0 { -normal } else { normal };
     if normal.dot(direction) < MAX_CUT_DEG.to_radians().cos() {
         let angle = normal.dot(direction).acos().to_degrees();
-        let message = format!("the cut runs along the tube: its normal is {angle:.1} degrees off the axis");
-        let allowed = format!("up to {MAX_CUT_DEG} degrees off `direction`");
+        let message = Message::new("weld-cut-along-tube").quantity("angle", angle, Unit::Deg, 1);
+        let allowed = Message::new("weld-allowed-cut-angle").value("max", MAX_CUT_DEG, Unit::Deg);
         return Err(file.error_at("seam.girth.cut_normal", message, allowed));
     }
-    let wrong = |e: seamwright_geometry::Error| file.error_at("seam.girth.cut_normal", e.to_string(), "another plane");
+    let wrong = |e: seamwright_geometry::Error| {
+        file.error_at("seam.girth.cut_normal", e.message(), Message::new("weld-allowed-other-plane"))
+    };
     let plane = Quadric::plane(g.origin_mm.get(), normal).map_err(wrong)?;
     TubeIntersection::new(tube, plane).map(GirthEdge).map_err(wrong)
 }

@@ -1,8 +1,10 @@
 //! Heads of vessels from the keys of a job or program: the surface `depth` mm below their outside, 0 for the outside and
 //! their thickness for the inside. Errors have the key's address: sizes that contradict each other.
 
+use crate::allowed::{by_key, strictly_between};
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_geometry::{Error, Head};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{ConicalHead, EllipsoidalHead, FlatHead, HemisphericalHead, TorisphericalHead};
 
 /// A table of `seam.nozzle.body`.
@@ -12,13 +14,13 @@ struct At<'a, T> {
 }
 
 impl<T> At<'_, T> {
-    fn error(&self, key: &str, message: &str, allowed: String) -> DocumentError {
+    fn error(&self, key: &str, message: Message, allowed: Message) -> DocumentError {
         self.file.error_at(&format!("seam.nozzle.body.{}.{key}", self.key), message, allowed)
     }
 
     fn made(&self, head: Result<Head, Error>) -> Result<Head, DocumentError> {
         let path = format!("seam.nozzle.body.{}", self.key);
-        head.map_err(|e| self.file.error_at(&path, e.to_string(), "see the job's schema"))
+        head.map_err(|e| self.file.error_at(&path, e.message(), Message::new("weld-allowed-schema")))
     }
 
     /// Inside radius of the flange, mm.
@@ -27,8 +29,8 @@ impl<T> At<'_, T> {
         if inside > 0.0 {
             return Ok(inside);
         }
-        let allowed = format!("less than half of outer_diameter_mm = {}", diameter.get());
-        Err(self.error("thickness_mm", "the wall leaves no room inside", allowed))
+        let allowed = by_key("weld-allowed-positive-less-than-half-key", "outer_diameter_mm", diameter.get());
+        Err(self.error("thickness_mm", Message::new("weld-wall-leaves-no-room"), allowed))
     }
 
     /// Checks that a knuckle leaves space for a crown.
@@ -36,8 +38,8 @@ impl<T> At<'_, T> {
         if knuckle < inside {
             return Ok(());
         }
-        let message = format!("the knuckle, of inside radius {knuckle} mm, does not fit into the flange");
-        Err(self.error(key, &message, format!("an inside radius of the knuckle less than the flange's, {inside} mm")))
+        let message = Message::new("weld-knuckle-too-large").value("radius", knuckle, Unit::Mm);
+        Err(self.error(key, message, Message::new("weld-allowed-knuckle").value("max", inside, Unit::Mm)))
     }
 }
 
@@ -73,8 +75,8 @@ pub(crate) fn conical<T>(file: &Document<T>, h: &ConicalHead, depth: f64) -> Res
     at.knuckle(inside, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
     let angle = h.half_angle_deg.get();
     if angle >= 90.0 {
-        let allowed = "more than 0 and less than 90".to_owned();
-        return Err(at.error("half_angle_deg", "not the half angle of a cone", allowed));
+        let message = Message::new("weld-cone-angle-too-large");
+        return Err(at.error("half_angle_deg", message, strictly_between(0.0, 90.0, Unit::Deg)));
     }
     let cone = (angle.to_radians(), h.knuckle_radius_mm.get() + (h.thickness_mm.get() - depth));
     let place = (h.centre_mm.get(), h.axis.unit());
@@ -87,15 +89,14 @@ pub(crate) fn torispherical<T>(file: &Document<T>, h: &TorisphericalHead, depth:
     let (diameter, thickness) = (h.outer_diameter_mm, h.thickness_mm.get());
     let inside = at.inside(diameter, h.thickness_mm)?;
     let (Some(crown), Some(knuckle)) = h.radii() else {
-        let message = "crown and knuckle are not known";
-        let allowed = "`standard` (\"din_28011\", \"din_28013\" or \"asme_fd\"), or both `crown_radius_mm` and \
-                       `knuckle_radius_mm`";
+        let message = Message::new("weld-head-radii-missing");
+        let allowed = Message::new("weld-allowed-head-radii");
         return Err(file.error_at("seam.nozzle.body.torispherical_head", message, allowed));
     };
     at.knuckle(inside, knuckle, if h.knuckle_radius_mm.is_some() { "knuckle_radius_mm" } else { "thickness_mm" })?;
     if crown <= inside {
-        let allowed = format!("more than the flange's inside radius, {inside} mm");
-        return Err(at.error("crown_radius_mm", "the crown is no flatter than half a ball", allowed));
+        let allowed = Message::new("weld-allowed-crown").value("min", inside, Unit::Mm);
+        return Err(at.error("crown_radius_mm", Message::new("weld-crown-too-curved"), allowed));
     }
     let place = (h.centre_mm.get(), h.axis.unit());
     let more = thickness - depth;

@@ -1,9 +1,11 @@
+use crate::allowed::by_key;
 use crate::stations::{Station, spans};
 use crate::{Beads, Cosmetic, Rows, SeamCurve, Tacks, WeldOrder, order};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
+use seamwright_message::Message;
 use seamwright_program::{
     Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Repeat, Seam,
     SeamCopy, SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, Variables, Weave, check_offset, check_process,
@@ -141,8 +143,8 @@ impl Job {
         }
         job.value.sequence.check(&job, "sequence", &job.value.weld.process)?;
         if job.value.weld.least_speed_mm_s.is_some_and(|least| least >= job.value.weld.speed_mm_s) {
-            let allowed = format!("less than speed_mm_s = {}", job.value.weld.speed_mm_s.get());
-            return Err(job.error_at("weld.least_speed_mm_s", "the least speed is not below the asked one", allowed));
+            let allowed = by_key("weld-allowed-less-than-key", "speed_mm_s", job.value.weld.speed_mm_s.get());
+            return Err(job.error_at("weld.least_speed_mm_s", Message::new("weld-min-speed-too-high"), allowed));
         }
         let weld = (&job.value.sequence, &job.value.weld.process);
         if let Some(tacks) = &job.value.tacks {
@@ -155,11 +157,12 @@ impl Job {
         if let Some(beads) = &job.value.beads {
             beads.check(&job)?;
             if job.value.joint.is_none() {
-                return Err(job.error_at("beads", "there is no joint to be filled", "a [joint] with its preparation"));
+                let allowed = Message::new("weld-allowed-joint");
+                return Err(job.error_at("beads", Message::new("weld-beads-without-joint"), allowed));
             }
             if !job.value.weld.at.is_empty() {
-                let message = "with beads, values belong to runs";
-                return Err(job.error_at("weld.at", message, "no such table, or no [beads]"));
+                let message = Message::new("weld-stations-with-beads");
+                return Err(job.error_at("weld.at", message, Message::new("weld-allowed-no-table-or-beads")));
             }
         }
         Ok(job)

@@ -1,8 +1,10 @@
+use crate::allowed::{by_key, not_along};
 use crate::body::Shell;
 use crate::seam::tube;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_geometry::{Curve, Edge, EdgePoint, Jet, SignedDistance, Tube};
+use seamwright_message::Message;
 use seamwright_program::{Mount, Nozzle, NozzleCurve};
 
 /// A curve where two faces meet.
@@ -44,7 +46,7 @@ impl NozzleEdges {
         let inner_root = match nozzle.mount {
             Mount::SetOn => {
                 let bore = bore(file, nozzle)?.ok_or_else(|| {
-                    let message = "the root of a set-on nozzle is at its bore: the thickness of its wall is missing";
+                    let message = Message::new("weld-set-on-root-wall-missing");
                     file.error_at("seam.nozzle.wall_mm", message, thinner(nozzle))
                 })?;
                 let edge = Shell::outside(file, &nozzle.body)?.edge(file, &bore)?;
@@ -90,7 +92,7 @@ impl OnBody {
 /// The nozzle's outside.
 pub(crate) fn outside<T>(file: &Document<T>, n: &Nozzle) -> Result<Tube, DocumentError> {
     tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, n.radius_mm.get())
-        .map_err(|e| file.error_at("seam.nozzle.zero_direction", e.to_string(), "not along `direction`"))
+        .map_err(|e| file.error_at("seam.nozzle.zero_direction", e.message(), not_along("direction")))
 }
 
 /// The nozzle's bore as a tube, if its wall is known.
@@ -99,11 +101,11 @@ pub(crate) fn bore<T>(file: &Document<T>, n: &Nozzle) -> Result<Option<Tube>, Do
     let inside = n.radius_mm.get() - wall;
     tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, inside)
         .map(Some)
-        .map_err(|_| file.error_at("seam.nozzle.wall_mm", "the wall leaves no bore", thinner(n)))
+        .map_err(|_| file.error_at("seam.nozzle.wall_mm", Message::new("weld-wall-leaves-no-bore"), thinner(n)))
 }
 
-fn thinner(n: &Nozzle) -> String {
-    format!("more than 0 and less than radius_mm = {}", n.radius_mm.get())
+fn thinner(n: &Nozzle) -> Message {
+    by_key("weld-allowed-positive-less-than-key", "radius_mm", n.radius_mm.get())
 }
 
 /// An edge with its faces' normals turned over (-1) or not (1).

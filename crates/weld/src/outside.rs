@@ -3,6 +3,7 @@
 use crate::MachineAxes;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Direction, Document, DocumentError, Point};
+use seamwright_message::Message;
 use seamwright_program::{Seam, Spline, Taught};
 use std::sync::Arc;
 
@@ -10,9 +11,9 @@ use std::sync::Arc;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wrong {
     /// Description of the fault.
-    pub message: String,
+    pub message: Message,
     /// Allowed values.
-    pub allowed: String,
+    pub allowed: Message,
 }
 
 /// Access to files and machines, for a crate without either.
@@ -41,8 +42,8 @@ pub trait Outside {
     /// # Errors
     /// No such machine.
     fn axes(&self, _machine: &str) -> Result<Arc<dyn MachineAxes>, Wrong> {
-        let (message, allowed) = ("no machine is known here", "tip coordinates x_mm, y_mm, z_mm");
-        Err(Wrong { message: message.to_owned(), allowed: allowed.to_owned() })
+        let allowed = Message::new("weld-allowed-tip-coordinates");
+        Err(Wrong { message: Message::new("weld-no-machine-here"), allowed })
     }
 }
 
@@ -56,13 +57,11 @@ impl Outside for NoFiles {
     }
 
     fn table(&self, _file: &str) -> Result<Vec<Vec<f64>>, Wrong> {
-        let (message, allowed) = ("no files can be read here", "`points_mm`");
-        Err(Wrong { message: message.to_owned(), allowed: allowed.to_owned() })
+        Err(Wrong { message: Message::new("weld-no-files-here"), allowed: Message::verbatim("`points_mm`") })
     }
 
     fn tip(&self, _machine: &str, _axes: &[f64]) -> Result<DVec3, Wrong> {
-        let (message, allowed) = ("no machine is known here", "`points_mm`");
-        Err(Wrong { message: message.to_owned(), allowed: allowed.to_owned() })
+        Err(Wrong { message: Message::new("weld-no-machine-here"), allowed: Message::verbatim("`points_mm`") })
     }
 }
 
@@ -83,7 +82,8 @@ pub(crate) fn fetch<T>(
     for (i, span) in taught.iter_mut().enumerate() {
         if !span.axes.is_empty() && !span.points_mm.is_empty() {
             let path = format!("taught[{i}].axes");
-            return Err(file.error_at(&path, "the points are given twice", "either `points_mm` or `axes`"));
+            let allowed = Message::new("weld-allowed-points-or-axes");
+            return Err(file.error_at(&path, Message::new("weld-points-twice"), allowed));
         }
         for (k, row) in span.axes.iter().enumerate() {
             let wrong = |w: Wrong| file.error_at(&format!("taught[{i}].axes[{k}]"), w.message, w.allowed);
@@ -97,7 +97,7 @@ pub(crate) fn fetch<T>(
 }
 
 fn infinite() -> Wrong {
-    Wrong { message: "this is no place".to_owned(), allowed: "finite numbers".to_owned() }
+    Wrong { message: Message::new("weld-position-not-finite"), allowed: Message::new("weld-allowed-finite-numbers") }
 }
 
 fn table<T>(file: &Document<T>, spline: &mut Spline, outside: &dyn Outside) -> Result<(), DocumentError> {
@@ -109,20 +109,20 @@ fn table<T>(file: &Document<T>, spline: &mut Spline, outside: &dyn Outside) -> R
         ("second_normals", !spline.second_normals.is_empty()),
     ];
     if let Some((key, _)) = given.into_iter().find(|(_, given)| *given) {
-        let message = format!("both a file and `{key}` are given");
-        return Err(file.error_at(path, message, "points and their normals in the file, or in the job"));
+        let message = Message::new("weld-file-and-points").key("key", key);
+        return Err(file.error_at(path, message, Message::new("weld-allowed-points-in-file-or-job")));
     }
     let rows = outside.table(name).map_err(|w| file.error_at(path, w.message, w.allowed))?;
     for (i, row) in rows.iter().enumerate() {
-        let wrong = |what: &str| {
-            let message = format!("{name}: point {}: {what}", i + 1);
-            file.error_at(path, message, "finite coordinates, and normals with a length")
+        let wrong = |code: &'static str| {
+            let message = Message::new(code).text("file", name).text("point", (i + 1).to_string());
+            file.error_at(path, message, Message::new("weld-allowed-coordinates-and-normals"))
         };
         let mut vectors = row.chunks_exact(3).map(DVec3::from_slice);
-        let point = vectors.next().and_then(Point::new).ok_or_else(|| wrong("no place"))?;
+        let point = vectors.next().and_then(Point::new).ok_or_else(|| wrong("weld-table-point-not-finite"))?;
         spline.points_mm.push(point);
         for (normals, v) in [&mut spline.first_normals, &mut spline.second_normals].into_iter().zip(vectors) {
-            normals.push(Direction::new(v).ok_or_else(|| wrong("a normal without length"))?);
+            normals.push(Direction::new(v).ok_or_else(|| wrong("weld-table-normal-without-length"))?);
         }
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! Findings against a pass that need no machine.
 
 use crate::PassPath;
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, TorchPath, torch_jumps};
 
 /// Number of stations checked along a pass.
@@ -26,17 +27,17 @@ impl PassPath<'_> {
         let complaint = |s: f64| {
             let p = self.seam_point(s);
             let (_, axis) = self.torch_at(&p);
-            let (part, sine) =
-                if axis.dot(p.n1) < axis.dot(p.n2) { ("first", axis.dot(p.n1)) } else { ("second", axis.dot(p.n2)) };
+            let (code, sine) = if axis.dot(p.n1) < axis.dot(p.n2) {
+                ("weld-torch-inside-first-face", axis.dot(p.n1))
+            } else {
+                ("weld-torch-inside-second-face", axis.dot(p.n2))
+            };
             (sine <= 0.0).then(|| {
-                format!(
-                    "the torch would lie {:.1} degrees inside the face of the {part} part (dihedral angle {:.1} degrees)",
-                    -sine.asin().to_degrees(),
-                    p.dihedral.to_degrees()
-                )
+                let message = Message::new(code).quantity("angle", -sine.asin().to_degrees(), Unit::Deg, 1);
+                message.quantity("dihedral", p.dihedral.to_degrees(), Unit::Deg, 1)
             })
         };
-        self.stretches(("access", number), "make the work angle smaller than half the dihedral angle", complaint)
+        self.stretches(("access", number), "weld-cure-smaller-work-angle", complaint)
     }
 
     /// Reports stretches on which the bead would not progress along the seam.
@@ -50,22 +51,17 @@ impl PassPath<'_> {
             let (behind, ahead) = ((s - h).max(0.0), (s + h).min(self.length()));
             let way = (tip(ahead) - tip(behind)) / (ahead - behind);
             let progress = way.dot(self.stretch.sense * self.seam_point(s).tangent);
-            let backwards = || {
-                "the bead would (nearly) stand still or go back: it lies beyond the centre of the seam's bend, or its \
-                 rows change too quickly"
-                    .to_owned()
-            };
-            (progress < MIN_PROGRESS).then(backwards)
+            (progress < MIN_PROGRESS).then(|| Message::new("weld-bead-goes-back"))
         };
-        self.stretches(("turn", number), "lay the bead nearer to the seam there", complaint)
+        self.stretches(("turn", number), "weld-cure-bead-nearer", complaint)
     }
 
     /// Stretches of neighbouring stations with a complaint, each a finding with the first one's.
     fn stretches(
         &self,
         (kind, pass): (&'static str, usize),
-        cure: &str,
-        complaint: impl Fn(f64) -> Option<String>,
+        cure: &'static str,
+        complaint: impl Fn(f64) -> Option<Message>,
     ) -> Vec<Finding> {
         let step = self.length() / f64::from(PLACES);
         let mut findings: Vec<Finding> = Vec::new();
@@ -79,11 +75,11 @@ impl PassPath<'_> {
                 Some(last) => last.to_mm = s,
                 None => findings.push(Finding {
                     kind,
-                    message: message.into(),
+                    message,
                     pass,
                     from_mm: s,
                     to_mm: s,
-                    cure: Some(cure.into()),
+                    cure: Some(Message::new(cure)),
                     allowed: false,
                 }),
             }

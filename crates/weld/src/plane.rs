@@ -1,8 +1,10 @@
 //! Seams in a plane: circles, arcs, rectangles and straight lines on plates.
 
+use crate::allowed::{at_least, between, not_along};
 use glam::{DVec2, DVec3};
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{self as geometry, Chain, CurvedEdge, Ellipse, FaceRule};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Arc, Circle, FilletOrButt, Polyline, RoundedRectangle, WallFaces};
 
 /// Sine of the largest angle between a plate's normal as given and as its points have it.
@@ -27,8 +29,8 @@ pub(crate) fn circle<T>(file: &Document<T>, c: &Circle) -> Result<CurvedEdge<Ell
     let (normal, radius) = (c.normal.unit(), c.radius_mm.get());
     let curve =
         Ellipse::new(c.centre_mm.get(), normal, zero(normal, c.zero_direction), radius, radius).map_err(|_| {
-            let message = "the zero direction lies along the normal";
-            file.error_at("seam.circle.zero_direction", message, "not along `normal`")
+            let message = Message::new("weld-zero-direction-along-normal");
+            file.error_at("seam.circle.zero_direction", message, not_along("normal"))
         })?;
     Ok(CurvedEdge { curve, faces: faces(c.joint, WallFaces::Right, normal) })
 }
@@ -36,16 +38,15 @@ pub(crate) fn circle<T>(file: &Document<T>, c: &Circle) -> Result<CurvedEdge<Ell
 /// The edge of a seam along an arc.
 pub(crate) fn arc<T>(file: &Document<T>, a: &Arc) -> Result<CurvedEdge<geometry::Arc>, DocumentError> {
     let curve = geometry::Arc::through(a.start_mm.get(), a.via_mm.get(), a.end_mm.get()).map_err(|e| {
-        let allowed = "a point off the straight line from start to end; a straight seam is [seam.line]";
-        file.error_at("seam.arc.via_mm", e.to_string(), allowed)
+        file.error_at("seam.arc.via_mm", e.message(), Message::new("weld-allowed-point-off-line-or-line-seam"))
     })?;
     let (normal, axis) = (a.normal.unit(), curve.axis());
     if normal.cross(axis).length() > TILTED {
         let off = normal.dot(axis).abs().acos().to_degrees();
-        let message = format!("the plane of the three points is {off:.4} degrees off this normal");
+        let message = Message::new("weld-arc-normal-off").quantity("angle", off, Unit::Deg, 4);
         // Without the sign of a zero.
         let [x, y, z] = axis.to_array().map(|x| (x * 1e9).round() / 1e9 + 0.0);
-        let allowed = format!("perpendicular to that plane: [{x}, {y}, {z}] or its opposite");
+        let allowed = Message::new("weld-allowed-arc-normal").text("normal", format!("[{x}, {y}, {z}]"));
         return Err(file.error_at("seam.arc.normal", message, allowed));
     }
     Ok(CurvedEdge { curve, faces: faces(a.joint, a.wall_faces, normal) })
@@ -60,12 +61,13 @@ pub(crate) fn rectangle<T>(
     let size = DVec2::new(r.width_mm.get(), r.height_mm.get());
     let most = 0.5 * size.min_element();
     if r.corner_mm.get() > most {
-        let message = "the corner's radius is more than half the smaller side";
-        return Err(file.error_at("seam.rounded_rectangle.corner_mm", message, format!("0 to {most}")));
+        let message = Message::new("weld-corner-radius-too-large");
+        let allowed = between(0.0, most, Unit::Mm);
+        return Err(file.error_at("seam.rounded_rectangle.corner_mm", message, allowed));
     }
     let direction = zero(normal, r.width_direction);
     let curve = geometry::RoundedRectangle::new(r.centre_mm.get(), normal, direction, size, r.corner_mm.get())
-        .map_err(|e| file.error_at("seam.rounded_rectangle.width_direction", e.to_string(), "not along `normal`"))?;
+        .map_err(|e| file.error_at("seam.rounded_rectangle.width_direction", e.message(), not_along("normal")))?;
     Ok(CurvedEdge { curve, faces: faces(r.joint, WallFaces::Right, normal) })
 }
 
@@ -73,32 +75,32 @@ pub(crate) fn rectangle<T>(
 pub(crate) fn polyline<T>(file: &Document<T>, p: &Polyline) -> Result<CurvedEdge<Chain>, DocumentError> {
     let path = "seam.polyline.points_mm";
     let (points, normal): (Vec<DVec3>, _) = (p.points_mm.iter().map(|p| p.get()).collect(), p.normal.unit());
-    let least = if p.closed { 3 } else { 2 };
-    if points.len() < least {
-        let message = format!("a seam of {} points", points.len());
-        return Err(file.error_at(path, message, format!("at least {least}")));
+    let least: u8 = if p.closed { 3 } else { 2 };
+    if points.len() < usize::from(least) {
+        let message = Message::new("weld-point-count").count("count", points.len());
+        return Err(file.error_at(path, message, at_least(f64::from(least), Unit::One)));
     }
     let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
     for (i, point) in points.iter().enumerate() {
         let path = format!("{path}[{i}]");
         let height = (point - points[0]).dot(normal);
         if height.abs() > TILTED * size {
-            let message = format!("this point is {:.6} mm {} the plate", height.abs(), above(height));
-            return Err(file.error_at(&path, message, "a point in the plane through the first with this `normal`"));
+            let code = if height > 0.0 { "weld-point-above-plate" } else { "weld-point-below-plate" };
+            let message = Message::new(code).quantity("height", height.abs(), Unit::Mm, 6);
+            return Err(file.error_at(&path, message, Message::new("weld-allowed-point-in-plane")));
         }
         if i > 0 && point.distance(points[i - 1]) <= TILTED * size {
-            return Err(file.error_at(&path, "this point is where the one before is", "points that are apart"));
+            let message = Message::new("weld-point-repeated");
+            return Err(file.error_at(&path, message, Message::new("weld-allowed-points-apart")));
         }
     }
     let last = points.len() - 1;
     if p.closed && points[last].distance(points[0]) <= TILTED * size {
-        let message = "the last point is where the first is, and the seam is closed anyway";
-        return Err(file.error_at(&format!("{path}[{last}]"), message, "leave this point out"));
+        let message = Message::new("weld-last-point-repeated");
+        let allowed = Message::new("weld-allowed-leave-point-out");
+        return Err(file.error_at(&format!("{path}[{last}]"), message, allowed));
     }
-    let curve = Chain::through(&points, p.closed).map_err(|e| file.error_at(path, e.to_string(), "other points"))?;
+    let allowed = || Message::new("weld-allowed-other-points");
+    let curve = Chain::through(&points, p.closed).map_err(|e| file.error_at(path, e.message(), allowed()))?;
     Ok(CurvedEdge { curve, faces: faces(p.joint, p.wall_faces, normal) })
-}
-
-fn above(height: f64) -> &'static str {
-    if height > 0.0 { "above" } else { "below" }
 }

@@ -2,6 +2,7 @@
 
 use crate::{Job, Outside};
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{PROCEDURES, Procedure, Program, shipped_procedure};
 use std::path::Path;
 
@@ -21,11 +22,14 @@ pub(crate) fn of_job(
         None => {
             let bytes = outside.bytes(name).map_err(|e| {
                 let names: Vec<&str> = PROCEDURES.iter().map(|p| p.name).collect();
-                let allowed = format!("{}, or the path of a procedure file from the job's folder", names.join(", "));
-                job.error_at("procedure", format!("the procedure cannot be read: {e}"), allowed)
+                let allowed = Message::new("weld-allowed-procedure").text("names", names.join(", "));
+                let message = Message::new("weld-procedure-unreadable").text("error", e.to_string());
+                job.error_at("procedure", message, allowed)
             })?;
-            let text = String::from_utf8(bytes)
-                .map_err(|_| job.error_at("procedure", "this is no text file", "a TOML file in UTF-8"))?;
+            let text = String::from_utf8(bytes).map_err(|_| {
+                let message = Message::new("weld-procedure-not-text");
+                job.error_at("procedure", message, Message::new("weld-allowed-toml"))
+            })?;
             let folder = Path::new(job.file()).parent().unwrap_or(Path::new(""));
             Procedure::read(&folder.join(name).display().to_string(), &text)?
         }
@@ -40,8 +44,10 @@ fn check_wire(job: &Document<Job>, procedure: &Procedure) -> Result<(), Document
     let beads = job.value.beads.as_ref().and_then(|beads| beads.wire_mm);
     match (beads, procedure.wire_diameter_mm) {
         (Some(of_job), Some(allowed)) if of_job != allowed => {
-            let message = format!("{} is welded with a wire of {} mm", procedure.number, allowed.get());
-            Err(job.error_at("beads.wire_mm", message, format!("{}, or another procedure", allowed.get())))
+            let message = Message::new("weld-wrong-wire").text("procedure", &procedure.number);
+            let message = message.value("wire", allowed.get(), Unit::Mm);
+            let allowed = Message::new("weld-allowed-wire").value("wire", allowed.get(), Unit::Mm);
+            Err(job.error_at("beads.wire_mm", message, allowed))
         }
         _ => Ok(()),
     }

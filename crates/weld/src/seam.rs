@@ -1,3 +1,4 @@
+use crate::allowed::{at_most, between, not_along, other_point, rounded};
 use crate::angles::Angles;
 use crate::branch::Joint;
 use crate::nozzle::OnBody;
@@ -9,6 +10,7 @@ use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{
     ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Tube,
 };
+use seamwright_message::{Message, Unit};
 use seamwright_program::{
     MAX_SEAM_MM, SAME_POSITION_MM, Seam, SeamStart, Side, Taught, WallFaces, WeldDirection, is_before, is_beyond,
     is_same_position,
@@ -110,22 +112,22 @@ impl SeamCurve {
         start: &SeamStart,
     ) -> Result<Self, DocumentError> {
         let curve = ByLength::new(edge, DEFAULT_ACCURACY_MM)
-            .map_err(|e| file.error_at("seam", e.to_string(), "a smooth seam"))?;
+            .map_err(|e| file.error_at("seam", e.message(), Message::new("weld-allowed-smooth-seam")))?;
         let sense = match start.direction {
             WeldDirection::CounterClockwise => 1.0,
             WeldDirection::Clockwise => -1.0,
         };
         if curve.length() > MAX_SEAM_MM {
-            let message = format!("the seam would be {:.0} mm long", curve.length());
-            return Err(file.error_at("seam", message, format!("up to {MAX_SEAM_MM} mm")));
+            let message = Message::new("weld-seam-too-long").quantity("length", curve.length(), Unit::Mm, 0);
+            return Err(file.error_at("seam", message, at_most(MAX_SEAM_MM, Unit::Mm)));
         }
         let closed = curve.curve().closed();
         let angles = Angles::new(file, seam, closed)?;
         let length_at = |phi: f64| angles.parameter(phi.to_radians()).map_or(0.0, |u| curve.length_at(u));
         for (key, phi) in [("phi_deg", Some(start.phi_deg)), ("end_phi_deg", start.end_phi_deg)] {
             if phi.is_some_and(|p| p.get().abs() > MAX_PHI_DEG) {
-                let allowed = format!("-{MAX_PHI_DEG} to {MAX_PHI_DEG}");
-                return Err(file.error_at(&format!("start.{key}"), "this is many turns away", allowed));
+                let allowed = between(-MAX_PHI_DEG, MAX_PHI_DEG, Unit::Deg);
+                return Err(file.error_at(&format!("start.{key}"), Message::new("weld-phi-too-large"), allowed));
             }
         }
         if !closed || matches!(angles, Angles::None) {
@@ -136,23 +138,24 @@ impl SeamCurve {
         let weld_length = match start.end_phi_deg {
             Some(end) => {
                 if start.overlap_mm.get() > 0.0 {
-                    let message = "a weld that ends at `end_phi_deg` does not close, so it has no overlap";
-                    return Err(file.error_at("start.overlap_mm", message, "either `overlap_mm` or `end_phi_deg`"));
+                    let message = Message::new("weld-overlap-with-end");
+                    let allowed = Message::new("weld-allowed-overlap-or-end");
+                    return Err(file.error_at("start.overlap_mm", message, allowed));
                 }
                 let span = sense * (length_at(end.get()) - at);
                 if !is_beyond(span, 0.0) || is_beyond(span, length) {
-                    let message = "the weld would have no length, or more than one turn";
-                    let more = if sense > 0.0 { "more" } else { "less" };
-                    let allowed = format!("{more} than phi_deg = {}, by up to 360", start.phi_deg.get());
-                    return Err(file.error_at("start.end_phi_deg", message, allowed));
+                    let message = Message::new("weld-end-beside-turn");
+                    let code = if sense > 0.0 { "weld-allowed-end-phi-more" } else { "weld-allowed-end-phi-less" };
+                    let allowed = Message::new(code).text("start", start.phi_deg.get().to_string());
+                    return Err(file.error_at("start.end_phi_deg", message, allowed.value("max", 360.0, Unit::Deg)));
                 }
                 if is_same_position(span, length) { length } else { span }
             }
             None => length + start.overlap_mm.get(),
         };
         if is_beyond(start.overlap_mm.get(), length) {
-            let allowed = format!("0 to {length:.6}");
-            return Err(file.error_at("start.overlap_mm", "the overlap is longer than the seam", allowed));
+            let allowed = between(0.0, rounded(length), Unit::Mm);
+            return Err(file.error_at("start.overlap_mm", Message::new("weld-overlap-too-long"), allowed));
         }
         let e = curve.curve().edge(curve.curve().domain().0);
         let face_sense = if e.d1.normalize().dot(e.n2.cross(e.n1)) < -1e-9 { -1.0 } else { 1.0 };
@@ -278,14 +281,11 @@ fn check_without_angles<T>(file: &Document<T>, start: &SeamStart, closed: bool) 
         return Ok(());
     };
     let (message, allowed) = if closed {
-        (
-            "this seam begins at its first point and goes on to the second",
-            "no such key; give the points in another order",
-        )
+        ("weld-start-at-first-point", "weld-allowed-points-in-other-order")
     } else {
-        ("this seam runs from one end to the other and does not close", "no such key on an open seam")
+        ("weld-start-of-open-seam", "weld-allowed-no-key-on-open-seam")
     };
-    Err(file.error_at(&format!("start.{wrong}"), message, allowed))
+    Err(file.error_at(&format!("start.{wrong}"), Message::new(message), Message::new(allowed)))
 }
 
 fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync>, DocumentError> {
@@ -297,7 +297,7 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
             let normal = e.normal.unit();
             let (a, b) = (e.a_mm.get(), e.b_mm.get());
             let curve = Ellipse::new(e.centre_mm.get(), normal, e.a_direction.unit(), a, b)
-                .map_err(|error| file.error_at("seam.ellipse.a_direction", error.to_string(), "not along `normal`"))?;
+                .map_err(|e| file.error_at("seam.ellipse.a_direction", e.message(), not_along("normal")))?;
             Ok(Box::new(CurvedEdge { curve, faces: plane::faces(e.joint, WallFaces::Right, normal) }))
         }
         Seam::Circle(circle) => Ok(Box::new(plane::circle(file, circle)?)),
@@ -309,17 +309,19 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
         Seam::Line(line) => {
             let (n1, n2) = (line.first_normal.unit(), line.second_normal.unit());
             let curve = Line::new(line.start_mm.get(), line.end_mm.get())
-                .map_err(|e| file.error_at("seam.line.end_mm", e.to_string(), "another point than `start_mm`"))?;
+                .map_err(|e| file.error_at("seam.line.end_mm", e.message(), other_point("start_mm")))?;
             let along = (line.end_mm.get() - line.start_mm.get()).normalize();
             for (key, n) in [("first_normal", n1), ("second_normal", n2)] {
                 if n.dot(along).abs() > 1e-6 {
-                    let message = "the face's normal is not perpendicular to the seam";
-                    return Err(file.error_at(&format!("seam.line.{key}"), message, "perpendicular to end - start"));
+                    let message = Message::new("weld-normal-not-square");
+                    let allowed = Message::new("weld-allowed-square-to-line");
+                    return Err(file.error_at(&format!("seam.line.{key}"), message, allowed));
                 }
             }
             if (n1 + n2).length() < 1e-6 {
-                let message = "the faces look at each other: there is no joint to reach";
-                return Err(file.error_at("seam.line.second_normal", message, "not opposite to `first_normal`"));
+                let message = Message::new("weld-faces-opposed");
+                let allowed = Message::new("weld-allowed-not-opposite").key("key", "first_normal");
+                return Err(file.error_at("seam.line.second_normal", message, allowed));
             }
             Ok(Box::new(CurvedEdge { curve, faces: FaceRule::Fixed { n1, n2 } }))
         }

@@ -1,6 +1,8 @@
+use crate::allowed::{by_key, more_than, on_weld};
 use crate::{Job, SeamCurve};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Ramp, Span, SpanValue, check_process_name, check_process_value, is_beyond, is_same_position};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -27,8 +29,9 @@ pub struct Station {
 /// that the weld does not have or that ramp over all of it.
 pub(crate) fn spans(job: &Document<Job>, seam: &SeamCurve) -> Result<Vec<Span>, DocumentError> {
     let (weld, length) = (&job.value.weld, seam.weld_length());
-    let whole =
-        Positive::new(length).ok_or_else(|| job.error_at("seam", "the weld has no length", "a seam with a length"))?;
+    let whole = Positive::new(length).ok_or_else(|| {
+        job.error_at("seam", Message::new("weld-without-length"), Message::new("weld-allowed-seam-with-length"))
+    })?;
     check(job, length)?;
     let stations = &weld.at;
     let mut places: Vec<f64> = stations.iter().map(|at| at.s_mm.get()).collect();
@@ -67,17 +70,19 @@ fn check(job: &Document<Job>, length: f64) -> Result<(), DocumentError> {
     for (i, at) in weld.at.iter().enumerate() {
         let (s, key) = (at.s_mm.get(), |key: &str| format!("weld.at[{i}].{key}"));
         if is_beyond(s, length) {
-            return Err(job.error_at(&key("s_mm"), "this place is not on the weld", format!("0 to {length:.6}")));
+            let allowed = on_weld(length, false);
+            return Err(job.error_at(&key("s_mm"), Message::new("weld-position-beside-weld"), allowed));
         }
-        if last.is_some_and(|last| !is_beyond(s, last)) {
-            return Err(job.error_at(&key("s_mm"), "the places must increase", "more than the one before"));
+        if let Some(last) = last.filter(|last| !is_beyond(s, *last)) {
+            let message = Message::new("weld-positions-must-increase");
+            return Err(job.error_at(&key("s_mm"), message, more_than(last, Unit::Mm)));
         }
         last = Some(s);
         if let (Some(least), Some(speed)) = (weld.least_speed_mm_s, at.speed_mm_s)
             && speed <= least
         {
-            let allowed = format!("more than least_speed_mm_s = {}", least.get());
-            return Err(job.error_at(&key("speed_mm_s"), "the asked speed is not above the least one", allowed));
+            let allowed = by_key("weld-allowed-more-than-key", "least_speed_mm_s", least.get());
+            return Err(job.error_at(&key("speed_mm_s"), Message::new("weld-speed-below-min"), allowed));
         }
         for (name, value) in &at.process {
             let path = key(&format!("process.{name}"));
@@ -88,8 +93,8 @@ fn check(job: &Document<Job>, length: f64) -> Result<(), DocumentError> {
                     return Err(job.unknown_name(&path, name, &known));
                 }
                 Some(whole) if whole.is_ramp() => {
-                    let message = "this value ramps over the whole weld already";
-                    return Err(job.error_at(&path, message, "a number in [weld.process], or no value here"));
+                    let message = Message::new("weld-value-ramps-already");
+                    return Err(job.error_at(&path, message, Message::new("weld-allowed-number-or-no-value")));
                 }
                 Some(_) => check_process_value(job, &path, (name, value.get()), weld.process.keys())?,
             }

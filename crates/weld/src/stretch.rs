@@ -1,5 +1,7 @@
+use crate::allowed::{at_most, between, rounded};
 use crate::{PassKeys, SeamCurve};
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Pass, is_beyond};
 
 /// Maximum number of turns of a pass; more are a mistake.
@@ -26,17 +28,18 @@ impl Stretch {
         let (begin, length, weld) = (pass.begin_mm.get(), pass.length(), seam.weld_length());
         let sense = if pass.reverse { -1.0 } else { 1.0 };
         if is_beyond(begin, weld) {
-            let message = "the pass begins beyond the end of the weld";
-            return Err(file.error_at(&keys.of("begin_mm"), message, format!("0 to {weld}")));
+            let message = Message::new("weld-pass-begins-beyond-end");
+            return Err(file.error_at(&keys.of("begin_mm"), message, between(0.0, rounded(weld), Unit::Mm)));
         }
-        let (room, message) = match (seam.all_round(), pass.reverse) {
-            (true, _) => (MAX_TURNS * seam.length(), "the pass goes round the seam more than twice"),
-            (false, false) => (weld - begin, "the pass goes on beyond the end of the weld"),
-            (false, true) => (begin, "the pass runs back beyond the start of the weld"),
+        let (room, code) = match (seam.all_round(), pass.reverse) {
+            (true, _) => (MAX_TURNS * seam.length(), "weld-pass-round-more-than-twice"),
+            (false, false) => (weld - begin, "weld-pass-beyond-end"),
+            (false, true) => (begin, "weld-pass-beyond-start"),
         };
         if is_beyond(length, room) {
             let last = pass.spans.len().saturating_sub(1);
-            return Err(file.error_at(&keys.of(&format!("spans[{last}].to_mm")), message, format!("up to {room}")));
+            let allowed = at_most(rounded(room), Unit::Mm);
+            return Err(file.error_at(&keys.of(&format!("spans[{last}].to_mm")), Message::new(code), allowed));
         }
         Ok(Self { begin, sense, length: length.min(room) })
     }

@@ -5,6 +5,7 @@ use crate::t_joint;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{Error, Quadric, QuadricDistance, SignedDistance, Tube};
+use seamwright_message::Message;
 use seamwright_program::Seam;
 
 /// The surfaces beside a seam that can be touched to find where the part stands, in the seam's frame.
@@ -29,7 +30,8 @@ impl SeamSurfaces {
     /// # Errors
     /// As [`SeamCurve::new`](crate::SeamCurve::new): shapes that do not meet.
     pub fn new<T>(file: &Document<T>, seam: &Seam) -> Result<Self, DocumentError> {
-        let wrong = |path: &'static str| move |e: Error| file.error_at(path, e.to_string(), "see the job's schema");
+        let wrong =
+            |path: &'static str| move |e: Error| file.error_at(path, e.message(), Message::new("weld-allowed-schema"));
         let plane = |point: DVec3, normal: DVec3, path: &'static str| {
             Quadric::plane(point, normal).map_err(wrong(path)).map(|q| boxed(&q))
         };
@@ -72,12 +74,12 @@ impl SeamSurfaces {
                     nozzle: None,
                 })
             }
-            Seam::TJoint(_) => Err(none(file, "seam.t_joint.via_mm", "a curved T-joint")),
-            Seam::Arc(_) => Err(none(file, "seam.arc", "an arc")),
-            Seam::RoundedRectangle(_) => Err(none(file, "seam.rounded_rectangle", "a rectangle")),
-            Seam::Helix(_) => Err(none(file, "seam.helix", "a helix")),
-            Seam::Spline(_) => Err(none(file, "seam.spline", "a spline")),
-            Seam::Polyline(_) => Err(none(file, "seam.polyline", "a polyline")),
+            Seam::TJoint(_) => Err(none(file, "seam.t_joint.via_mm", "weld-seam-curved-t-joint")),
+            Seam::Arc(_) => Err(none(file, "seam.arc", "weld-seam-arc")),
+            Seam::RoundedRectangle(_) => Err(none(file, "seam.rounded_rectangle", "weld-seam-rectangle")),
+            Seam::Helix(_) => Err(none(file, "seam.helix", "weld-seam-helix")),
+            Seam::Spline(_) => Err(none(file, "seam.spline", "weld-seam-spline")),
+            Seam::Polyline(_) => Err(none(file, "seam.polyline", "weld-seam-polyline")),
             Seam::Line(line) => {
                 let face = |normal: Direction, path| plane(line.start_mm.get(), normal.unit(), path);
                 Ok(Self {
@@ -91,9 +93,9 @@ impl SeamSurfaces {
 }
 
 /// Error of a seam without surfaces to be touched.
-fn none<T>(file: &Document<T>, path: &str, what: &str) -> DocumentError {
-    let message = format!("{what} has no surfaces here that points could be fitted to");
-    file.error_at(path, message, "the methods three-point and plane-line-point")
+fn none<T>(file: &Document<T>, path: &str, seam: &'static str) -> DocumentError {
+    let message = Message::new("weld-seam-without-surfaces").message("seam", Message::new(seam));
+    file.error_at(path, message, Message::new("weld-allowed-fit-methods"))
 }
 
 fn boxed(body: &Quadric) -> Box<dyn SignedDistance> {

@@ -1,9 +1,11 @@
 //! Taught spans: parts of a seam replaced by cubic splines through taught points (SADDLE-2020).
 
 use crate::SeamCurve;
+use crate::allowed::{at_most, by_key, rounded};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{Along, Curve, Edge, EdgePoint, End, Ends, Jet, Spline, chord_lengths};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Taught, is_before, is_beyond};
 use std::sync::Arc;
 
@@ -88,19 +90,20 @@ impl TaughtEdge {
         let mut end = 0.0;
         let length = nominal.weld_length().min(nominal.length());
         for (i, taught) in taught.iter().enumerate() {
-            let wrong = |key: &str, message: &str, allowed: String| {
-                Err(file.error_at(&format!("taught[{i}].{key}"), message, allowed))
+            let wrong = |key: &str, code: &'static str, allowed: Message| {
+                Err(file.error_at(&format!("taught[{i}].{key}"), Message::new(code), allowed))
             };
             let (from, to) = (taught.from_mm.get(), taught.to_mm.get());
             if is_before(from, end) {
-                let message = "this span begins before the one before it ends";
-                return wrong("from_mm", message, format!("{end} or more; spans in the order of welding"));
+                let allowed = Message::new("weld-allowed-taught-from").value("min", end, Unit::Mm);
+                return wrong("from_mm", "weld-taught-spans-overlap", allowed);
             }
             if !is_beyond(to, from) {
-                return wrong("to_mm", "the span has no length", format!("more than from_mm = {from}"));
+                let allowed = by_key("weld-allowed-more-than-key", "from_mm", from);
+                return wrong("to_mm", "weld-taught-span-without-length", allowed);
             }
             if is_beyond(to, length) {
-                return wrong("to_mm", "the span ends beyond the nominal seam", format!("up to {length:.6}"));
+                return wrong("to_mm", "weld-taught-span-beyond-seam", at_most(rounded(length), Unit::Mm));
             }
             end = to;
             spans.push(Making { file, number: i, nominal, taught }.span()?);
@@ -226,11 +229,11 @@ struct Making<'a, T> {
 }
 
 impl<T> Making<'_, T> {
-    /// Something wrong with the points from `i` on, counted in the order of welding.
-    fn wrong(&self, i: usize, message: &str, allowed: &str) -> DocumentError {
+    /// Error of point `i`, counted in the order of welding; it becomes an argument of `message`.
+    fn wrong(&self, i: usize, message: Message, allowed: Message) -> DocumentError {
         let key = if self.taught.axes.is_empty() { "points_mm" } else { "axes" };
         let path = format!("taught[{}].{key}[{i}]", self.number);
-        self.file.error_at(&path, format!("point {}: {message}", i + 1), allowed)
+        self.file.error_at(&path, message.text("point", (i + 1).to_string()), allowed)
     }
 
     fn span(&self) -> Result<Span, DocumentError> {
@@ -238,8 +241,8 @@ impl<T> Making<'_, T> {
         let points: Vec<DVec3> = self.taught.points_mm.iter().map(|p| p.get()).collect();
         if points.is_empty() {
             let path = format!("taught[{}]", self.number);
-            let message = "there are no points between the joins";
-            return Err(self.file.error_at(&path, message, "at least one, in `points_mm` or `axes`"));
+            let message = Message::new("weld-taught-span-without-points");
+            return Err(self.file.error_at(&path, message, Message::new("weld-allowed-taught-points")));
         }
         // Path lengths on the nominal seam, then arc lengths of its curve, in its own sense.
         let feet = self.feet(&points, (from_mm, to_mm))?;
@@ -259,7 +262,7 @@ impl<T> Making<'_, T> {
         let span = self.build(&all, &lengths, (&first, &last));
         let span = span.map_err(|e| {
             let path = format!("taught[{}]", self.number);
-            self.file.error_at(&path, e.to_string(), "points farther apart, or nearer to one smooth curve")
+            self.file.error_at(&path, e.message(), Message::new("weld-allowed-smooth-points"))
         })?;
         self.check_turns(&span)?;
         Ok(span)
@@ -295,16 +298,16 @@ impl<T> Making<'_, T> {
             let (s, away) = nearest(self.nominal, *p, (from, to));
             let within = self.taught.within_mm.get();
             if away > within {
-                let message = format!("it is {away:.3} mm from the nominal seam between the joins");
-                let allowed = format!("within_mm = {within}; or a larger `within_mm`, if the part is that far off");
-                return Err(self.wrong(i, &message, &allowed));
+                let message = Message::new("weld-taught-point-far").quantity("distance", away, Unit::Mm, 3);
+                let allowed = by_key("weld-allowed-taught-within", "within_mm", within);
+                return Err(self.wrong(i, message, allowed));
             }
             let after = feet.last().copied().unwrap_or(from);
             if s <= after + APART_MM || s >= to - APART_MM {
-                let message = format!("its place along the seam is s = {s:.3} mm");
-                let before = if i == 0 { "the first join" } else { "the point before" };
-                let allowed = format!("after {before} at {after:.3} and before the second join at {to} mm");
-                return Err(self.wrong(i, &message, &allowed));
+                let message = Message::new("weld-taught-point-out-of-order").quantity("s", s, Unit::Mm, 3);
+                let code = if i == 0 { "weld-allowed-taught-after-join" } else { "weld-allowed-taught-after-point" };
+                let allowed = Message::new(code).quantity("min", after, Unit::Mm, 3).value("max", to, Unit::Mm);
+                return Err(self.wrong(i, message, allowed));
             }
             feet.push(s);
         }
@@ -314,8 +317,8 @@ impl<T> Making<'_, T> {
     fn check_apart(&self, all: &[DVec3]) -> Result<(), DocumentError> {
         match all.windows(2).position(|pair| pair[0].distance(pair[1]) < APART_MM) {
             Some(i) => {
-                let allowed = format!("points and joins at least {APART_MM} mm apart");
-                Err(self.wrong(i.min(all.len() - 3), "it is where a point or join beside it is", &allowed))
+                let allowed = Message::new("weld-allowed-taught-apart").value("min", APART_MM, Unit::Mm);
+                Err(self.wrong(i.min(all.len() - 3), Message::new("weld-taught-point-repeated"), allowed))
             }
             None => Ok(()),
         }
@@ -336,10 +339,9 @@ impl<T> Making<'_, T> {
                     let before = span.points.partition_point(|p| *p <= t).min(count - 1);
                     let number = if self.nominal.sense > 0.0 { before } else { count - 1 - before };
                     let turn = cosine.clamp(-1.0, 1.0).acos().to_degrees();
-                    let message = format!("the curve through the points turns {turn:.0} degrees off the seam near it");
-                    let allowed =
-                        format!("up to {MAX_TURN_DEG} degrees: points farther apart, or nearer to one smooth curve");
-                    return Err(self.wrong(number, &message, &allowed));
+                    let message = Message::new("weld-taught-curve-turns").quantity("angle", turn, Unit::Deg, 0);
+                    let allowed = Message::new("weld-allowed-taught-turn").value("max", MAX_TURN_DEG, Unit::Deg);
+                    return Err(self.wrong(number, message, allowed));
                 }
             }
         }

@@ -4,6 +4,7 @@ use crate::{
     Stretch, WeldPath, order, procedure,
 };
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, Program, Role, Weaving};
 use std::sync::Arc;
 
@@ -197,15 +198,7 @@ fn on_pass(pass: &Pass, seam: &SeamCurve, (from, to): (f64, f64)) -> Option<(f64
 fn gaps(pass: &Pass, number: usize) -> Option<Finding> {
     let (message, cure) = pass.oscillation.as_ref()?.gaps(pass)?;
     let (from_mm, to_mm) = (0.0, pass.length());
-    Some(Finding {
-        kind: "oscillation",
-        message: message.into(),
-        pass: number,
-        from_mm,
-        to_mm,
-        cure: Some(cure.into()),
-        allowed: false,
-    })
+    Some(Finding { kind: "oscillation", message, pass: number, from_mm, to_mm, cure: Some(cure), allowed: false })
 }
 
 /// Line of a pass.
@@ -246,12 +239,17 @@ fn pass_lines(
             (Some(points), _) => {
                 return Ok(PassLine::Points(Box::new(PointPath::new(program, (i, points), &machine)?)));
             }
-            (None, None) => return Err(program.error_at(&keys.of(""), "the pass runs along no seam", "[seam]")),
+            (None, None) => {
+                let message = Message::new("weld-pass-without-seam");
+                return Err(program.error_at(&keys.of(""), message, Message::verbatim("[seam]")));
+            }
         };
         let stretch = Stretch::new(program, keys, pass, seam)?;
         if pass.travel_s() > MAX_TRAVEL_S {
-            let message = format!("{} would travel for {:.0} s", pass.name, pass.travel_s());
-            return Err(program.error_at(&keys.speed(), message, format!("up to {MAX_TRAVEL_S} s: a higher speed")));
+            let message = Message::new("weld-travel-too-long").text("pass", &pass.name);
+            let message = message.quantity("time", pass.travel_s(), Unit::S, 0);
+            let allowed = Message::new("weld-allowed-travel-time").value("max", MAX_TRAVEL_S, Unit::S);
+            return Err(program.error_at(&keys.speed(), message, allowed));
         }
         let bead = |bead| BeadLine::new(program, keys, bead, (seam, &stretch));
         let attitude = Attitude::new(program, &keys.of("torch"), &pass.torch, seam)?;

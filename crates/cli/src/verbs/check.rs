@@ -63,7 +63,7 @@ fn several(args: &CheckArgs) -> Result<(), Failure> {
     }
     // Each error was reported with its job.
     match worst {
-        Err(Failure::Input(_) | Failure::Document(_)) => Err(Failure::Input("not every job could be read".to_owned())),
+        Err(Failure::Input(_) | Failure::Document(_)) => Err(Failure::input("not every job could be read".to_owned())),
         worst => worst,
     }
 }

@@ -36,7 +36,7 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     let speed = args.speed_mm_s;
     if !SPEEDS.contains(&speed) {
         let (least, most) = (SPEEDS.start(), SPEEDS.end());
-        return Err(Failure::Input(format!("--speed-mm-s {speed}: not allowed\n   allowed: {least:e} to {most:e}")));
+        return Err(Failure::input(format!("--speed-mm-s {speed}: not allowed\n   allowed: {least:e} to {most:e}")));
     }
     let window = positive("--window-s", args.window_s)?;
     let tolerance = positive("--tolerance-mm", args.tolerance_mm)?;
@@ -48,24 +48,24 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     let input: Box<dyn BufRead> = match source.as_str() {
         "-" => Box::new(io::stdin().lock()),
         _ => Box::new(BufReader::new(
-            File::open(&args.points).map_err(|e| Failure::Input(format!("{source}: cannot be read: {e}")))?,
+            File::open(&args.points).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?,
         )),
     };
     let failed = RefCell::new(None);
     let around = Surroundings::new(&machine, &Clamped::default())
-        .map_err(|e| Failure::Input(format!("{}: {e}", args.machine)))?;
+        .map_err(|e| Failure::input(format!("{}: {e}", args.machine)))?;
     let points = Points::open(&machine, &around, &source, input, &failed)?;
     let mut path = TaughtPath::new(&machine, points, speed, corner, tolerance);
     if path.is_empty() {
         return Err(failed.take().unwrap_or_else(|| {
-            Failure::Input(format!("{source}: fewer than two different points\n   allowed: at least two"))
+            Failure::input(format!("{source}: fewer than two different points\n   allowed: at least two"))
         }));
     }
     let mut columns: Vec<String> = ["t_s", "s_mm"].map(str::to_owned).into();
     columns.extend(machine.axes.iter().map(|a| a.name.clone()));
     columns.push("speed_mm_s".to_owned());
     let mut rows = Rows::new(columns, args.json)?;
-    let law = LawStream::new(path, window).map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+    let law = LawStream::new(path, window).map_err(|e| Failure::input(format!("{source}: {e}")))?;
     play(&machine, &source, law, (speed, period), &mut rows)?;
     rows.finish()?;
     failed.take().map_or(Ok(()), Err)
@@ -127,7 +127,7 @@ fn tip<I: Iterator<Item = Joints>>(
     source: &str,
     t: f64,
 ) -> Result<(Option<LawPoint>, f64), Failure> {
-    let point = law.at(t).map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+    let point = law.at(t).map_err(|e| Failure::input(format!("{source}: {e}")))?;
     Ok((point, point.map_or(0.0, |p| law.path().tip_rate(p.s) * p.v)))
 }
 
@@ -188,7 +188,7 @@ impl<'a, R: BufRead> Points<'a, R> {
             let pose = Pose { point: DVec3::new(values[0], values[1], values[2]), direction };
             if direction == DVec3::ZERO {
                 let name = if self.kind == Kind::Seam { "bx,by,bz" } else { "ax,ay,az" };
-                return Some(Err(self.reader.error(name, "0,0,0", "has no length", "a direction")));
+                return Some(Err(self.reader.error(name, "0,0,0", "no length", "a direction")));
             }
             match machine.inverse_near(pose, &self.near) {
                 Ok(solution) => {

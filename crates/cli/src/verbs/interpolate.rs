@@ -109,7 +109,7 @@ fn ellipse(args: &InterpolateArgs) -> Result<Shape, Failure> {
     let point = |name: &str, given: &Option<Vec<f64>>, or: DVec2| match given.as_deref() {
         None => Ok(or),
         Some(&[x, y]) => Ok(DVec2::new(x, y)),
-        Some(_) => Err(Failure::Input(format!("{name}: not a point\n   allowed: x,y in mm, like 0,16"))),
+        Some(_) => Err(Failure::input(format!("{name}: not a point\n   allowed: x,y in mm, like 0,16"))),
     };
     let (a, b) = (args.a_mm, args.b_mm);
     let start_mm = point("--start-mm", &args.start_mm, DVec2::new(0.0, b))?;

@@ -16,7 +16,7 @@ pub(crate) fn run(args: &IoArgs) -> Result<(), Failure> {
     let mut devices: Vec<(&str, Looker)> =
         machine.devices.modbus.iter().map(|d| (d.name.as_str(), Looker::new(d))).collect();
     if devices.is_empty() {
-        return Err(Failure::Input(format!(
+        return Err(Failure::input(format!(
             "machine `{}` has no device with registers\n   allowed: a machine file with [devices.NAME.modbus]",
             machine.name
         )));
@@ -24,7 +24,7 @@ pub(crate) fn run(args: &IoArgs) -> Result<(), Failure> {
     let begun = Instant::now();
     // An unreachable device is an error at the start; one that is lost later shows by its ages.
     for (_, looker) in &mut devices {
-        looker.look().map_err(|e| Failure::Environment(e.to_string()))?;
+        looker.look().map_err(|e| Failure::environment(e.to_string()))?;
     }
     let mut rows = Rows::new(COLUMNS.map(str::to_owned).to_vec(), args.json)?;
     let mut troubles: Vec<Option<ModbusError>> = devices.iter().map(|_| None).collect();

@@ -66,7 +66,7 @@ fn head(machine: Machine, name: Option<&str>) -> Result<Machine, Failure> {
     let names: Vec<&str> = machine.heads.iter().map(|h| h.name.as_str()).collect();
     match names.iter().position(|n| *n == name) {
         Some(head) => Ok(machine.with_first_head(head)),
-        None => Err(Failure::Input(format!("--head {name}: there is no such head\n   allowed: {}", names.join(", ")))),
+        None => Err(Failure::input(format!("--head {name}: there is no such head\n   allowed: {}", names.join(", ")))),
     }
 }
 

@@ -15,7 +15,7 @@ pub(crate) fn run(args: &LatencyArgs) -> Result<(), Failure> {
         [("--period-ms", args.period_ms, 0.25, 4.0), ("--seconds", args.seconds, 0.1, 86_400.0)]
     {
         if !(low..=high).contains(&value) {
-            return Err(Failure::Input(format!("{what} {value}\n   allowed: {low} to {high}")));
+            return Err(Failure::input(format!("{what} {value}\n   allowed: {low} to {high}")));
         }
     }
     let cycles = (args.seconds * 1e3 / args.period_ms).round() as u64;
@@ -23,7 +23,7 @@ pub(crate) fn run(args: &LatencyArgs) -> Result<(), Failure> {
     let measured = std::thread::scope(|scope| scope.spawn(|| measure(args, cycles, &progress)).join());
     drop(progress);
     let (footing, latency) =
-        measured.map_err(|_| Failure::Environment("the thread of the cycle ended early".to_owned()))?;
+        measured.map_err(|_| Failure::environment("the thread of the cycle ended early".to_owned()))?;
     if args.json { json(args, &footing, &latency) } else { print_text(&text(args, &footing, &latency)) }
 }
 

@@ -54,7 +54,7 @@ fn list(
     if let Some(wanted) = &args.name {
         let found = texts.iter().find(|(name, _)| name == wanted);
         let names = || texts.iter().map(|t| t.0).collect::<Vec<_>>().join(", ");
-        let missing = || Failure::Input(format!("{wanted}: there is no such {what}\n   allowed: {}", names()));
+        let missing = || Failure::input(format!("{wanted}: there is no such {what}\n   allowed: {}", names()));
         return found.ok_or_else(missing).and_then(|(_, text)| print_text(text));
     }
     let mut entries = Vec::new();

@@ -41,5 +41,5 @@ pub(crate) fn positive(name: &str, value: f64) -> Result<f64, Failure> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    Err(Failure::Input(format!("{name} {value}: not allowed\n   allowed: a finite number greater than 0")))
+    Err(Failure::input(format!("{name} {value}: not allowed\n   allowed: a finite number greater than 0")))
 }

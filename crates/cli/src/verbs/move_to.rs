@@ -19,17 +19,17 @@ pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
     let percent = positive("--override-percent", args.override_percent)?;
     if percent > 100.0 {
         let message = format!("--override-percent {percent}: not allowed\n   allowed: above 0 and up to 100");
-        return Err(Failure::Input(message));
+        return Err(Failure::input(message));
     }
     let from = positions(&machine, "--from", &args.from, &machine.home())?;
     let to = positions(&machine, "--to", &args.to, &from)?;
     let mut plan = PointToPoint::new(&machine);
     let planned = plan.plan(&State::at_rest(&from), &to, percent / 100.0);
-    planned.map_err(|e| Failure::Input(format!("{e}\n   allowed: motions of up to two hours")))?;
+    planned.map_err(|e| Failure::input(format!("{e}\n   allowed: motions of up to two hours")))?;
     let count = (plan.duration() / period).ceil();
     if count > MAX_SET_POINTS {
         let message = format!("--period-ms {}: {count:.1e} set-points", period * 1e3);
-        return Err(Failure::Input(format!("{message}\n   allowed: up to {MAX_SET_POINTS:.0e}; a longer period")));
+        return Err(Failure::input(format!("{message}\n   allowed: up to {MAX_SET_POINTS:.0e}; a longer period")));
     }
     let clearance = clearance(&machine, &args.machine, &plan)?;
     write(&machine, &plan, period, count as u64, args.json)?;
@@ -40,7 +40,7 @@ pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
 /// The positions of `words`, `others` for axes that they do not name.
 fn positions(machine: &Machine, option: &str, words: &[String], others: &Joints) -> Result<Joints, Failure> {
     let bad = |word: &str, what: String, allowed: String| {
-        Failure::Input(format!("{option} {word}: {what}\n   allowed: {allowed}"))
+        Failure::input(format!("{option} {word}: {what}\n   allowed: {allowed}"))
     };
     let (mut q, mut said) = (*others, AxisSet::default());
     for word in words {
@@ -72,7 +72,7 @@ fn positions(machine: &Machine, option: &str, words: &[String], others: &Joints)
 
 /// Reports the distances; fails if something comes too near.
 fn clearance(machine: &Machine, file: &str, plan: &PointToPoint) -> Result<String, Failure> {
-    let wrong = |e: &dyn std::fmt::Display| Failure::Input(format!("{file}: {e}"));
+    let wrong = |e: &dyn std::fmt::Display| Failure::input(format!("{file}: {e}"));
     let around = Surroundings::new(machine, &Clamped::default()).map_err(|e| wrong(&e))?;
     if around.is_empty() {
         return Ok("nothing to watch: the machine file has no shapes that could meet".to_owned());

@@ -22,5 +22,5 @@ pub(super) fn read(args: &PartArgs) -> Result<Part, Failure> {
 /// Deviations of the seam that an earlier weld has measured.
 fn stored(path: &Path) -> Result<DeviationRecord, Failure> {
     let record = DeviationRecord::from_csv(&path.display().to_string(), &files::read(path)?);
-    record.map_err(|e| Failure::Input(e.to_string()))
+    record.map_err(|e| Failure::input(e.to_string()))
 }

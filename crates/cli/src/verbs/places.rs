@@ -26,10 +26,10 @@ impl Places {
         if let Some(angles) = &args.phi_deg {
             let place = |phi: &f64| {
                 let s = Some(phi).filter(|p| p.is_finite()).and_then(|p| seam.s_of_phi(p.to_radians()));
-                let s = s.ok_or_else(|| Failure::Input(format!("--phi-deg {phi}: this seam has no such angle")))?;
+                let s = s.ok_or_else(|| Failure::input(format!("--phi-deg {phi}: this seam has no such angle")))?;
                 if is_beyond(s, length) {
                     let message = format!("--phi-deg {phi}: this angle is not on the part that is welded");
-                    return Err(Failure::Input(message));
+                    return Err(Failure::input(message));
                 }
                 Ok((s, *phi))
             };
@@ -40,13 +40,13 @@ impl Places {
             let parts = parts_of(length, step);
             if parts > MAX_POINTS as usize {
                 let allowed = format!("at least {} mm: {MAX_POINTS} points", length / f64::from(MAX_POINTS));
-                return Err(Failure::Input(format!("--every-mm {step}: too many points\n   allowed: {allowed}")));
+                return Err(Failure::input(format!("--every-mm {step}: too many points\n   allowed: {allowed}")));
             }
             return Ok(Self::Steps { step, whole: parts as u64 - 1 });
         }
         match args.points.unwrap_or(points) {
             n if !(2..=MAX_POINTS).contains(&n) => {
-                Err(Failure::Input(format!("--points {n}: not allowed\n   allowed: 2 to {MAX_POINTS}")))
+                Err(Failure::input(format!("--points {n}: not allowed\n   allowed: 2 to {MAX_POINTS}")))
             }
             n => Ok(Self::Points(n)),
         }

@@ -64,7 +64,7 @@ fn usual_output(job: &Path) -> PathBuf {
 
 /// The part program for a control, as `post` writes it without options, and its proof.
 fn post(loaded: &Loaded, motion: &WeldMotion, dialect: Dialect) -> Result<(PostFigures, String), Failure> {
-    let control = Control::new(&loaded.machine, dialect).map_err(|e| Failure::Input(e.to_string()))?;
+    let control = Control::new(&loaded.machine, dialect).map_err(|e| Failure::input(e.to_string()))?;
     let options = Options::default();
     let (text, proof) = proven(loaded, motion, &control, &options, Feed::InverseTime)?;
     let name = match dialect {
@@ -118,7 +118,7 @@ pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), 
             output.copy(name, path)?;
         }
     }
-    let text = program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
+    let text = program.to_toml().map_err(|e| Failure::environment(e.to_string()))?;
     output.text("program.toml", &text)
 }
 
@@ -129,7 +129,7 @@ pub(super) fn write_report(
     welding: &Welding,
     language: Language,
 ) -> Result<(), Failure> {
-    let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
+    let json = serde_json::to_string_pretty(report).map_err(|e| Failure::environment(e.to_string()))?;
     output.text("report.json", &(json + "\n"))?;
     output.text("report.html", &report.page(plots, welding.program.text(), &clock::now(), language))
 }

@@ -30,17 +30,17 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
         FeedArg::InverseTime => Feed::InverseTime,
         FeedArg::PerMinute => Feed::PerMinute,
     };
-    let control = Control::new(&loaded.machine, args.dialect.into()).map_err(|e| Failure::Input(e.to_string()))?;
+    let control = Control::new(&loaded.machine, args.dialect.into()).map_err(|e| Failure::input(e.to_string()))?;
     let motion = planning::plan(&loaded, &args.planning)?;
     if let Some(mm) = args.retract_mm
         && let Some(short) = motion.findings.iter().find(|f| f.kind == "retract")
     {
         let message = format!("--retract-mm {mm}: {}\n   allowed: as far as the axes reach", short.message);
-        return Err(Failure::Input(message));
+        return Err(Failure::input(message));
     }
     let (text, proof) = proven(&loaded, &motion, &control, &options, feed)?;
     if let Some(path) = &args.proof {
-        let json = serde_json::to_string_pretty(&proof).map_err(|e| Failure::Environment(e.to_string()))?;
+        let json = serde_json::to_string_pretty(&proof).map_err(|e| Failure::environment(e.to_string()))?;
         files::write(path, &(json + "\n"))?;
     }
     if args.verify {
@@ -77,19 +77,19 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
     let tolerance_mm = positive("--tolerance-mm", args.tolerance_mm)?;
     if tolerance_mm > WIDEST_MM {
         let message = format!("--tolerance-mm {tolerance_mm}: too coarse\n   allowed: up to {WIDEST_MM}");
-        return Err(Failure::Input(message));
+        return Err(Failure::input(message));
     }
     if tolerance_mm < FINEST_MM {
         let message = format!(
             "--tolerance-mm {tolerance_mm}: finer than the words' six decimals\n   allowed: {FINEST_MM} and more"
         );
-        return Err(Failure::Input(message));
+        return Err(Failure::input(message));
     }
     let speed_percent = positive("--speed-percent", args.speed_percent)?;
     if !(MIN_PERCENT..=MAX_PERCENT).contains(&speed_percent) {
         let message =
             format!("--speed-percent {speed_percent}: out of range\n   allowed: {MIN_PERCENT} to {MAX_PERCENT}");
-        return Err(Failure::Input(message));
+        return Err(Failure::input(message));
     }
     let interpolation = match (args.dialect, args.interpolation) {
         (DialectArg::Pmac, None | Some(InterpolationArg::Pvt)) => Interpolation::Pvt,
@@ -99,7 +99,7 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
         (_, Some(_)) => {
             let message = "--interpolation: this control has no such blocks\n   allowed: pvt, spline1, linear for PMAC; \
                            linear, poly for Sinumerik; linear for LinuxCNC and grblHAL";
-            return Err(Failure::Input(message.to_owned()));
+            return Err(Failure::input(message.to_owned()));
         }
     };
     Ok(Options {

@@ -41,28 +41,28 @@ struct PassSummary<'a> {
 pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
     let blend = positive("--blend-mm", args.blend_mm)?;
     let blend = Positive::new(blend).filter(|_| blend <= WIDEST_MM).ok_or_else(|| {
-        Failure::Input(format!("--blend-mm {blend}: too far\n   allowed: up to {WIDEST_MM}, the tolerance of a pass"))
+        Failure::input(format!("--blend-mm {blend}: too far\n   allowed: up to {WIDEST_MM}, the tolerance of a pass"))
     })?;
     let machine = load::machine(&args.machine)?;
     let text = files::read(&args.file)?;
     let file = args.file.display().to_string();
     let dialect = args.dialect.map_or_else(|| Dialect::guess(&file, &text), Into::into);
-    let control = Control::new(&machine, dialect).map_err(|e| Failure::Input(format!("{}: {e}", args.machine)))?;
+    let control = Control::new(&machine, dialect).map_err(|e| Failure::input(format!("{}: {e}", args.machine)))?;
     let start = posting::start(&machine, &control);
     let level = match args.level {
         LevelArg::Joint => Level::Joint,
         LevelArg::Tip => Level::Tip,
     };
     let options = ReadOptions { lenient: args.lenient, level, start: Some(start.clone()) };
-    let mut reading = read(&control, &file, &text, &options).map_err(|e| Failure::Input(e.to_string()))?;
+    let mut reading = read(&control, &file, &text, &options).map_err(|e| Failure::input(e.to_string()))?;
     if reading.program.title == file {
         // A text without a title has the name of its file.
         let name = args.file.file_name().unwrap_or_default();
         reading.program.title = name.to_string_lossy().into_owned();
     }
     let program = to_program(&machine, &control, &reading.program, &start, (&args.machine, blend))
-        .map_err(|e| Failure::Input(format!("{file}: {e}")))?;
-    let written = program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
+        .map_err(|e| Failure::input(format!("{file}: {e}")))?;
+    let written = program.to_toml().map_err(|e| Failure::environment(e.to_string()))?;
     // The written program must be accepted by all other verbs, so it is read back.
     Program::read(&file, &written)?;
     tell(&file, dialect, &reading, &program)?;

@@ -98,7 +98,7 @@ impl Rows {
         stopped: bool,
         output: &mut Output,
     ) -> Result<(), Failure> {
-        let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
+        let json = serde_json::to_string_pretty(report).map_err(|e| Failure::environment(e.to_string()))?;
         files.push(("report.json".to_owned(), json + "\n"));
         let result = if stopped { WeldResult::Stopped } else { result(report) };
         self.keep("simulate", &Outcome { result, note: Message::default(), files }, happened, output)

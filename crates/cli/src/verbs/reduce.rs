@@ -26,7 +26,7 @@ pub(crate) fn run(args: &ReduceArgs) -> Result<(), Failure> {
     let input: Box<dyn BufRead> = match source.as_str() {
         "-" => Box::new(io::stdin().lock()),
         _ => Box::new(BufReader::new(
-            File::open(&args.points).map_err(|e| Failure::Input(format!("{source}: cannot be read: {e}")))?,
+            File::open(&args.points).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?,
         )),
     };
     let (points, axes) = read(&source, input)?;
@@ -35,7 +35,7 @@ pub(crate) fn run(args: &ReduceArgs) -> Result<(), Failure> {
         MethodArg::Fewest => Method::Fewest,
     };
     let reduction = reduce(&points, &axes, (tolerance, axis_tolerance), method)
-        .map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+        .map_err(|e| Failure::input(format!("{source}: {e}")))?;
     if let Some(path) = &args.svg {
         files::write(path, &plot::draw(&points, &reduction.spans))?;
     }
@@ -54,14 +54,14 @@ fn read(source: &str, input: impl BufRead) -> Result<(Vec<DVec3>, Vec<Vec<f64>>)
         let far = |(_, value): &(&str, f64)| value.abs() > MAX_COORDINATE_MM;
         if let Some((name, value)) = PLACE.into_iter().zip(point.to_array()).find(far) {
             let allowed = format!("-{MAX_COORDINATE_MM:e} to {MAX_COORDINATE_MM:e}");
-            let error = reader.error(name, &value.to_string(), "is too far away", &allowed);
+            let error = reader.error(name, &value.to_string(), "too far away", allowed);
             return Err(cured(error, "correct the line; coordinates are in mm"));
         }
         points.push(point);
     }
     if points.len() < 2 {
         let found = points.len();
-        let error = Failure::Input(format!("{source}: {found} points\n   allowed: at least two"));
+        let error = Failure::input(format!("{source}: {found} points\n   allowed: at least two"));
         return Err(cured(error, "a line of numbers a point, below the header line"));
     }
     Ok((points, axes))
@@ -69,7 +69,7 @@ fn read(source: &str, input: impl BufRead) -> Result<(Vec<DVec3>, Vec<Vec<f64>>)
 
 fn cured(failure: Failure, cure: &str) -> Failure {
     match failure {
-        Failure::Input(message) => Failure::Input(format!("{message}\n   cure: {cure}")),
+        Failure::Input(message) => Failure::input(format!("{message}\n   cure: {cure}")),
         other => other,
     }
 }

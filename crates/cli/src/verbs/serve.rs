@@ -13,7 +13,7 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
     seamwright_record::finish_replacing(&data)?;
     let jobs = data.join("jobs");
     files::make_private(&jobs)
-        .map_err(|e| Failure::Input(format!("--data {}: cannot be made: {e}", data.display())))?;
+        .map_err(|e| Failure::input(format!("--data {}: cannot be made: {e}", data.display())))?;
     let job = match (&args.job, &args.machine) {
         (Some(job), _) => Some(taken(job, &jobs)?),
         (None, None) => Some(format!("{}.toml", EXAMPLES[0].name)),
@@ -50,8 +50,8 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         }
     };
     serve(&settings, ready).map_err(|e| match e {
-        Error::Settings(text) => Failure::Input(text),
-        Error::System(text) => Failure::Environment(text),
+        Error::Settings(text) => Failure::input(text),
+        Error::System(text) => Failure::environment(text),
     })
 }
 
@@ -64,7 +64,7 @@ fn this_program() -> Option<PathBuf> {
 
 /// Answers one question of the panel, which has started this process for it.
 pub(crate) fn answer_one_question(args: &QuestionArgs) -> Result<(), Failure> {
-    seamwright_server::answer_one_question(&args.jobs).map_err(|e| Failure::Environment(e.to_string()))
+    seamwright_server::answer_one_question(&args.jobs).map_err(|e| Failure::environment(e.to_string()))
 }
 
 /// The name of a job in the data folder: a file is taken there first.
@@ -79,13 +79,13 @@ fn taken(job: &str, jobs: &Path) -> Result<String, Failure> {
         }
         let names: Vec<&str> = EXAMPLES.iter().map(|e| e.name).collect();
         let allowed = format!("a file, a job in {}, or an example: {}", jobs.display(), names.join(", "));
-        return Err(Failure::Input(format!("--job {job}: there is no such job\n   allowed: {allowed}")));
+        return Err(Failure::input(format!("--job {job}: there is no such job\n   allowed: {allowed}")));
     }
     let text = files::read(file)?;
     let inside = jobs.join(&name);
     let there = if inside.is_file() { Some(files::read(&inside)?) } else { None };
     match there {
-        Some(other) if other != text => Err(Failure::Input(format!(
+        Some(other) if other != text => Err(Failure::input(format!(
             "--job {job}: the data folder has another job of that name\n   allowed: a file of another name, or --job {name} from there"
         ))),
         Some(_) => Ok(name),

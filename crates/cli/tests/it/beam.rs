@@ -68,7 +68,7 @@ fn what_cannot_be_replayed() {
     let job = folder.path().join("job.toml");
     let text = fs::read_to_string(example("half-ring")).unwrap();
     for (from, to, says) in [
-        ("from_mm = 20", "from_mm = 2000", "begins where the weld has ended"),
+        ("from_mm = 20", "from_mm = 2000", "starts beyond the end of the weld"),
         ("beam_ma = 12", "beam_mA = 12", "cosmetic.process"),
         ("beam_ma = 12", "beam_ma = { from = 1, to = 2 }", "steady values"),
     ] {

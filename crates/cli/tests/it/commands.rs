@@ -110,22 +110,22 @@ fn bad_files_are_refused_before_anything_is_written() {
         ("", "commands.csv:1: there is no column `t_s`"),
         (
             "t_s,command,value\n1,hold,\n2,wait,\n",
-            "commands.csv:3: command = `wait` is no command\n   allowed: override,",
+            "commands.csv:3: command = `wait`: not a command\n   allowed: override,",
         ),
-        ("t_s,command,value\n1,Hold,\n", "commands.csv:2: command = `Hold` is no command"),
+        ("t_s,command,value\n1,Hold,\n", "commands.csv:2: command = `Hold`: not a command"),
         (
             "t_s,command,value\n1,override,151\n",
-            "commands.csv:2: value = `151` does not go with override\n   allowed: 0 to 150",
+            "commands.csv:2: value = `151`: does not go with override\n   allowed: 0 to 150",
         ),
         ("t_s,command,value\n1,override,-1\n", "value = `-1`"),
         ("t_s,command,value\n1,override,nan\n", "value = `nan`"),
         ("t_s,command,value\n1,override\n", "value = ``"),
-        ("t_s,command,value\n1,step,0\n", "value = `0` does not go with step"),
-        ("t_s,command,value\n1,hold,5\n", "value = `5` does not go with hold\n   allowed: nothing"),
-        ("t_s,command,value\n\n5,hold,\n4,resume,\n", "commands.csv:4: t_s = `4` is not allowed"),
+        ("t_s,command,value\n1,step,0\n", "value = `0`: does not go with step"),
+        ("t_s,command,value\n1,hold,5\n", "value = `5`: does not go with hold\n   allowed: nothing"),
+        ("t_s,command,value\n\n5,hold,\n4,resume,\n", "commands.csv:4: t_s = `4`: not allowed"),
         ("t_s,command,value\nsoon,hold,\n", "commands.csv:2: t_s = `soon`"),
         ("t_s,command,value\n-1,hold,\n", "t_s = `-1`"),
-        ("t_s,command,value\n1,override,0\n2,resume,\n", "commands.csv:3: command = `resume` cannot go on"),
+        ("t_s,command,value\n1,override,0\n2,resume,\n", "commands.csv:3: command = `resume`: cannot go on"),
     ] {
         let output = commanded("ellipse", rows, &[]);
         let text = String::from_utf8(output.stderr).unwrap();

@@ -163,7 +163,7 @@ fn a_line_becomes_a_cubic_whose_speeds_are_set() {
     assert!(text().contains("    [4, 0, 0.5],\n"), "{}", text());
     let told = run(&["edit", &name, "set-point", "--pass", "1", "--point", "2", "--speeds", "current_a=4"]);
     let told = String::from_utf8_lossy(&told.stderr).into_owned();
-    assert!(told.contains("says no place") && told.contains("x_mm, y_mm, z_mm"), "{told}");
+    assert!(told.contains("is not a column of the position") && told.contains("x_mm, y_mm, z_mm"), "{told}");
     edit(&["undo"]);
     edit(&["undo"]);
     assert_eq!(text(), TEXT);

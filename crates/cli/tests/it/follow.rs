@@ -82,7 +82,7 @@ fn what_is_wrong_is_named() {
     let head = "x,y,z,a,c\n0,0,50,0,0\n";
     for (points, more, code, words) in [
         ("1,2\n", vec![], 2, vec!["-:1:", "no column", "x,y,z,a,c or x_mm"]),
-        ("x_mm;y_mm;z_mm\n0;0;50\n", vec![], 2, vec!["-:1:", "no column", "apart by commas"]),
+        ("x_mm;y_mm;z_mm\n0;0;50\n", vec![], 2, vec!["-:1:", "no column", "separated by commas"]),
         ("x_mm,y_mm,z_mm,ax,ay\n0,0,50,0,0\n", vec![], 2, vec!["-:1:", "no column `az`"]),
         ("x_mm,y_mm,z_mm,ax,ay,az\n0,0,50,0,0,0\n", vec![], 2, vec!["-:2:", "ax,ay,az", "no length"]),
         ("x,y,z,a,c\n0,0,50,0,0\n", vec![], 2, vec!["fewer than two different points"]),

@@ -95,7 +95,7 @@ fn bad_procedures_have_an_address() {
             assert!(text.contains(word), "{word}: {text}");
         }
     };
-    refused("[8, 12]", "[12, 8]", &["runs[0].speed_mm_s", "above the greatest", "[least, greatest]"]);
+    refused("[8, 12]", "[12, 8]", &["runs[0].speed_mm_s", "above the maximum", "[minimum, maximum]"]);
     refused("process = 135 ", "process = 163 ", &["process = 163", "allowed: 111 (manual"]);
     refused("\"PC\"", "\"PX\"", &["runs[0].positions", "`PX`"]);
     refused("passes = \"1\"", "passes = \"1, 1\"", &["pass 1 is named twice"]);

@@ -131,14 +131,18 @@ fn mistakes() {
     refused(&format!("{CIRCLE}zero_direction = [0, 0, 1]\n"), "seam.circle.zero_direction", &["not along `normal`"]);
 
     refused(&ARC.replace("[0, 25, 0]", "[5, 0, 0]"), "seam.arc.via_mm", &["[seam.line]"]);
-    refused(&format!("{ARC}normal = [0, 1, 1]\n"), "seam.arc.normal", &["45.0000 degrees"]);
+    refused(&format!("{ARC}normal = [0, 1, 1]\n"), "seam.arc.normal", &["45.0000°"]);
     refused(&format!("{ARC}[start]\noverlap_mm = 5\n"), "start.overlap_mm", &["does not close"]);
 
-    refused(&RECTANGLE.replace("= 8", "= 20.5"), "seam.rounded_rectangle.corner_mm = 20.5", &["0 to 20"]);
+    refused(&RECTANGLE.replace("= 8", "= 20.5"), "seam.rounded_rectangle.corner_mm = 20.5", &["0 mm to 20 mm"]);
     refused(&RECTANGLE.replace("= 60", "= \"60\""), "seam.rounded_rectangle.width_mm", &["greater than 0"]);
     refused(&RECTANGLE.replace("\"butt\"", "\"lap\""), "seam.rounded_rectangle.joint", &["fillet"]);
 
-    refused(&POLYLINE.replace("[10, 30, 0]", "[0, 0, 0]"), "seam.polyline.points_mm[2]", &["where the one before is"]);
+    refused(
+        &POLYLINE.replace("[10, 30, 0]", "[0, 0, 0]"),
+        "seam.polyline.points_mm[2]",
+        &["coincides with the one before"],
+    );
     refused(&POLYLINE.replace("[10, 30, 0]", "[10, 30, 0.5]"), "seam.polyline.points_mm[2]", &["0.500000 mm above"]);
     refused(&POLYLINE.replace("[10, 30, 0]", "[10, nan, 0]"), "seam.polyline.points_mm[2]", &["finite"]);
     refused(&format!("{POLYLINE}[start]\nphi_deg = 5\n"), "start.phi_deg", &["does not close"]);

@@ -104,9 +104,9 @@ fn tables_weld_and_programs_hold_their_points() {
     refused(&TABLE.replace("12", "ten"), &["joint.csv:3", "y_mm = `ten`", "finite number"]);
     refused(&TABLE.replace("z_mm", "height"), &["joint.csv:1", "no column"]);
     refused(&TABLE.replace(",n1z", ",other"), &["joint.csv:1", "n1z"]);
-    refused("x_mm,y_mm,z_mm\n1,2,3\n", &["a seam of 1 points"]);
+    refused("x_mm,y_mm,z_mm\n1,2,3\n", &["the seam has 1 point"]);
     refused(&TABLE.replace("0,0,2", "0,0,0"), &["point 3", "without length"]);
-    refused(&TABLE.replace("10,8,0", "-15,12,0"), &["point 3", "where the one before"]);
+    refused(&TABLE.replace("10,8,0", "-15,12,0"), &["point 3", "coincides with the one before"]);
     fs::remove_file(folder.path().join("joint.csv")).unwrap();
     let (code, text) = with(folder.path(), &["plan", &path, "-o", &out]);
     assert!(code == 2 && text.contains("cannot be read"), "{text}");

@@ -68,7 +68,7 @@ fn taught_in_simulation_and_again_from_its_frames() {
     std::fs::write(&list, text.lines().take(4).map(|l| format!("{l}\n")).collect::<String>()).unwrap();
     let output = run(&["teach", &job, "--frames", &frames, "-o", &again]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("the frames are at their end"));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("the frames end before the joint"));
     let output = run(&["teach", &job, "--frames", "simulated", "--tack", "40,80", "-o", &again]);
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(report(&again).contains("\"ended\": \"lost\""));
@@ -267,7 +267,7 @@ fn taught_from_frames_that_are_sent() {
     assert!((a - b).abs() < 0.5 && !simulated.is_empty(), "{a} {b}");
     // Too few frames; a frame that never comes; invalid bytes; no sender.
     let (address, thread) = sender(all[..3].to_vec(), false);
-    assert!(bad(1, &["teach", &job, "--frames", &address, "-o", &sent]).contains("the frames are at their end"));
+    assert!(bad(1, &["teach", &job, "--frames", &address, "-o", &sent]).contains("the frames end before the joint"));
     thread.join().unwrap();
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let address = format!("tcp://{}", listener.local_addr().unwrap());

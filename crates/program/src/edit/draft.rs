@@ -4,7 +4,10 @@
 use crate::{Along, Columns, Pass, PointEvent, PointSpan, Points, Program, Span};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, Point};
-use seamwright_message::Message;
+use seamwright_message::{Message, Unit};
+
+/// Largest coordinate of a point, mm.
+const FARTHEST_MM: f64 = 1e7;
 
 /// A program being edited.
 #[derive(Debug)]
@@ -79,6 +82,21 @@ pub(super) struct EventDraft {
     pub(super) from: Option<usize>,
 }
 
+/// Allowed numbers of passes, spans, points or events.
+pub(super) fn from_to(min: usize, max: usize) -> Message {
+    Message::new("document-between").number("min", min as f64, 0).number("max", max as f64, 0)
+}
+
+/// The fault of an edit of points in a pass, counted from 1, that runs along the seam.
+pub(super) fn along_seam(pass: usize) -> Message {
+    Message::new("program-pass-along-seam").pass("pass", pass)
+}
+
+/// The fault of an edit along the seam in a pass, counted from 1, through points.
+pub(super) fn through_points(pass: usize) -> Message {
+    Message::new("program-pass-has-points").pass("pass", pass)
+}
+
 fn plain(numbers: &[Finite]) -> Vec<f64> {
     numbers.iter().map(|n| n.get()).collect()
 }
@@ -102,7 +120,8 @@ impl<'a> Draft<'a> {
     pub(super) fn program(&self) -> Result<Program, DocumentError> {
         let passes = self.passes.iter().map(PassDraft::pass).collect::<Option<Vec<Pass>>>();
         let passes = passes.ok_or_else(|| {
-            self.wrong("a number is not finite, or out of this world", "finite numbers, places within 1e7 mm of 0")
+            let allowed = Message::new("program-positions-within").value("max", FARTHEST_MM, Unit::Mm);
+            self.wrong(Message::new("program-number-not-finite"), allowed)
         })?;
         Ok(Program { passes, ..self.head.clone() })
     }
@@ -128,7 +147,7 @@ impl<'a> Draft<'a> {
         if (1..=count).contains(&pass) {
             return Ok(pass - 1);
         }
-        Err(self.wrong(format!("there is no pass {pass}"), format!("1 to {count}")))
+        Err(self.wrong(Message::new("program-no-pass").pass("pass", pass), from_to(1, count)))
     }
 
     /// The passes meant, from 1: one, or all of them.
@@ -148,7 +167,7 @@ impl<'a> Draft<'a> {
     /// The points of a pass counted from 1.
     pub(super) fn points(&mut self, pass: usize) -> Result<&mut PointsDraft, DocumentError> {
         let i = self.index(pass)?;
-        let error = self.wrong_in(pass, format!("pass {pass} runs along the seam"), "a pass through points");
+        let error = self.wrong_in(pass, along_seam(pass), Message::new("program-pass-through-points"));
         match &mut self.passes[i].body {
             Body::Points(points) => Ok(points),
             Body::Seam(_) => Err(error),
@@ -167,8 +186,9 @@ impl<'a> Draft<'a> {
         if least <= from && from <= to && to <= count {
             return Ok((from, to));
         }
-        let message = format!("there are no points {from} to {to} that this can be done to");
-        Err(self.wrong_in(pass, message, format!("{least} to {count}, the first one first")))
+        let message = Message::new("program-no-points").number("from", from as f64, 0).number("to", to as f64, 0);
+        let allowed = Message::new("program-range-in-order").number("min", least as f64, 0);
+        Err(self.wrong_in(pass, message, allowed.number("max", count as f64, 0)))
     }
 }
 

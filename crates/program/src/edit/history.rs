@@ -1,14 +1,16 @@
 //! History of edits of a text, for undo: patches of the changes, not copies of the text.
 
 use seamwright_document::DocumentError;
-use serde::{Deserialize, Serialize};
+use seamwright_message::Message;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// One edit: the position in the text, and the text there before and after.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Patch {
     /// Description of the edit.
-    pub name: String,
+    #[serde(deserialize_with = "message_or_text")]
+    pub name: Message,
     /// Bytes before the edit's position.
     pub at: usize,
     /// Text before the edit.
@@ -17,9 +19,23 @@ pub struct Patch {
     pub inserted: String,
 }
 
+/// Reads the name of an edit: a message, or the text of a history from before edits had messages.
+fn message_or_text<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Message, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Name {
+        Text(String),
+        Message(Message),
+    }
+    Ok(match Name::deserialize(deserializer)? {
+        Name::Text(text) => Message::verbatim(text),
+        Name::Message(message) => message,
+    })
+}
+
 impl Patch {
     /// The edit from `before` to `after`: their common start and end are left out.
-    pub fn between(name: &str, before: &str, after: &str) -> Self {
+    pub fn between(name: Message, before: &str, after: &str) -> Self {
         let same = |(a, b): &(u8, u8)| a == b;
         let mut at = before.bytes().zip(after.bytes()).take_while(same).count();
         while !before.is_char_boundary(at) || !after.is_char_boundary(at) {
@@ -31,7 +47,7 @@ impl Patch {
             end -= 1;
         }
         let (removed, inserted) = (&old[..old.len() - end], &new[..new.len() - end]);
-        Self { name: name.to_owned(), at, removed: removed.to_owned(), inserted: inserted.to_owned() }
+        Self { name, at, removed: removed.to_owned(), inserted: inserted.to_owned() }
     }
 
     /// `text` after the edit; `None` if the removed text is not there.
@@ -98,7 +114,7 @@ impl History {
 
     /// `text` before the last edit, and that edit's name; `None` if there is no edit to undo, or the text differs from
     /// that of the history.
-    pub fn undo(&mut self, text: &str) -> Option<(String, String)> {
+    pub fn undo(&mut self, text: &str) -> Option<(String, Message)> {
         let patch = self.patches.get(self.done.checked_sub(1)?)?;
         let text = patch.undone(text)?;
         self.done -= 1;
@@ -106,7 +122,7 @@ impl History {
     }
 
     /// `text` with the next edit redone, and that edit's name; `None` as for [`History::undo`].
-    pub fn redo(&mut self, text: &str) -> Option<(String, String)> {
+    pub fn redo(&mut self, text: &str) -> Option<(String, Message)> {
         let patch = self.patches.get(self.done)?;
         let text = patch.applied(text)?;
         self.done += 1;
@@ -134,17 +150,18 @@ impl History {
     /// The fault of a line.
     pub fn from_json_lines(file: &str, lines: &str, text: &str) -> Result<(Self, bool), DocumentError> {
         let empty = seamwright_document::Document::<toml::Table>::read(file, "")?;
-        let wrong = |line: usize, what: String| {
-            let allowed = "a history as `seamwright edit` writes it, one JSON object a line";
-            empty.error_at("", format!("line {line}: {what}"), allowed)
+        let wrong = |line: usize, fault: Message| {
+            let message = Message::new("program-history-line").number("line", line as f64, 0).message("fault", fault);
+            empty.error_at("", message, Message::new("program-history-format"))
         };
+        let unreadable = |line: usize, e: &serde_json::Error| wrong(line, Message::verbatim(e.to_string()));
         let mut rest = lines.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
-        let head = rest.next().ok_or_else(|| wrong(1, "the history is empty".to_owned()))?;
-        let head: Head = serde_json::from_str(head.1).map_err(|e| wrong(1, e.to_string()))?;
-        let patch = |(i, line): (usize, &str)| serde_json::from_str(line).map_err(|e| wrong(i + 1, e.to_string()));
+        let head = rest.next().ok_or_else(|| wrong(1, Message::new("program-history-empty")))?;
+        let head: Head = serde_json::from_str(head.1).map_err(|e| unreadable(1, &e))?;
+        let patch = |(i, line): (usize, &str)| serde_json::from_str(line).map_err(|e| unreadable(i + 1, &e));
         let patches: Vec<Patch> = rest.map(patch).collect::<Result<_, _>>()?;
         if head.history != 1 || head.done > patches.len() {
-            return Err(wrong(1, "the head of the history does not fit its edits".to_owned()));
+            return Err(wrong(1, Message::new("program-history-head")));
         }
         let is_same = head.checksum == checksum(text);
         Ok((Self { patches, done: head.done }, is_same))
@@ -152,7 +169,8 @@ impl History {
 
     /// Bytes that it keeps.
     pub fn size(&self) -> usize {
-        let of = |patch: &Patch| patch.name.len() + patch.removed.len() + patch.inserted.len();
+        let name = |message: &Message| size_of_val(message.arguments.as_slice());
+        let of = |patch: &Patch| name(&patch.name) + patch.removed.len() + patch.inserted.len();
         self.patches.iter().map(of).sum::<usize>() + self.patches.len() * size_of::<Patch>()
     }
 }

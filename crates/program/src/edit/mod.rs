@@ -40,6 +40,7 @@ pub use values::{Renumber, ScaleSpeed, SetProcess};
 use crate::Program;
 use draft::Draft;
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::Message;
 
 /// A program under edit: its text, its values, and its history.
 #[derive(Debug, Clone)]
@@ -91,7 +92,7 @@ impl Editor {
         let (text, program, report) = self.edited(operation)?;
         let changed = text != self.text;
         if changed {
-            self.history.push(Patch::between(&report.words, &self.text, &text));
+            self.history.push(Patch::between(report.words.clone(), &self.text, &text));
             (self.text, self.program) = (text, program);
         }
         Ok(Report { changed, ..report })
@@ -119,13 +120,19 @@ impl Editor {
             _ => write::write(&self.text, &draft)?,
         };
         let program = Program::read(&self.file, &text).map_err(|mut e| {
-            let help = "the edit is refused: the document stays as it was; the line is that of the result";
-            e.help = Some(e.help.map_or(help.into(), |h| format!("{h}\n   help: {help}").into()));
+            let refused = Message::new("program-edit-refused");
+            e.help = Some(match e.help {
+                Some(help) => {
+                    let refused = Message::new("document-help").message("help", refused);
+                    Message::new("program-help-and-help").message("first", help).message("second", refused)
+                }
+                None => refused,
+            });
             e
         })?;
         if !draft.is_recomputed && program.value != meant {
-            let message = "the edit cannot be written into the layout of this document";
-            return Err(self.program.error_at("", message, "the layout that the operation `format` makes"));
+            let message = Message::new("program-edit-layout");
+            return Err(self.program.error_at("", message, Message::new("program-usual-layout")));
         }
         Ok((text, program, report))
     }
@@ -135,7 +142,7 @@ impl Editor {
     ///
     /// # Errors
     /// The text differs from that of the history.
-    pub fn undo(&mut self) -> Result<Option<String>, DocumentError> {
+    pub fn undo(&mut self) -> Result<Option<Message>, DocumentError> {
         if self.history.done().is_empty() { Ok(None) } else { self.step(History::undo).map(Some) }
     }
 
@@ -143,17 +150,17 @@ impl Editor {
     ///
     /// # Errors
     /// The text differs from that of the history.
-    pub fn redo(&mut self) -> Result<Option<String>, DocumentError> {
+    pub fn redo(&mut self) -> Result<Option<Message>, DocumentError> {
         if self.history.undone().is_empty() { Ok(None) } else { self.step(History::redo).map(Some) }
     }
 
     /// A step in the history; its name.
-    fn step(&mut self, step: fn(&mut History, &str) -> Option<(String, String)>) -> Result<String, DocumentError> {
+    fn step(&mut self, step: fn(&mut History, &str) -> Option<(String, Message)>) -> Result<Message, DocumentError> {
         let mut history = std::mem::take(&mut self.history);
         let before = history.done;
         let made = step(&mut history, &self.text).ok_or_else(|| {
-            let message = "what the edit left does not stand in the document any more: it was changed since";
-            self.program.error_at("", message, "the document as the last edit left it")
+            let message = Message::new("program-history-of-other-text");
+            self.program.error_at("", message, Message::new("program-text-of-last-edit"))
         });
         let read = made.and_then(|(text, name)| Ok((Program::read(&self.file, &text)?, text, name)));
         if read.is_err() {

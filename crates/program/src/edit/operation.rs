@@ -5,6 +5,7 @@ use super::report::Report;
 use super::{passes, place, points, reduce, spans, turn, values};
 use schemars::JsonSchema;
 use seamwright_document::DocumentError;
+use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 
 /// An edit of a program. Passes, spans and events count from 1; points as events count them: 0 is the start, 1 the first
@@ -89,7 +90,7 @@ impl Operation {
             Self::DuplicatePass(o) => o.apply(draft),
             Self::AddEvent(o) => o.apply(draft),
             Self::DeleteEvent(o) => o.apply(draft),
-            Self::Format => Ok(Report::new("formatted")),
+            Self::Format => Ok(Report::new(Message::new("program-edit-formatted"))),
         }
     }
 }

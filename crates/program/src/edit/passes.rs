@@ -1,10 +1,11 @@
 //! Edits of whole passes, their events, and the settings common to all of them.
 
-use super::draft::{Draft, EventDraft, PassDraft};
+use super::draft::{Draft, EventDraft, PassDraft, from_to};
 use super::report::Report;
 use crate::{Pass, PointEvent, Repeat, Role};
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Finite};
+use seamwright_message::{Argument, Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// Sets the work offset in force.
@@ -110,8 +111,10 @@ pub struct DeleteEvent {
 impl SetOffset {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         draft.head.offset.clone_from(&self.name);
-        let name = self.name.as_ref().map_or("none".to_owned(), |name| format!("`{name}`"));
-        Ok(Report::new(format!("offset in force: {name}")))
+        Ok(Report::new(match &self.name {
+            Some(name) => Message::new("program-edit-offset").text("name", name),
+            None => Message::new("program-edit-no-offset"),
+        }))
     }
 }
 
@@ -122,14 +125,14 @@ impl SetVariable {
         let words = match self.value {
             Some(value) => {
                 variables.insert(self.name.clone(), value);
-                format!("variable {} = {}", self.name, value.get())
+                Message::new("program-edit-variable").text("name", &self.name).value("value", value.get(), Unit::One)
             }
             None => {
                 if variables.remove(&self.name).is_none() {
                     let known: Vec<&str> = variables.keys().map(String::as_str).collect();
                     return Err(draft.file.unknown_name("variables", &self.name, &known));
                 }
-                format!("variable {} taken out", self.name)
+                Message::new("program-edit-variable-removed").text("name", &self.name)
             }
         };
         Ok(Report::new(words))
@@ -139,7 +142,7 @@ impl SetVariable {
 impl SetPass {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         if *self == (Self { pass: self.pass, ..Self::default() }) {
-            return Err(draft.wrong("nothing is given to set", "name, role, arc, repeat"));
+            return Err(draft.wrong(Message::new("program-nothing-to-set"), "name, role, arc, repeat"));
         }
         let there = draft.pass(self.pass)?;
         if let Some(name) = &self.name {
@@ -151,13 +154,14 @@ impl SetPass {
             draft.points(self.pass)?.arc = arc;
         }
         let given = [
-            self.name.as_ref().map(|name| format!("name `{name}`")),
-            self.role.map(|role| format!("role {}", role.name())),
-            self.arc.map(|arc| format!("arc {}", if arc { "on" } else { "off" })),
-            self.repeat.map(|repeat| format!("welded {} times", repeat.get())),
+            self.name.as_ref().map(|name| Message::new("program-edit-pass-name").text("name", name)),
+            self.role.map(|role| Message::new("program-edit-pass-role").message("role", role.message())),
+            self.arc.map(|on| Message::new(if on { "program-edit-arc-on" } else { "program-edit-arc-off" })),
+            self.repeat.map(|repeat| Message::new("program-edit-repeat").count("times", repeat.get().into())),
         ];
-        let given: Vec<String> = given.into_iter().flatten().collect();
-        Ok(Report::new(format!("pass {}: {}", self.pass, given.join(", "))).pass(self.pass))
+        let given = given.into_iter().flatten().map(|change| Argument::Message(Box::new(change)));
+        let words = Message::new("program-edit-pass").pass("pass", self.pass).list("changes", given);
+        Ok(Report::new(words).pass(self.pass))
     }
 }
 
@@ -167,7 +171,7 @@ impl Draft<'_> {
         if (1..=count).contains(&at) {
             return Ok(at - 1);
         }
-        Err(self.wrong(format!("there is no place {at} in the order"), format!("1 to {count}")))
+        Err(self.wrong(Message::new("program-no-order-position").number("at", at as f64, 0), from_to(1, count)))
     }
 }
 
@@ -176,7 +180,7 @@ impl AddPass {
         let count = draft.passes.len() + 1;
         let at = draft.place(self.at.unwrap_or(count), count)?;
         draft.passes.insert(at, PassDraft::new(&self.new, None));
-        Ok(Report::new(format!("pass `{}` added", self.new.name)).pass(at + 1))
+        Ok(Report::new(Message::new("program-edit-pass-added").text("name", &self.new.name)).pass(at + 1))
     }
 }
 
@@ -184,10 +188,11 @@ impl DeletePass {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         let i = draft.index(self.pass)?;
         if draft.passes.len() == 1 {
-            return Err(draft.wrong("it is the only pass", "a program has at least one"));
+            return Err(draft.wrong(Message::new("program-only-pass"), Message::new("program-at-least-one-pass")));
         }
         let gone = draft.passes.remove(i);
-        Ok(Report::new(format!("pass {} `{}` deleted", self.pass, gone.pass.name)).pass(self.pass))
+        let words = Message::new("program-edit-pass-deleted").pass("pass", self.pass).text("name", gone.pass.name);
+        Ok(Report::new(words).pass(self.pass))
     }
 }
 
@@ -196,7 +201,8 @@ impl MovePass {
         let (from, to) = (draft.index(self.pass)?, draft.place(self.to, draft.passes.len())?);
         let pass = draft.passes.remove(from);
         draft.passes.insert(to, pass);
-        Ok(Report::new(format!("pass {} moved to {}", self.pass, self.to)).pass(self.to))
+        let words = Message::new("program-edit-pass-moved").pass("pass", self.pass).pass("to", self.to);
+        Ok(Report::new(words).pass(self.to))
     }
 }
 
@@ -206,7 +212,7 @@ impl DuplicatePass {
         let mut copy = draft.passes[i].clone();
         copy.pass.name = self.name.clone().unwrap_or_else(|| format!("{} copy", copy.pass.name));
         draft.passes.insert(i + 1, copy);
-        Ok(Report::new(format!("pass {} copied", self.pass)).pass(self.pass + 1))
+        Ok(Report::new(Message::new("program-edit-pass-copied").pass("pass", self.pass)).pass(self.pass + 1))
     }
 }
 
@@ -216,7 +222,7 @@ impl AddEvent {
         let after = self.event.after;
         let at = points.events.iter().rposition(|e| e.event.after <= after).map_or(0, |i| i + 1);
         points.events.insert(at, EventDraft { event: self.event.clone(), from: None });
-        let words = format!("pass {}: event added after point {after}", self.pass);
+        let words = Message::new("program-edit-event-added").pass("pass", self.pass).number("point", after as f64, 0);
         Ok(Report::new(words).points(self.pass, after, after))
     }
 }
@@ -226,11 +232,13 @@ impl DeleteEvent {
         let points = draft.points(self.pass)?;
         let count = points.events.len();
         if !(1..=count).contains(&self.event) {
-            let allowed = if count == 0 { "a pass with events".to_owned() } else { format!("1 to {count}") };
-            return Err(draft.wrong_in(self.pass, format!("there is no event {}", self.event), allowed));
+            let allowed = if count == 0 { Message::new("program-pass-with-events") } else { from_to(1, count) };
+            let message = Message::new("program-no-event").number("event", self.event as f64, 0);
+            return Err(draft.wrong_in(self.pass, message, allowed));
         }
         let gone = points.events.remove(self.event - 1);
-        let words = format!("pass {}: event {} deleted", self.pass, self.event);
+        let words = Message::new("program-edit-event-deleted").pass("pass", self.pass);
+        let words = words.number("event", self.event as f64, 0);
         Ok(Report::new(words).points(self.pass, gone.event.after, gone.event.after))
     }
 }

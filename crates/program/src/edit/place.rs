@@ -1,11 +1,12 @@
 //! Edits of points' positions: mirrored, or moved by the torch's frame.
 
-use super::draft::{Body, Draft, PointsDraft, Row, RowSpan};
+use super::draft::{Body, Draft, PointsDraft, Row, RowSpan, along_seam, through_points};
 use super::report::Report;
 use crate::{Along, ArcThrough, Bead};
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point};
+use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 
 /// Mirrors the points of a pass, or of all passes through points: poses about a plane (`at_mm` and `normal`), with the
@@ -62,15 +63,13 @@ pub struct Offset {
 
 impl Mirror {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
-        let mut report = Report::new("mirrored");
+        let mut report = Report::new(Message::new("program-edit-mirrored"));
         let plane = match (&self.axis, self.normal) {
             (None, Some(normal)) if self.about.is_none() => Some((self.at_mm.unwrap_or_default().get(), normal.unit())),
             (Some(_), None) if self.at_mm.is_none() => None,
             _ => {
-                let message = "about what to mirror is not said, or twice";
-                return Err(
-                    draft.wrong(message, "`normal` with `at_mm` for poses, `axis` with `about` for axis positions")
-                );
+                let message = Message::new("program-mirror-unclear");
+                return Err(draft.wrong(message, Message::new("program-mirror-keys")));
             }
         };
         for pass in draft.numbers(self.pass)? {
@@ -85,18 +84,18 @@ impl Mirror {
                 }
                 (None, Some(axis), None) => return Err(super::points::unknown_column(draft, pass, axis)),
                 (Some(_), ..) => {
-                    let message = format!("the points of pass {pass} are axis positions");
-                    return Err(draft.wrong_in(pass, message, "`axis` and `about`"));
+                    let message = Message::new("program-points-are-axes").pass("pass", pass);
+                    return Err(draft.wrong_in(pass, message, "`axis`, `about`"));
                 }
                 _ => {
-                    let message = format!("the points of pass {pass} are poses");
-                    return Err(draft.wrong_in(pass, message, "`normal` and `at_mm`"));
+                    let message = Message::new("program-points-are-poses").pass("pass", pass);
+                    return Err(draft.wrong_in(pass, message, "`normal`, `at_mm`"));
                 }
             }
             report = report.pass(pass);
         }
         if report.touched.is_empty() {
-            return Err(draft.wrong("no pass goes through points", "a program with [passes.points]"));
+            return Err(draft.wrong(Message::new("program-no-points-pass"), Message::new("program-with-points")));
         }
         Ok(report)
     }
@@ -234,11 +233,11 @@ impl Offset {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         let by = DVec3::from_array([self.dx_mm, self.dy_mm, self.dz_mm].map(Finite::get));
         let beside = [self.across_mm, self.out_mm, self.work_angle_deg].map(Finite::get);
-        let words = format!("pass {} moved", self.pass);
+        let words = Message::new("program-edit-moved").pass("pass", self.pass);
         if matches!(draft.pass(self.pass)?.body, Body::Seam(_)) {
             if by != DVec3::ZERO || self.points.is_some() {
-                let message = "the pass runs along the seam";
-                return Err(draft.wrong_in(self.pass, message, "`across_mm`, `out_mm`, `work_angle_deg`"));
+                let allowed = "`across_mm`, `out_mm`, `work_angle_deg`";
+                return Err(draft.wrong_in(self.pass, along_seam(self.pass), allowed));
             }
             let pass = &mut draft.pass(self.pass)?.pass;
             let begin = Finite::new(pass.begin_mm.get()).unwrap_or_default();
@@ -249,18 +248,17 @@ impl Offset {
             return Ok(Report::new(words).pass(self.pass));
         }
         if beside.iter().any(|by| by.abs() > 0.0) {
-            let message = "the pass goes through points";
-            return Err(draft.wrong_in(self.pass, message, "`dx_mm`, `dy_mm`, `dz_mm`"));
+            return Err(draft.wrong_in(self.pass, through_points(self.pass), "`dx_mm`, `dy_mm`, `dz_mm`"));
         }
         let (from, to) = draft.range(self.pass, self.points, 0)?;
         let points = draft.points(self.pass)?;
         let Some(columns) = points.places().filter(|_| points.known().pose > 0) else {
-            let message = "the points are axis positions: only the machine knows the torch's frame";
-            return Err(draft.wrong_in(self.pass, message, "points that are poses"));
+            let message = Message::new("program-offset-of-axes");
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-points-with-poses")));
         };
         if let Err(point) = points.offset((from, to), by, columns) {
-            let message = format!("the torch points along its way at point {point}, or nothing moves there");
-            return Err(draft.wrong_in(self.pass, message, "a torch across its way"));
+            let message = Message::new("program-no-torch-frame").number("point", point as f64, 0);
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-torch-across-path")));
         }
         Ok(Report::new(words).points(self.pass, from, to))
     }

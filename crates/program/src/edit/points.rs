@@ -2,10 +2,12 @@
 
 use super::draft::{Draft, PointsDraft, Row, RowSpan};
 use super::report::Report;
+use crate::points::numbers_for_columns;
 use crate::{Along, ArcThrough};
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite};
+use seamwright_message::{Argument, Message};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -56,11 +58,12 @@ impl SetPoint {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         let count = draft.points(self.pass)?.count();
         if self.point > count {
-            let message = format!("there is no point {}", self.point);
-            return Err(draft.wrong_in(self.pass, message, format!("0 (the start) to {count}")));
+            let allowed = Message::new("program-start-to-point").number("max", count as f64, 0);
+            return Err(draft.wrong_in(self.pass, no_point(self.point), allowed));
         }
         if self.set.is_empty() && self.speeds.is_empty() {
-            return Err(draft.wrong_in(self.pass, "no number is given", "at least one column = number"));
+            let message = Message::new("program-no-number-given");
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-at-least-one-column")));
         }
         for (name, value) in &self.set {
             let points = draft.points(self.pass)?;
@@ -70,9 +73,11 @@ impl SetPoint {
             }
         }
         self.set_speeds(draft)?;
-        let speeds = self.speeds.keys().map(|name| format!("speed of {name}"));
-        let names: Vec<String> = self.set.keys().cloned().chain(speeds).collect();
-        let words = format!("pass {}, point {}: set {}", self.pass, self.point, names.join(", "));
+        let speed = |name: &String| Message::new("program-edit-speed-of").key("column", name);
+        let speeds = self.speeds.keys().map(|name| Argument::Message(Box::new(speed(name))));
+        let columns = self.set.keys().map(|name| Argument::Key(name.clone())).chain(speeds);
+        let words = Message::new("program-edit-point").pass("pass", self.pass);
+        let words = words.number("point", self.point as f64, 0).list("columns", columns);
         Ok(Report::new(words).points(self.pass, self.point, self.point))
     }
 
@@ -82,18 +87,23 @@ impl SetPoint {
             let places = points.place_columns();
             let Some(k) = points.column(name).and_then(|column| places.iter().position(|c| *c == column)) else {
                 let names: Vec<String> = places.iter().map(|c| points.columns[*c].clone()).collect();
-                let message = format!("`{name}` says no place, so it has no speed");
+                let message = Message::new("program-column-without-speed").key("column", name);
                 return Err(draft.wrong_in(self.pass, message, names.join(", ")));
             };
             let at_point = points.speeds_at(self.point);
             if at_point.is_empty() {
-                let message = format!("no cubic ends or begins at point {}", self.point);
-                return Err(draft.wrong_in(self.pass, message, "a point of a span that is `cubic`"));
+                let message = Message::new("program-no-cubic-at-point").number("point", self.point as f64, 0);
+                return Err(draft.wrong_in(self.pass, message, Message::new("program-point-of-cubic")));
             }
             at_point.into_iter().for_each(|speeds| speeds[k] = speed.get());
         }
         Ok(())
     }
+}
+
+/// The fault of an edit of a point that the pass does not have.
+pub(super) fn no_point(point: usize) -> Message {
+    Message::new("program-no-point").number("point", point as f64, 0)
 }
 
 /// The column `name` is not among those of a pass through points.
@@ -108,15 +118,17 @@ impl InsertPoint {
         let file = draft.file;
         let points = draft.points(self.pass)?;
         let (count, width, after) = (points.count(), points.columns.len(), self.after);
-        let refused = |message: String, allowed: String| Err(file.error_at("passes", message, allowed));
+        let refused = |message: Message, max: usize| {
+            let allowed = Message::new("program-after-start-to-point").number("max", max as f64, 0);
+            Err(file.error_at("passes", message, allowed))
+        };
         if after > count {
-            return refused(format!("there is no point {after}"), format!("after: 0 (the start) to {count}"));
+            return refused(no_point(after), count);
         }
         match &self.numbers {
             Some(numbers) if numbers.len() != width => {
-                let columns = draft.points(self.pass)?.columns.join(", ");
-                let message = format!("{} numbers for {width} columns", numbers.len());
-                return Err(draft.wrong_in(self.pass, message, format!("one for each of {columns}")));
+                let (message, allowed) = numbers_for_columns(numbers.len(), &draft.points(self.pass)?.columns);
+                return Err(draft.wrong_in(self.pass, message, allowed));
             }
             Some(numbers) => {
                 let mut row = Row::new(numbers.iter().map(|n| n.get()).collect());
@@ -146,15 +158,13 @@ impl InsertPoint {
                 }
             }
             None if after == count => {
-                return refused(
-                    "there is no next point to be halfway to".to_owned(),
-                    format!("after: 0 to {}", count - 1),
-                );
+                return refused(Message::new("program-no-next-point"), count - 1);
             }
             None => points.insert_halfway(after),
         }
         draft.points(self.pass)?.move_events(|event| if event > after { event + 1 } else { event });
-        let words = format!("pass {}: point inserted after {after}", self.pass);
+        let words = Message::new("program-edit-point-inserted").pass("pass", self.pass);
+        let words = words.number("after", after as f64, 0);
         Ok(Report::new(words).points(self.pass, after + 1, after + 1))
     }
 }
@@ -248,12 +258,13 @@ impl DeletePoints {
         let points = draft.points(self.pass)?;
         let deleted = to - from + 1;
         if deleted == points.count() {
-            let error = draft.wrong_in(self.pass, "no point would be left", "at least one stays; or delete the pass");
-            return Err(error);
+            let message = Message::new("program-no-point-left");
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-keep-a-point")));
         }
         (0..deleted).for_each(|_| points.delete(from));
         points.move_events(|after| if after > to { after - deleted } else { after.min(from - 1) });
-        let words = format!("pass {}: points {from} to {to} deleted", self.pass);
+        let words = Message::new("program-edit-points-deleted").pass("pass", self.pass);
+        let words = words.number("from", from as f64, 0).number("to", to as f64, 0);
         Ok(Report::new(words).points(self.pass, from - 1, from - 1))
     }
 }

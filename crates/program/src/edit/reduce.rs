@@ -7,6 +7,7 @@ use glam::{DQuat, DVec3};
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Positive};
 use seamwright_geometry::reduce::{Method, Shape, Span, reduce};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -31,14 +32,16 @@ impl Reduce {
         let points = draft.points(self.pass)?;
         let before = points.count();
         let Some(columns) = points.places() else {
-            let message = "there are no x, y and z between which lines and arcs could go";
-            return Err(draft.wrong_in(self.pass, message, "poses, or positions of axes x, y and z"));
+            let message = Message::new("program-points-without-xyz");
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-poses-or-xyz")));
         };
         if let Err(error) = points.reduce(columns, tolerances) {
-            return Err(draft.wrong_in(self.pass, error.to_string(), "places within 1e9 mm"));
+            let allowed = Message::new("program-positions-within").value("max", 1e9, Unit::Mm);
+            return Err(draft.wrong_in(self.pass, error.to_string(), allowed));
         }
         let after = draft.points(self.pass)?.count();
-        let words = format!("pass {}: {before} points reduced to {after}", self.pass);
+        let words = Message::new("program-edit-reduced").pass("pass", self.pass);
+        let words = words.count("before", before).count("after", after);
         Ok(Report::new(words).points(self.pass, 0, after))
     }
 }

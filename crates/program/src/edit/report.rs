@@ -1,15 +1,22 @@
 use schemars::JsonSchema;
-use serde::Serialize;
+use seamwright_message::{Language, Message};
+use serde::{Serialize, Serializer};
 
 /// What an edit changed.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Report {
-    /// In words; also the edit's name in the history.
-    pub words: String,
+    /// Description, in English words; also the edit's name in the history.
+    #[serde(serialize_with = "in_english")]
+    #[schemars(with = "String")]
+    pub words: Message,
     /// False if the document was so already.
     pub changed: bool,
     /// Where.
     pub touched: Vec<Touched>,
+}
+
+fn in_english<S: Serializer>(message: &Message, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&message.in_language(Language::English))
 }
 
 /// Part of a program that was edited, by its place after the edit.
@@ -26,8 +33,8 @@ pub struct Touched {
 }
 
 impl Report {
-    pub(super) fn new(words: impl Into<String>) -> Self {
-        Self { words: words.into(), changed: true, touched: Vec::new() }
+    pub(super) fn new(words: Message) -> Self {
+        Self { words, changed: true, touched: Vec::new() }
     }
 
     /// A whole pass.

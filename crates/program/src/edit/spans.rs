@@ -1,10 +1,11 @@
 //! Spans: the way to their points, in two, together.
 
-use super::draft::{Body, Draft, PointsDraft, Row, RowSpan, SeamSpan};
+use super::draft::{Body, Draft, PointsDraft, Row, RowSpan, SeamSpan, from_to};
 use super::report::Report;
 use crate::{Along, Pass, Ramp, Span, SpanValue, is_before, is_beyond};
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point, Positive};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// Slopes and values of ramps that differ by less than this part of the value go on into each other.
@@ -59,8 +60,8 @@ fn index(draft: &Draft, pass: usize, span: usize, count: usize) -> Result<usize,
     if (1..=count).contains(&span) {
         return Ok(span - 1);
     }
-    let allowed = if count == 0 { "a pass of more spans".to_owned() } else { format!("1 to {count}") };
-    Err(draft.wrong_in(pass, format!("there is no span {span} for this"), allowed))
+    let allowed = if count == 0 { Message::new("program-pass-of-more-spans") } else { from_to(1, count) };
+    Err(draft.wrong_in(pass, Message::new("program-no-span").number("span", span as f64, 0), allowed))
 }
 
 impl Interpolate {
@@ -70,27 +71,29 @@ impl Interpolate {
         let span = &mut draft.points(self.pass)?.spans[i];
         let rapid = span.along == Along::Rapid;
         if self.along == Along::Rapid && !rapid && draft.points(self.pass)?.arc {
-            let message = "the arc is on in this pass: nothing is welded in a rapid move";
-            return Err(draft.wrong_in(self.pass, message, "line, arc, spline; or a pass with `arc = false`"));
+            let message = Message::new("program-rapid-with-arc");
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-ways-or-no-arc")));
         }
         if self.along == Along::Cubic && !draft.points(self.pass)?.timed() {
-            return Err(draft.wrong_in(self.pass, "a cubic needs times", "a pass whose last column is `time_s`"));
+            let message = Message::new("program-cubic-needs-times");
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-pass-with-times")));
         }
         let span = &mut draft.points(self.pass)?.spans[i];
         if self.along == Along::Arc && (self.via_mm.is_none() || span.rows.len() != 1) {
-            let message = format!("an arc needs `via_mm` and one point; the span has {}", span.rows.len());
-            return Err(draft.wrong_in(self.pass, message, "split the span first; give `via_mm`"));
+            let message = Message::new("program-arc-of-points").count("points", span.rows.len());
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-split-first")));
         }
         if self.along != Along::Arc && (self.via_mm.is_some() || self.normal.is_some()) {
-            let message = format!("`via_mm` and `normal` are of arcs, not of {}", self.along.name());
-            return Err(draft.wrong_in(self.pass, message, "leave them out"));
+            let message = Message::new("program-via-of-arcs").text("along", self.along.name());
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-leave-out")));
         }
         if rapid && self.along != Along::Rapid && self.pace.is_none() {
-            let message = "points reached by rapid have no time or speed";
-            return Err(draft.wrong_in(self.pass, message, "`pace`: time or speed to each point"));
+            let message = Message::new("program-rapid-without-pace");
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-pace")));
         }
         if self.pace.is_some() && (!rapid || self.along == Along::Rapid) {
-            return Err(draft.wrong_in(self.pass, "the points have a time or speed already", "no `pace`"));
+            let message = Message::new("program-pace-given");
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-no-pace")));
         }
         (span.along, span.via, span.normal) = (self.along, self.via_mm.map(Point::get), self.normal);
         let pace = if self.along == Along::Rapid { Some(0.0) } else { self.pace.map(Positive::get) };
@@ -104,7 +107,8 @@ impl Interpolate {
             Some(speeds) => span.set_speeds(speeds),
             None => span.forget_speeds(),
         }
-        let words = format!("pass {}, span {}: {}", self.pass, self.span, self.along.name());
+        let words = Message::new("program-edit-along").pass("pass", self.pass).number("span", self.span as f64, 0);
+        let words = words.text("along", self.along.name());
         Ok(Report::new(words).spans(self.pass, self.span, self.span))
     }
 }
@@ -118,8 +122,8 @@ impl SplitSpan {
                 match (1..count).contains(&point).then(|| points.split(point)).flatten() {
                     Some(span) => span,
                     None => {
-                        let message = format!("no span can be split at point {point}");
-                        return Err(draft.wrong_in(self.pass, message, "a point within a span, not its last one"));
+                        let message = Message::new("program-no-split-at-point").number("point", point as f64, 0);
+                        return Err(draft.wrong_in(self.pass, message, Message::new("program-point-within-span")));
                     }
                 }
             }
@@ -128,17 +132,18 @@ impl SplitSpan {
                 match pass.split(s.get()) {
                     Some(span) => span,
                     None => {
-                        let message = format!("no span can be split at {} mm", s.get());
-                        return Err(draft.wrong_in(self.pass, message, "a path length within a span, not its end"));
+                        let message = Message::new("program-no-split-at-length").value("s", s.get(), Unit::Mm);
+                        return Err(draft.wrong_in(self.pass, message, Message::new("program-length-within-span")));
                     }
                 }
             }
             _ => {
-                let message = "where to split is not said, or not as the pass runs";
-                return Err(draft.wrong_in(self.pass, message, "`point` through points, `s_mm` along the seam"));
+                let message = Message::new("program-split-unclear");
+                return Err(draft.wrong_in(self.pass, message, Message::new("program-split-keys")));
             }
         };
-        let words = format!("pass {}: span {} split", self.pass, span + 1);
+        let words =
+            Message::new("program-edit-span-split").pass("pass", self.pass).number("span", (span + 1) as f64, 0);
         Ok(Report::new(words).spans(self.pass, span + 1, span + 2))
     }
 }
@@ -179,6 +184,11 @@ impl super::draft::PassDraft {
     }
 }
 
+/// `message` with a span, counted from 1, and the next one.
+fn two_spans(message: Message, span: usize) -> Message {
+    message.number("first", span as f64, 0).number("second", (span + 1) as f64, 0)
+}
+
 impl JoinSpans {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         let count = match &draft.pass(self.pass)?.body {
@@ -197,11 +207,10 @@ impl JoinSpans {
             Body::Points(points) => points.join(i),
         };
         if joined.is_none() {
-            let message = format!("spans {} and {} do not go on into each other", self.span, self.span + 1);
-            let allowed = "the same way (no arcs) and stops, cubics with the same speeds; along the seam the same values, or ramps that go on";
-            return Err(draft.wrong_in(self.pass, message, allowed));
+            let message = two_spans(Message::new("program-spans-not-joined"), self.span);
+            return Err(draft.wrong_in(self.pass, message, Message::new("program-spans-that-join")));
         }
-        let words = format!("pass {}: spans {} and {} joined", self.pass, self.span, self.span + 1);
+        let words = two_spans(Message::new("program-edit-spans-joined").pass("pass", self.pass), self.span);
         Ok(Report::new(words).spans(self.pass, self.span, self.span))
     }
 }

@@ -1,11 +1,13 @@
 //! The order in which a pass runs: the other way round, or from another point.
 
-use super::draft::{Body, Draft, PointsDraft, Row, SeamSpan};
+use super::draft::{Body, Draft, PointsDraft, Row, SeamSpan, from_to, through_points};
+use super::points::no_point;
 use super::report::Report;
 use super::switches::reordered;
 use crate::is_before;
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Finite, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// Maximum distance between end and start of a closed run of points, in every number of a position: mm, degrees.
@@ -49,25 +51,27 @@ impl ReversePass {
         match &mut pass.body {
             Body::Points(points) => {
                 if self.seam_length_mm.is_some() {
-                    let message = "the pass goes through points: it has no seam";
-                    return Err(draft.wrong_in(self.pass, message, "no `seam_length_mm`"));
+                    let message = Message::new("program-points-without-seam");
+                    return Err(draft.wrong_in(self.pass, message, Message::new("program-no-seam-length")));
                 }
                 points.reverse();
             }
             Body::Seam(_) if self.seam_length_mm.is_none() && pass.pass.reverse && is_before(begin, end) => {
-                let message = "the pass runs over the seam's start";
-                return Err(draft.wrong_in(self.pass, message, "`seam_length_mm`: the seam is welded all round"));
+                let message = Message::new("program-pass-over-start");
+                return Err(draft.wrong_in(self.pass, message, Message::new("program-seam-length")));
             }
             Body::Seam(spans) => {
                 let from: Vec<Option<usize>> = spans.iter().rev().map(|span| span.from).collect();
-                let Some(whole) = pass.pass() else { return Err(draft.wrong_in(self.pass, "no pass", "")) };
+                let Some(whole) = pass.pass() else {
+                    return Err(draft.wrong_in(self.pass, Message::new("program-number-not-finite"), ""));
+                };
                 let mut turned = whole.turned(self.seam_length_mm.map(Positive::get));
                 let spans = std::mem::take(&mut turned.spans);
                 let spans = spans.into_iter().zip(from).map(|(span, from)| SeamSpan { span, from });
                 (pass.body, pass.pass) = (Body::Seam(spans.collect()), turned);
             }
         }
-        Ok(Report::new(format!("pass {} turned round", self.pass)).pass(self.pass))
+        Ok(Report::new(Message::new("program-edit-reversed").pass("pass", self.pass)).pass(self.pass))
     }
 }
 
@@ -131,23 +135,24 @@ impl ShiftStart {
             (Some(pass), None, Some(begin), None) => {
                 let there = draft.pass(pass)?;
                 if matches!(there.body, Body::Points(_)) {
-                    let message = format!("pass {pass} goes through points");
-                    return Err(draft.wrong_in(pass, message, "`point`, where a closed run of points is to begin"));
+                    let allowed = Message::new("program-start-point");
+                    return Err(draft.wrong_in(pass, through_points(pass), allowed));
                 }
                 there.pass.begin_mm = begin;
-                Ok(Report::new(format!("pass {pass} begins at {} mm", begin.get())).pass(pass))
+                let words =
+                    Message::new("program-edit-pass-start").pass("pass", pass).value("s", begin.get(), Unit::Mm);
+                Ok(Report::new(words).pass(pass))
             }
             (None, None, None, Some(phi)) => {
                 if draft.head.seam.is_none() {
-                    let message = "the program has no seam on which to start";
-                    return Err(draft.wrong(message, "`pass` and `point`"));
+                    return Err(draft.wrong(Message::new("program-start-without-seam"), "`pass`, `point`"));
                 }
                 draft.head.start.phi_deg = phi;
-                Ok(Report::new(format!("the weld starts at {} degrees", phi.get())))
+                Ok(Report::new(Message::new("program-edit-weld-start").value("phi", phi.get(), Unit::Deg)))
             }
             _ => {
-                let message = "where to begin is not said, or twice";
-                Err(draft.wrong(message, "`pass` with `point`, or `pass` with `begin_mm`, or `phi_deg` alone"))
+                let message = Message::new("program-start-unclear");
+                Err(draft.wrong(message, Message::new("program-start-keys")))
             }
         }
     }
@@ -156,16 +161,16 @@ impl ShiftStart {
         let points = draft.points(pass)?;
         let count = points.count();
         if !points.is_closed() {
-            let message = "the points do not end where they start";
-            return Err(draft.wrong_in(pass, message, "a closed run: the last point is the start"));
+            let message = Message::new("program-points-not-closed");
+            return Err(draft.wrong_in(pass, message, Message::new("program-closed-points")));
         }
         if point > count {
-            let message = format!("there is no point {point}");
-            return Err(draft.wrong_in(pass, message, format!("0 to {count}")));
+            return Err(draft.wrong_in(pass, no_point(point), from_to(0, count)));
         }
         if (1..count).contains(&point) {
             points.rotate(point);
         }
-        Ok(Report::new(format!("pass {pass} begins at point {point}")).pass(pass))
+        let words = Message::new("program-edit-pass-start-point").pass("pass", pass).number("point", point as f64, 0);
+        Ok(Report::new(words).pass(pass))
     }
 }

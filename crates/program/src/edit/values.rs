@@ -1,10 +1,11 @@
 //! Speeds, process values and block numbers over ranges.
 
-use super::draft::{Body, Draft, PointsDraft, SeamSpan};
+use super::draft::{Body, Draft, PointsDraft, SeamSpan, along_seam, through_points};
 use super::report::Report;
 use crate::{NUMBER_COLUMN, ProcessValue, Ramp, SpanValue, is_beyond};
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Finite, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// Makes the travel faster or slower: speeds times the factor, times divided by it. Rapids stay.
@@ -67,8 +68,9 @@ impl Draft<'_> {
         let length = self.pass(pass)?.pass().map_or(0.0, |pass| pass.length());
         let [from, to] = s_mm.map_or([0.0, length], |s| s.map(NonNegative::get));
         if !is_beyond(to, from) || is_beyond(to, length) {
-            let message = format!("the pass has no range from {from} to {to} mm");
-            return Err(self.wrong_in(pass, message, format!("0 to {length}, the lower end first")));
+            let message = Message::new("program-no-range").value("from", from, Unit::Mm).value("to", to, Unit::Mm);
+            let allowed = Message::new("program-range-in-order").value("min", 0.0, Unit::Mm);
+            return Err(self.wrong_in(pass, message, allowed.value("max", length, Unit::Mm)));
         }
         let there = self.pass(pass)?;
         for s in [from, to] {
@@ -94,11 +96,11 @@ impl Draft<'_> {
         let through = matches!(self.pass(pass)?.body, Body::Points(_));
         if (through && s_mm.is_some()) || (!through && points.is_some()) {
             let (message, allowed) = if through {
-                ("the pass goes through points", "`points`, and no `s_mm`")
+                (through_points(pass), "program-range-of-points")
             } else {
-                ("the pass runs along the seam", "`s_mm`, and no `points`")
+                (along_seam(pass), "program-range-of-seam")
             };
-            return Err(self.wrong_in(pass, message, allowed));
+            return Err(self.wrong_in(pass, message, Message::new(allowed)));
         }
         Ok(through)
     }
@@ -107,10 +109,11 @@ impl Draft<'_> {
 impl ScaleSpeed {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         if self.pass.is_none() && (self.points.is_some() || self.s_mm.is_some()) {
-            return Err(draft.wrong("a range is one of a pass", "`pass` with `points` or `s_mm`"));
+            let message = Message::new("program-range-without-pass");
+            return Err(draft.wrong(message, Message::new("program-pass-with-range")));
         }
         let factor = self.factor.get();
-        let mut report = Report::new(format!("speed times {factor}"));
+        let mut report = Report::new(Message::new("program-edit-speed").value("factor", factor, Unit::One));
         for pass in draft.numbers(self.pass)? {
             if draft.check_range(pass, self.points, self.s_mm)? {
                 let (from, to) = draft.range(pass, self.points, 1)?;
@@ -126,7 +129,8 @@ impl ScaleSpeed {
                 let range = draft.seam_range(pass, self.s_mm)?;
                 report = report.spans(pass, range.start + 1, range.end);
                 if !draft.scale_seam(pass, range, factor)? {
-                    return Err(draft.wrong_in(pass, "a speed would not be a finite number above 0", "another factor"));
+                    let message = Message::new("program-speed-not-positive");
+                    return Err(draft.wrong_in(pass, message, Message::new("program-other-factor")));
                 }
             }
         }
@@ -155,7 +159,7 @@ impl Draft<'_> {
 
 impl SetProcess {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
-        let words = format!("pass {}: {} set", self.pass, self.name);
+        let words = Message::new("program-edit-process").pass("pass", self.pass).key("name", &self.name);
         if draft.check_range(self.pass, self.points, self.s_mm)? {
             let (from, to) = draft.range(self.pass, self.points, 0)?;
             let known = draft.points(self.pass)?.known().process;
@@ -223,7 +227,7 @@ impl PointsDraft {
 
 impl Renumber {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
-        let mut report = Report::new("points numbered");
+        let mut report = Report::new(Message::new("program-edit-numbered"));
         let mut next = self.start;
         for pass in draft.numbers(self.pass)? {
             if self.pass.is_none() && matches!(draft.pass(pass)?.body, Body::Seam(_)) {
@@ -239,7 +243,7 @@ impl Renumber {
             report = report.points(pass, 1, count);
         }
         if report.touched.is_empty() {
-            return Err(draft.wrong("no pass goes through points", "a program with [passes.points]"));
+            return Err(draft.wrong(Message::new("program-no-points-pass"), Message::new("program-with-points")));
         }
         Ok(report)
     }

@@ -17,6 +17,7 @@ use crate::process::check_process_units;
 use crate::{FilletOrButt, Pass, Role, check_process_name, check_process_value};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive, SchemaVersion};
+use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -117,22 +118,23 @@ impl Run {
 
     fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         let message = match (&self.name, &self.passes) {
-            (None, None) => Some("the run names no passes"),
-            (Some(_), Some(_)) => Some("the run names its passes twice"),
+            (None, None) => Some("program-run-without-passes"),
+            (Some(_), Some(_)) => Some("program-run-passes-twice"),
             _ => None,
         };
-        if let Some(message) = message {
-            let allowed = "either name = \"tack\", \"root\", \"fill\" or \"cap\", or passes = \"1\", \"2-5\" and so on";
-            return Err(file.error_at(path, message, allowed));
+        if let Some(code) = message {
+            return Err(file.error_at(path, Message::new(code), Message::new("program-run-names")));
         }
         if self.positions.as_ref().is_some_and(Vec::is_empty) {
-            let message = "the run allows no position at all";
-            return Err(file.error_at(&format!("{path}.positions"), message, "one or more; no key allows all"));
+            let message = Message::new("program-run-without-position");
+            let allowed = Message::new("program-run-positions");
+            return Err(file.error_at(&format!("{path}.positions"), message, allowed));
         }
         for (name, window) in &self.ranges {
             let key = format!("{path}.ranges.{name}");
             if OWN_KEYS.contains(&name.as_str()) {
-                return Err(file.error_at(&key, "this is no process value", format!("{name} beside `ranges`")));
+                let allowed = Message::new("program-beside-ranges").key("key", name);
+                return Err(file.error_at(&key, Message::new("program-not-a-process-value"), allowed));
             }
             check_process_name(file, &key, name)?;
             let (_, greatest) = window.ends();
@@ -151,7 +153,7 @@ impl Procedure {
     pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
         let document = Document::<Self>::read(file, text).map_err(|mut e| {
             if e.key.starts_with("runs[") && e.message.code == "document-unknown-key" && e.help.is_none() {
-                e.help = Some("ranges of process values stand in [runs.ranges]".into());
+                e.help = Some(Message::new("program-ranges-in-table"));
             }
             e
         })?;
@@ -176,25 +178,30 @@ impl Procedure {
         let parts =
             [("thermal_efficiency", self.thermal_efficiency), ("deposition_efficiency", self.deposition_efficiency)];
         if let Some((key, _)) = parts.iter().find(|(_, part)| part.is_some_and(|p| p.get() > 1.0)) {
-            return Err(file.error_at(&at(key), "this is a part of the whole", "more than 0, up to 1"));
+            let allowed = Message::new("document-more-than-up-to").number("min", 0.0, 0).number("max", 1.0, 0);
+            return Err(file.error_at(&at(key), Message::new("program-part-above-one"), allowed));
         }
         self.check_power(file, &at("power"))?;
         self.position_limits.check(file, &at("position_limits"))?;
         if self.runs.is_empty() {
-            return Err(file.error_at(&at("runs"), "the procedure has no runs", "at least one [[runs]]"));
+            let allowed = Message::new("program-at-least-one-table").key("table", "[[runs]]");
+            return Err(file.error_at(&at("runs"), Message::new("program-procedure-without-runs"), allowed));
         }
         for (i, run) in self.runs.iter().enumerate() {
             let path = at(&format!("runs[{i}]"));
             run.check(file, &path)?;
             for (k, other) in self.runs[..i].iter().enumerate() {
                 if run.name.is_some() && run.name == other.name {
-                    let message = format!("runs[{k}] has this name already");
-                    return Err(file.error_at(&format!("{path}.name"), message, "one run of each name"));
+                    let message = Message::new("program-name-taken").key("other", format!("runs[{k}]"));
+                    let allowed = Message::new("program-one-run-per-name");
+                    return Err(file.error_at(&format!("{path}.name"), message, allowed));
                 }
                 let both = run.passes.as_ref().zip(other.passes.as_ref()).and_then(|(a, b)| a.first_in_both(b));
                 if let Some(number) = both {
-                    let message = format!("pass {number} is named by runs[{k}] already");
-                    return Err(file.error_at(&format!("{path}.passes"), message, "each pass in one run"));
+                    let message = Message::new("program-pass-in-two-runs").pass("pass", number);
+                    let message = message.key("other", format!("runs[{k}]"));
+                    let allowed = Message::new("program-pass-in-one-run");
+                    return Err(file.error_at(&format!("{path}.passes"), message, allowed));
                 }
             }
         }
@@ -211,8 +218,10 @@ impl Procedure {
             let mut runs = (0..self.runs.len()).filter(|i| self.runs[*i].is_for(number, pass));
             if let (Some(first), Some(second)) = (runs.next(), runs.next()) {
                 let dot = if table.is_empty() { "" } else { "." };
-                let message = format!("pass {number} ({}) is in runs[{first}] already", pass.name);
-                return Err(file.error_at(&format!("{table}{dot}runs[{second}]"), message, "each pass in one run"));
+                let message = Message::new("program-named-pass-in-two-runs").pass("pass", number);
+                let message = message.text("name", pass.name.as_str()).key("other", format!("runs[{first}]"));
+                let allowed = Message::new("program-pass-in-one-run");
+                return Err(file.error_at(&format!("{table}{dot}runs[{second}]"), message, allowed));
             }
         }
         Ok(())

@@ -1,4 +1,6 @@
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use seamwright_document::fault_in_serde;
+use seamwright_message::Message;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
@@ -23,16 +25,16 @@ impl PassNumbers {
     /// The numbers that `text` names.
     ///
     /// # Errors
-    /// What is wrong with it.
-    fn parse(text: &str) -> Result<Self, String> {
+    /// The fault.
+    fn parse(text: &str) -> Result<Self, Message> {
         let mut ranges: Vec<RangeInclusive<usize>> = Vec::new();
         for part in text.split(',').map(str::trim) {
             let (first, last) = part.split_once('-').unwrap_or((part, part));
             let number = |word: &str| word.trim().parse::<usize>().ok().filter(|n| *n > 0);
             let range = number(first).zip(number(last)).filter(|(first, last)| first <= last);
-            let (first, last) = range.ok_or_else(|| format!("`{part}` names no passes"))?;
+            let (first, last) = range.ok_or_else(|| Message::new("program-no-pass-numbers").text("text", part))?;
             if let Some(twice) = ranges.iter().find_map(|other| common(other, &(first..=last))) {
-                return Err(format!("pass {twice} is named twice"));
+                return Err(Message::new("program-pass-named-twice").pass("pass", twice));
             }
             ranges.push(first..=last);
         }
@@ -61,9 +63,8 @@ impl fmt::Display for PassNumbers {
 impl<'de> Deserialize<'de> for PassNumbers {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        Self::parse(&text).map_err(|wrong| {
-            D::Error::custom(format!("{wrong}, expected numbers from 1 like \"1\", \"2-5\" or \"1, 3-4\", each once"))
-        })
+        Self::parse(&text)
+            .map_err(|wrong| D::Error::custom(fault_in_serde(&wrong, &Message::new("program-pass-numbers"))))
     }
 }
 

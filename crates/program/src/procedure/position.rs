@@ -3,6 +3,7 @@ use crate::{FilletOrButt, is_beyond};
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative};
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -241,15 +242,18 @@ impl PositionLimits {
             for (i, (key, value)) in row.iter().enumerate() {
                 let after = i.checked_sub(1).map_or(0.0, |before| row[before].1.get());
                 if value.get() <= after || value.get() >= end {
-                    let allowed = format!("more than {after}, less than {end}");
-                    return Err(file.error_at(&format!("{path}.{key}"), "the limits must increase", allowed));
+                    let message = Message::new("program-limits-increase");
+                    let allowed = Message::new("document-strictly-between");
+                    let allowed = allowed.value("min", after, Unit::Deg).value("max", end, Unit::Deg);
+                    return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
                 }
             }
         }
         let room = 90.0 - self.vertical_slope_deg.get();
         if self.hysteresis_deg.get() >= room {
-            let message = "no slope would be beyond vertical_slope_deg by that much";
-            return Err(file.error_at(&format!("{path}.hysteresis_deg"), message, format!("less than {room}")));
+            let message = Message::new("program-hysteresis-too-large");
+            let allowed = Message::new("document-less-than").value("max", room, Unit::Deg);
+            return Err(file.error_at(&format!("{path}.hysteresis_deg"), message, allowed));
         }
         Ok(())
     }

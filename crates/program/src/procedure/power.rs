@@ -1,6 +1,7 @@
 use super::Procedure;
 use crate::{ProcessValues, check_process_name};
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::Message;
 
 /// Kind of a process value that determines power, with its factor to A, V or W.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,11 +67,7 @@ impl Procedure {
             [Some(Factor::Power(_))]
             | [Some(Factor::Current(_)), Some(Factor::Voltage(_))]
             | [Some(Factor::Voltage(_)), Some(Factor::Current(_))] => Ok(()),
-            _ => {
-                let allowed = "[\"current_a\", \"voltage_v\"], [\"laser_w\"]: one in W or kW, or a current in A, mA or \
-                               kA and a voltage in V or kV";
-                Err(file.error_at(path, "these make no power", allowed))
-            }
+            _ => Err(file.error_at(path, Message::new("program-no-power"), Message::new("program-power-values"))),
         }
     }
 }

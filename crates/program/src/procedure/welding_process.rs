@@ -1,4 +1,6 @@
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use seamwright_document::in_serde;
+use seamwright_message::{Argument, Message};
 use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
@@ -56,6 +58,25 @@ impl WeldingProcess {
         &PROCESSES
     }
 
+    /// Number and name.
+    pub fn message(&self) -> Message {
+        let name = match self.number {
+            111 => "program-process-111",
+            114 => "program-process-114",
+            121 => "program-process-121",
+            131 => "program-process-131",
+            135 => "program-process-135",
+            136 => "program-process-136",
+            138 => "program-process-138",
+            141 => "program-process-141",
+            142 => "program-process-142",
+            15 => "program-process-15",
+            51 => "program-process-51",
+            _ => "program-process-52",
+        };
+        Message::new("program-process").text("number", self.number.to_string()).message("name", Message::new(name))
+    }
+
     /// The process of that number.
     pub fn of(number: u16) -> Option<Self> {
         PROCESSES.into_iter().find(|p| p.number == number)
@@ -66,9 +87,9 @@ impl<'de> Deserialize<'de> for WeldingProcess {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let number = i64::deserialize(deserializer)?;
         u16::try_from(number).ok().and_then(Self::of).ok_or_else(|| {
-            let known: Vec<String> = PROCESSES.iter().map(|p| format!("{} ({})", p.number, p.name)).collect();
-            let known = known.join(", ");
-            D::Error::invalid_value(Unexpected::Signed(number), &known.as_str())
+            let known = |p: &Self| Argument::Message(Box::new(p.message()));
+            let known = Message::new("program-processes").list("processes", PROCESSES.iter().map(known));
+            D::Error::invalid_value(Unexpected::Signed(number), &in_serde(&known).as_str())
         })
     }
 }

@@ -1,5 +1,6 @@
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use seamwright_document::Finite;
+use seamwright_document::{Finite, fault_in_serde};
+use seamwright_message::{Message, Unit};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
@@ -29,10 +30,9 @@ impl<'de> Deserialize<'de> for Window {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let [least, greatest] = <[Finite; 2]>::deserialize(deserializer)?;
         if least > greatest {
-            let (least, greatest) = (least.get(), greatest.get());
-            return Err(D::Error::custom(format!(
-                "the least value, {least}, is above the greatest, {greatest}, expected [least, greatest]"
-            )));
+            let fault = Message::new("program-window-order").value("min", least.get(), Unit::One);
+            let fault = fault.value("max", greatest.get(), Unit::One);
+            return Err(D::Error::custom(fault_in_serde(&fault, &Message::new("program-window"))));
         }
         Ok(Self { least, greatest })
     }

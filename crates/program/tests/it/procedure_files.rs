@@ -57,8 +57,8 @@ fn windows_that_are_none() {
     let e = wrong("speed_mm_s = [4, 6]", "speed_mm_s = [6, 4]");
     assert_eq!((e.line, e.key.as_str()), (9, "runs[0].speed_mm_s"));
     assert!(
-        e.message.to_string().contains("6, is above the greatest, 4")
-            && e.allowed.as_ref().map(ToString::to_string).as_deref() == Some("[least, greatest]")
+        e.message.to_string().contains("6, is above the maximum, 4")
+            && e.allowed.as_ref().map(ToString::to_string).as_deref() == Some("[minimum, maximum]")
     );
     assert_eq!(wrong("current_a = [150, 180]", "current_a = [180, 150]").key, "runs[0].ranges.current_a");
     assert!(wrong("[0.4, 0.8]", "[0.4]").key.contains("heat_input_kj_mm"));
@@ -95,7 +95,7 @@ fn units_are_in_the_keys() {
     assert!(e.help.unwrap().to_string().contains("did you mean `heat_input_kj_mm`?"));
     assert!(wrong("interpass_c", "interpass_f").help.unwrap().to_string().contains("`interpass_c`"));
     assert!(wrong("wire_diameter_mm", "wire_diameter").help.unwrap().to_string().contains("`wire_diameter_mm`"));
-    assert!(wrong("current_a =", "current =").message.to_string().contains("no name of a process value"));
+    assert!(wrong("current_a =", "current =").message.to_string().contains("not a valid name of a process value"));
     let e = wrong("current_a = [150, 180]", "heat_input_kj_mm = [1, 2]");
     assert_eq!(e.allowed.as_ref().map(ToString::to_string).as_deref(), Some("heat_input_kj_mm beside `ranges`"));
     let e = wrong("name = \"root\"", "name = \"root\"\ncurrent_a = [150, 180]");

@@ -11,12 +11,13 @@ pub use ground::Ground;
 pub use outcome::{Outcome, finding};
 pub use picture::Picture;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, foreign};
 use crate::load::Loaded;
 use glam::DVec3;
 use seamwright_cell::eyes::{SeamLine, Station};
 use seamwright_cell::teach::JointFollower;
 use seamwright_geometry::HeightTable;
+use seamwright_message::Message;
 use seamwright_program::Program;
 use seamwright_tracking::teach::{
     End, EyePose, Kind, Lean, LinePoint, Reduced, Settings, TaughtLine, smoothed, to_program, torch_axes,
@@ -57,7 +58,7 @@ pub fn settings(nominal: &SeamLine, step_mm: f64) -> Settings {
 pub fn follower(table: &HeightTable, longest_tack_mm: f64) -> Result<JointFollower, Failure> {
     let (low, high) = table.range();
     let middle = if low.is_finite() { 0.5 * (low + high) } else { 0.0 };
-    let map = table.at(middle).map_err(|e| Failure::Input(e.to_string()))?;
+    let map = table.at(middle).map_err(|e| Failure::Input(foreign(&e)))?;
     let scale = map.scale_at(map.parameters().centre_px).unwrap_or(1.0);
     Ok(JointFollower::new(longest_tack_mm / scale))
 }
@@ -88,8 +89,8 @@ pub fn reduced(
     let torch = torch(loaded, nominal, line)?;
     let like = &loaded.welding.program.value;
     let reduced = to_program((line, &torch), like, (tolerance, attitude), kind)
-        .map_err(|e| Failure::Input(format!("what was found makes no program: {e}")))?;
-    let written = reduced.program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
+        .map_err(|e| Failure::Input(Message::new("project-no-taught-program").message("why", foreign(&e))))?;
+    let written = reduced.program.to_toml().map_err(|e| Failure::Environment(foreign(&e)))?;
     Program::read(name, &written)?;
     Ok((reduced, written))
 }

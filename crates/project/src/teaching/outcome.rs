@@ -1,5 +1,6 @@
 use super::{Picture, smooth};
 use seamwright_cell::teach::{TaughtRun, Truth};
+use seamwright_message::Message;
 use seamwright_program::Finding;
 use seamwright_tracking::teach::{Crawl, End, EyeNote, LinePoint, TaughtLine};
 
@@ -13,7 +14,7 @@ pub struct Outcome {
     /// A note of each frame.
     pub notes: Vec<EyeNote>,
     /// Reason of each question to the operator.
-    pub asked: Vec<String>,
+    pub asked: Vec<Message>,
     /// Time of the last frame, s.
     pub seconds: f64,
     /// Reason of the end, in a word.
@@ -21,7 +22,7 @@ pub struct Outcome {
     /// Distance of the end of a closed line from its start, mm.
     pub gap_mm: Option<f64>,
     /// Reason why the joint was not taught to its end.
-    pub finding: Option<String>,
+    pub finding: Option<Message>,
     /// True distance from the seam; known in a simulation only.
     pub truth: Option<Truth>,
     /// The last frame.
@@ -50,7 +51,7 @@ impl Outcome {
             smooth: smooth(&line, run.end.as_ref()),
             line,
             notes: crawl.notes().to_vec(),
-            asked: run.asked.iter().map(ToString::to_string).collect(),
+            asked: run.asked.clone(),
             seconds: run.seconds,
             ended,
             gap_mm,
@@ -61,30 +62,28 @@ impl Outcome {
 }
 
 /// Reason why the joint following did not reach its end.
-fn unfinished(run: &TaughtRun, said_end: bool) -> Option<String> {
+fn unfinished(run: &TaughtRun, said_end: bool) -> Option<Message> {
     match &run.end {
         Some(End::Closed { .. } | End::JointEnd) => None,
-        Some(End::Limit(why)) => Some(format!("the machine can go no further: {why}")),
-        Some(End::TooLong) => Some("the joint is longer than twice the nominal seam".to_owned()),
-        Some(End::Operator) if said_end => None,
-        Some(End::Operator) => {
-            Some(run.asked.last().map_or_else(|| "the joint is lost".to_owned(), ToString::to_string))
+        Some(End::Limit(why)) => {
+            Some(Message::new("project-teach-machine-limit").message("why", Message::from(why.clone())))
         }
-        None => Some("the frames are at their end, and the joint is not".to_owned()),
+        Some(End::TooLong) => Some(Message::new("project-teach-joint-too-long")),
+        Some(End::Operator) if said_end => None,
+        Some(End::Operator) => Some(run.asked.last().cloned().unwrap_or(Message::new("project-teach-joint-lost"))),
+        None => Some(Message::new("project-teach-no-more-frames")),
     }
 }
 
 /// Finding that the joint was taught for `way` mm only.
-pub fn finding(why: String, way: f64) -> Finding {
+pub fn finding(why: Message, way: f64) -> Finding {
     Finding {
         kind: "teach",
-        message: why.into(),
+        message: why,
         pass: 1,
         from_mm: way,
         to_mm: way,
-        cure: Some(
-            "teach on from there with --start, allow a longer --longest-tack-mm, or take the points by hand".into(),
-        ),
+        cure: Some(Message::new("project-cure-teach")),
         allowed: false,
     }
 }

@@ -35,7 +35,7 @@ fn edited(edit: &Edit) -> Result<EditAnswer, String> {
         text if several => format!("operation {}: {text}", i + 1),
         text => text,
     })?;
-    let words = reports.into_iter().map(|report| report.words).collect();
+    let words = reports.into_iter().map(|report| report.words.to_string()).collect();
     Ok(EditAnswer { text: editor.text().to_owned(), words })
 }
 

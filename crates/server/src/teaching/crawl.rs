@@ -38,7 +38,7 @@ pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
         Ok(Some(found)) => {
             let stopped = panel.teaching.state().wish == Wish::Stop;
             let key = if stopped { "stopped" } else { found.outcome.ended };
-            (key, found.outcome.finding.clone().filter(|_| !stopped), Some(found))
+            (key, found.outcome.finding.as_ref().filter(|_| !stopped).map(ToString::to_string), Some(found))
         }
         Err(failure) => ("failed", Some(failure.text()), None),
     };
@@ -51,11 +51,11 @@ pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
 /// Runs a session. `None`: it was stopped before the search began.
 fn session(panel: &Arc<Panel>, open: &Open) -> Result<Option<Found>, Failure> {
     let hub = &panel.cell.hub;
-    let text = job_text(panel, &open.job).map_err(|refused| Failure::Input(refused.text))?;
+    let text = job_text(panel, &open.job).map_err(|refused| Failure::input(refused.text))?;
     let loaded = load_foreign(&open.job, &text, &panel.jobs())?;
     let machine = &loaded.machine;
     if hub.machine().is_none_or(|cell| cell.name != machine.name) {
-        return Err(Failure::Input(format!("{} is for {}, not for this cell", open.job, machine.name)));
+        return Err(Failure::input(format!("{} is for {}, not for this cell", open.job, machine.name)));
     }
     let nominal = teaching::nominal(&loaded)?;
     let outcome = outcome(panel, open, &loaded, &nominal)?;
@@ -85,7 +85,7 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
     };
     let Some(point) = station.place() else { return Ok(None) };
     let begin = teaching::start(nominal, point)
-        .ok_or_else(|| Failure::Input("the start is not near the nominal seam".to_owned()))?;
+        .ok_or_else(|| Failure::input("the start is not near the nominal seam".to_owned()))?;
     let mut outcome = crawl((loaded, nominal), open, &ground, &station, begin)?;
     outcome.truth = actual.map(|actual| truth(&actual, &outcome.smooth));
     Ok(Some(outcome))
@@ -99,10 +99,10 @@ fn eye<'a>(
     nominal: &SeamLine,
 ) -> Result<(Sees<'a>, Option<SeamLine>), Failure> {
     // The job's machine file may be older than the cell's.
-    let Some(cell) = panel.cell.hub.machine() else { return Err(Failure::Input("there is no machine".to_owned())) };
+    let Some(cell) = panel.cell.hub.machine() else { return Err(Failure::input("there is no machine".to_owned())) };
     let own = cell.sensors.iter().find(|s| s.name == sensor.name);
     if let Some((own, address)) = own.and_then(|own| Some((own, own.frames.as_ref()?))) {
-        panel.cameras.check(address).map_err(Failure::Input)?;
+        panel.cameras.check(address).map_err(Failure::input)?;
         let mut camera = LiveFrames::connect(address, sensor.size_px, PATIENCE)?;
         // A camera without frames is reported before any motion.
         camera.next(Duration::ZERO)?;
@@ -110,12 +110,12 @@ fn eye<'a>(
     }
     if !cell.devices.is_empty() {
         let text = format!("the machine's devices are real, and sensors.{} has no `frames`", sensor.name);
-        return Err(Failure::Input(text));
+        return Err(Failure::input(text));
     }
     let actual = DISTORTION.of(nominal, u64::from(open.seed));
     let appearance = Appearance { tacks: open.tack_mm.into_iter().collect(), ..Appearance::default() };
     let eye = Eye::new(machine, sensor, actual.clone(), appearance, u64::from(open.seed));
-    let eye = eye.ok_or_else(|| Failure::Input(format!("{} is no camera", sensor.name)))?;
+    let eye = eye.ok_or_else(|| Failure::input(format!("{} is no camera", sensor.name)))?;
     Ok((Sees::Simulated(Box::new(eye)), Some(actual)))
 }
 
@@ -138,7 +138,7 @@ fn camera(machine: &Machine) -> Result<(&Sensor, &HeightTable), Failure> {
         Some((sensor, Sight::Camera(camera))) => Ok((sensor, &camera.table)),
         _ => {
             let allowed = "a machine with a camera: [sensors.<name>] with kind = \"camera\" in its file";
-            Err(Failure::Input(format!("{} has no camera\n   allowed: {allowed}", machine.name)))
+            Err(Failure::input(format!("{} has no camera\n   allowed: {allowed}", machine.name)))
         }
     }
 }

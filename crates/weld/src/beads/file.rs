@@ -1,6 +1,8 @@
+use crate::allowed::{at_most, between};
 use crate::attitude::check_angles;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Pass, ProcessValues, Role, Weave, check_process};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_4;
@@ -179,16 +181,13 @@ impl Beads {
         let area = match (run.area_mm2, self.wire_mm) {
             (Some(area), _) if self.adapt != Adapt::WireFeed => area.get(),
             (Some(_), _) => {
-                let message = "a given area does not follow the wire feed";
-                return Err(file.error_at(
-                    &format!("{path}.area_mm2"),
-                    message,
-                    "no such key with adapt = \"wire_feed\"",
-                ));
+                let message = Message::new("weld-area-with-wire-feed");
+                let allowed = Message::new("weld-allowed-no-area-with-wire-feed");
+                return Err(file.error_at(&format!("{path}.area_mm2"), message, allowed));
             }
             (None, None) => {
-                let message = "the area of a bead is not known";
-                return Err(file.error_at(&path, message, "area_mm2, or beads.wire_mm and a wire_feed_m_min"));
+                let message = Message::new("weld-bead-area-missing");
+                return Err(file.error_at(&path, message, Message::new("weld-allowed-bead-area")));
             }
             (None, Some(wire)) => {
                 let feed = all
@@ -197,9 +196,8 @@ impl Beads {
                     .map(|feed| feed.ends().0)
                     .filter(|feed| *feed > 0.0);
                 let Some(feed) = feed else {
-                    let message = "the area of a bead needs a steady wire feed";
-                    let allowed = "wire_feed_m_min greater than 0 in [weld.process] or here, or area_mm2";
-                    return Err(file.error_at(&path, message, allowed));
+                    let message = Message::new("weld-bead-area-needs-steady-feed");
+                    return Err(file.error_at(&path, message, Message::new("weld-allowed-steady-feed")));
                 };
                 let wire_area = FRAC_PI_4 * wire.get() * wire.get();
                 wire_area * (feed * 1000.0 / 60.0) * self.deposition.get() / speed.get()
@@ -233,16 +231,21 @@ impl Beads {
     /// With the key's address.
     pub(crate) fn check<T>(&self, file: &Document<T>) -> Result<(), DocumentError> {
         if self.deposition.get() > 1.0 {
-            return Err(file.error_at("beads.deposition", "more metal than wire", "more than 0, up to 1"));
+            let allowed = Message::new("document-more-than-up-to").value("min", 0.0, Unit::One);
+            let allowed = allowed.value("max", 1.0, Unit::One);
+            return Err(file.error_at("beads.deposition", Message::new("weld-deposition-too-large"), allowed));
         }
         if self.most_percent.get() > 80.0 {
-            return Err(file.error_at("beads.most_percent", "no bead keeps its shape over this range", "up to 80"));
+            let message = Message::new("weld-bead-range-too-large");
+            return Err(file.error_at("beads.most_percent", message, at_most(80.0, Unit::Percent)));
         }
         if self.wall_tilt_deg.get() > 45.0 {
-            return Err(file.error_at("beads.wall_tilt_deg", "the wire would lie against the wall", "0 to 45"));
+            let message = Message::new("weld-wall-tilt-too-large");
+            return Err(file.error_at("beads.wall_tilt_deg", message, between(0.0, 45.0, Unit::Deg)));
         }
         if !(0.1..=100.0).contains(&self.station_mm.get()) {
-            return Err(file.error_at("beads.station_mm", "this is no distance for a layout", "0.1 to 100"));
+            let message = Message::new("weld-station-distance-invalid");
+            return Err(file.error_at("beads.station_mm", message, between(0.1, 100.0, Unit::Mm)));
         }
         Ok(())
     }

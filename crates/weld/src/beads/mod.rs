@@ -23,6 +23,7 @@ pub(crate) use refusal::NoPlan;
 use crate::{SeamCurve, SeamJoint};
 use layers::Runs;
 use seamwright_document::{Document, DocumentError, Positive};
+use seamwright_message::Message;
 use seamwright_program::{Finding, Pass, ProcessValues};
 
 /// A joint with its beads.
@@ -47,17 +48,14 @@ impl Beads {
         template: &Pass,
     ) -> Result<Filled, DocumentError> {
         if let Some((name, _)) = process.iter().find(|(_, value)| value.is_ramp()) {
-            let message = "a ramp over the weld does not go with beads, whose values belong to runs";
-            return Err(file.error_at(&format!("weld.process.{name}"), message, "a number"));
+            let message = Message::new("weld-ramp-with-beads");
+            return Err(file.error_at(&format!("weld.process.{name}"), message, Message::new("document-number")));
         }
         let asked = |name, run: &Run| {
             if run.travel_angle_deg.is_some() && !template.torch.at.is_empty() {
-                let message = "the travel angle is given here and at several places of the seam";
-                return Err(file.error_at(
-                    &format!("beads.{name}.travel_angle_deg"),
-                    message,
-                    "no such key, or no [[torch.at]]",
-                ));
+                let message = Message::new("weld-travel-angle-twice");
+                let allowed = Message::new("weld-allowed-travel-angle-once");
+                return Err(file.error_at(&format!("beads.{name}.travel_angle_deg"), message, allowed));
             }
             self.asked(file, (name, run), (speed, process))
         };
@@ -70,12 +68,12 @@ impl Beads {
         let plan = BeadPlan::new(seam, joint, self, &runs).map_err(|why| {
             let stations = file.given_or("beads.station_mm", "beads");
             let (key, allowed) = why.cure(&joint.joint().preparation, &runs, stations);
-            file.error_at(&key, why.to_string(), allowed)
+            file.error_at(&key, why.message(), allowed)
         })?;
         let all = passes::passes(&plan, self, &runs, seam, template);
         if self.adapt == Adapt::WeaveWidth && all.iter().all(|(pass, _)| pass.weave.is_none()) {
-            let allowed = "a [weld.weave] or a weave in a run, or another value";
-            return Err(file.error_at("beads.adapt", "no bead is woven", allowed));
+            let allowed = Message::new("weld-allowed-weave");
+            return Err(file.error_at("beads.adapt", Message::new("weld-no-bead-weaves"), allowed));
         }
         let number = |bead: usize| all.iter().position(|(_, b)| *b == bead).map_or(1, |i| i + 1);
         let findings = plan.findings(&runs, self.most_percent.get() / 100.0, number);

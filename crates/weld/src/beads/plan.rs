@@ -4,6 +4,7 @@ use super::fill::{BeadAt, Laying, fill};
 use super::layers::{Layer, Runs, layers};
 use crate::joint::SeamJoint;
 use crate::{SeamCurve, Section};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Role, part_start, parts_of};
 
 /// Positions of all beads along a seam.
@@ -299,27 +300,20 @@ impl BeadPlan {
             let Some(worst) = wrong.iter().copied().max_by(|a, b| a.1.ln().abs().total_cmp(&b.1.ln().abs())) else {
                 continue;
             };
-            let cure = if worst.1 > 1.0 {
-                "layers that are thinner or wider runs (area, wire feed, slower), adapt = \"passes\", or a larger most_percent"
-            } else {
-                "smaller beads (faster, less wire), adapt = \"passes\", or a larger most_percent"
-            };
+            let cure = if worst.1 > 1.0 { "weld-cure-thinner-layers" } else { "weld-cure-smaller-beads" };
             findings.push(Finding {
                 kind: "bead",
-                message: format!(
-                    "the bead would have {:.1} mm^2 at s = {:.0} mm to fill the groove, {:.0} % of the {:.1} mm^2 of its run; \
-                     allowed are {:.0} to {:.0} %",
-                    worst.1 * asked.area,
-                    self.stations[worst.0],
-                    100.0 * worst.1,
-                    asked.area,
-                    100.0 * (1.0 - most),
-                    100.0 * (1.0 + most)
-                ).into(),
+                message: Message::new("weld-bead-area-out-of-range")
+                    .quantity("area", worst.1 * asked.area, Unit::Mm2, 1)
+                    .quantity("s", self.stations[worst.0], Unit::Mm, 0)
+                    .quantity("ratio", 100.0 * worst.1, Unit::Percent, 0)
+                    .quantity("run", asked.area, Unit::Mm2, 1)
+                    .quantity("min", 100.0 * (1.0 - most), Unit::Percent, 0)
+                    .quantity("max", 100.0 * (1.0 + most), Unit::Percent, 0),
                 pass: pass_of(b),
                 from_mm: self.stations[wrong[0].0],
                 to_mm: self.stations[wrong[wrong.len() - 1].0],
-                cure: Some(cure.into()),
+                cure: Some(Message::new(cure)),
                 allowed: false,
             });
         }

@@ -9,8 +9,10 @@ mod tests;
 
 pub use section::Section;
 
+use crate::allowed::{between, rounded};
 use crate::{SeamCurve, SeamPoint};
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Joint, is_beyond};
 pub(crate) use section::NoGroove;
 use section::Place;
@@ -35,7 +37,8 @@ impl SeamJoint {
         for (i, at) in joint.fit_up.iter().enumerate() {
             if is_beyond(at.s_mm.get(), end) {
                 let path = format!("joint.fit_up[{i}].s_mm");
-                return Err(file.error_at(&path, "this place is not on the weld", format!("from 0 to {end:.6}")));
+                let allowed = between(0.0, rounded(end), Unit::Mm);
+                return Err(file.error_at(&path, Message::new("weld-position-beside-weld"), allowed));
             }
         }
         let built = Self { joint: joint.clone(), period: seam.all_round().then(|| seam.length()) };
@@ -54,7 +57,7 @@ impl SeamJoint {
         if !key.is_empty() {
             path = format!("{path}.{key}");
         }
-        file.error_at(&path, format!("at s = {:.1} mm: {why}", p.s), allowed)
+        file.error_at(&path, why.at(p.s), allowed)
     }
 
     /// The joint as it is in the file.

@@ -1,6 +1,8 @@
 use super::profile::Profile;
+use crate::allowed::rounded;
 use glam::DVec2;
 use seamwright_geometry::Slices;
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Fillet, Member, Preparation};
 use std::f64::consts::PI;
 
@@ -41,39 +43,57 @@ pub(crate) struct Place {
 }
 
 /// Reason why a station has no groove.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) enum NoGroove {
-    #[error("faces at {0:.1} degrees to each other make no butt joint")]
+    /// The faces' dihedral angle (degrees) is too small for a butt joint.
     NoButt(f64),
-    #[error("faces at {0:.1} degrees to each other make no fillet or T-joint")]
+    /// The faces' dihedral angle (degrees) is too large for a fillet or T-joint.
     NoCorner(f64),
-    #[error(
-        "the prepared edge, {angle:.1} degrees from the other part's face, never comes out of its part: the dihedral angle is \
-         {dihedral:.1} degrees"
-    )]
+    /// The prepared edge stays within its part; degrees.
     NeverOut { angle: f64, dihedral: f64 },
-    #[error("the cut leaves {0:.1} degrees to the other part's face: the edge would stand in it")]
+    /// The cut edge lies in the other part, at this angle (degrees) to its face.
     Inside(f64),
-    #[error("the edges cross each other")]
+    /// The edges cross each other.
     Crossing,
-    #[error("the groove has no area")]
+    /// The groove has no area.
     Empty,
 }
 
+seamwright_message::display_by_message!(NoGroove);
+
 impl NoGroove {
-    /// The key of the preparation to look at, and the allowed values.
-    pub(crate) fn cure(&self) -> (&'static str, String) {
+    /// Description of the fault.
+    pub(crate) fn message(&self) -> Message {
+        let of = |code, name, angle| Message::new(code).quantity(name, angle, Unit::Deg, 1);
         match self {
-            Self::NoButt(_) => {
-                ("", format!("a dihedral angle of {:.0} degrees or more, or a fillet", MIN_BUTT.to_degrees()))
+            Self::NoButt(dihedral) => of("weld-groove-no-butt", "dihedral", *dihedral),
+            Self::NoCorner(dihedral) => of("weld-groove-no-corner", "dihedral", *dihedral),
+            Self::NeverOut { angle, dihedral } => {
+                of("weld-groove-edge-within-part", "angle", *angle).quantity("dihedral", *dihedral, Unit::Deg, 1)
             }
-            Self::NoCorner(_) => {
-                ("", format!("a dihedral angle up to {:.0} degrees, or a butt joint", MAX_FILLET.to_degrees()))
+            Self::Inside(angle) => of("weld-groove-edge-in-other-part", "angle", *angle),
+            Self::Crossing => Message::new("weld-groove-edges-cross"),
+            Self::Empty => Message::new("weld-groove-empty"),
+        }
+    }
+
+    /// Description of the fault at path length `s`, mm.
+    pub(crate) fn at(&self, s: f64) -> Message {
+        Message::new("weld-groove-at").quantity("s", s, Unit::Mm, 1).message("why", self.message())
+    }
+
+    /// The key of the preparation to look at, and the allowed values.
+    pub(crate) fn cure(&self) -> (&'static str, Message) {
+        let of = |code, name, angle: f64| Message::new(code).value(name, rounded(angle), Unit::Deg);
+        match self {
+            Self::NoButt(_) => ("", of("weld-allowed-butt-dihedral", "min", MIN_BUTT.to_degrees())),
+            Self::NoCorner(_) => ("", of("weld-allowed-corner-dihedral", "max", MAX_FILLET.to_degrees())),
+            Self::NeverOut { dihedral, .. } => {
+                ("angle_deg", Message::new("document-less-than").quantity("max", *dihedral, Unit::Deg, 1))
             }
-            Self::NeverOut { dihedral, .. } => ("angle_deg", format!("less than {dihedral:.1}")),
-            Self::Inside(_) => ("cut_deg", "more than 90 - dihedral angle everywhere".to_owned()),
-            Self::Crossing => ("", "a larger gap, or less mismatch".to_owned()),
-            Self::Empty => ("", "a gap or an angle that leaves room to weld".to_owned()),
+            Self::Inside(_) => ("cut_deg", Message::new("weld-allowed-edge-cut")),
+            Self::Crossing => ("", Message::new("weld-allowed-larger-gap")),
+            Self::Empty => ("", Message::new("weld-allowed-room-to-weld")),
         }
     }
 }

@@ -1,7 +1,9 @@
 use super::ShortSequence;
 use crate::SeamCurve;
+use crate::allowed::{between, rounded};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Oscillation, Pass, ProcessValues, Role, Sequence, SpanValue, check_process, is_beyond};
 use serde::{Deserialize, Serialize};
 
@@ -49,7 +51,8 @@ impl Cosmetic {
                 return Err(file.unknown_name(&path, key, &known));
             }
             if value.is_ramp() {
-                return Err(file.error_at(&path, "a cosmetic pass has steady values", "a number"));
+                let message = Message::new("weld-cosmetic-ramp");
+                return Err(file.error_at(&path, message, Message::new("document-number")));
             }
         }
         self.oscillation.as_ref().map_or(Ok(()), |oscillation| oscillation.check(file, "cosmetic.oscillation"))
@@ -62,8 +65,8 @@ impl Cosmetic {
     pub(crate) fn pass<T>(&self, file: &Document<T>, seam: &SeamCurve, weld: &Pass) -> Result<Pass, DocumentError> {
         let last = weld.length() - SHORTEST_MM;
         if is_beyond(self.from_mm.get(), last) {
-            let message = "the cosmetic pass begins where the weld has ended";
-            return Err(file.error_at("cosmetic.from_mm", message, format!("0 to {last:.6}")));
+            let message = Message::new("weld-cosmetic-beyond-end");
+            return Err(file.error_at("cosmetic.from_mm", message, between(0.0, rounded(last), Unit::Mm)));
         }
         let turn = seam.all_round().then(|| seam.length());
         let mut pass = Pass {

@@ -23,6 +23,7 @@ pub use tacks::Tacks;
 use crate::{Job, SeamCurve};
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError, Transform};
+use seamwright_message::Message;
 use seamwright_program::{MAX_PASSES, MAX_ROWS, Pass, SeamCopy};
 use tour::{Leg, Stop, in_rows, tour};
 
@@ -38,8 +39,8 @@ impl WeldOrder {
         let rows = in_rows(&copies.iter().map(|copy| Stop { row: row(copy), ways: Vec::new() }).collect::<Vec<_>>());
         match self.rule {
             Rule::BackAndForth if rows.len() < 2 => {
-                let message = "there are no rows to go back and forth between";
-                Err(file.error_at("order.rule", message, "two rows: [rows], or `row` in each of [[copies]]"))
+                let message = Message::new("weld-order-without-rows");
+                Err(file.error_at("order.rule", message, Message::new("weld-allowed-two-rows")))
             }
             Rule::Skip(every) => {
                 let most = rows.iter().map(Vec::len).max().unwrap_or(1).saturating_sub(1);
@@ -47,10 +48,10 @@ impl WeldOrder {
                     return Ok(());
                 }
                 let allowed = match most {
-                    0 | 1 => "no skip: there are too few copies in a row".to_owned(),
-                    _ => format!("2 to {most}: the longest row has {} copies", most + 1),
+                    0 | 1 => Message::new("weld-allowed-no-skip"),
+                    _ => Message::new("weld-allowed-skip").count("max", most).count("copies", most + 1),
                 };
-                Err(file.error_at("order.rule.skip", "nothing is skipped, or all", allowed))
+                Err(file.error_at("order.rule.skip", Message::new("weld-skip-invalid"), allowed))
             }
             _ => Ok(()),
         }
@@ -69,7 +70,8 @@ pub(crate) fn copies(job: &Document<Job>) -> Result<Vec<SeamCopy>, DocumentError
     let j = &job.value;
     let copies = match &j.rows {
         Some(_) if !j.copies.is_empty() => {
-            return Err(job.error_at("rows", "the copies are given twice", "either [rows] or [[copies]]"));
+            let allowed = Message::new("weld-allowed-rows-or-copies");
+            return Err(job.error_at("rows", Message::new("weld-copies-twice"), allowed));
         }
         Some(rows) => {
             rows.check(job, &j.placement)?;
@@ -156,15 +158,13 @@ impl Extent {
     fn check(self, job: &Document<Job>, key: &str, copies: &[SeamCopy]) -> Result<(), DocumentError> {
         let times = copies.len().max(1);
         let (passes, rows) = (self.passes.saturating_mul(times), self.rows.saturating_mul(times));
-        let cure = "fewer copies or tacks, or fewer or longer parts";
         if passes > MAX_PASSES {
-            let message = format!("these are {passes} passes in all");
-            return Err(job.error_at(key, message, format!("up to {MAX_PASSES}: {cure}")));
+            let message = Message::new("weld-too-many-passes").count("passes", passes);
+            return Err(job.error_at(key, message, Message::new("weld-allowed-passes").count("max", MAX_PASSES)));
         }
         if rows > MAX_ROWS {
-            let message = format!("these are {passes} passes with {rows} rows of beads and spans in all");
-            let allowed = format!("up to {MAX_ROWS} rows: {cure}, or a larger beads.station_mm");
-            return Err(job.error_at(key, message, allowed));
+            let message = Message::new("weld-too-many-rows").count("passes", passes).count("rows", rows);
+            return Err(job.error_at(key, message, Message::new("weld-allowed-row-count").count("max", MAX_ROWS)));
         }
         Ok(())
     }

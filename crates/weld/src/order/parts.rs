@@ -1,7 +1,9 @@
 use super::file::{Parts, WeldOrder};
 use crate::SeamCurve;
+use crate::allowed::{less_than, rounded};
 use crate::seam::SAME_MM;
 use seamwright_document::{Document, DocumentError};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Pass, SAME_POSITION_MM, is_before, is_beyond, is_same_position, part_start, parts_of};
 
 /// Quarters in the order of welding: each followed by the one opposite it.
@@ -25,43 +27,44 @@ impl WeldOrder {
         let part = match self.parts {
             Parts::Whole => f64::INFINITY,
             Parts::AtCorners if corners(seam, (0.0, seam.weld_length())).is_empty() => {
-                let message = "the seam has no corners";
-                return Err(file.error_at(
-                    "order.parts",
-                    message,
-                    "\"whole\", \"quadrants\" or { back_step_mm = 150 }",
-                ));
+                let message = Message::new("weld-seam-without-corners");
+                let allowed = Message::verbatim("\"whole\", \"quadrants\", { back_step_mm = 150 }");
+                return Err(file.error_at("order.parts", message, allowed));
             }
             Parts::AtCorners if seam.all_round() && is_beyond(seam.weld_length(), seam.length()) => {
-                let message = "from corner to corner there is nothing to overlap";
+                let message = Message::new("weld-overlap-at-corners");
                 let key = file.given_or("start.overlap_mm", "start");
-                return Err(file.error_at(key, message, "0 with order.parts = \"at_corners\""));
+                return Err(file.error_at(key, message, Message::new("weld-allowed-no-overlap-at-corners")));
             }
             Parts::AtCorners => f64::INFINITY,
             Parts::Quadrants if !seam.all_round() => {
-                let message = "a seam that is not welded all round has no opposite quarters";
-                return Err(file.error_at("order.parts", message, "\"whole\" or { back_step_mm = 150 }"));
+                let message = Message::new("weld-seam-without-quarters");
+                let allowed = Message::verbatim("\"whole\", { back_step_mm = 150 }");
+                return Err(file.error_at("order.parts", message, allowed));
             }
             Parts::Quadrants => 0.25 * seam.length(),
             Parts::BackStepMm(step) if !is_before(step.get(), seam.weld_length()) => {
-                let message = "the pieces would be longer than the weld";
-                let allowed = format!("less than {}", seam.weld_length());
+                let message = Message::new("weld-pieces-longer-than-weld");
+                let allowed = less_than(rounded(seam.weld_length()), Unit::Mm);
                 return Err(file.error_at("order.parts.back_step_mm", message, allowed));
             }
             Parts::BackStepMm(step) if parts_of(seam.weld_length(), step.get()) > MAX_PIECES => {
-                let allowed = format!("at least {:.3}: {MAX_PIECES} pieces", seam.weld_length() / MAX_PIECES as f64);
-                return Err(file.error_at("order.parts.back_step_mm", "these are very many pieces", allowed));
+                let min = seam.weld_length() / MAX_PIECES as f64;
+                let allowed = Message::new("weld-allowed-piece-length").quantity("min", min, Unit::Mm, 3);
+                let allowed = allowed.count("count", MAX_PIECES);
+                return Err(file.error_at("order.parts.back_step_mm", Message::new("weld-too-many-pieces"), allowed));
             }
             Parts::BackStepMm(step) => seam.weld_length() / parts_of(seam.weld_length(), step.get()) as f64,
         };
         if !is_before(self.tie_in_mm.get(), part) {
-            let message = "the parts would lie on one another from end to end";
+            let message = Message::new("weld-tie-in-too-long");
             let key = file.given_or("order.tie_in_mm", "order");
-            return Err(file.error_at(key, message, format!("less than a part: {part:.3}")));
+            let allowed = Message::new("weld-allowed-tie-in").quantity("max", part, Unit::Mm, 3);
+            return Err(file.error_at(key, message, allowed));
         }
         if self.either_end && seam.all_round() {
-            let message = "a seam that is welded all round ends where it begins";
-            return Err(file.error_at("order.either_end", message, "false"));
+            let message = Message::new("weld-all-round-has-one-end");
+            return Err(file.error_at("order.either_end", message, Message::verbatim("false")));
         }
         Ok(())
     }

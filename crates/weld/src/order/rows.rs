@@ -1,6 +1,8 @@
+use crate::allowed::between;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Point, Transform};
+use seamwright_message::{Message, Unit};
 use seamwright_program::SeamCopy;
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroU32;
@@ -32,35 +34,36 @@ impl Rows {
     pub(crate) fn check<T>(&self, file: &Document<T>, placement: &Transform) -> Result<(), DocumentError> {
         for (key, count) in [("rows.rows", self.rows), ("rows.columns", self.columns)] {
             if count == 0 || count > MAX_COPIES {
-                return Err(file.error_at(key, "this gives no copies, or very many", format!("1 to {MAX_COPIES}")));
+                let allowed = between(1.0, f64::from(MAX_COPIES), Unit::One);
+                return Err(file.error_at(key, Message::new("weld-copy-count-invalid"), allowed));
             }
         }
         if u64::from(self.rows) * u64::from(self.columns) > u64::from(MAX_COPIES) {
-            let allowed = format!("1 to {}: {MAX_COPIES} copies in all", MAX_COPIES / self.rows);
-            return Err(file.error_at("rows.columns", "these are very many copies", allowed));
+            let allowed =
+                Message::new("weld-allowed-columns").value("max", f64::from(MAX_COPIES / self.rows), Unit::One);
+            let allowed = allowed.count("copies", MAX_COPIES as usize);
+            return Err(file.error_at("rows.columns", Message::new("weld-too-many-copies"), allowed));
         }
         let step = |step: Point| !step.is_zero();
-        let message = "the copies would stand at one place";
-        let allowed = "three numbers that are not all 0";
+        let coincide = |key: &str, allowed: &'static str| {
+            Err(file.error_at(key, Message::new("weld-copies-coincide"), Message::new(allowed)))
+        };
         if self.columns > 1 && !step(self.step_mm) {
-            return Err(file.error_at("rows.step_mm", message, allowed));
+            return coincide("rows.step_mm", "document-direction");
         }
         if self.rows > 1 && !step(self.row_step_mm) {
-            return Err(file.error_at("rows.row_step_mm", message, allowed));
+            return coincide("rows.row_step_mm", "document-direction");
         }
         let places: Vec<DVec3> = self.places().map(|(_, _, place)| place).collect();
         let place = |step: DVec3| Point::new(placement.move_mm.get() + step);
         if places.iter().any(|step| place(*step).is_none()) {
             let key = if self.columns > 1 { "rows.step_mm" } else { "rows.row_step_mm" };
-            return Err(file.error_at(key, "a copy would stand too far away", "copies within 1e7 mm of 0"));
+            let allowed = Message::new("weld-allowed-copies-within").value("limit", 1e7, Unit::Mm);
+            return Err(file.error_at(key, Message::new("weld-copy-too-far"), allowed));
         }
         let twice = |(i, place): (usize, &DVec3)| places[..i].contains(place);
         if places.iter().enumerate().any(twice) {
-            return Err(file.error_at(
-                "rows.row_step_mm",
-                message,
-                "a step off the line of the row, or beyond its end",
-            ));
+            return coincide("rows.row_step_mm", "weld-allowed-row-step");
         }
         Ok(())
     }

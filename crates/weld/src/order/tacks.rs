@@ -1,7 +1,9 @@
 use super::ShortSequence;
 use crate::SeamCurve;
+use crate::allowed::{between, by_key};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{
     Bead, Pass, ProcessValues, Role, Sequence, Span, SpanValue, check_process, is_before, parts_of,
 };
@@ -53,11 +55,12 @@ impl Tacks {
     ) -> Result<(), DocumentError> {
         self.sequence.check(file, "tacks.sequence", (sequence, process))?;
         if self.count.is_some() == self.pitch_mm.is_some() {
-            let message = "the number of tacks follows from one of two keys";
-            return Err(file.error_at("tacks", message, "either `count` or `pitch_mm`"));
+            let message = Message::new("weld-tack-count-or-pitch");
+            return Err(file.error_at("tacks", message, Message::new("weld-allowed-count-or-pitch")));
         }
         if self.count.is_some_and(|count| !(2.0..=MAX_TACKS).contains(&f64::from(count))) {
-            return Err(file.error_at("tacks.count", "these tacks hold nothing", format!("2 to {MAX_TACKS}")));
+            let allowed = between(2.0, MAX_TACKS, Unit::One);
+            return Err(file.error_at("tacks.count", Message::new("weld-tack-count-invalid"), allowed));
         }
         check_process(file, "tacks.process", &self.process)?;
         for (key, value) in &self.process {
@@ -67,7 +70,8 @@ impl Tacks {
                 return Err(file.unknown_name(&path, key, &known));
             }
             if value.is_ramp() {
-                return Err(file.error_at(&path, "a tack has steady values", "a number"));
+                let message = Message::new("weld-tack-ramp");
+                return Err(file.error_at(&path, message, Message::new("document-number")));
             }
         }
         Ok(())
@@ -126,23 +130,30 @@ impl Tacks {
             (None, pitch) => least(parts_of(way, pitch.map_or(way, Positive::get)) as f64),
         };
         if count > MAX_TACKS {
-            let allowed = format!("at least {:.3}: {MAX_TACKS} tacks", way / MAX_TACKS);
-            return Err(file.error_at("tacks.pitch_mm", "these are very many tacks", allowed));
+            let allowed = Message::new("weld-allowed-tack-pitch").quantity("min", way / MAX_TACKS, Unit::Mm, 3);
+            let allowed = allowed.count("count", MAX_TACKS as usize);
+            return Err(file.error_at("tacks.pitch_mm", Message::new("weld-too-many-tacks"), allowed));
         }
         let pitch = if round { way / count } else { way / (count - 1.0) };
         let asked = self.pitch_mm.map_or(pitch, |asked| asked.get().min(pitch));
         if !is_before(length, asked) {
             let allowed = match (self.pitch_mm, round) {
-                (Some(pitch), _) if pitch.get() <= length => format!("less than pitch_mm = {}", pitch.get()),
-                _ => format!("less than the way from a tack to the next: {count} on {:.3} mm of seam", seam.length()),
+                (Some(pitch), _) if pitch.get() <= length => {
+                    by_key("weld-allowed-less-than-key", "pitch_mm", pitch.get())
+                }
+                _ => {
+                    let allowed = Message::new("weld-allowed-tack-length").count("count", count as usize);
+                    allowed.quantity("length", seam.length(), Unit::Mm, 3)
+                }
             };
-            return Err(file.error_at("tacks.length_mm", "the tacks would meet", allowed));
+            return Err(file.error_at("tacks.length_mm", Message::new("weld-tacks-meet"), allowed));
         }
         let first = if round { 0.5 * (pitch - length) } else { clear };
         if is_before(first, clear) {
-            let message = format!("tacks would begin {first:.3} mm from the weld's start");
+            let message = Message::new("weld-tacks-near-start").quantity("distance", first, Unit::Mm, 3);
             let key = file.given_or("tacks.clear_mm", "tacks");
-            return Err(file.error_at(key, message, format!("up to {first:.3}, or fewer tacks")));
+            let allowed = Message::new("weld-allowed-tack-clearance").quantity("max", first, Unit::Mm, 3);
+            return Err(file.error_at(key, message, allowed));
         }
         Ok((0..count as usize).map(|i| first + pitch * i as f64).collect())
     }

@@ -141,7 +141,7 @@ fn rows_become_copies_at_their_places() {
     let e = Program::read("p.toml", &text.replacen("copy = ", "copy = 9", 1)).unwrap_err();
     assert!(
         e.key.ends_with(".copy")
-            && e.allowed.as_ref().map(ToString::to_string).as_deref() == Some("0 to 11, the place in [[copies]]"),
+            && e.allowed.as_ref().map(ToString::to_string).as_deref() == Some("0 to 11, the index in [[copies]]"),
         "{e}"
     );
     let solids = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap().part;

@@ -10,6 +10,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_document::Document;
 use seamwright_geometry::{Curve, Head};
+use seamwright_message::Message;
 use seamwright_program::{Body, Mount, Nozzle};
 use std::f64::consts::TAU;
 
@@ -110,7 +111,8 @@ impl Making<'_> {
                 let half = |depth: f64| {
                     let radius = radius_mm.get() - depth;
                     Head::hemispherical((centre_mm.get(), up), radius, 0.0).map_err(|e| {
-                        Impossible::Document(file.error_at("seam.nozzle.body.sphere", e.to_string(), "a sphere"))
+                        let allowed = Message::new("weld-allowed-sphere");
+                        Impossible::Document(file.error_at("seam.nozzle.body.sphere", e.message(), allowed))
                     })
                 };
                 vessel(half(0.0)?, &half)?

@@ -13,6 +13,7 @@ use crate::{SeamCurve, SeamJoint, Welding, plane};
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Clamped, ClearanceError, Shape, Solid, SolidFile};
 use seamwright_document::{Document, DocumentError, Positive};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Part, Seam};
 
 /// Default length of nozzle, tube or web, mm.
@@ -24,16 +25,26 @@ const PLATE_MM: f64 = 10.0;
 const PLACES: i32 = 360;
 
 /// Reason why no part can be made.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 enum Impossible {
-    #[error(transparent)]
-    Solid(#[from] ClearanceError),
+    /// A solid has invalid sizes.
+    Solid(ClearanceError),
     /// The body of the job's length ends within the seam; with the minimum length, mm.
-    #[error("the body would end within the seam")]
     Short(f64),
     /// The body cannot be read.
-    #[error(transparent)]
-    Document(#[from] DocumentError),
+    Document(DocumentError),
+}
+
+impl From<ClearanceError> for Impossible {
+    fn from(error: ClearanceError) -> Self {
+        Self::Solid(error)
+    }
+}
+
+impl From<DocumentError> for Impossible {
+    fn from(error: DocumentError) -> Self {
+        Self::Document(error)
+    }
 }
 
 /// Loads the bytes of an STL file.
@@ -66,8 +77,8 @@ impl Welding {
         let fixtures = given(&self.program, "fixtures", &program.fixtures, load)?;
         let Part { solids, replace, watched, .. } = &program.part;
         if *replace && solids.is_empty() {
-            let message = "the part made from the seam is replaced, but by no solids";
-            return Err(self.program.error_at("part.replace", message, "[[part.solids]] with it, or without it"));
+            let message = Message::new("weld-part-replaced-by-nothing");
+            return Err(self.program.error_at("part.replace", message, Message::new("weld-allowed-part-solids")));
         }
         // The files of a part that is left out need not be there.
         let mut part = if *watched { given(&self.program, "part.solids", solids, load)? } else { Vec::new() };
@@ -100,7 +111,8 @@ impl Welding {
                 let of = program.copy_name(copy).map_or(String::new(), |name| format!(" of {name}"));
                 let name = format!("{}{of}", solid.name());
                 let placed = Solid::new(&name, solid.shape().clone(), placement * *solid.pose());
-                parts.push(placed.map_err(|e| self.program.error_at("placement", e.to_string(), "a rigid placement"))?);
+                let allowed = || Message::new("weld-allowed-rigid-placement");
+                parts.push(placed.map_err(|e| self.program.error_at("placement", e.message(), allowed()))?);
             }
         }
         Ok(Clamped { part: parts, fixtures, least_mm: program.clearance.least_mm.get() })
@@ -129,16 +141,14 @@ impl Making<'_> {
         };
         made.map_err(|e| match e {
             Impossible::Short(least) => {
-                file.error_at("part.body_length_mm", e.to_string(), format!("more than {least:.3}"))
+                let allowed = Message::new("document-more-than").quantity("min", least, Unit::Mm, 3);
+                file.error_at("part.body_length_mm", Message::new("weld-body-too-short"), allowed)
             }
             Impossible::Document(e) => e,
-            Impossible::Solid(_) => {
-                let message = format!("the part made from the seam: {e}");
-                file.error_at(
-                    "seam",
-                    message,
-                    "sizes up to 1e7 mm, those of [part] too; or [[part.solids]] with part.replace = true",
-                )
+            Impossible::Solid(e) => {
+                let message = Message::new("weld-part-from-seam").message("why", e.message());
+                let allowed = Message::new("weld-allowed-part-sizes").value("max", 1e7, Unit::Mm);
+                file.error_at("seam", message, allowed)
             }
         })
     }

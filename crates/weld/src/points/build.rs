@@ -4,6 +4,7 @@ use super::thin::kept;
 use super::{MachineAxes, Numbers, PointPath, Row};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_message::Message;
 use seamwright_program::{
     Along, ArcThrough, Columns, Pass, PointSpan, Points, ProcessValue, Program, Span, SpanValue, tip_way,
 };
@@ -45,7 +46,9 @@ impl PointPath {
         let seconds: f64 = timed.iter().map(|t| t.seconds).sum();
         let way: f64 = timed.iter().map(|t| builder.way(&t.block)).sum();
         if seconds <= SHORTEST_S {
-            return Err(program.error_at(&format!("{path}.spans"), "nothing moves in this pass", "a point elsewhere"));
+            let message = Message::new("weld-pass-without-motion");
+            let allowed = Message::new("weld-allowed-point-elsewhere");
+            return Err(program.error_at(&format!("{path}.spans"), message, allowed));
         }
         let pace = if way > 0.0 { way / seconds } else { 1.0 };
         let mut reached = vec![0.0; points.count() + 1];
@@ -181,8 +184,8 @@ impl Builder<'_> {
         let via = span.via_mm.map_or(start, seamwright_document::Point::get);
         let Some(arc) = ArcThrough::new(start, via, stop, span.normal.map(Direction::unit)) else {
             let at = format!("{}.spans[{i}].via_mm", self.path);
-            let message = "the arc's begin, `via_mm` and end lie on a line, or two of them are one place";
-            return Err(self.program.error_at(&at, message, "three places not on a line; a full circle is two arcs"));
+            let message = Message::new("weld-arc-points-in-line");
+            return Err(self.program.error_at(&at, message, Message::new("weld-allowed-arc-points")));
         };
         let shape = Shape::Arc(arc, self.reader.places);
         Ok(self.timed((here, end), shape, (&span.points[0], 0, span)))

@@ -140,7 +140,7 @@ fn overlapped_branches_have_corners_on_three_tubes() {
         let w = match read(&k.keys) {
             Ok(w) => w,
             Err(e) => {
-                assert!(e.key == "seam.branch.other" && e.message.to_string().contains("pass beside"), "{e}");
+                assert!(e.key == "seam.branch.other" && e.message.code == "geometry-beside-trimming-tube", "{e}");
                 refused += 1;
                 continue;
             }
@@ -260,11 +260,11 @@ fn mistakes_have_an_address_and_a_cure() {
         check(&text, "seam.branch.radius_mm", radius, "less than chord_radius_mm = 100");
     }
     for angle in ["9.9", "171", "180"] {
-        check(&format!("{keys}angle_deg = {angle}\n"), "seam.branch.angle_deg", angle, "10 to 170");
+        check(&format!("{keys}angle_deg = {angle}\n"), "seam.branch.angle_deg", angle, "10° to 170°");
     }
     for sideways in ["60", "-60", "150"] {
         let text = format!("{keys}eccentricity_mm = {sideways}\n");
-        check(&text, "seam.branch.eccentricity_mm", sideways, "less than 60");
+        check(&text, "seam.branch.eccentricity_mm", sideways, "less than 60 mm");
     }
     for wall in ["40", "41"] {
         check(&format!("{keys}wall_mm = {wall}\n"), "seam.branch.wall_mm", wall, "less than radius_mm = 40");
@@ -276,19 +276,19 @@ fn mistakes_have_an_address_and_a_cure() {
     let both = other("radius_mm = 30\ngap_mm = 5\noffset_mm = 100\n");
     check(&both, "seam.branch.other.offset_mm", "100", "exactly one of `gap_mm`");
     check(&other("radius_mm = 130\ngap_mm = 5\n"), "seam.branch.other.radius_mm", "130", "chord_radius_mm = 100");
-    check(&other("radius_mm = 30\ngap_mm = 5\nangle_deg = 5\n"), "seam.branch.other.angle_deg", "5", "10 to 170");
+    check(&other("radius_mm = 30\ngap_mm = 5\nangle_deg = 5\n"), "seam.branch.other.angle_deg", "5", "10° to 170°");
     // Nearer to each other with height.
     check(
         &other("radius_mm = 30\ngap_mm = -5\nangle_deg = 120\n"),
         "seam.branch.other.angle_deg",
         "120",
-        "less than 100 with the first branch at 80",
+        "less than 100° with the first branch at 80°",
     );
     check(
         &other("radius_mm = 30\ngap_mm = 5\neccentricity_mm = 70\n"),
         "seam.branch.other.eccentricity_mm",
         "70",
-        "less than 70",
+        "less than 70 mm",
     );
     // A branch wider than the one it overlaps by half would have to go round it.
     let astride = "[seam.branch]\nradius_mm = 70\nchord_radius_mm = 100\nangle_deg = 60\n[seam.branch.other]\nradius_mm = 20\nangle_deg = 60\ngap_mm = -60\n";

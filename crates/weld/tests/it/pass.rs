@@ -350,7 +350,7 @@ fn mistakes_in_beads_have_an_address() {
     assert!(message.contains("2 rows") && message.contains("s_mm has 3"));
     assert_eq!(edited("area_mm2 = [12, 12, 12]", "area_mm2 = [12, 12]").0, "passes[0].bead.area_mm2");
     let (key, _, allowed) = edited("s_mm = [0, 200, 400]", "s_mm = [0, 400, 400]");
-    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].bead.s_mm[2]", "more than 400"));
+    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].bead.s_mm[2]", "more than 400 mm"));
     let (key, message, _) = edited("area_mm2 = [12, 12, 12]", "area_mm2 = [12, -1, 12]");
     assert!(key.starts_with("passes[0].bead.area_mm2") && message.contains("-1"), "{key} {message}");
     assert!(edited("across_mm = [1, -1.5, 0]", "across_mm = [1, inf, 0]").0.starts_with("passes[0].bead.across_mm"));
@@ -358,9 +358,9 @@ fn mistakes_in_beads_have_an_address() {
     assert!(key == "passes[0].bead.work_angle_deg[1]" && message.contains("behind a face"));
     assert_eq!(edited("s_mm = [0, 200, 400]", "s_mm = [-1, 200, 400]").0, "passes[0].bead.s_mm[0]");
     let (key, _, allowed) = edited("s_mm = [0, 200, 400]", "s_mm = [0, 200, 401]");
-    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].bead.s_mm[2]", "from 0 up to 400"));
+    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].bead.s_mm[2]", "0 mm to 400 mm"));
     let (key, message, allowed) = edited("s_mm = [0, 200, 400]", "s_mm = [1, 200, 400]");
-    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].bead.s_mm[0]", "up to 0"));
+    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].bead.s_mm[0]", "up to 0 mm"));
     assert!(message.contains("reach over"));
     assert_eq!(edited("s_mm = [0, 200, 400]", "s_mm = [0, 200, 399]").0, "passes[0].bead.s_mm[2]");
     let (key, message, _) = wrong(LINE, |pass| pass.bead = Some(bead(&[])), |text| text);
@@ -371,7 +371,7 @@ fn mistakes_in_beads_have_an_address() {
     let late = [[0.0, 1.0, 2.0, 3.0], [length, -1.5, 2.5, -3.0]];
     let (key, message, allowed) = wrong(SADDLE, |pass| pass.bead = Some(bead(&late)), |text| text);
     assert!(key == "passes[0].bead.s_mm[1]" && message.contains("not on the weld"), "{key} {message}");
-    assert!(allowed.starts_with("from 0 less than"), "{allowed}");
+    assert!(allowed.starts_with("0 mm or more, less than"), "{allowed}");
 }
 
 #[test]
@@ -382,12 +382,12 @@ fn mistakes_in_where_a_pass_runs_have_an_address() {
         (key, allowed, message)
     };
     let (key, allowed, _) = on(LINE, 100.0, 301.0, false);
-    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].spans[0].to_mm", "up to 300"));
+    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].spans[0].to_mm", "up to 300 mm"));
     let (key, allowed, message) = on(LINE, 100.0, 101.0, true);
-    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].spans[0].to_mm", "up to 100"));
+    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].spans[0].to_mm", "up to 100 mm"));
     assert!(message.contains("runs back"));
     let (key, allowed, _) = on(LINE, 401.0, 1.0, true);
-    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].begin_mm", "0 to 400"));
+    assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].begin_mm", "0 mm to 400 mm"));
     let length = read(SADDLE).seam.as_ref().unwrap().length();
     let (key, _, message) = on(SADDLE, 10.0, 2.0 * length + 1.0, true);
     assert!(key == "passes[0].spans[0].to_mm" && message.contains("more than twice"));

@@ -28,7 +28,7 @@ impl Outside for Table {
     fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong> {
         match file {
             "joint.csv" => Ok(self.0.clone()),
-            _ => Err(Wrong { message: format!("{file}: not there"), allowed: "joint.csv".to_owned() }),
+            _ => Err(Wrong { message: format!("{file}: not there").into(), allowed: "joint.csv".into() }),
         }
     }
     fn tip(&self, _machine: &str, _axes: &[f64]) -> Result<DVec3, Wrong> {
@@ -160,10 +160,10 @@ fn mistakes_have_an_address() {
     let good = "points_mm = [[0, 0, 0], [10, 2, 0], [20, 0, 1]]\n";
     read(good);
     assert_eq!(key("points_mm = [[0, 0, 0]]", "2 to 20000"), "seam.spline.points_mm");
-    assert_eq!(key("", "a seam of 0 points"), "seam.spline.points_mm");
+    assert_eq!(key("", "the seam has 0 points"), "seam.spline.points_mm");
     assert_eq!(key("points_mm = [[0, 0, 0], [1, 0, 0]]\nclosed = true", "3 to"), "seam.spline.points_mm");
     assert_eq!(
-        key("points_mm = [[0, 0, 0], [1, 0, 0], [1, 0, 0]]", "where the one before"),
+        key("points_mm = [[0, 0, 0], [1, 0, 0], [1, 0, 0]]", "coincides with the one before"),
         "seam.spline.points_mm[2]"
     );
     let round = "points_mm = [[0, 0, 0], [9, 0, 0], [5, 5, 0], [0, 0, 0]]\nclosed = true";
@@ -172,19 +172,19 @@ fn mistakes_have_an_address() {
     assert_eq!(key(&format!("{good}closed = true\nend_tangent = [1, 0, 0]"), "no ends"), "seam.spline.end_tangent");
     assert_eq!(key(&format!("{good}normal = [1, 0, 0]"), "along the seam"), "seam.spline.normal");
     assert_eq!(
-        key(&format!("{good}first_normals = [[0, 0, 1]]"), "1 normals of 3 points"),
+        key(&format!("{good}first_normals = [[0, 0, 1]]"), "1 normal for 3 points"),
         "seam.spline.first_normals"
     );
     let second = format!("{good}second_normals = [[0, 0, 1], [0, 0, 1], [0, 0, 1]]");
     assert_eq!(key(&second, "first_normals"), "seam.spline.second_normals");
     let both = format!("{}\nnormal = [0, 0, 1]", second.replace("second", "first"));
-    assert_eq!(key(&both, "either one or all"), "seam.spline.normal");
+    assert_eq!(key(&both, "one for each point"), "seam.spline.normal");
     let turned = second.replace("second", "first").replace("[0, 0, 1]]", "[0, 0, -1]]");
     assert_eq!(key(&turned, "less than 90"), "seam.spline.first_normals");
     assert_eq!(key("file = \"joint.csv\"", "no files"), "seam.spline.file");
     assert_eq!(key(&format!("{good}file = \"joint.csv\""), "both a file"), "seam.spline.file");
     assert_eq!(key(&format!("{good}tolerance_mm = -1"), "0 or"), "seam.spline.tolerance_mm");
     let back = "points_mm = [[0, 0, 0], [10, 0, 0], [0.5, 0.1, 0], [10, 0.2, 0]]";
-    assert_eq!(key(back, "turns by 90 degrees"), "seam.spline.points_mm");
+    assert_eq!(key(back, "turns by 90°"), "seam.spline.points_mm");
     assert_eq!(key(&format!("{good}[start]\nphi_deg = 20"), "does not close"), "start.phi_deg");
 }

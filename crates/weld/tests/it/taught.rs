@@ -171,7 +171,7 @@ fn mistakes_have_an_address() {
     refused(
         &with(&[b, nominal.seam.as_ref().unwrap().at(515.0).point]),
         "taught[0].points_mm[1]",
-        "mm from the nominal seam",
+        "from the nominal seam",
     );
     refused(
         &with(&[b, nominal.seam.as_ref().unwrap().at(500.0).point]),
@@ -181,7 +181,7 @@ fn mistakes_have_an_address() {
     let far = a + 10.5 * nominal.seam.as_ref().unwrap().at(340.0).bisector;
     refused(&with(&[far, b]), "taught[0].points_mm[0]", "11.500 mm from the nominal seam");
     read(&job(SADDLE, &with(&[far, b]).replace("to_mm", "within_mm = 12\nto_mm")));
-    for (step, high, words) in [(2.0, 6.0, "turns by 90 degrees"), (6.0, 4.0, "degrees off the seam")] {
+    for (step, high, words) in [(2.0, 6.0, "turns by 90°"), (6.0, 4.0, "off the seam")] {
         let beside = |i: u32| {
             let p = nominal.seam.as_ref().unwrap().at(400.0 + step * f64::from(i));
             p.point + if i.is_multiple_of(2) { high } else { -high } * p.bisector
@@ -201,7 +201,11 @@ fn mistakes_have_an_address() {
     );
     refused(&good.replace("from_mm = 300.0", "from_mm = -1"), "taught[0].from_mm", "");
     refused(&good.replace("to_mm", "axes = [[1, 2]]\nto_mm"), "taught[0].axes", "given twice");
-    refused("[[taught]]\nfrom_mm = 300\nto_mm = 500\naxes = [[1, 2]]\n", "taught[0].axes[0]", "no machine is known");
+    refused(
+        "[[taught]]\nfrom_mm = 300\nto_mm = 500\naxes = [[1, 2]]\n",
+        "taught[0].axes[0]",
+        "no machine is available",
+    );
 }
 
 /// A machine whose three axes are x, y and z of the work frame.

@@ -281,7 +281,7 @@ fn girths_that_cannot_be_have_an_address() {
     let error = |from: &str, to: &str| Welding::read("job.toml", &GIRTH.replace(from, to)).unwrap_err();
     let along = error("cut_normal = [1, 1, 1]", "cut_normal = [0, 1, -1]");
     assert_eq!((along.key.as_str(), along.line), ("seam.girth.cut_normal", 9));
-    assert!(along.message.to_string().contains("90.0 degrees off the axis"));
+    assert!(along.message.to_string().contains("90.0° off the axis"));
     assert_eq!(error("zero_direction = [2, 1, -2]", "zero_direction = [1, 2, 2]").key, "seam.girth.zero_direction");
     assert_eq!(error("radius_mm = 90", "radius_mm = 0").key, "seam.girth.radius_mm");
 }

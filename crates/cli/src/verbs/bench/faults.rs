@@ -34,7 +34,7 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     let mut works = Vec::new();
     for (cell, motion) in cells.iter().zip(&motions) {
         works.push(cell.work(Start::at_home(motion)).map_err(|e| bad(&e))?);
-        works.push(cell.work(start(motion).map_err(|e| Failure::Input(e.to_string()))?).map_err(|e| bad(&e))?);
+        works.push(cell.work(start(motion).map_err(|e| Failure::input(e.to_string()))?).map_err(|e| bad(&e))?);
     }
     let [begin, end, tracked_begin, tracked_end] = &works[..] else { return Err(Failure::Printed) };
     let on_sensors = TrackedStage { cell: &cells[1], works: [tracked_begin, tracked_end], near_end };

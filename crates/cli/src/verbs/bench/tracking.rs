@@ -58,7 +58,7 @@ impl From<&GateRow> for Row {
 
 pub(super) fn run(args: &BenchTrackingArgs) -> Result<(), Failure> {
     let wanted = |table: TrackingTable| args.table.is_none_or(|only| only == table);
-    let shipped = shipped(MACHINE).ok_or_else(|| Failure::Environment(format!("{MACHINE} does not ship")))?;
+    let shipped = shipped(MACHINE).ok_or_else(|| Failure::environment(format!("{MACHINE} does not ship")))?;
     let machine = Machine::read(MACHINE, shipped.text)?;
     let mut rows = Vec::new();
     if wanted(TrackingTable::Seams) {

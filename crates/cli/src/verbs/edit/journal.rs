@@ -23,7 +23,7 @@ pub(super) fn read(file: &Path, text: &str) -> Result<(History, bool), Failure> 
 
 /// Writes the file and its history.
 pub(super) fn write(file: &Path, editor: &Editor) -> Result<(), Failure> {
-    let unwritable = |e: serde_json::Error| Failure::Environment(e.to_string());
+    let unwritable = |e: serde_json::Error| Failure::environment(e.to_string());
     let lines = editor.history().to_json_lines(editor.text()).map_err(unwritable)?;
     files::write(file, editor.text())?;
     files::write(&path(file), &lines)

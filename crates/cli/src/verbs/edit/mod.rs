@@ -7,6 +7,7 @@ use crate::args::edit::{EditArgs, EditVerb};
 use crate::failure::Failure;
 use crate::files;
 use crate::rows::{print_json, print_text};
+use seamwright_message::Message;
 use seamwright_program::Program;
 use seamwright_program::edit::{Editor, History, Operation, Patch, Report};
 use seamwright_weld::Job;
@@ -24,7 +25,7 @@ pub(crate) fn run(args: &EditArgs) -> Result<(), Failure> {
         _ => {
             let message = "what to do is not said, or twice";
             let allowed = "one operation, undo, redo, history, or --script OPS.json; see `seamwright edit --help`";
-            Err(Failure::Input(format!("{message}\n   allowed: {allowed}")))
+            Err(Failure::input(format!("{message}\n   allowed: {allowed}")))
         }
     }
 }
@@ -40,7 +41,7 @@ fn edit(args: &EditArgs, operations: &[Operation]) -> Result<(), Failure> {
     let mut editor = Editor::with_history(&name, &text, if is_same { history } else { History::default() })?;
     let reports = editor.apply_all(operations).map_err(|(i, e)| {
         let of = if operations.len() > 1 { format!("operation {}: ", i + 1) } else { String::new() };
-        Failure::Input(format!("{of}{e}"))
+        Failure::input(format!("{of}{e}"))
     })?;
     finish(args, &text, &editor, &reports)
 }
@@ -53,7 +54,7 @@ fn read_program(file: &Path) -> Result<String, Failure> {
     }
     let stem = file.file_stem().unwrap_or(file.as_os_str()).display();
     let file = file.display();
-    Err(Failure::Input(format!(
+    Err(Failure::input(format!(
         "{file}: this is a job, and edits are of programs\n   allowed: plan it first: seamwright plan {file}; then edit out/{stem}/program.toml"
     )))
 }
@@ -63,20 +64,20 @@ fn back(
     args: &EditArgs,
     force: bool,
     how: &str,
-    step: fn(&mut Editor) -> Result<Option<String>, seamwright_document::DocumentError>,
+    step: fn(&mut Editor) -> Result<Option<Message>, seamwright_document::DocumentError>,
 ) -> Result<(), Failure> {
     let name = args.file.display().to_string();
     let text = read_program(&args.file)?;
     let (history, is_same) = journal::read(&args.file, &text)?;
     if !is_same && !force {
         let message = format!("{name}: the file was changed by hand since its last edit");
-        return Err(Failure::Input(format!("{message}\n   allowed: --force, which goes as far as it can")));
+        return Err(Failure::input(format!("{message}\n   allowed: --force, which goes as far as it can")));
     }
     let mut editor = Editor::with_history(&name, &text, history)?;
     let Some(words) = step(&mut editor)? else {
-        return Err(Failure::Input(format!("{name}: there is nothing to be {how}\n   allowed: see `history`")));
+        return Err(Failure::input(format!("{name}: there is nothing to be {how}\n   allowed: see `history`")));
     };
-    let report = Report { words: format!("{how}: {words}"), changed: true, touched: Vec::new() };
+    let report = Report { words: format!("{how}: {words}").into(), changed: true, touched: Vec::new() };
     finish(args, &text, &editor, &[report])
 }
 
@@ -125,7 +126,7 @@ fn difference(before: &str, after: &str) -> Vec<String> {
 fn history(args: &EditArgs) -> Result<(), Failure> {
     let text = read_program(&args.file)?;
     let (history, is_same) = journal::read(&args.file, &text)?;
-    let names = |patches: &[Patch]| -> Vec<Value> { patches.iter().map(|p| p.name.as_str().into()).collect() };
+    let names = |patches: &[Patch]| -> Vec<Value> { patches.iter().map(|p| p.name.to_string().into()).collect() };
     if args.json {
         let (done, undone) = (names(history.done()), names(history.undone()));
         return print_json(&json!({ "done": done, "undone": undone, "changed_by_hand": !is_same }));

@@ -3,6 +3,7 @@
 use crate::args::edit::{EditVerb, EventArgs};
 use crate::failure::Failure;
 use crate::files;
+use seamwright_document::serde_text;
 use seamwright_program::edit::{
     AddEvent, AddPass, DeleteEvent, DeletePass, DeletePoints, DuplicatePass, InsertPoint, Interpolate, JoinSpans,
     Mirror, MovePass, Offset, Operation, Reduce, Renumber, ReversePass, ScaleSpeed, SetOffset, SetPass, SetPoint,
@@ -42,7 +43,7 @@ pub(super) fn operation(verb: &EditVerb) -> Result<Option<Operation>, Failure> {
             let value = match value[..] {
                 [from, to] => SpanValue::Ramp(Ramp { from, to }),
                 [value] => SpanValue::Steady(value),
-                _ => return Err(Failure::Input("--value: one number, or two for a ramp".to_owned())),
+                _ => return Err(Failure::input("--value: one number, or two for a ramp".to_owned())),
             };
             O::SetProcess(SetProcess { pass, points, s_mm, name, value })
         }
@@ -52,7 +53,7 @@ pub(super) fn operation(verb: &EditVerb) -> Result<Option<Operation>, Failure> {
         V::SetVariable { name, value } => O::SetVariable(SetVariable { name, value }),
         V::SetPass { pass, name, role, arc, repeat } => {
             let role = role.map(|role| word(&role)).transpose()?;
-            let wrong = || Failure::Input("--repeat: not allowed\n   allowed: 1 to 1000".to_owned());
+            let wrong = || Failure::input("--repeat: not allowed\n   allowed: 1 to 1000".to_owned());
             let repeat = repeat.map(|times| Repeat::new(times).ok_or_else(wrong)).transpose()?;
             O::SetPass(SetPass { pass, name, role, arc, repeat })
         }
@@ -74,12 +75,14 @@ fn event(args: EventArgs) -> AddEvent {
 
 /// One of a type's names, as files have it.
 fn word<T: DeserializeOwned>(name: &str) -> Result<T, Failure> {
-    serde_json::from_value(Value::String(name.to_owned())).map_err(|e| Failure::Input(e.to_string()))
+    serde_json::from_value(Value::String(name.to_owned())).map_err(|e| Failure::input(serde_text(&e.to_string())))
 }
 
 /// A JSON file.
 pub(super) fn json<T: DeserializeOwned>(path: &Path) -> Result<T, Failure> {
     let text = files::read(path)?;
-    serde_json::from_str(&text)
-        .map_err(|e| Failure::Input(format!("{}: {e}\n   allowed: see `seamwright schema operation`", path.display())))
+    serde_json::from_str(&text).map_err(|e| {
+        let fault = serde_text(&e.to_string());
+        Failure::input(format!("{}: {fault}\n   allowed: see `seamwright schema operation`", path.display()))
+    })
 }

@@ -20,8 +20,8 @@ const WIDTHS: (f64, f64) = (1.0, 400.0);
 pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
     let source = args.image.display().to_string();
     let image = decode(&files::read_bytes(&args.image, &source)?)
-        .map_err(|e| Failure::Input(format!("{source}: {e}\n   allowed: a whole PNG, JPEG or PNM file")))?;
-    let frame = image.frame().map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+        .map_err(|e| Failure::input(format!("{source}: {e}\n   allowed: a whole PNG, JPEG or PNM file")))?;
+    let frame = image.frame().map_err(|e| Failure::input(format!("{source}: {e}")))?;
     check_frame(&frame, &source)?;
     let zone = zone(args, &frame)?;
     let start = start(args, &zone)?;
@@ -51,7 +51,7 @@ fn check_frame(frame: &Frame, source: &str) -> Result<(), Failure> {
     let (width, height) = (frame.width(), frame.height());
     if width.min(height) < MIN_SIDE {
         let allowed = format!("at least {MIN_SIDE} pixels to a side");
-        return Err(Failure::Input(format!("{source}: {width} x {height} pixels\n   allowed: {allowed}")));
+        return Err(Failure::input(format!("{source}: {width} x {height} pixels\n   allowed: {allowed}")));
     }
     let white = match frame.pixels() {
         Pixels::U8(pixels) => pixels.iter().filter(|p| **p == u8::MAX).count(),
@@ -59,7 +59,7 @@ fn check_frame(frame: &Frame, source: &str) -> Result<(), Failure> {
     };
     if white >= width * height - width * height / 1000 {
         let allowed = "an exposure that leaves the metal grey: less light, time or gain";
-        return Err(Failure::Input(format!("{source}: the image is saturated, all white\n   allowed: {allowed}")));
+        return Err(Failure::input(format!("{source}: the image is saturated, all white\n   allowed: {allowed}")));
     }
     Ok(())
 }
@@ -70,7 +70,7 @@ fn numbers<const N: usize>(name: &str, found: &[f64]) -> Result<[f64; N], Failur
     all.filter(|all| all.iter().all(|v| v.is_finite())).ok_or_else(|| {
         let found: Vec<String> = found.iter().map(f64::to_string).collect();
         let found = found.join(",");
-        Failure::Input(format!("{name} {found}: not allowed\n   allowed: {N} finite numbers, apart by commas"))
+        Failure::input(format!("{name} {found}: not allowed\n   allowed: {N} finite numbers, apart by commas"))
     })
 }
 
@@ -85,7 +85,7 @@ fn zone(args: &FindJointArgs, frame: &Frame) -> Result<Zone, Failure> {
     if !inside || left >= zone_right || top >= zone_bottom {
         let found = format!("{left},{top},{zone_right},{zone_bottom}");
         let allowed = format!("left < right within 0 to {right}, top < bottom within 0 to {bottom}");
-        return Err(Failure::Input(format!("--zone-px {found}: not allowed\n   allowed: {allowed}")));
+        return Err(Failure::input(format!("--zone-px {found}: not allowed\n   allowed: {allowed}")));
     }
     Ok(Zone { left: left as f32, top: top as f32, right: zone_right as f32, bottom: zone_bottom as f32 })
 }
@@ -96,12 +96,12 @@ fn start(args: &FindJointArgs, zone: &Zone) -> Result<Start, Failure> {
     if x < left || x > right || y < top || y > bottom {
         let what = if args.zone_px.is_some() { "the detection zone" } else { "the image" };
         let allowed = format!("x from {left} to {right}, y from {top} to {bottom}");
-        return Err(Failure::Input(format!("--start {x},{y}: outside {what}\n   allowed: {allowed}")));
+        return Err(Failure::input(format!("--start {x},{y}: outside {what}\n   allowed: {allowed}")));
     }
     let [direction] = numbers("--direction-deg", &[args.direction_deg])?;
     if let Some(width) = args.width_px.filter(|w| !(WIDTHS.0..=WIDTHS.1).contains(w)) {
         let allowed = format!("{} to {}", WIDTHS.0, WIDTHS.1);
-        return Err(Failure::Input(format!("--width-px {width}: not allowed\n   allowed: {allowed}")));
+        return Err(Failure::input(format!("--width-px {width}: not allowed\n   allowed: {allowed}")));
     }
     // Whole turns are taken off before the precision is.
     let direction = (direction % 360.0).to_radians() as f32;

@@ -22,7 +22,7 @@ pub(super) fn draw(requests: &[Named]) -> Result<String, Failure> {
         let points: Vec<Point> = request.interpolate()?.take(MAX_POINTS + 1).collect();
         if points.len() > MAX_POINTS {
             let message = format!("--svg: {name} has more than {MAX_POINTS} points to draw");
-            return Err(Failure::Input(message + "\n   allowed: a coarser pulse or period, or no drawing"));
+            return Err(Failure::input(message + "\n   allowed: a coarser pulse or period, or no drawing"));
         }
         // Each method has one colour in all charts; the true curve has the first.
         let series = |points: Vec<(f64, f64)>| Series::line(*name, points).coloured(place + 1);

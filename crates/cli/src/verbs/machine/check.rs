@@ -13,7 +13,7 @@ const MAX_POSES: u32 = 10_000_000;
 
 pub(crate) fn run(args: &CheckMachineArgs) -> Result<(), Failure> {
     if !(1..=MAX_POSES).contains(&args.poses) {
-        return Err(Failure::Input(format!("--poses {}: not allowed\n   allowed: 1 to {MAX_POSES}", args.poses)));
+        return Err(Failure::input(format!("--poses {}: not allowed\n   allowed: 1 to {MAX_POSES}", args.poses)));
     }
     let (machine, file) = machine_and_file(&args.machine)?;
     let mut output = args.output.as_deref().map(Output::new).transpose()?;
@@ -24,7 +24,7 @@ pub(crate) fn run(args: &CheckMachineArgs) -> Result<(), Failure> {
     let mut text = check_text(&check);
     if let Some(mut output) = output.take() {
         let drawing = MachineDrawing::new(&machine);
-        let json = serde_json::to_string_pretty(&check).map_err(|e| Failure::Environment(e.to_string()))?;
+        let json = serde_json::to_string_pretty(&check).map_err(|e| Failure::environment(e.to_string()))?;
         output.text("check.html", &check_page(&check, &drawing, file.file(), file.text(), &clock::now()))?;
         output.text("check.json", &(json + "\n"))?;
         output.text("machine.svg", &drawing.to_svg_standalone())?;

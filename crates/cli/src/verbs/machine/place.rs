@@ -23,7 +23,7 @@ pub(crate) fn run(args: &PlaceArgs) -> Result<(), Failure> {
     let fitted = fitted(args, &loaded, &rows).map_err(|e| match e {
         NoPlace::Points(e) => {
             let why = "more points, spread over what they should tell, or another --method";
-            Failure::Input(format!("{}: {e}\n   allowed: {why}", args.points.display()))
+            Failure::input(format!("{}: {e}\n   allowed: {why}", args.points.display()))
         }
         NoPlace::Input(failure) => failure,
     })?;
@@ -44,21 +44,21 @@ fn check(args: &PlaceArgs) -> Result<(), Failure> {
     positive("--largest-mm", args.largest_mm)?;
     let radius = args.probe_radius_mm;
     if !(0.0..=1000.0).contains(&radius) {
-        return Err(Failure::Input(format!("--probe-radius-mm {radius}: not allowed\n   allowed: 0 to 1000")));
+        return Err(Failure::input(format!("--probe-radius-mm {radius}: not allowed\n   allowed: 0 to 1000")));
     }
     if radius > 0.0 && args.method == PlaceMethod::ThreePoint {
-        return Err(Failure::Input(format!(
+        return Err(Failure::input(format!(
             "--probe-radius-mm {radius}: nobody knows on which side of a single point the ball lay\n   allowed: 0 with three-point, or another --method"
         )));
     }
     if !is_offset_name(&args.name) {
-        return Err(Failure::Input(format!("--name {}: not allowed\n   allowed: {OFFSET_NAMES}", args.name)));
+        return Err(Failure::input(format!("--name {}: not allowed\n   allowed: {OFFSET_NAMES}", args.name)));
     }
     Ok(())
 }
 
 fn no_number(args: &PlaceArgs) -> Failure {
-    Failure::Input(format!("{}: the points give no place for the part", args.points.display()))
+    Failure::input(format!("{}: the points give no place for the part", args.points.display()))
 }
 
 fn wanted(method: PlaceMethod) -> Wanted {
@@ -195,7 +195,7 @@ fn turns_about(machine: &Machine, tube: &Tube) -> bool {
 
 /// Writes the job again with the offset in force, after a look whether it can be read where it will stand.
 fn write_job(args: &PlaceArgs, path: &Path, transform: &Transform) -> Result<(), Failure> {
-    let cannot = |e: &dyn std::fmt::Display| Failure::Input(format!("{}: cannot be changed: {e}", args.job.display()));
+    let cannot = |e: &dyn std::fmt::Display| Failure::input(format!("{}: cannot be changed: {e}", args.job.display()));
     let placed = offset::put_into(&files::read(&args.job)?, &args.name, transform).map_err(|e| cannot(&e))?;
     let text = placed.ok_or_else(|| cannot(&"`offsets` is no table"))?;
     let folder = path.parent().unwrap_or(Path::new("."));

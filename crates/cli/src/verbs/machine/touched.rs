@@ -84,7 +84,7 @@ struct Places<'a> {
 
 impl<'a> Table<'a> {
     fn wrong(&self, line: usize, what: &str, allowed: &str) -> Failure {
-        Failure::Input(format!("{}:{line}: {what}\n   allowed: {allowed}", self.file))
+        Failure::input(format!("{}:{line}: {what}\n   allowed: {allowed}", self.file))
     }
 
     fn column(&self, name: &str) -> Option<usize> {

@@ -45,6 +45,6 @@ fn chosen<'a>(machine: &'a Machine, name: Option<&str>) -> Result<Vec<&'a Axis>,
     let names = || all.iter().map(|a| a.name.as_str()).collect::<Vec<_>>().join(", ");
     match all.iter().find(|a| a.name == name) {
         Some(axis) => Ok(vec![axis]),
-        None => Err(Failure::Input(format!("--axis {name}: there is no such axis\n   allowed: {}", names()))),
+        None => Err(Failure::input(format!("--axis {name}: there is no such axis\n   allowed: {}", names()))),
     }
 }

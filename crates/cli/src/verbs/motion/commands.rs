@@ -35,7 +35,7 @@ pub(super) struct Timed {
 /// Reads commands in the order of time.
 pub(super) fn read(file: &Path) -> Result<Vec<Timed>, Failure> {
     let source = file.display().to_string();
-    let input = File::open(file).map_err(|e| Failure::Input(format!("{source}: cannot be read: {e}")))?;
+    let input = File::open(file).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?;
     parse(&source, BufReader::new(input))
 }
 
@@ -49,19 +49,19 @@ fn parse(source: &str, input: impl BufRead) -> Result<Vec<Timed>, Failure> {
         let last = all.last().map_or(0.0, |c| c.t);
         let t = number(time).filter(|t| *t >= last && *t <= LATEST_S).ok_or_else(|| {
             let allowed = format!("a number of seconds from {last} to {LATEST_S}: rows come in the order of time");
-            reader.error("t_s", time, "is not allowed", &allowed)
+            reader.error("t_s", time, "not allowed", allowed)
         })?;
         let command = command(name, value).map_err(|wrong| match wrong {
             Wrong::Command => {
-                reader.error("command", name, "is no command", "override, hold, resume, reverse, step, abort")
+                reader.error("command", name, "not a command", "override, hold, resume, reverse, step, abort")
             }
-            Wrong::Value(allowed) => reader.error("value", value, &format!("does not go with {name}"), allowed),
+            Wrong::Value(allowed) => reader.error("value", value, format!("does not go with {name}"), allowed),
         })?;
         match command {
             Command::Override(percent) => stopped = percent < MIN_OVERRIDE,
             Command::Resume | Command::Step(_) if stopped => {
                 let allowed = format!("an override of at least {MIN_OVERRIDE} percent before it");
-                return Err(reader.error("command", name, "cannot go on at an override of 0", &allowed));
+                return Err(reader.error("command", name, "cannot go on at an override of 0", allowed));
             }
             _ => {}
         }

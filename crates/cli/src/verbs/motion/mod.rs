@@ -79,7 +79,7 @@ fn write_certificate(path: &Path, loaded: &Loaded, motion: &WeldMotion) -> Resul
         machine: &machine.name,
         passes: passes.map(|(pass, planned)| CertificateFigures::new(machine, pass, planned)).collect(),
     };
-    let json = serde_json::to_string_pretty(&certificates).map_err(|e| Failure::Environment(e.to_string()))?;
+    let json = serde_json::to_string_pretty(&certificates).map_err(|e| Failure::environment(e.to_string()))?;
     files::write(path, &(json + "\n"))
 }
 
@@ -89,7 +89,7 @@ fn parts(coarse_ms: f64, period: f64) -> Result<u32, Failure> {
     let parts = coarse / period;
     let whole = parts.round();
     if !(1.0..=1e6).contains(&whole) || (parts - whole).abs() > 1e-9 * parts {
-        return Err(Failure::Input(format!(
+        return Err(Failure::input(format!(
             "--coarse-ms {coarse_ms}: {parts} periods of {} ms\n   allowed: a whole multiple of the period, up to 1e6 times",
             period * 1e3
         )));

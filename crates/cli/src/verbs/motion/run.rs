@@ -55,7 +55,7 @@ pub(super) fn run(
 pub(super) fn check_period(period: f64) -> Result<(), Failure> {
     if !(0.00025..=0.004).contains(&period) {
         let ms = period * 1e3;
-        return Err(Failure::Input(format!("--period-ms {ms}: not allowed with --commands\n   allowed: 0.25 to 4")));
+        return Err(Failure::input(format!("--period-ms {ms}: not allowed with --commands\n   allowed: 0.25 to 4")));
     }
     Ok(())
 }
@@ -143,7 +143,7 @@ impl<'a> Player<'a> {
     /// Plays a pass until it has ended, or is held and no command is left.
     fn pass(&mut self, i: usize, motion: &PassMotion) -> Result<(), Failure> {
         let program = &self.loaded.welding.program.value;
-        let faster = self.faster(motion, &program.passes[i]).map_err(|e| Failure::Input(e.to_string()))?;
+        let faster = self.faster(motion, &program.passes[i]).map_err(|e| Failure::input(e.to_string()))?;
         let base = motion.timed(&self.loaded.machine);
         let faster =
             faster.as_ref().map(|law| seamwright_motion::pace::PassTimed::new(&self.loaded.machine, &motion.path, law));

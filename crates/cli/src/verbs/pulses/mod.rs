@@ -27,7 +27,7 @@ use summary::Summary;
 pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
     if let Some(path) = args.output.as_deref().filter(|p| p.extension().is_none_or(|e| e != "vcd")) {
         let message = format!("-o {}: not a value change dump\n   allowed: a name that ends in .vcd", path.display());
-        return Err(Failure::Input(message));
+        return Err(Failure::input(message));
     }
     let loaded = load(&args.job)?;
     let period = args.period_ms.map_or(Ok(loaded.machine.servo_period_s * 1e3), |ms| positive("--period-ms", ms))?;

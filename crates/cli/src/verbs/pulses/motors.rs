@@ -36,7 +36,7 @@ impl Motor {
             torque: motor.torque.clone(),
         };
         let model =
-            StepperMotor::new(&parameters).map_err(|e| Failure::Input(format!("drives.{}.stepper: {e}", axis.name)))?;
+            StepperMotor::new(&parameters).map_err(|e| Failure::input(format!("drives.{}.stepper: {e}", axis.name)))?;
         Ok(Some(Self { model, positive: true, tick: 0, held: None }))
     }
 

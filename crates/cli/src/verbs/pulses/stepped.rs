@@ -15,7 +15,7 @@ impl Clock {
         let ticks = period_ms * 1e6 / f64::from(tick_ns);
         let whole = ticks.round();
         if !(1.0..=1e11).contains(&whole) || (ticks - whole).abs() > 1e-9 * ticks {
-            return Err(Failure::Input(format!(
+            return Err(Failure::input(format!(
                 "a period of {period_ms} ms is {ticks} ticks of {tick_ns} ns\n   allowed: a whole number of ticks, up to 1e11; see --period-ms and --tick-ns"
             )));
         }
@@ -60,7 +60,7 @@ impl Stepped {
         for (index, axis) in machine.axes.iter().enumerate() {
             let Some(stepper) = &axis.stepper else { continue };
             let timing = Timing::new(stepper, clock.tick_s(), clock.ticks)
-                .map_err(|e: Error| Failure::Input(format!("--period-ms: {e}")))?;
+                .map_err(|e: Error| Failure::input(format!("--period-ms: {e}")))?;
             all.push(Self {
                 name: axis.name.clone(),
                 index,

@@ -17,7 +17,7 @@ pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {
         output.take(&file.name, &data.weld_folder(args.id).join(&file.name))?;
     }
     let program = library.program_of(args.id)?;
-    let json = serde_json::to_string_pretty(&detail).map_err(|e| Failure::Environment(e.to_string()))?;
+    let json = serde_json::to_string_pretty(&detail).map_err(|e| Failure::environment(e.to_string()))?;
     output.text("record.json", &(json + "\n"))?;
     let page = recorded_weld_page(&detail, &figures, &program.text, &clock::now(), Language::of_process());
     output.text("report.html", &page)?;

@@ -38,5 +38,5 @@ pub(super) fn folder(data: Option<&Path>) -> Result<PathBuf, Failure> {
     let home = || named("HOME").or_else(|| named("USERPROFILE")).map(|home| home.join(".local/share"));
     named("SEAMWRIGHT_DATA")
         .or_else(|| Some(named("XDG_DATA_HOME").or_else(home)?.join("seamwright")))
-        .ok_or_else(|| Failure::Input("there is no data folder\n   allowed: --data DIR, or SEAMWRIGHT_DATA".to_owned()))
+        .ok_or_else(|| Failure::input("there is no data folder\n   allowed: --data DIR, or SEAMWRIGHT_DATA".to_owned()))
 }

@@ -432,10 +432,10 @@ impl Desk {
             return Err(failure);
         }
         if let Some(cause) = self.ended_by {
-            return Err(Failure::Environment(format!("the program was stopped by {cause}; everything is off")));
+            return Err(Failure::environment(format!("the program was stopped by {cause}; everything is off")));
         }
         match (self.stopped, self.refused) {
-            (Some(alarm), _) => Err(Failure::Environment(format!("the program was stopped by an alarm: {alarm}"))),
+            (Some(alarm), _) => Err(Failure::environment(format!("the program was stopped by an alarm: {alarm}"))),
             (None, Some(_)) => Err(Failure::Printed),
             (None, None) => Ok(()),
         }

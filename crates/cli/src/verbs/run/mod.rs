@@ -102,13 +102,13 @@ fn start(
         let passes = motion.passes.len();
         let most =
             length.map_or(format!("passes 1 to {passes}"), |length| format!("up to {length:.2} mm in that pass"));
-        return Err(Failure::Input(format!(
+        return Err(Failure::input(format!(
             "--from {},{}: there is nothing left to weld\n   allowed: {most}",
             place.pass, place.s_mm
         )));
     }
     let home = loaded.machine.home();
-    Start::at_place(&loaded.machine, around, motion, &home, place).map_err(|e| Failure::Environment(e.to_string()))
+    Start::at_place(&loaded.machine, around, motion, &home, place).map_err(|e| Failure::environment(e.to_string()))
 }
 
 /// Opens the desk, runs the cell under it, and closes it.
@@ -148,7 +148,7 @@ fn check_safe(lines: &Lines) -> Result<(), Failure> {
         // A device without an answer counts as one whose outputs are on.
         let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".into()));
         if let Err(why) = safe {
-            return Err(Failure::Environment(format!(
+            return Err(Failure::environment(format!(
                 "device `{name}`: its outputs are not confirmed to be safe: {why}\n   look at once whether arc and gas are off"
             )));
         }
@@ -174,7 +174,7 @@ fn devices<'a>(
 
 /// Failure of a simulation.
 pub(in crate::verbs) fn bad(error: &seamwright_cell::Error) -> Failure {
-    Failure::Input(error.to_string())
+    Failure::input(error.to_string())
 }
 
 /// In real time: the cycle in a thread of its own, the desk here.
@@ -227,7 +227,7 @@ fn real(
             wait_for_end(&cycle, shutdown);
         }
         let (left, footing, latency) =
-            cycle.join().map_err(|_| Failure::Environment("the thread of the cycle ended early".to_owned()))?;
+            cycle.join().map_err(|_| Failure::environment("the thread of the cycle ended early".to_owned()))?;
         if let Some(cause) = shutdown.cause() {
             desk.ended_by(cause);
         }

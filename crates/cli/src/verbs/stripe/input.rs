@@ -22,11 +22,11 @@ pub(super) enum Input {
 pub(super) fn read(path: &Path, source: &str) -> Result<Input, Failure> {
     let bytes = files::read_bytes(path, source)?;
     if is_image(&bytes) {
-        return decode(&bytes).map(Input::Image).map_err(|e| Failure::Input(format!("{source}: {e}")));
+        return decode(&bytes).map(Input::Image).map_err(|e| Failure::input(format!("{source}: {e}")));
     }
     let Ok(text) = std::str::from_utf8(&bytes) else {
         let allowed = "PNG, JPEG or PNM, or CSV with the columns y_mm,z_mm";
-        return Err(Failure::Input(format!("{source}: neither an image nor text\n   allowed: {allowed}")));
+        return Err(Failure::input(format!("{source}: neither an image nor text\n   allowed: {allowed}")));
     };
     profile(text, source).map(Input::Profile)
 }
@@ -51,12 +51,17 @@ fn profile(text: &str, source: &str) -> Result<Vec<DVec2>, Failure> {
             }
             let good = |v: &f64| v.abs() <= 1e7;
             *value = cell.parse().ok().filter(good).ok_or_else(|| {
-                reader.error(name, cell, "is no place", "a number within 1e7 mm of 0, or nothing where it is missing")
+                reader.error(
+                    name,
+                    cell,
+                    "not a position",
+                    "a number within 1e7 mm of 0, or nothing where it is missing",
+                )
             })?;
         }
         points.push(DVec2::from_array(point));
         if points.len() > MAX_POINTS {
-            return Err(Failure::Input(format!("{source}: too many points\n   allowed: up to {MAX_POINTS}")));
+            return Err(Failure::input(format!("{source}: too many points\n   allowed: up to {MAX_POINTS}")));
         }
     }
     Ok(points)

@@ -33,7 +33,7 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
         Input::Profile(points) => {
             if args.machine.is_some() || args.mm_per_px.is_some() || args.overlay.is_some() {
                 let allowed = "--machine, --mm-per-px and --overlay with an image";
-                return Err(Failure::Input(format!("{source}: a profile is in mm already\n   allowed: {allowed}")));
+                return Err(Failure::input(format!("{source}: a profile is in mm already\n   allowed: {allowed}")));
             }
             let task = task(args, true)?;
             let found = reader.read_profile(&points, &task);
@@ -42,10 +42,10 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
             write(args, &found, None, (&source, &hint))
         }
         Input::Image(image) => {
-            let frame = image.frame().map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+            let frame = image.frame().map_err(|e| Failure::input(format!("{source}: {e}")))?;
             if let Some([width, height]) = scale.size_px.filter(|s| *s != [frame.width(), frame.height()]) {
                 let found = format!("the image has {} x {} pixels", frame.width(), frame.height());
-                return Err(Failure::Input(format!("{source}: {found}\n   allowed: {width} x {height}, the sensor's")));
+                return Err(Failure::input(format!("{source}: {found}\n   allowed: {width} x {height}, the sensor's")));
             }
             let to_mm = scale.to_mm.or_else(|| even(args.mm_per_px?, &image));
             let task = task(args, to_mm.is_some())?;
@@ -74,11 +74,11 @@ fn sensor(args: &StripeArgs) -> Result<Scale, Failure> {
         let names: Vec<&str> = loaded.sensors.iter().map(|s| s.name.as_str()).collect();
         let allowed =
             if names.is_empty() { "the machine has none: [sensors.NAME]".to_owned() } else { names.join(", ") };
-        return Err(Failure::Input(format!("--sensor {name}: {machine} has no such sensor\n   allowed: {allowed}")));
+        return Err(Failure::input(format!("--sensor {name}: {machine} has no such sensor\n   allowed: {allowed}")));
     };
     let Sight::Stripe(stripe) = &sensor.sight else {
         let allowed = "a sensor of kind = \"stripe\"";
-        return Err(Failure::Input(format!("--sensor {name}: it sees no stripe\n   allowed: {allowed}")));
+        return Err(Failure::input(format!("--sensor {name}: it sees no stripe\n   allowed: {allowed}")));
     };
     Ok(Scale { to_mm: Some(stripe.to_mm), size_px: Some(sensor.size_px) })
 }

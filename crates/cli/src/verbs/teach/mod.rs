@@ -20,6 +20,7 @@ use seamwright_cell::teach::{JointFollower, semi_manual};
 use seamwright_geometry::HeightTable;
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_message::Message;
 use seamwright_project::teaching::{self, EVERY_MM, Outcome, nominal};
 use seamwright_tracking::teach::{EyePose, Kind, Settings};
 use std::fs::File;
@@ -45,7 +46,7 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
         Source::Sender(address) => sent::teach(args, address, &loaded, &nominal)?,
     };
     if outcome.smooth.len() < 2 {
-        let why = outcome.finding.take().unwrap_or_else(|| "no joint was found".to_owned());
+        let why = outcome.finding.take().unwrap_or_else(|| Message::new("project-teach-no-joint"));
         return Err(Failure::Findings(vec![teaching::finding(why, 0.0)]));
     }
     let kind = match args.method {
@@ -92,12 +93,12 @@ impl<'a> Source<'a> {
                 Some(("tcp", address)) => Self::Sender(sent::address(frames, address)?),
                 Some(_) => {
                     let allowed = "a folder, tcp://HOST:PORT, simulated";
-                    return Err(Failure::Input(format!("--frames {frames}: not allowed\n   allowed: {allowed}")));
+                    return Err(Failure::input(format!("--frames {frames}: not allowed\n   allowed: {allowed}")));
                 }
                 None => Self::Folder(Path::new(frames)),
             },
             // The command line asks for one of them.
-            (None, None) => return Err(Failure::Input("either --frames or --semi-manual".to_owned())),
+            (None, None) => return Err(Failure::input("either --frames or --semi-manual".to_owned())),
         };
         let simulated = [
             ("--seed", args.seed.is_some()),
@@ -106,7 +107,7 @@ impl<'a> Source<'a> {
             ("--no-height", args.no_height),
         ];
         let elsewhere = |given: &[(&str, bool)], only: &str| match given.iter().find(|(_, given)| *given) {
-            Some((name, _)) => Err(Failure::Input(format!("{name}: not allowed here\n   allowed: only with {only}"))),
+            Some((name, _)) => Err(Failure::input(format!("{name}: not allowed here\n   allowed: only with {only}"))),
             None => Ok(()),
         };
         if !matches!(source, Self::Simulated) {
@@ -128,7 +129,7 @@ fn check_output(output: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     let output = output.display();
-    Err(Failure::Input(format!(
+    Err(Failure::input(format!(
         "-o {output}: is the name of a file beside the program\n   allowed: a file, as taught.toml"
     )))
 }
@@ -138,7 +139,7 @@ fn within(name: &str, value: f64, (least, most): (f64, f64)) -> Result<f64, Fail
     if (least..=most).contains(&value) {
         return Ok(value);
     }
-    Err(Failure::Input(format!("{name} {value}: not allowed\n   allowed: {least} to {most}")))
+    Err(Failure::input(format!("{name} {value}: not allowed\n   allowed: {least} to {most}")))
 }
 
 /// The camera that is asked for, with its map.
@@ -155,7 +156,7 @@ fn camera<'a>(args: &TeachArgs, machine: &'a Machine) -> Result<(&'a Sensor, &'a
         } else {
             names()
         };
-        Err(Failure::Input(format!("{message}\n   allowed: {allowed}")))
+        Err(Failure::input(format!("{message}\n   allowed: {allowed}")))
     };
     match (&args.sensor, cameras.as_slice()) {
         (Some(name), _) => match cameras.iter().find(|(s, _)| &s.name == name) {
@@ -183,18 +184,18 @@ fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<EyePose, 
     let vector = |name: &str, given: &Option<Vec<f64>>| match given.as_deref() {
         None => Ok(None),
         Some([x, y, z]) => Ok(Some(DVec3::new(*x, *y, *z))),
-        Some(other) => Err(Failure::Input(format!("{name}: {} numbers\n   allowed: three, X,Y,Z", other.len()))),
+        Some(other) => Err(Failure::input(format!("{name}: {} numbers\n   allowed: three, X,Y,Z", other.len()))),
     };
     let point = vector("--start", &args.start)?.unwrap_or(point);
     let far = || {
         let message =
             format!("the start ({:.3}, {:.3}, {:.3}) is not near the nominal seam", point.x, point.y, point.z);
-        Failure::Input(format!("{message}\n   allowed: --start within 15 mm of it, in the machine's work frame"))
+        Failure::input(format!("{message}\n   allowed: --start within 15 mm of it, in the machine's work frame"))
     };
     let begin = teaching::start(nominal, point).ok_or_else(far)?;
     let along = match vector("--direction", &args.direction)? {
         Some(way) => way.try_normalize().ok_or_else(|| {
-            Failure::Input(
+            Failure::input(
                 "--direction: it has no length\n   allowed: three finite numbers that are not all 0".to_owned(),
             )
         })?,
@@ -206,13 +207,13 @@ fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<EyePose, 
 /// The nominal seam brought to the operator's points.
 fn by_points(path: &Path, nominal: &SeamLine) -> Result<Outcome, Failure> {
     let source = path.display().to_string();
-    let file = File::open(path).map_err(|e| Failure::Input(format!("{source}: cannot be read: {e}")))?;
+    let file = File::open(path).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?;
     let (mut reader, _) = CsvReader::open(&source, BufReader::new(file), &[&["x_mm", "y_mm", "z_mm"]])?;
     let mut points = Vec::new();
     while let Some(row) = reader.row() {
         let row = row?;
         points.push(DVec3::new(row[0], row[1], row[2]));
     }
-    let smooth = semi_manual(nominal, &points, EVERY_MM).map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+    let smooth = semi_manual(nominal, &points, EVERY_MM).map_err(|e| Failure::input(format!("{source}: {e}")))?;
     Ok(Outcome { smooth, ended: "points", ..Outcome::default() })
 }

@@ -21,7 +21,7 @@ pub(super) fn teach(args: &TeachArgs, folder: &Path, loaded: &Loaded, nominal: &
 
 /// Teaches from frames in their order; the joint starts in the middle of the first one. `what` names them in errors.
 pub(super) fn play(session: &Session, mut frames: impl FrameSource, what: &str) -> Result<Outcome, Failure> {
-    let first = frames.next()?.ok_or_else(|| Failure::Input(format!("{what}: no frames")))?;
+    let first = frames.next()?.ok_or_else(|| Failure::input(format!("{what}: no frames")))?;
     let begin = start(session.args, session.nominal, middle(session, &first))?;
     session.crawl(begin, &mut Played(Box::new(Again { first: Some(first), rest: frames })))
 }

@@ -86,7 +86,7 @@ impl<'a> Report<'a> {
     }
 
     pub(super) fn to_json(&self) -> Result<String, Failure> {
-        let text = serde_json::to_string_pretty(&self.value()).map_err(|e| Failure::Environment(e.to_string()))?;
+        let text = serde_json::to_string_pretty(&self.value()).map_err(|e| Failure::environment(e.to_string()))?;
         Ok(text + "\n")
     }
 

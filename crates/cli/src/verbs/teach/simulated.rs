@@ -26,7 +26,7 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
         appearance.height_error_mm = None;
     }
     let eye = Eye::new(machine, sensor, actual.clone(), appearance, seed);
-    let eye = eye.ok_or_else(|| Failure::Input(format!("{} is no camera", sensor.name)))?;
+    let eye = eye.ok_or_else(|| Failure::input(format!("{} is no camera", sensor.name)))?;
     let (first, along) = actual.at(0.0);
     let begin = start(args, nominal, first.point + BESIDE_MM * first.normal.cross(along))?;
     let ground = Ground::new(loaded, nominal)?;
@@ -39,14 +39,14 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
 
 fn distortion(args: &TeachArgs) -> Result<Distortion, Failure> {
     let [shift_mm, turn_deg, bend_mm] = *args.distortion.as_deref().unwrap_or(&DISTORTION) else {
-        return Err(Failure::Input(
+        return Err(Failure::input(
             "--distortion: not three numbers\n   allowed: SHIFT,TURN,BEND in mm, degrees, mm".to_owned(),
         ));
     };
     // Beyond them a part is not the one of the job.
     let allowed = [("shift", shift_mm, 20.0), ("turn", turn_deg, 10.0), ("bend", bend_mm, 20.0)];
     if let Some((what, value, most)) = allowed.into_iter().find(|(_, v, most)| !(0.0..=*most).contains(v)) {
-        return Err(Failure::Input(format!("--distortion: {what} {value}\n   allowed: 0 to {most}")));
+        return Err(Failure::input(format!("--distortion: {what} {value}\n   allowed: 0 to {most}")));
     }
     Ok(Distortion { shift_mm, turn: turn_deg.to_radians(), bend_mm })
 }
@@ -58,7 +58,7 @@ fn tacks(args: &TeachArgs) -> Result<Vec<(f64, f64)>, Failure> {
         match ends.as_deref() {
             Some([from, to]) if from < to => Ok((*from, *to)),
             _ => {
-                Err(Failure::Input(format!("--tack {text}\n   allowed: FROM,TO in mm along the seam, FROM before TO")))
+                Err(Failure::input(format!("--tack {text}\n   allowed: FROM,TO in mm along the seam, FROM before TO")))
             }
         }
     };
