@@ -1,6 +1,45 @@
 // Made from crates/server/src/wire by its test: do not change by hand.
 
 /**
+ * A message as data, and its English text.
+ */
+export type MessageView = { 
+/**
+ * Identifier of the words in the catalogues; `text` is text as it stands.
+ */
+code: string, 
+/**
+ * English text.
+ */
+text: string, 
+/**
+ * Arguments by name.
+ */
+arguments: Array<[string, ArgumentView]>, };
+
+/**
+ * An argument of a message.
+ */
+export type ArgumentView = { "type": "quantity", "value": QuantityView } | { "type": "range", "value": [QuantityView, QuantityView] } | { "type": "count", "value": number } | { "type": "axis", "value": string } | { "type": "key", "value": string } | { "type": "pass", "value": number } | { "type": "text", "value": string } | { "type": "message", "value": MessageView } | { "type": "list", "value": Array<ArgumentView> };
+
+/**
+ * A value with its unit.
+ */
+export type QuantityView = { 
+/**
+ * Value in `unit`.
+ */
+value: number, 
+/**
+ * Identifier of the unit in the catalogues, like `unit-mm-per-s`; empty for a number without a unit.
+ */
+unit: string, 
+/**
+ * Number of decimals to show.
+ */
+decimals: number, };
+
+/**
  * `GET /api/machine`.
  */
 export type MachineView = { 
@@ -1749,7 +1788,7 @@ kind: string,
 /**
  * With the value found and the value allowed.
  */
-message: string, 
+message: MessageView, 
 /**
  * From 1.
  */
@@ -1765,7 +1804,7 @@ to_mm: number,
 /**
  * What would cure it.
  */
-cure: string, 
+cure: MessageView | null, 
 /**
  * The weld can be made nevertheless.
  */
@@ -1879,17 +1918,17 @@ key: string,
  */
 value: string, 
 /**
- * What is wrong.
+ * Description of the fault.
  */
-what: string, 
+what: MessageView, 
 /**
- * What would be right.
+ * Allowed values.
  */
-allowed: string | null, 
+allowed: MessageView | null, 
 /**
  * A suggestion.
  */
-help: string | null, };
+help: MessageView | null, };
 
 /**
  * `POST /api/plan`, `POST /api/draft`, `GET /api/jobs/NAME`.

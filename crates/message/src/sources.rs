@@ -46,6 +46,7 @@ areas![
     "report",
     "project",
     "server",
+    "panel",
     "cli",
 ];
 

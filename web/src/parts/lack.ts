@@ -1,11 +1,11 @@
 import type { LackView } from '../wire';
-import { about, alarmTitle, named, said, t } from '../words/index.svelte';
-import { en, type Key } from '../words/en';
+import { about, alarmTitle, isKey, named, t } from '../words/index.svelte';
+import { ARGUMENTS } from '../words/panel';
 
 /** A lack in the chosen language, with the names in it; keys without words keep those of the cell. */
 export function lackText(lack: LackView): string {
   const key = `lack.${lack.key}`;
-  if (!(key in en)) return said(lack.text);
+  if (!isKey(key)) return lack.text;
   const names = lack.of.map((name, i) => {
     if (lack.key === 'mode') return named('mode', name.replaceAll(' ', '_'));
     // The alarm, and which condition or axis it is about.
@@ -15,5 +15,5 @@ export function lackText(lack: LackView): string {
     return name;
   });
   // Words with several places take the names one by one, others all of them in one.
-  return en[key as Key].includes('{1}') ? t(key as Key, ...names) : t(key as Key, names.join(', '));
+  return (ARGUMENTS[key as keyof typeof ARGUMENTS] ?? []).length > 1 ? t(key, ...names) : t(key, names.join(', '));
 }

@@ -1,6 +1,5 @@
 import type { EventView } from '../wire';
-import { about, alarmTitle, named, t } from '../words/index.svelte';
-import { en, type Key } from '../words/en';
+import { about, alarmTitle, isKey, named, t } from '../words/index.svelte';
 import { lackText } from './lack';
 
 /** As the words call what the executive calls `process off, hold`. */
@@ -25,6 +24,6 @@ const PARTS: Record<string, ((of: string, event: EventView) => string)[]> = {
 /** An event in the chosen language; one that has no words here keeps those of the cell. */
 export function eventText(event: EventView): string {
   const key = `said.${event.key}`;
-  if (!(key in en)) return event.text;
-  return t(key as Key, ...event.of.map((of, i) => PARTS[event.key]?.[i]?.(of, event) ?? of));
+  if (!isKey(key)) return event.text;
+  return t(key, ...event.of.map((of, i) => PARTS[event.key]?.[i]?.(of, event) ?? of));
 }
