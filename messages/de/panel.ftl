@@ -120,43 +120,6 @@ panel-do-override = Override ändern
 panel-do-acknowledge-one = Einen Alarm quittieren
 panel-do-home-axis = Eine Achse in Grundstellung
 
-# Texts of events.
-panel-said-left = Lage { $pass } wurde verlassen, geschweißt bis { $s } mm
-panel-said-mode = { $from } -> { $to }
-panel-said-order = { $order }
-panel-said-refused = { $order }: { $reason }
-panel-said-alarm = { $alarm }: { $reaction }
-panel-said-alarm-of = { $alarm } ({ $object }): { $reaction }
-panel-said-alarm-before = { $alarm } vom { $time } wurde vor dem Ende nicht quittiert
-panel-said-cleared = { $alarm } ist vorbei
-panel-said-cleared-of = { $alarm } ({ $object }) ist vorbei
-panel-said-pass-ends = Lage { $pass } endet bei { $s } mm
-panel-said-left-before = Schweißung { $weld } wurde durch Ausfall von Strom oder Programm verlassen: vor dem Fortsetzen das Raupenende ansehen
-panel-said-stopped-by = Die Zelle wurde gestoppt durch { $user }
-panel-said-cycles-missed = { $cycles } Takte wurden ausgelassen, bis zu { $longest } ms am Stück
-panel-said-no-realtime = Der Takt läuft ohne Echtzeitrechte: { $reason }
-panel-said-safe-unconfirmed = { $device }: Sichere Ausgänge sind nicht bestätigt: { $reason }
-panel-said-journal-damaged = Das Positionsjournal ist beschädigt: Eine durch Stromausfall abgebrochene Schweißung wäre nicht bekannt; Werkstück prüfen, dann referenzieren
-panel-said-weld-lost = Schweißung { $weld } hat Dateien, steht aber nicht in der Bibliothek: Die Bibliothek ist beschädigt, der Eintrag ging verloren
-panel-said-recorded = Schweißung { $weld } aufgezeichnet: { $result }
-panel-said-record-not-whole = Schweißung { $weld }: das Protokoll ist unvollständig: { $reason }
-panel-said-record-interrupted = Schweißung { $weld } wurde unterbrochen; ihr Protokoll ist wieder vollständig
-panel-said-record-fails = das Protokoll kann nicht geschrieben werden: { $reason }
-panel-said-not-recorded = diese Schweißung wird nicht aufgezeichnet: { $reason }
-panel-said-audit-fails = das Bedienprotokoll kann nicht geschrieben werden: { $reason }
-panel-said-restored = alle Daten wurden wiederhergestellt; was vorher da war, ist in { $folder }
-panel-said-control-taken = Bedienung übernommen
-panel-said-control-taken-over = Bedienung von anderen übernommen
-panel-said-control-lost = Bedienung verloren: Panel antwortet nicht
-panel-said-loaded = geladen: { $job }
-panel-said-not-loaded = nichts ist geladen: { $reason }
-panel-said-teach-ended = Teachen von { $job } beendet: { $result }
-panel-said-shelved = { $alarm } für { $minutes } min zurückgestellt
-panel-said-unshelved = { $alarm } ist nicht mehr zurückgestellt
-panel-said-machine-changed = { $subject } in { $file } geändert: wirksam, sobald ein Auftrag dieser Maschine neu geladen wird
-panel-said-tool-changed = Spitze von { $head } in { $file } geändert: wirksam, sobald ein Auftrag dieser Maschine neu geladen wird
-panel-said-sensor-changed = Sensor { $sensor } in { $file } geändert: wirksam, sobald ein Auftrag dieser Maschine neu geladen wird
-
 # Interlocks of supplied machines.
 panel-interlock-emergency-stop-chain = Not-Halt-Kette
 panel-interlock-light-curtain = Lichtvorhang
@@ -349,26 +312,9 @@ panel-why-nothing = { $command }: startbereit.
 panel-why-runs = Es läuft.
 
 # Interlocks and permissives: why a command is refused.
-panel-lack-mode = Nur erlaubt im Zustand: { $states }.
 panel-lack-moving = Die Achsen stehen noch nicht: kurz warten.
-panel-lack-references = Die Referenz von { $axes } fehlt: zuerst Referenzfahrt.
 panel-lack-power = Die Antriebe haben noch keine Spannung: kurz warten.
-panel-lack-silent = Keine Antwort von: { $device }. Kabel und Gerät prüfen.
-panel-lack-condition = Bedingung nicht erfüllt: { $condition }.
-panel-lack-alarm = Alarm: { $alarm }. Beheben, dann quittieren.
-panel-lack-arming = Nicht freigegeben. „Freigeben“ drücken (gilt 60 s).
-panel-lack-source = Die Prozessquelle ist nicht bereit.
-panel-lack-finished-pass = Teil „{ $part }“ ist bis Lage { $pass }, { $s } mm geschweißt: Dieser Start würde es noch einmal schweißen.
-panel-lack-finished-part = Teil „{ $part }“ ist fertig geschweißt (Schweißung { $weld }): Dieser Start würde es noch einmal schweißen.
-panel-lack-not-at-start = Achse { $axis } steht nicht am Start. Anfahrt von hier neu planen.
-panel-lack-work = Kein Programm geladen: unter „Aufträge“ eines wählen.
-panel-lack-value = Die Zahl liegt außerhalb des Erlaubten.
-panel-lack-motion = Diese Bewegung ist von hier nicht möglich.
-panel-lack-role = Ihre Rolle erlaubt das nicht.
-panel-lack-control = Diese Seite hat die Bedienung nicht. Zuerst die Bedienung nehmen.
-panel-lack-replayed = Der Befehl kam zweimal; er wurde höchstens einmal ausgeführt.
 panel-lack-lost = Die Verbindung ging verloren. Kein Befehl wird selbsttätig wiederholt.
-panel-lack-homes-first = Achse { $axis } fährt zuerst in Grundstellung
 
 # Roles of passes.
 panel-pass-role-tack = Heftstelle
@@ -878,7 +824,7 @@ panel-audit-whole = { $n } { $n ->
  }
 panel-audit-none = Kein Eintrag hat diesen Text.
 panel-audit-older = Ältere zeigen
-panel-audit-english = Das Protokoll wird auf Englisch geführt; gesucht wird im englischen Text.
+panel-audit-english = Gesucht wird in Codes, Namen und Werten der Einträge.
 
 # Axes.
 panel-axis-current = Strom
@@ -1085,3 +1031,25 @@ panel-trouble-archive-room = Auf der Platte ist kein Platz dafür
 panel-allowed-not-negative = eine Zahl, 0 oder größer
 panel-allowed-positive = eine Zahl größer als 0
 panel-allowed-up-to = mehr als 0, bis { $max }
+
+# Actions that roles allow.
+panel-action-take-control = Bedienung nehmen
+panel-action-watch = zuschauen
+panel-action-jobs-read = Aufträge lesen
+panel-action-jobs-write = Aufträge ändern
+panel-action-plan = planen
+panel-action-edit = bearbeiten
+panel-action-post = Steuerungsprogramme erzeugen
+panel-action-load = laden
+panel-action-records-read = Protokolle lesen
+panel-action-tune = Regler einstellen
+panel-action-set-up = einrichten
+panel-action-shelve = Alarme zurückstellen
+panel-action-audit = Audit-Protokoll
+panel-action-audit-read = Audit-Protokoll lesen
+panel-action-backup = Sicherungen herunterladen
+panel-action-restore = wiederherstellen
+panel-action-users-read = Benutzer ansehen
+panel-action-users-write = Benutzer ändern
+panel-action-jog = tippen
+panel-action-teach = teachen

@@ -120,43 +120,6 @@ panel-do-override = Override
 panel-do-acknowledge-one = Acknowledge one alarm
 panel-do-home-axis = Home one axis
 
-# Texts of events.
-panel-said-left = pass { $pass } was left, welded up to { $s } mm
-panel-said-mode = { $from } -> { $to }
-panel-said-order = { $order }
-panel-said-refused = { $order }: { $reason }
-panel-said-alarm = { $alarm }: { $reaction }
-panel-said-alarm-of = { $alarm } ({ $object }): { $reaction }
-panel-said-alarm-before = { $alarm } of { $time } was not acknowledged before the end
-panel-said-cleared = { $alarm } cleared
-panel-said-cleared-of = { $alarm } ({ $object }) cleared
-panel-said-pass-ends = pass { $pass } ends at { $s } mm
-panel-said-left-before = weld { $weld } was left by a failure of power or program: look at the end of its bead before going on
-panel-said-stopped-by = the cell was stopped by { $user }
-panel-said-cycles-missed = { $cycles } cycles were missed, up to { $longest } ms at once
-panel-said-no-realtime = the cycle runs without real-time rights: { $reason }
-panel-said-safe-unconfirmed = { $device }: its outputs are not confirmed to be safe: { $reason }
-panel-said-journal-damaged = the journal of positions is damaged: a weld left by a power failure would not be known; look at the part, then home
-panel-said-weld-lost = weld { $weld } has files but is not in the library, which is damaged: its entry was lost
-panel-said-recorded = weld { $weld } recorded: { $result }
-panel-said-record-not-whole = weld { $weld }: the record is not complete: { $reason }
-panel-said-record-interrupted = weld { $weld } was interrupted; its record is whole again
-panel-said-record-fails = the record cannot be written: { $reason }
-panel-said-not-recorded = this weld is not recorded: { $reason }
-panel-said-audit-fails = the audit log cannot be written: { $reason }
-panel-said-restored = all data were restored; what was there before is in { $folder }
-panel-said-control-taken = control taken
-panel-said-control-taken-over = control taken over
-panel-said-control-lost = control lost: panel not responding
-panel-said-loaded = loaded: { $job }
-panel-said-not-loaded = nothing is loaded: { $reason }
-panel-said-teach-ended = teaching { $job } ended: { $result }
-panel-said-shelved = { $alarm } shelved for { $minutes } min
-panel-said-unshelved = { $alarm } is no longer shelved
-panel-said-machine-changed = { $subject } changed in { $file }: in force when a job of this machine is loaded anew
-panel-said-tool-changed = tip of { $head } changed in { $file }: in force when a job of this machine is loaded anew
-panel-said-sensor-changed = sensor { $sensor } changed in { $file }: in force when a job of this machine is loaded anew
-
 # Interlocks of supplied machines.
 panel-interlock-emergency-stop-chain = emergency stop chain
 panel-interlock-light-curtain = light curtain
@@ -349,26 +312,9 @@ panel-why-nothing = { $command }: ready to start.
 panel-why-runs = It is running.
 
 # Interlocks and permissives: why a command is refused.
-panel-lack-mode = Only allowed in state: { $states }.
 panel-lack-moving = The axes are still moving: wait a moment.
-panel-lack-references = Axis not homed: { $axes }. Home first.
 panel-lack-power = The drives have no power yet: wait a moment.
-panel-lack-silent = No answer from: { $device }. Check cable and device.
-panel-lack-condition = Condition not met: { $condition }.
-panel-lack-alarm = Alarm: { $alarm }. Fix it, then acknowledge.
-panel-lack-arming = Not armed. Press Arm (valid 60 s).
-panel-lack-source = The process source is not ready.
-panel-lack-finished-pass = Part “{ $part }” is welded up to pass { $pass }, { $s } mm. This start would weld it again.
-panel-lack-finished-part = Part “{ $part }” is completely welded (weld { $weld }). This start would weld it again.
-panel-lack-not-at-start = Axis { $axis } is away from the start. Re-plan the approach from here.
-panel-lack-work = No program is loaded: choose one in Jobs.
-panel-lack-value = The value is outside the allowed range.
-panel-lack-motion = The motion is not possible from here.
-panel-lack-role = Your role does not allow it.
-panel-lack-control = This page is not in control. Take control first.
-panel-lack-replayed = The command arrived twice; it was carried out at most once.
 panel-lack-lost = The connection was lost. No command is repeated automatically.
-panel-lack-homes-first = Home axis { $axis } first.
 
 # Roles of passes.
 panel-pass-role-tack = Tack
@@ -878,7 +824,7 @@ panel-audit-whole = { $n } { $n ->
  }
 panel-audit-none = No entry contains this text.
 panel-audit-older = Show older ones
-panel-audit-english = The log is kept in English; what is searched is its English text.
+panel-audit-english = Search covers codes, names and values of the entries.
 
 # Axes.
 panel-axis-current = Current
@@ -1085,3 +1031,25 @@ panel-trouble-archive-room = Not enough disk space for it
 panel-allowed-not-negative = a number, 0 or greater
 panel-allowed-positive = a number greater than 0
 panel-allowed-up-to = more than 0, up to { $max }
+
+# Actions that roles allow.
+panel-action-take-control = take control
+panel-action-watch = watch
+panel-action-jobs-read = read jobs
+panel-action-jobs-write = change jobs
+panel-action-plan = plan
+panel-action-edit = edit
+panel-action-post = make part programs
+panel-action-load = load
+panel-action-records-read = read records
+panel-action-tune = tune
+panel-action-set-up = set up
+panel-action-shelve = shelve alarms
+panel-action-audit = audit log
+panel-action-audit-read = read the audit log
+panel-action-backup = download backups
+panel-action-restore = restore
+panel-action-users-read = read users
+panel-action-users-write = change users
+panel-action-jog = jog
+panel-action-teach = teach

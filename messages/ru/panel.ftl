@@ -120,43 +120,6 @@ panel-do-override = Изменить коррекцию подачи
 panel-do-acknowledge-one = Подтвердить одну тревогу
 panel-do-home-axis = Одну ось в исходное
 
-# Texts of events.
-panel-said-left = проход { $pass } остановлен, сварено до { $s } мм
-panel-said-mode = { $from } -> { $to }
-panel-said-order = { $order }
-panel-said-refused = { $order }: { $reason }
-panel-said-alarm = { $alarm }: { $reaction }
-panel-said-alarm-of = { $alarm } ({ $object }): { $reaction }
-panel-said-alarm-before = { $alarm } от { $time }: не подтверждено до завершения
-panel-said-cleared = { $alarm }: больше нет
-panel-said-cleared-of = { $alarm } ({ $object }): больше нет
-panel-said-pass-ends = проход { $pass } заканчивается на { $s } мм
-panel-said-left-before = сварка { $weld } прервана сбоем питания или программы: перед продолжением осмотрите конец валика
-panel-said-stopped-by = ячейка остановлена: { $user }
-panel-said-cycles-missed = пропущено тактов: { $cycles }, до { $longest } мс подряд
-panel-said-no-realtime = такт работает без прав реального времени: { $reason }
-panel-said-safe-unconfirmed = { $device }: безопасное состояние выходов не подтверждено: { $reason }
-panel-said-journal-damaged = журнал положений повреждён: шов, прерванный отключением питания, был бы неизвестен; осмотрите деталь, затем выполните поиск референтных точек
-panel-said-weld-lost = у сварки { $weld } есть файлы, но её нет в библиотеке: библиотека повреждена, запись утрачена
-panel-said-recorded = сварка { $weld } записана: { $result }
-panel-said-record-not-whole = сварка { $weld }: запись неполная: { $reason }
-panel-said-record-interrupted = сварка { $weld } была прервана; её запись восстановлена
-panel-said-record-fails = не удаётся записать данные: { $reason }
-panel-said-not-recorded = эта сварка не записывается: { $reason }
-panel-said-audit-fails = не удаётся записать журнал действий: { $reason }
-panel-said-restored = все данные восстановлены; прежние лежат в { $folder }
-panel-said-control-taken = управление взято
-panel-said-control-taken-over = управление перехвачено
-panel-said-control-lost = управление потеряно: панель не отвечает
-panel-said-loaded = загружено: { $job }
-panel-said-not-loaded = ничего не загружено: { $reason }
-panel-said-teach-ended = обучение { $job } закончено: { $result }
-panel-said-shelved = { $alarm }: отложено на { $minutes } мин
-panel-said-unshelved = { $alarm }: больше не отложено
-panel-said-machine-changed = { $subject } изменено в { $file }: действует, когда задание этого станка загружено заново
-panel-said-tool-changed = остриё { $head } изменено в { $file }: действует, когда задание этого станка загружено заново
-panel-said-sensor-changed = датчик { $sensor } изменён в { $file }: действует, когда задание этого станка загружено заново
-
 # Interlocks of supplied machines.
 panel-interlock-emergency-stop-chain = цепь аварийного останова
 panel-interlock-light-curtain = световая завеса
@@ -349,26 +312,9 @@ panel-why-nothing = { $command }: готово к пуску.
 panel-why-runs = Программа выполняется.
 
 # Interlocks and permissives: why a command is refused.
-panel-lack-mode = Разрешено только в состоянии: { $states }.
 panel-lack-moving = Оси ещё движутся: подождите.
-panel-lack-references = Ноль оси { $axes } неизвестен: сначала «В ноль».
 panel-lack-power = У приводов ещё нет питания: подождите.
-panel-lack-silent = Не отвечает: { $device }. Проверьте кабель и устройство.
-panel-lack-condition = Условие не выполнено: { $condition }.
-panel-lack-alarm = Тревога: { $alarm }. Устраните причину, затем подтвердите.
-panel-lack-arming = Дуга не разрешена. Нажмите «Разрешить» (действует 60 с).
-panel-lack-source = Сварочный источник не готов.
-panel-lack-finished-pass = Деталь «{ $part }» сварена до прохода { $pass }, { $s } мм: этот запуск сварил бы её ещё раз.
-panel-lack-finished-part = Деталь «{ $part }» сварена полностью (сварка { $weld }): этот запуск сварил бы её ещё раз.
-panel-lack-not-at-start = Ось { $axis } не в начале. Спланируйте подход отсюда заново.
-panel-lack-work = Программа не загружена: выберите её в «Заданиях».
-panel-lack-value = Число вне допустимых пределов.
-panel-lack-motion = Такое движение отсюда невозможно.
-panel-lack-role = Ваша роль этого не позволяет.
-panel-lack-control = Эта страница не управляет. Сначала возьмите управление.
-panel-lack-replayed = Команда пришла дважды; выполнена не более одного раза.
 panel-lack-lost = Связь потеряна. Ни одна команда не повторяется автоматически.
-panel-lack-homes-first = Сначала в ноль: ось { $axis }
 
 # Roles of passes.
 panel-pass-role-tack = Прихватка
@@ -876,7 +822,7 @@ panel-audit-whole = { $n } { $n ->
  }
 panel-audit-none = Ни в одной записи нет этого текста.
 panel-audit-older = Показать более старые
-panel-audit-english = Журнал ведётся на английском; поиск идёт по его английскому тексту.
+panel-audit-english = Поиск охватывает коды, имена и значения записей.
 
 # Axes.
 panel-axis-current = Ток
@@ -1083,3 +1029,25 @@ panel-trouble-archive-room = На диске нет места
 panel-allowed-not-negative = число, 0 или больше
 panel-allowed-positive = число больше 0
 panel-allowed-up-to = больше 0, до { $max }
+
+# Actions that roles allow.
+panel-action-take-control = взять управление
+panel-action-watch = смотреть
+panel-action-jobs-read = читать задания
+panel-action-jobs-write = изменять задания
+panel-action-plan = планировать
+panel-action-edit = редактировать
+panel-action-post = создавать управляющие программы
+panel-action-load = загружать
+panel-action-records-read = читать записи
+panel-action-tune = настраивать приводы
+panel-action-set-up = налаживать
+panel-action-shelve = откладывать тревоги
+panel-action-audit = журнал действий
+panel-action-audit-read = читать журнал действий
+panel-action-backup = скачивать копии
+panel-action-restore = восстанавливать
+panel-action-users-read = просматривать пользователей
+panel-action-users-write = изменять пользователей
+panel-action-jog = двигать вручную
+panel-action-teach = обучать

@@ -120,43 +120,6 @@ panel-do-override = Змінити корекцію
 panel-do-acknowledge-one = Підтвердити одну тривогу
 panel-do-home-axis = Одну вісь у вихідне
 
-# Texts of events.
-panel-said-left = прохід { $pass } зупинено, зварено до { $s } мм
-panel-said-mode = { $from } -> { $to }
-panel-said-order = { $order }
-panel-said-refused = { $order }: { $reason }
-panel-said-alarm = { $alarm }: { $reaction }
-panel-said-alarm-of = { $alarm } ({ $object }): { $reaction }
-panel-said-alarm-before = { $alarm } від { $time }: не підтверджено до завершення
-panel-said-cleared = { $alarm }: більше немає
-panel-said-cleared-of = { $alarm } ({ $object }): більше немає
-panel-said-pass-ends = прохід { $pass } закінчується на { $s } мм
-panel-said-left-before = зварювання { $weld } перервано збоєм живлення чи програми: перед продовженням огляньте кінець валика
-panel-said-stopped-by = комірку зупинено через { $user }
-panel-said-cycles-missed = пропущено тактів: { $cycles }, до { $longest } мс поспіль
-panel-said-no-realtime = такт працює без прав реального часу: { $reason }
-panel-said-safe-unconfirmed = { $device }: безпечний стан виходів не підтверджено: { $reason }
-panel-said-journal-damaged = журнал положень пошкоджено: шов, перерваний зникненням живлення, був би невідомий; огляньте деталь, потім виконайте пошук баз
-panel-said-weld-lost = зварювання { $weld } має файли, але його немає в бібліотеці: вона пошкоджена, запис утрачено
-panel-said-recorded = зварювання { $weld } записано: { $result }
-panel-said-record-not-whole = зварювання { $weld }: запис неповний: { $reason }
-panel-said-record-interrupted = зварювання { $weld } було перервано; його запис відновлено
-panel-said-record-fails = не вдається записати дані: { $reason }
-panel-said-not-recorded = це зварювання не записується: { $reason }
-panel-said-audit-fails = не вдається записати журнал дій: { $reason }
-panel-said-restored = усі дані відновлено; попередні лежать у { $folder }
-panel-said-control-taken = керування взято
-panel-said-control-taken-over = керування перехоплено
-panel-said-control-lost = керування втрачено: панель не відповідає
-panel-said-loaded = завантажено: { $job }
-panel-said-not-loaded = нічого не завантажено: { $reason }
-panel-said-teach-ended = навчання { $job } закінчено: { $result }
-panel-said-shelved = { $alarm }: відкладено на { $minutes } хв
-panel-said-unshelved = { $alarm }: більше не відкладено
-panel-said-machine-changed = { $subject } змінено в { $file }: діє, коли завдання цього верстата завантажено знову
-panel-said-tool-changed = вістря { $head } змінено в { $file }: діє, коли завдання цього верстата завантажено знову
-panel-said-sensor-changed = давач { $sensor } змінено в { $file }: діє, коли завдання цього верстата завантажено знову
-
 # Interlocks of supplied machines.
 panel-interlock-emergency-stop-chain = коло аварійної зупинки
 panel-interlock-light-curtain = світлова завіса
@@ -349,26 +312,9 @@ panel-why-nothing = { $command }: готово до старту.
 panel-why-runs = Програма виконується.
 
 # Interlocks and permissives: why a command is refused.
-panel-lack-mode = Дозволено лише у стані: { $states }.
 panel-lack-moving = Осі ще рухаються: зачекайте.
-panel-lack-references = Нуль осі { $axes } невідомий: спершу «У нуль».
 panel-lack-power = Приводи ще не мають живлення: зачекайте.
-panel-lack-silent = Не відповідає: { $device }. Перевірте кабель і пристрій.
-panel-lack-condition = Умову не виконано: { $condition }.
-panel-lack-alarm = Тривога: { $alarm }. Усуньте причину, потім підтвердьте.
-panel-lack-arming = Дугу не дозволено. Натисніть «Дозволити» (діє 60 с).
-panel-lack-source = Джерело процесу не готове.
-panel-lack-finished-pass = Деталь «{ $part }» зварено до проходу { $pass }, { $s } мм: цей запуск зварив би її ще раз.
-panel-lack-finished-part = Деталь «{ $part }» зварено повністю (зварювання { $weld }): цей запуск зварив би її ще раз.
-panel-lack-not-at-start = Вісь { $axis } не на початку. Сплануйте підхід звідси заново.
-panel-lack-work = Програму не завантажено: виберіть її у «Завданнях».
-panel-lack-value = Число поза дозволеними межами.
-panel-lack-motion = Такий рух звідси неможливий.
-panel-lack-role = Ваша роль цього не дозволяє.
-panel-lack-control = Ця сторінка не керує. Спершу візьміть керування.
-panel-lack-replayed = Команда прийшла двічі; виконано щонайбільше раз.
 panel-lack-lost = Зв’язок утрачено. Жодна команда не повторюється автоматично.
-panel-lack-homes-first = Спершу вісь { $axis }
 
 # Roles of passes.
 panel-pass-role-tack = Прихватка
@@ -876,7 +822,7 @@ panel-audit-whole = { $n } { $n ->
  }
 panel-audit-none = Жоден запис не має цього тексту.
 panel-audit-older = Показати давніші
-panel-audit-english = Журнал ведеться англійською; пошук іде в його англійському тексті.
+panel-audit-english = Пошук охоплює коди, назви та значення записів.
 
 # Axes.
 panel-axis-current = Струм
@@ -1083,3 +1029,25 @@ panel-trouble-archive-room = На диску немає місця
 panel-allowed-not-negative = число, 0 або більше
 panel-allowed-positive = число, більше за 0
 panel-allowed-up-to = більше за 0, до { $max }
+
+# Actions that roles allow.
+panel-action-take-control = узяти керування
+panel-action-watch = дивитися
+panel-action-jobs-read = читати завдання
+panel-action-jobs-write = змінювати завдання
+panel-action-plan = планувати
+panel-action-edit = редагувати
+panel-action-post = створювати керувальні програми
+panel-action-load = завантажувати
+panel-action-records-read = читати записи
+panel-action-tune = налаштовувати приводи
+panel-action-set-up = налагоджувати
+panel-action-shelve = відкладати тривоги
+panel-action-audit = журнал дій
+panel-action-audit-read = читати журнал дій
+panel-action-backup = завантажувати копії
+panel-action-restore = відновлювати
+panel-action-users-read = переглядати користувачів
+panel-action-users-write = змінювати користувачів
+panel-action-jog = рухати вручну
+panel-action-teach = навчати

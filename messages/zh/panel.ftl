@@ -120,43 +120,6 @@ panel-do-override = 倍率
 panel-do-acknowledge-one = 确认一个报警
 panel-do-home-axis = 单轴回零
 
-# Texts of events.
-panel-said-left = 焊道 { $pass } 中断，已焊至 { $s } mm
-panel-said-mode = { $from } -> { $to }
-panel-said-order = { $order }
-panel-said-refused = { $order }: { $reason }
-panel-said-alarm = { $alarm }: { $reaction }
-panel-said-alarm-of = { $alarm } ({ $object }): { $reaction }
-panel-said-alarm-before = { $time } 的{ $alarm }在结束前未确认
-panel-said-cleared = { $alarm }已消失
-panel-said-cleared-of = { $alarm }（{ $object }）已消失
-panel-said-pass-ends = 焊道 { $pass } 结束于 { $s } mm
-panel-said-left-before = 焊接 { $weld } 因断电或程序故障中断：继续前请检查焊道末端
-panel-said-stopped-by = 单元被停止：{ $user }
-panel-said-cycles-missed = 错过 { $cycles } 个周期，最长连续 { $longest } ms
-panel-said-no-realtime = 控制周期没有实时权限：{ $reason }
-panel-said-safe-unconfirmed = { $device }：未确认输出处于安全状态：{ $reason }
-panel-said-journal-damaged = 位置日志已损坏：无法得知因断电中断的焊接；请检查工件，然后回零
-panel-said-weld-lost = 焊接 { $weld } 有文件但不在记录库中：记录库已损坏，该条目已丢失
-panel-said-recorded = 焊接 { $weld } 已记录：{ $result }
-panel-said-record-not-whole = 焊接 { $weld }：记录不完整：{ $reason }
-panel-said-record-interrupted = 焊接 { $weld } 曾中断；其记录已恢复
-panel-said-record-fails = 无法写入记录：{ $reason }
-panel-said-not-recorded = 本次焊接未记录：{ $reason }
-panel-said-audit-fails = 无法写入操作日志：{ $reason }
-panel-said-restored = 所有数据已恢复；之前的数据在 { $folder }
-panel-said-control-taken = 已取得控制权
-panel-said-control-taken-over = 已接管控制权
-panel-said-control-lost = 控制权丢失：面板无响应
-panel-said-loaded = 已装入：{ $job }
-panel-said-not-loaded = 未装入：{ $reason }
-panel-said-teach-ended = 示教 { $job } 结束：{ $result }
-panel-said-shelved = { $alarm } 已搁置 { $minutes } 分钟
-panel-said-unshelved = { $alarm } 不再搁置
-panel-said-machine-changed = { $subject } 已在 { $file } 中更改：重新装入该机床任务后生效
-panel-said-tool-changed = { $head } 的尖端已在 { $file } 中更改：重新装入该机床任务后生效
-panel-said-sensor-changed = 传感器 { $sensor } 已在 { $file } 中更改：重新装入该机床任务后生效
-
 # Interlocks of supplied machines.
 panel-interlock-emergency-stop-chain = 急停回路
 panel-interlock-light-curtain = 光幕
@@ -349,26 +312,9 @@ panel-why-nothing = { $command }：可以开始。
 panel-why-runs = 正在运行。
 
 # Interlocks and permissives: why a command is refused.
-panel-lack-mode = 仅在以下状态允许：{ $states }。
 panel-lack-moving = 各轴尚未停稳：请稍候。
-panel-lack-references = { $axes } 的零点未知：请先回零。
 panel-lack-power = 驱动器尚未得电：请稍候。
-panel-lack-silent = 无应答：{ $device }。请检查电缆和设备。
-panel-lack-condition = 条件不满足：{ $condition }。
-panel-lack-alarm = 报警：{ $alarm }。请排除后确认。
-panel-lack-arming = 未允许起弧。请按“允许”（60 s 内有效）。
-panel-lack-source = 焊接电源未就绪。
-panel-lack-finished-pass = 零件“{ $part }”已焊至焊道 { $pass } 的 { $s } mm：此次启动会重复焊接。
-panel-lack-finished-part = 零件“{ $part }”已全部焊完（焊接 { $weld }）：此次启动会重复焊接。
-panel-lack-not-at-start = 轴 { $axis } 不在起点。请从此处重新规划进近。
-panel-lack-work = 未装入程序：请在“任务”中选择。
-panel-lack-value = 数值超出允许范围。
-panel-lack-motion = 从这里无法这样运动。
-panel-lack-role = 您的角色不允许。
-panel-lack-control = 此页面没有控制权：请先取得控制权。
-panel-lack-replayed = 命令收到两次；最多执行一次。
 panel-lack-lost = 连接中断。任何命令都不会自动重复。
-panel-lack-homes-first = 轴 { $axis } 须先回零
 
 # Roles of passes.
 panel-pass-role-tack = 定位焊
@@ -872,7 +818,7 @@ panel-audit-newest = 最新的 { $n } 条；还有更早的。
 panel-audit-whole = 共 { $n } 条
 panel-audit-none = 没有包含该文本的条目。
 panel-audit-older = 显示更早的
-panel-audit-english = 日志以英文保存；搜索的是其英文文本。
+panel-audit-english = 搜索范围为条目的代码、名称和值。
 
 # Axes.
 panel-axis-current = 电流
@@ -1079,3 +1025,25 @@ panel-trouble-archive-room = 磁盘空间不足
 panel-allowed-not-negative = 数值，0 或更大
 panel-allowed-positive = 大于 0 的数
 panel-allowed-up-to = 大于 0，至 { $max }
+
+# Actions that roles allow.
+panel-action-take-control = 取得控制权
+panel-action-watch = 查看
+panel-action-jobs-read = 读取任务
+panel-action-jobs-write = 更改任务
+panel-action-plan = 规划
+panel-action-edit = 编辑
+panel-action-post = 生成加工程序
+panel-action-load = 装入
+panel-action-records-read = 读取记录
+panel-action-tune = 整定
+panel-action-set-up = 设置
+panel-action-shelve = 搁置报警
+panel-action-audit = 审计日志
+panel-action-audit-read = 读取审计日志
+panel-action-backup = 下载备份
+panel-action-restore = 恢复
+panel-action-users-read = 查看用户
+panel-action-users-write = 更改用户
+panel-action-jog = 点动
+panel-action-teach = 示教

@@ -714,10 +714,6 @@ verdict: string,
  */
 of: Array<string>, 
 /**
- * The same in English, with what is allowed; empty if it is good.
- */
-text: string, 
-/**
  * The plane as it is believed to be at that height, and as it was found; none if it was not.
  */
 was: HeightView | null, 
@@ -736,7 +732,7 @@ rms_px: number,
 /**
  * See `rms_px`.
  */
-max_px: number, };
+max_px: number, } & MessageView;
 
 /**
  * `GET /api/session`, and the answer of `POST /api/login`.
@@ -879,11 +875,7 @@ export type Trouble = {
  * Stable key: `login`, `password`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`,
  * `server`.
  */
-key: string, 
-/**
- * In English words, with what is allowed.
- */
-text: string, };
+key: string, } & MessageView;
 
 /**
  * What the cell is doing.
@@ -1306,25 +1298,13 @@ at: string,
  */
 what: string, 
 /**
- * Which sentence it is: a stable key, `said.KEY` among the panel's words.
+ * Stable key: the code of the message without `server-event-`, with `_` for `-`.
  */
 key: string, 
 /**
- * What stands in that sentence for `{0}`, `{1}` ..: names, places and numbers; what the system says in English.
- */
-of: Array<string>, 
-/**
- * Why it was refused.
- */
-why: LackView | null, 
-/**
- * All that in English words.
- */
-text: string, 
-/**
  * Who asked, if somebody did.
  */
-user: string | null, };
+user: string | null, } & MessageView;
 
 /**
  * Something that stands against what is asked.
@@ -1333,15 +1313,7 @@ export type LackView = {
 /**
  * Stable key.
  */
-key: string, 
-/**
- * Names in it: axes, a condition, an alarm, modes in which it would be allowed.
- */
-of: Array<string>, 
-/**
- * In English words, with what to do.
- */
-text: string, };
+key: string, } & MessageView;
 
 /**
  * A planned program.
@@ -1775,7 +1747,7 @@ rms_mm: number,
 /**
  * What the points do not see, and what else is to be said.
  */
-notes: Array<string>, };
+notes: Array<MessageView>, };
 
 /**
  * Something that is wrong or worth knowing.
@@ -2114,11 +2086,11 @@ user: string,
 /**
  * Where from.
  */
-station: string, 
+station: MessageView, 
 /**
  * What.
  */
-command: string, 
+command: MessageView, 
 /**
  * The value before, and after.
  */
@@ -2130,7 +2102,7 @@ new: string,
 /**
  * What came of it.
  */
-result: string, };
+result: MessageView, };
 
 /**
  * A row of `GET /api/records`, and the head of `GET /api/records/ID`.

@@ -5,5 +5,5 @@ import { message, named } from '../words/index.svelte';
 export function refusalText(error: unknown): string {
   if (!(error instanceof Refusal)) return String(error);
   const kind = named('trouble', error.key);
-  return error.message === '' || error.key === 'lost' ? kind : `${kind}: ${message(error.message)}`;
+  return error.message === '' || error.key === 'lost' ? kind : `${kind}: ${message(error.said)}`;
 }

@@ -1,6 +1,5 @@
 /** Words with arguments: their names, in the order in which `t` takes them. The others follow. */
 export const ARGUMENTS = {
-  'said.left': ['pass', 's'],
   'link.stale': ['age'],
   'login.stopped': ['state'],
   'control.theirs': ['user', 'station'],
@@ -10,14 +9,6 @@ export const ARGUMENTS = {
   'work.part': ['part'],
   'why.for': ['command'],
   'why.nothing': ['command'],
-  'lack.mode': ['states'],
-  'lack.references': ['axes'],
-  'lack.silent': ['device'],
-  'lack.condition': ['condition'],
-  'lack.alarm': ['alarm'],
-  'lack.finished_pass': ['part', 'pass', 's'],
-  'lack.finished_part': ['part', 'weld'],
-  'lack.not_at_start': ['axis'],
   'time_left': ['time'],
   'left.button': ['pass', 's'],
   'left.elsewhere': ['weld', 'title', 'part', 'pass', 's'],
@@ -26,31 +17,6 @@ export const ARGUMENTS = {
   'left.from': ['pass', 's'],
   'again.left': ['pass', 's'],
   'alarms.more': ['n'],
-  'said.mode': ['from', 'to'],
-  'said.order': ['order'],
-  'said.refused': ['order', 'reason'],
-  'said.alarm': ['alarm', 'reaction'],
-  'said.alarm_of': ['alarm', 'reaction', 'object'],
-  'said.alarm_before': ['alarm', 'time'],
-  'said.cleared': ['alarm'],
-  'said.cleared_of': ['alarm', 'object'],
-  'said.pass_ends': ['pass', 's'],
-  'said.left_before': ['weld'],
-  'said.stopped_by': ['user'],
-  'said.cycles_missed': ['cycles', 'longest'],
-  'said.no_realtime': ['reason'],
-  'said.safe_unconfirmed': ['device', 'reason'],
-  'said.weld_lost': ['weld'],
-  'said.recorded': ['weld', 'result'],
-  'said.record_not_whole': ['weld', 'reason'],
-  'said.record_interrupted': ['weld'],
-  'said.record_fails': ['reason'],
-  'said.not_recorded': ['reason'],
-  'said.audit_fails': ['reason'],
-  'said.restored': ['folder'],
-  'said.loaded': ['job'],
-  'said.not_loaded': ['reason'],
-  'said.teach_ended': ['job', 'result'],
   'clearance.least': ['min'],
   'jog.step_how': ['step'],
   'go.begin': ['pass'],
@@ -111,12 +77,6 @@ export const ARGUMENTS = {
   'alarm.minutes': ['minutes'],
   'alarm.shelved': ['alarm'],
   'alarm.until': ['time', 'user'],
-  'said.shelved': ['alarm', 'minutes'],
-  'said.unshelved': ['alarm'],
-  'said.machine_changed': ['subject', 'file'],
-  'said.tool_changed': ['head', 'file'],
-  'said.sensor_changed': ['sensor', 'file'],
-  'lack.homes_first': ['axis'],
   'axis.home': ['axis'],
   'pause.where': ['pass', 's'],
   'allowed.up_to': ['max'],
@@ -282,14 +242,6 @@ type Plain =
   | 'why.runs'
   | 'lack.moving'
   | 'lack.power'
-  | 'lack.arming'
-  | 'lack.source'
-  | 'lack.work'
-  | 'lack.value'
-  | 'lack.motion'
-  | 'lack.role'
-  | 'lack.control'
-  | 'lack.replayed'
   | 'lack.lost'
   | 'passes'
   | 'pass_role.tack'
@@ -365,10 +317,6 @@ type Plain =
   | 'event.record'
   | 'event.control'
   | 'event.work'
-  | 'said.journal_damaged'
-  | 'said.control_taken'
-  | 'said.control_taken_over'
-  | 'said.control_lost'
   | 'device.drives'
   | 'device.source'
   | 'device.process_source'
@@ -919,7 +867,27 @@ type Plain =
   | 'trouble.archive_newer'
   | 'trouble.archive_room'
   | 'allowed.not_negative'
-  | 'allowed.positive';
+  | 'allowed.positive'
+  | 'action.take_control'
+  | 'action.watch'
+  | 'action.jobs_read'
+  | 'action.jobs_write'
+  | 'action.plan'
+  | 'action.edit'
+  | 'action.post'
+  | 'action.load'
+  | 'action.records_read'
+  | 'action.tune'
+  | 'action.set_up'
+  | 'action.shelve'
+  | 'action.audit'
+  | 'action.audit_read'
+  | 'action.backup'
+  | 'action.restore'
+  | 'action.users_read'
+  | 'action.users_write'
+  | 'action.jog'
+  | 'action.teach';
 
 /** Keys of the panel's words: `tab.weld` is `panel-tab-weld` in `messages/LANGUAGE/panel.ftl`. A test compares them. */
 export type Key = keyof typeof ARGUMENTS | Plain;

@@ -1,7 +1,9 @@
 use super::names::{Names, shelvable};
+use crate::lack::panel_word;
 use crate::view::written;
 use crate::wire::{AlarmView, Shelving, WhoWhen};
 use seamwright_cell::executive::{Alarm, AlarmList, AlarmState, Ask, Note, Raised, Reaction};
+use seamwright_message::Message;
 use seamwright_record::{Moment, library};
 use std::time::{Duration, Instant};
 
@@ -104,23 +106,25 @@ impl Mirror {
     /// # Errors
     /// In words, if the alarm is not listed or its reaction is not `Tell`. Alarms that stop the process or prevent its
     /// start are never hidden.
-    pub(super) fn shelve(&mut self, names: &Names, asked: &Shelving, by: &str) -> Result<String, String> {
+    pub(super) fn shelve(&mut self, names: &Names, asked: &Shelving, by: &str) -> Result<Message, Message> {
         let wanted = (asked.number, asked.detail);
         if asked.minutes > MAX_MINUTES {
-            return Err(format!("{} min; allowed: up to {MAX_MINUTES}", asked.minutes));
+            return Err(Message::new("server-shelve-time").number("minutes", f64::from(asked.minutes), 0).number(
+                "max",
+                f64::from(MAX_MINUTES),
+                0,
+            ));
         }
         let views = self.views(names);
         let Some(view) = views.into_iter().find(|view| key(view) == wanted) else {
-            return Err("this alarm is not on the list; allowed: one that is".to_owned());
+            return Err(Message::new("server-alarm-not-listed"));
         };
         if asked.minutes > 0 && !view.tells {
-            return Err(format!(
-                "`{}` does more than tell ({}); allowed: alarms that only tell",
-                view.name, view.reaction
-            ));
+            let message = Message::new("server-alarm-reacts").text("alarm", &view.name);
+            return Err(message.message("reaction", panel_word("reaction", &view.reaction)));
         }
         self.shelf.retain(|shelved| key(&shelved.view) != wanted);
-        let name = view.name.clone();
+        let name = Message::verbatim(&*view.name);
         if asked.minutes > 0 {
             let time = Duration::from_secs(60 * u64::from(asked.minutes));
             let until = Moment(Moment::now().0 + i64::from(asked.minutes) * 60_000);

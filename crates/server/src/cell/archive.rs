@@ -3,7 +3,10 @@
 use super::happening::happening;
 use super::hub::Hub;
 use super::refusals::Refusals;
+use super::stored::stored;
+use crate::lack::action_word;
 use crate::log;
+use seamwright_message::Message;
 use seamwright_record::library::{Alarm, AuditEntry};
 use seamwright_record::{DataFolder, Error, Moment};
 use std::collections::VecDeque;
@@ -87,8 +90,11 @@ impl Waiting {
             entries.extend(self.refusals.due(now, ends).into_iter().map(Entry::Audit));
         }
         if self.left_out > 0 && !entries.is_empty() {
-            let text = format!("{} entries were left out", std::mem::take(&mut self.left_out));
-            entries.insert(0, Entry::Audit(entry("", "panel", "audit", ("", ""), &text)));
+            let left_out =
+                Message::new("server-audit-left-out").count("n", std::mem::take(&mut self.left_out) as usize);
+            let [station, command, result] =
+                [Message::new("server-audit-panel"), action_word("audit"), left_out].map(stored);
+            entries.insert(0, Entry::Audit(entry("", &station, &command, ("", ""), &result)));
         }
         match entries.is_empty() {
             false => Next::Write(entries),
@@ -124,7 +130,7 @@ pub(crate) fn hides(c: char) -> bool {
 }
 
 /// Returns foreign text as one line, with hidden characters escaped.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let mut out = String::new();
     for (i, c) in text.chars().enumerate() {
         match c {
@@ -139,15 +145,16 @@ fn plain(text: &str) -> String {
     out
 }
 
+/// Creates an entry from columns that are [`stored`] already.
 pub(super) fn entry(user: &str, station: &str, command: &str, (old, new): (&str, &str), result: &str) -> AuditEntry {
     AuditEntry {
         at: Moment::now(),
         user: plain(user),
-        station: plain(station),
-        command: plain(command),
+        station: station.to_owned(),
+        command: command.to_owned(),
         old: plain(old),
         new: plain(new),
-        result: plain(result),
+        result: result.to_owned(),
     }
 }
 
@@ -203,7 +210,7 @@ impl Writer {
         while let Err(e) = write(&mut self.data, item) {
             if !self.fails {
                 let t = self.hub.latest().map_or(0.0, |s| s.t);
-                self.hub.event(t, happening("audit_fails", [e.to_string()]));
+                self.hub.event(t, happening(Message::new("server-event-audit-fails").text("reason", e.to_string())));
                 log::warning(&format!("the audit log cannot be written: {e}"));
             }
             self.fails = true;
@@ -269,8 +276,16 @@ impl Archive {
     }
 
     /// Adds an entry to the audit log: user, station, command, change and result.
-    pub(crate) fn audit(&self, user: &str, station: &str, command: &str, change: (&str, &str), result: &str) {
-        let (item, room) = (entry(user, station, command, change, result), self.0.0.room);
+    pub(crate) fn audit(
+        &self,
+        user: &str,
+        station: impl Into<Message>,
+        command: impl Into<Message>,
+        change: (&str, &str),
+        result: impl Into<Message>,
+    ) {
+        let [station, command, result] = [station.into(), command.into(), result.into()].map(stored);
+        let (item, room) = (entry(user, &station, &command, change, &result), self.0.0.room);
         self.add(|waiting| match waiting.orders.len() < room {
             true => waiting.orders.push_back(item),
             false => waiting.left_out += 1,
@@ -279,8 +294,15 @@ impl Archive {
 
     /// Adds an entry that may be repeated without limit (a refusal, an acknowledgement, a change of control): repeats are
     /// counted.
-    pub(crate) fn repeatable(&self, user: &str, station: &str, command: &str, result: &str) {
-        let [user, station, command, result] = [user, station, command, result].map(plain);
+    pub(crate) fn repeatable(
+        &self,
+        user: &str,
+        station: impl Into<Message>,
+        command: impl Into<Message>,
+        result: impl Into<Message>,
+    ) {
+        let [station, command] = [station.into(), command.into()].map(stored);
+        let (user, result) = (plain(user), result.into());
         self.add(|waiting| waiting.refusals.add(&user, &station, &command, &result, Instant::now()));
     }
 

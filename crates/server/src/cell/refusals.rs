@@ -1,6 +1,8 @@
 //! Refusals on their way to the audit log: counted and summed up, so that repetition fills neither queue nor disk.
 
 use super::archive::entry;
+use super::stored::stored;
+use seamwright_message::{Message, Unit};
 use seamwright_record::library::AuditEntry;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
@@ -22,6 +24,7 @@ struct Kind {
 #[derive(Debug)]
 struct Counted {
     station: String,
+    result: Message,
     since: Instant,
     count: u64,
 }
@@ -35,17 +38,19 @@ pub(super) struct Refusals {
 
 impl Refusals {
     /// Counts a refusal; the first of its kind gets an entry at once.
-    pub(super) fn add(&mut self, user: &str, station: &str, command: &str, result: &str, now: Instant) {
-        let mut kind = Kind { user: user.to_owned(), command: command.to_owned(), result: result.to_owned() };
+    pub(super) fn add(&mut self, user: &str, station: &str, command: &str, result: &Message, now: Instant) {
+        let result_text = stored(result.clone());
+        let mut kind = Kind { user: user.to_owned(), command: command.to_owned(), result: result_text.clone() };
         if self.kinds.len() >= MAX_KINDS && !self.kinds.contains_key(&kind) {
-            (kind.user, kind.command) = (String::new(), "others".to_owned());
+            (kind.user, kind.command) = (String::new(), stored(Message::new("server-audit-others")));
         }
         if let Some(counted) = self.kinds.get_mut(&kind) {
             counted.count += 1;
             return;
         }
-        self.first.push(entry(&kind.user, station, &kind.command, ("", ""), result));
-        self.kinds.insert(kind, Counted { station: station.to_owned(), since: now, count: 0 });
+        self.first.push(entry(&kind.user, station, &kind.command, ("", ""), &result_text));
+        let (station, result) = (station.to_owned(), result.clone());
+        self.kinds.insert(kind, Counted { station, result, since: now, count: 0 });
     }
 
     /// Takes the entries that are due; `all`: also those still being counted.
@@ -57,8 +62,9 @@ impl Refusals {
                 return true;
             }
             if counted.count > 0 {
-                let result =
-                    format!("{}: {} more in {:.0} s", kind.result, counted.count, elapsed.as_secs_f64().ceil());
+                let result = Message::new("server-audit-more").message("result", counted.result.clone());
+                let result = result.count("n", counted.count as usize);
+                let result = stored(result.quantity("time", elapsed.as_secs_f64().ceil(), Unit::S, 0));
                 entries.push(entry(&kind.user, &counted.station, &kind.command, ("", ""), &result));
             }
             let goes_on = counted.count > 0 && !all;

@@ -1,4 +1,4 @@
-use super::SolidView;
+use super::{MessageView, SolidView};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -332,6 +332,7 @@ pub struct Trouble {
     /// Stable key: `login`, `password`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`,
     /// `server`.
     pub key: String,
-    /// In English words, with what is allowed.
-    pub text: String,
+    /// Description with the allowed values.
+    #[serde(flatten)]
+    pub message: MessageView,
 }

@@ -1,3 +1,4 @@
+use super::MessageView;
 use schemars::JsonSchema;
 use serde::Serialize;
 use ts_rs::TS;
@@ -125,13 +126,13 @@ pub struct AuditRow {
     /// Who.
     pub user: String,
     /// Where from.
-    pub station: String,
+    pub station: MessageView,
     /// What.
-    pub command: String,
+    pub command: MessageView,
     /// The value before, and after.
     pub old: String,
     /// See `old`.
     pub new: String,
     /// What came of it.
-    pub result: String,
+    pub result: MessageView,
 }
