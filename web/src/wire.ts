@@ -1189,7 +1189,7 @@ name: string,
 /**
  * Which axis or condition, if it is about one.
  */
-of: string | null, 
+of: MessageView | null, 
 /**
  * Why it came, what it leads to, what to do.
  */
@@ -2139,7 +2139,7 @@ result: string,
 /**
  * What else there is to say.
  */
-note: string, 
+note: MessageView, 
 /**
  * Name of the machine.
  */
@@ -2234,11 +2234,11 @@ export type RecordedAlarm = {
 /**
  * Name.
  */
-name: string, 
+name: MessageView, 
 /**
  * Cause.
  */
-cause: string, 
+cause: MessageView, 
 /**
  * The pass, from 1.
  */
@@ -2261,10 +2261,6 @@ first_out: boolean, };
  */
 export type RecordedEvent = { 
 /**
- * What happened, in English.
- */
-text: string, 
-/**
  * The pass, from 1.
  */
 pass: number | null, 
@@ -2275,7 +2271,7 @@ s_mm: number | null,
 /**
  * Time in the trace, s.
  */
-t_s: number | null, };
+t_s: number | null, } & MessageView;
 
 /**
  * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each

@@ -40,6 +40,7 @@ areas![
     "clearance",
     "vision",
     "tracking",
+    "alarms",
     "cell",
     "record",
     "post",

@@ -79,7 +79,7 @@ fn note(text: &str) {
 /// Drives by LinuxCNC's HAL.
 #[cfg(target_os = "linux")]
 fn linuxcnc_drives(machine: &Machine, folder: &Path, device: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
-    let drives = LinuxCncDrives::start(machine, device, folder, note);
+    let drives = LinuxCncDrives::start(machine, device, folder, |message| note(&message.to_string()));
     Ok(Box::new(drives.map_err(|e| Failure::Environment(e.to_string()))?))
 }
 
@@ -160,7 +160,7 @@ pub fn told(lines: &Lines) -> Vec<Value> {
             "polls": traffic.polls, "missed": traffic.missed, "failed": traffic.failed,
             "connections": traffic.connections, "away_s": traffic.away_s,
             "round_us": { "median": round.quantile_us(0.5), "p99_9": round.quantile_us(0.999), "most": round.most_us() },
-            "trouble": traffic.trouble,
+            "trouble": traffic.trouble.as_ref().map(ToString::to_string),
         })
     };
     lines.iter().map(one).collect()

@@ -101,9 +101,24 @@ pub(crate) fn alarm(language: Language, name: &str) -> String {
 
 /// Translates an alarm's cause if it is that of the catalogue.
 pub(crate) fn cause(language: Language, of: &Alarm) -> String {
-    let known = entry(&of.name).filter(|(entry, _)| entry.cause == of.cause);
+    let Some(cause) = sentence_of(&of.cause) else { return of.cause.in_language(language) };
+    let name = of.name.in_language(Language::English);
+    let known = entry(&name).filter(|(entry, _)| entry.cause.in_language(Language::English) == cause);
     let words = known.and_then(|(entry, _)| language.alarm(entry.name));
-    words.map_or(&of.cause, |words| &words.cause).clone()
+    words.map_or(cause, |words| &words.cause).to_owned()
+}
+
+/// Returns the sentence of a message without a code, as older versions have recorded it.
+fn sentence_of(message: &Message) -> Option<&str> {
+    match message.argument("text") {
+        Some(Argument::Text(text)) if message.code == "text" => Some(text),
+        _ => None,
+    }
+}
+
+/// Returns the words of a recorded message; `old` translates the sentence of an older version.
+pub(crate) fn recorded(language: Language, message: &Message, old: fn(Language, &str) -> String) -> String {
+    sentence_of(message).map_or_else(|| message.in_language(language), |text| old(language, text))
 }
 
 /// Returns the words of a message; text without a code is looked up by its sentence.

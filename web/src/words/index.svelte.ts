@@ -97,9 +97,9 @@ export function shipped(text: string): string {
   return words.shipped[text] ?? text;
 }
 
-/** What an alarm is about: a condition in words, an axis by its name. */
-export function about(name: string): string {
-  return named('interlock', name);
+/** What an alarm is about: a condition in words, an axis by its name, or what tracking lacks. */
+export function about(of: MessageView | string): string {
+  return named('interlock', message(of));
 }
 
 /** Title, cause, consequence, or operator action of an alarm, by its number in the catalogue. */
@@ -119,15 +119,20 @@ export function alarmWords(number: number, of: AlarmWords): AlarmWords {
   };
 }
 
-/** Title of an alarm by its name in records, with what it is about: `limit switch (x)`. */
-export function alarmTitle(name: string): string {
+/** Title of a recorded alarm, with what it is about. Records of older versions have its name, like `limit switch (x)`. */
+export function alarmTitle(of: MessageView): string {
+  return of.code === 'text' ? titleOf(of.text) : message(of);
+}
+
+function titleOf(name: string): string {
   const [, stable = name, of = null] = /^(.+?)(?: \((.*)\))?$/s.exec(name) ?? [];
   const title = alarmPart(ALARMS.indexOf(stable) + 1, 'title');
   if (title === null) return name;
   return of === null ? title : `${title} (${about(of)})`;
 }
 
-/** Cause of an alarm by its name in records. */
-export function alarmCause(of: { name: string; cause: string }): string {
-  return alarmPart(ALARMS.indexOf(of.name.replace(/ \(.*\)$/s, '')) + 1, 'cause') ?? of.cause;
+/** Cause of a recorded alarm. */
+export function alarmCause(of: { name: MessageView; cause: MessageView }): string {
+  if (of.cause.code !== 'text') return message(of.cause);
+  return alarmPart(ALARMS.indexOf(of.name.text.replace(/ \(.*\)$/s, '')) + 1, 'cause') ?? of.cause.text;
 }

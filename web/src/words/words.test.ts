@@ -97,7 +97,8 @@ test('the panel speaks the language that is chosen', async () => {
   // Words of messages and of supplied files come later.
   await vi.waitFor(() => expect(shipped('a beam is thin')).toBe('ein Strahl ist dünn'), { timeout: 30_000 });
   expect([shipped('First weld: 60 degrees of the saddle'), shipped('mine')]).toEqual(['Erste Naht: 60 Grad des Sattels', 'mine']);
-  expect(alarmTitle('nothing of the cell (x)')).toBe('nothing of the cell (x)');
+  const old = (text: string): MessageView => ({ code: 'text', text, arguments: [['text', { type: 'text', value: text }]] });
+  expect([alarmTitle(old('drive fault (theta)')), alarmTitle(old('nothing of the cell (x)'))]).toEqual(['Antriebsstörung (theta)', 'nothing of the cell (x)']);
   await words.choose('en');
 }, 60_000);
 

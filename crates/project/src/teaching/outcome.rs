@@ -50,7 +50,7 @@ impl Outcome {
             smooth: smooth(&line, run.end.as_ref()),
             line,
             notes: crawl.notes().to_vec(),
-            asked: run.asked.clone(),
+            asked: run.asked.iter().map(ToString::to_string).collect(),
             seconds: run.seconds,
             ended,
             gap_mm,
@@ -67,7 +67,9 @@ fn unfinished(run: &TaughtRun, said_end: bool) -> Option<String> {
         Some(End::Limit(why)) => Some(format!("the machine can go no further: {why}")),
         Some(End::TooLong) => Some("the joint is longer than twice the nominal seam".to_owned()),
         Some(End::Operator) if said_end => None,
-        Some(End::Operator) => Some(run.asked.last().cloned().unwrap_or_else(|| "the joint is lost".to_owned())),
+        Some(End::Operator) => {
+            Some(run.asked.last().map_or_else(|| "the joint is lost".to_owned(), ToString::to_string))
+        }
         None => Some("the frames are at their end, and the joint is not".to_owned()),
     }
 }

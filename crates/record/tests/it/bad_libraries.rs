@@ -118,7 +118,7 @@ fn a_read_only_folder() {
     // Even for root, a library opened to be read refuses to be written.
     let data = DataFolder::open_to_read(path).unwrap();
     let error = data.library().add_document(DocumentKind::Job, "job", "text").unwrap_err();
-    assert!(matches!(error, Error::ReadOnly { .. }) && error.to_string().contains("cannot be written"), "{error}");
+    assert!(matches!(error, Error::ReadOnly { .. }) && error.to_string().contains("not writable"), "{error}");
     // A file where the folder should be.
     let error = DataFolder::open(&path.join("library.sqlite")).unwrap_err();
     assert!(error.is_input() && error.to_string().contains("library.sqlite"), "{error}");

@@ -70,8 +70,9 @@ fn alarms_are_those_of_the_catalogue_and_what_they_are_about_has_words() {
     for language in &Language::ALL[1..] {
         let names: BTreeSet<&str> = WORDS.tongues[*language as usize].alarms.keys().map(String::as_str).collect();
         assert_eq!(names, Alarm::ALL.into_iter().map(|alarm| alarm.entry().name).collect(), "{language:?}");
-        for (name, _) in (0..=u8::MAX).filter_map(tracking::trouble) {
-            let said = language.sentence(name, str::to_owned);
+        for trouble in (0..=u8::MAX).filter_map(tracking::trouble) {
+            let name = trouble.to_string();
+            let said = language.sentence(&name, str::to_owned);
             assert!(said.is_some_and(|said| said != name), "{language:?}: {name}");
         }
     }

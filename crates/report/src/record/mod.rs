@@ -80,9 +80,9 @@ fn verdict(detail: &WeldDetail, figures: &Figures, language: Language) -> Verdic
         ([], _) => language.say("All values within the procedure's windows.").to_owned(),
         (list, _) => language.fill("Outside the procedure's windows: {0}.", &[&list.join("; ")]),
     };
-    let note = match detail.weld.note.as_str() {
-        "" => String::new(),
-        note => language.fill("Note: {0}.", &[&said::note(language, note)]),
+    let note = match &detail.weld.note {
+        note if note.is_empty() => String::new(),
+        note => language.fill("Note: {0}.", &[&said::recorded(language, note, said::note)]),
     };
     let ok = detail.weld.result == WeldResult::Good && outside.is_empty() && detail.weld.note.is_empty();
     Verdict { ok, text: [language.say(said), &windows, &note].join(language.between_sentences()).trim_end().to_owned() }

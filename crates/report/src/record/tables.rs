@@ -52,7 +52,7 @@ pub(super) fn alarms(alarms: &[Alarm], language: Language) -> Block {
         let [pass, s, t] = place(&a.place);
         let seen = a.acknowledged.as_ref().map_or(language.say("no").to_owned(), |(by, at)| format!("{by}, {at}"));
         let first = language.say(if a.first_out { "first" } else { "" }).to_owned();
-        vec![said::alarm(language, &a.name), said::cause(language, a), pass, s, t, first, seen]
+        vec![said::recorded(language, &a.name, said::alarm), said::cause(language, a), pass, s, t, first, seen]
     });
     let head = ["alarm", "alarm.cause", "pass", "s, mm", "t, s", "First-out", "Acknowledged"];
     let head = head.map(|head| language.say(head));
@@ -62,7 +62,7 @@ pub(super) fn alarms(alarms: &[Alarm], language: Language) -> Block {
 pub(super) fn events(events: &[Event], language: Language) -> Block {
     let rows = events.iter().map(|e| {
         let [pass, s, t] = place(&e.place);
-        vec![e.at.to_string(), said::event(language, &e.text), pass, s, t]
+        vec![e.at.to_string(), said::recorded(language, &e.text, said::event), pass, s, t]
     });
     let head = ["event.time", "event.text", "pass", "s, mm", "t, s"].map(|head| language.say(head));
     table(language.say("Events in the order in which they came"), &head, rows.collect(), 2..5)

@@ -1,6 +1,7 @@
 use super::recorded_weld_page;
 use crate::{Language, said};
 use seamwright_cell::executive::{Alarm as Catalogue, Ask, Mode};
+use seamwright_message::Message;
 use seamwright_record::Moment;
 use seamwright_record::figures::{Curve, Figures, Value};
 use seamwright_record::library::{Alarm, Event, Place, WeldDetail, WeldFile, WeldRecord, WeldResult};
@@ -28,7 +29,7 @@ fn detail() -> WeldDetail {
             begun: at,
             ended: Some(at),
             result: WeldResult::Good,
-            note: String::new(),
+            note: Message::default(),
             job: Some(("saddle.toml".to_owned(), 2)),
             program: ("Nozzle".to_owned(), 3, "ab".repeat(32)),
             machine: ("saddle-4axis".to_owned(), 1),
@@ -39,14 +40,14 @@ fn detail() -> WeldDetail {
         },
         values: vec![value(1, 0.0), value(2, 0.25)],
         alarms: vec![Alarm {
-            name: "arc lost".to_owned(),
-            cause: "<script>".to_owned(),
+            name: "arc lost".into(),
+            cause: "<script>".into(),
             place,
             raised: at,
             first_out: true,
             acknowledged: Some(("A. Welder".to_owned(), at)),
         }],
-        events: vec![Event { at, text: "hold".to_owned(), place }],
+        events: vec![Event { at, text: "hold".into(), place }],
         files: vec![WeldFile {
             name: "trace.parquet".to_owned(),
             sha256: "cd".repeat(32),
@@ -110,7 +111,7 @@ fn only_a_good_weld_is_in_order() {
     };
     assert!(verdict(&|_| {}));
     assert!(!verdict(&|d| d.weld.result = WeldResult::Interrupted));
-    assert!(!verdict(&|d| d.weld.note = "3 rows of the trace were lost".to_owned()));
+    assert!(!verdict(&|d| d.weld.note = "3 rows of the trace were lost".into()));
     assert!(!verdict(&|d| d.values[0].outside_s = 0.01));
     // A record without any data has a page too.
     let empty = WeldDetail { values: vec![], alarms: vec![], events: vec![], files: vec![], ..detail() };
@@ -132,9 +133,9 @@ fn full(language: Language) -> String {
         welder: Some("Zoe".to_owned()),
         ..good.weld.clone()
     };
-    let cause = |alarm: Catalogue| alarm.entry().cause.to_owned();
-    let alarm = |name: &str, cause: String, first_out| Alarm {
-        name: name.to_owned(),
+    let cause = |alarm: Catalogue| alarm.entry().cause;
+    let alarm = |name: &str, cause: Message, first_out| Alarm {
+        name: name.into(),
         cause,
         first_out,
         acknowledged: None,
@@ -146,7 +147,7 @@ fn full(language: Language) -> String {
         alarm("tracking: joint lost (head 2)", cause(Catalogue::Tracking), false),
         alarm("tracking (correction near its end, head 2)", cause(Catalogue::Tracking), false),
     ];
-    let event = |text: String| Event { text, ..good.events[0].clone() };
+    let event = |text: String| Event { text: text.into(), ..good.events[0].clone() };
     let modes = Mode::ALL.windows(2).map(|modes| event(format!("{} -> {}", modes[0], modes[1])));
     let orders = [Ask::Hold, Ask::Resume, Ask::Reverse, Ask::Stop].map(|ask| event(ask.name().to_owned()));
     let said =
@@ -170,7 +171,7 @@ fn full(language: Language) -> String {
     let results = [WeldResult::Good, WeldResult::Deviating, WeldResult::Stopped, WeldResult::Interrupted];
     let mut pages = String::new();
     for (i, result) in results.into_iter().chain([WeldResult::Running]).enumerate() {
-        let weld = WeldRecord { result, simulated: i == 0, note: note.to_owned(), ..record.clone() };
+        let weld = WeldRecord { result, simulated: i == 0, note: note.into(), ..record.clone() };
         let detail = WeldDetail {
             weld: WeldRecord { ended: None, ..weld },
             values: values.clone(),
@@ -244,8 +245,7 @@ fn what_people_typed_and_what_has_no_words_stays() {
         assert_eq!(said::event(language, "what a later version says"), "what a later version says");
         assert_eq!(said::value(language, "odd_thing_m_min").split(',').next(), Some("odd thing"));
         assert_eq!(said::alarm(language, "of a later version (x)"), "of a later version (x)");
-        let foreign =
-            Alarm { name: "drive fault (x)".to_owned(), cause: "typed".to_owned(), ..detail().alarms[0].clone() };
+        let foreign = Alarm { name: "drive fault (x)".into(), cause: "typed".into(), ..detail().alarms[0].clone() };
         assert_eq!(said::cause(language, &foreign), "typed");
     }
     let german = |name: &str| said::alarm(Language::German, name);

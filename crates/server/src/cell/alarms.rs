@@ -16,6 +16,8 @@ pub(super) struct Mirror {
     /// Alarms of earlier runs, shown as returned: the executive raises active ones anew. Details count down from the
     /// maximum.
     before: Vec<AlarmView>,
+    /// Names of those in the library.
+    known: Vec<Message>,
     list: AlarmList,
     said: Vec<Said>,
     shelf: Vec<Shelved>,
@@ -41,9 +43,10 @@ fn key(view: &AlarmView) -> (u8, u8) {
 
 impl Mirror {
     pub(super) fn new(unknown: &[library::Alarm]) -> Self {
-        let mut before: Vec<AlarmView> = unknown.iter().filter_map(returned).collect();
+        let (mut before, known): (Vec<AlarmView>, Vec<Message>) =
+            unknown.iter().filter_map(|kept| Some((returned(kept)?, kept.name.clone()))).unzip();
         (0..=u8::MAX).rev().zip(&mut before).for_each(|(detail, view)| view.detail = detail);
-        Self { before, list: AlarmList::default(), said: Vec::new(), shelf: Vec::new() }
+        Self { before, known, list: AlarmList::default(), said: Vec::new(), shelf: Vec::new() }
     }
 
     /// Updates the list from a note. Returns true if it changed; `user` gave the command, if there is one.
@@ -81,7 +84,10 @@ impl Mirror {
     /// Acknowledges one alarm or all. Returns true if one of an earlier run was among them.
     fn acknowledged(&mut self, one: Option<(Alarm, u8)>, user: &str) -> bool {
         let before = self.before.len();
-        self.before.retain(|view| one.is_some_and(|(a, d)| (a.number() as u8, d) != key(view)));
+        let stays = |view: &AlarmView| one.is_some_and(|(a, d)| (a.number() as u8, d) != key(view));
+        let mut views = self.before.iter();
+        self.known.retain(|_| views.next().is_some_and(stays));
+        self.before.retain(stays);
         for raised in self.list.iter().filter(|r| r.state == AlarmState::Unacknowledged) {
             let its = (raised.alarm, raised.detail);
             if one.is_none_or(|one| one == its)
@@ -94,11 +100,10 @@ impl Mirror {
     }
 
     /// Returns the library's name of an alarm that is acknowledged individually.
-    pub(super) fn name(&self, names: &Names, (alarm, detail): (Alarm, u8)) -> String {
-        let views = self.before.iter().find(|view| key(view) == (alarm.number() as u8, detail));
-        let of = views.map_or_else(|| names.detail(alarm, detail), |view| view.of.clone());
-        let name = alarm.entry().name;
-        of.map_or_else(|| name.to_owned(), |of| format!("{name} ({of})"))
+    pub(super) fn name(&self, names: &Names, (alarm, detail): (Alarm, u8)) -> Message {
+        let before = self.before.iter().zip(&self.known);
+        let known = before.filter(|(view, _)| key(view) == (alarm.number() as u8, detail)).map(|(_, name)| name);
+        known.last().cloned().unwrap_or_else(|| alarm.title_of(names.about(alarm, detail)))
     }
 
     /// Shelves an alarm for a time, or unshelves it. Returns its name.
@@ -120,11 +125,11 @@ impl Mirror {
             return Err(Message::new("server-alarm-not-listed"));
         };
         if asked.minutes > 0 && !view.tells {
-            let message = Message::new("server-alarm-reacts").text("alarm", &view.name);
+            let message = Message::new("server-alarm-reacts").message("alarm", title(&view));
             return Err(message.message("reaction", panel_word("reaction", &view.reaction)));
         }
         self.shelf.retain(|shelved| key(&shelved.view) != wanted);
-        let name = Message::verbatim(&*view.name);
+        let name = title(&view);
         if asked.minutes > 0 {
             let time = Duration::from_secs(60 * u64::from(asked.minutes));
             let until = Moment(Moment::now().0 + i64::from(asked.minutes) * 60_000);
@@ -171,19 +176,23 @@ impl Mirror {
     }
 }
 
-/// Parses a library alarm, `NAME (OF)`; `None` if this version has no such alarm.
+/// Returns the title of a shown alarm.
+fn title(view: &AlarmView) -> Message {
+    let known = Alarm::ALL.into_iter().find(|alarm| alarm.number() == usize::from(view.number));
+    known.map_or_else(|| Message::verbatim(&*view.name), |alarm| alarm.entry().title)
+}
+
+/// Returns the view of a library alarm; `None` if this version has no such alarm.
 fn returned(kept: &library::Alarm) -> Option<AlarmView> {
-    let split = |text: &str| text.strip_suffix(')')?.split_once(" (").map(|(a, b)| (a.to_owned(), b.to_owned()));
-    let (name, of) = split(&kept.name).map_or_else(|| (kept.name.clone(), None), |(name, of)| (name, Some(of)));
-    let alarm = Alarm::ALL.into_iter().find(|alarm| alarm.entry().name == name)?;
+    let (alarm, of) = Alarm::from_title(&kept.name)?;
     let entry = alarm.entry();
     Some(AlarmView {
         number: alarm.number() as u8,
-        name,
-        of,
-        cause: entry.cause.to_owned(),
-        consequence: entry.consequence.to_owned(),
-        action: entry.action.to_owned(),
+        name: entry.name.to_owned(),
+        of: of.map(Into::into),
+        cause: entry.cause.to_string(),
+        consequence: entry.consequence.to_string(),
+        action: entry.action.to_string(),
         reaction: entry.reaction.name().to_owned(),
         detail: 0,
         at: written(kept.raised),
@@ -207,10 +216,10 @@ mod tests {
     fn what_is_kept_is_found_in_the_catalogue() {
         for alarm in Alarm::ALL {
             for of in ["", " (theta)", " (door (left))"] {
-                let name = format!("{}{of}", alarm.entry().name);
+                let name = Message::verbatim(format!("{}{of}", alarm.name()));
                 let kept = library::Alarm {
                     name,
-                    cause: String::new(),
+                    cause: Message::default(),
                     place: library::Place::default(),
                     raised: Moment(0),
                     first_out: true,
@@ -218,7 +227,7 @@ mod tests {
                 };
                 let view = returned(&kept).unwrap();
                 assert_eq!((usize::from(view.number), view.state.as_str()), (alarm.number(), "returned"));
-                assert_eq!(view.of.map_or(String::new(), |of| format!(" ({of})")), of);
+                assert_eq!(view.of.map_or(String::new(), |of| format!(" ({})", of.text)), of);
             }
         }
     }

@@ -62,7 +62,7 @@ enum Entry {
     Audit(AuditEntry),
     Alarm(Option<i64>, Box<Alarm>),
     /// The user, the time, and the name of the alarm; `None`: all alarms.
-    Acknowledge(String, Moment, Option<String>),
+    Acknowledge(String, Moment, Option<Message>),
 }
 
 /// Next step of the writer.
@@ -308,12 +308,12 @@ impl Archive {
 
     /// Adds an alarm, of a weld or of none. It stays listed until acknowledged.
     pub(crate) fn alarm(&self, weld: Option<i64>, alarm: Alarm) {
-        log::warning(&format!("alarm: {}", plain(&alarm.name)));
+        log::warning(&format!("alarm: {}", plain(&alarm.name.to_string())));
         self.add_alarm(Entry::Alarm(weld, Box::new(alarm)));
     }
 
     /// Acknowledges the listed alarm of this name, or all. Skipped if it repeats one since the last alarm.
-    pub(crate) fn acknowledge(&self, user: &str, name: Option<String>) {
+    pub(crate) fn acknowledge(&self, user: &str, name: Option<Message>) {
         let covers =
             |entry: &Entry| matches!(entry, Entry::Acknowledge(.., known) if known.is_none() || *known == name);
         let waiting = self.0.0.waiting();
@@ -328,6 +328,11 @@ impl Archive {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::from_stored;
+
+    fn words(entry: &AuditEntry) -> String {
+        from_stored(entry.result.clone()).to_string()
+    }
 
     #[test]
     fn foreign_texts_are_one_line_that_looks_like_what_it_is() {
@@ -339,7 +344,7 @@ mod tests {
 
     fn alarm(name: &str) -> Alarm {
         let place = seamwright_record::library::Place::default();
-        let (name, cause, raised) = (name.to_owned(), String::new(), Moment::now());
+        let (name, cause, raised) = (Message::verbatim(name), Message::default(), Moment::now());
         Alarm { name, cause, place, raised, first_out: false, acknowledged: None }
     }
 
@@ -357,14 +362,14 @@ mod tests {
         let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 8).unwrap();
         let busy = hold(folder.path());
         for i in 0..100 {
-            archive.audit("ada", "panel 1", &format!("stop {i}"), ("", ""), "taken");
+            archive.audit("ada", "panel 1", format!("stop {i}"), ("", ""), "taken");
         }
         busy.execute_batch("COMMIT").unwrap();
         assert!(archive.close());
         let data = DataFolder::open_to_read(folder.path()).unwrap();
         let entries = data.library().audit_entries(200).unwrap();
         // The writer may have begun with some before the rest came: then they are counted in two entries.
-        let counted = entries.iter().filter_map(|e| e.result.strip_suffix(" entries were left out"));
+        let counted = entries.iter().filter_map(|e| words(e).strip_suffix(" entries were left out").map(str::to_owned));
         let left_out: usize = counted.map(|count| count.parse::<usize>().unwrap()).sum();
         let orders = entries.iter().filter(|e| e.command.starts_with("stop ")).count();
         assert!((85..100).contains(&left_out) && left_out + orders == 100, "{left_out}, {orders}: {entries:?}");
@@ -380,9 +385,9 @@ mod tests {
         for i in 0..1000 {
             if i % 200 == 0 {
                 archive.alarm(None, alarm(&format!("alarm {i}")));
-                archive.audit("ada", "panel 1", &format!("order {i}"), ("", ""), "taken");
+                archive.audit("ada", "panel 1", format!("order {i}"), ("", ""), "taken");
             }
-            archive.acknowledge("eve", Some("alarm 0".to_owned()));
+            archive.acknowledge("eve", Some(Message::verbatim("alarm 0")));
             archive.acknowledge("eve", None);
             archive.repeatable("eve", "panel 2", "take control", "control taken");
         }
@@ -392,11 +397,11 @@ mod tests {
         let data = DataFolder::open_to_read(folder.path()).unwrap();
         let entries = data.library().audit_entries(1000).unwrap();
         assert_eq!(entries.iter().filter(|e| e.command.starts_with("order ")).count(), 5, "{entries:?}");
-        assert!(!entries.iter().any(|e| e.result.contains("left out")), "{entries:?}");
+        assert!(!entries.iter().any(|e| words(e).contains("left out")), "{entries:?}");
         // All but the last were acknowledged after they were raised.
         let listed = data.library().listed_alarms().unwrap();
-        assert_eq!(listed.iter().map(|alarm| alarm.name.as_str()).collect::<Vec<_>>(), ["last"]);
-        assert!(entries.iter().any(|e| e.result.contains("control taken: 999 more")), "{entries:?}");
+        assert_eq!(listed.iter().map(|alarm| alarm.name.to_string()).collect::<Vec<_>>(), ["last"]);
+        assert!(entries.iter().any(|e| words(e).contains("control taken: 999 more")), "{entries:?}");
     }
 
     /// Endless refusals on a stalled disk displace no alarm and no order; they are counted.
@@ -408,7 +413,7 @@ mod tests {
         for i in 0..20_000 {
             archive.repeatable("eve", "panel", "users.read", "refused: role");
             if i % 500 == 0 {
-                archive.audit("ada", "panel 1", &format!("order {i}"), ("", ""), "taken");
+                archive.audit("ada", "panel 1", format!("order {i}"), ("", ""), "taken");
             }
             if i % 4000 == 0 {
                 archive.alarm(None, alarm(&format!("alarm {i}")));

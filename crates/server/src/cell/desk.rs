@@ -184,8 +184,8 @@ impl Desk {
                 self.look();
             }
             if let Some(cause) = shutdown.cause() {
-                self.tell(happening(Message::new("server-event-stopped-by").text("cause", cause.to_string())));
-                self.recorder.stopped_by(&cause.to_string());
+                self.tell(happening(Message::new("server-event-stopped-by").message("cause", cause.message())));
+                self.recorder.stopped_by(&cause.message());
             }
             self.recorder.close();
         }));

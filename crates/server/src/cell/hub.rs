@@ -382,6 +382,7 @@ impl Told {
 mod tests {
     use super::*;
     use crate::cell::happening;
+    use seamwright_message::Message;
 
     /// An operator always gets one page, and further pages do not take the places of other operators.
     #[test]

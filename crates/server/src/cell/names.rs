@@ -3,8 +3,8 @@ use crate::lack::{Lack, lack};
 use crate::wire::{Ages, AlarmView, AxisStatus, LeftView, ProcessStatus, RealtimeView, Status};
 use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
 use seamwright_cell::realtime::{Footing, Shown};
-use seamwright_cell::tracking;
 use seamwright_machine::{AxisKind, Joints, Level, Machine};
+use seamwright_message::Message;
 
 /// The machine's names for the executive's indices, and its kinematic chain.
 pub(super) struct Names {
@@ -34,20 +34,9 @@ impl Names {
         stillness.cycle(c.t, rests, &c.reports.drives.position, &rotary);
     }
 
-    /// Returns the axis or condition of an alarm, or the trouble that tracking reports.
-    pub(super) fn detail(&self, alarm: Alarm, detail: u8) -> Option<String> {
-        let names = match alarm {
-            Alarm::Interlock => self.conditions(),
-            Alarm::DriveFault | Alarm::LimitSwitch | Alarm::FollowingError => self.axes(),
-            Alarm::Tracking => {
-                return tracking::trouble(detail).map(|(name, head)| match head {
-                    0 => name.to_owned(),
-                    _ => format!("{name}, head {}", head + 1),
-                });
-            }
-            _ => return None,
-        };
-        names.get(usize::from(detail)).map(|name| (*name).to_owned())
+    /// Returns what an alarm is about, as data.
+    pub(super) fn about(&self, alarm: Alarm, detail: u8) -> Option<Message> {
+        alarm.about(detail, &self.axes(), &self.conditions())
     }
 
     pub(super) fn alarm(&self, raised: &Raised) -> AlarmView {
@@ -55,10 +44,10 @@ impl Names {
         AlarmView {
             number: raised.alarm.number() as u8,
             name: entry.name.to_owned(),
-            of: self.detail(raised.alarm, raised.detail),
-            cause: entry.cause.to_owned(),
-            consequence: entry.consequence.to_owned(),
-            action: entry.action.to_owned(),
+            of: self.about(raised.alarm, raised.detail).map(Into::into),
+            cause: entry.cause.to_string(),
+            consequence: entry.consequence.to_string(),
+            action: entry.action.to_string(),
             reaction: raised.reaction.name().to_owned(),
             state: match raised.state {
                 AlarmState::Unacknowledged => "unacknowledged",
@@ -79,7 +68,7 @@ impl Names {
     }
 
     pub(super) fn lack(&self, missing: Missing) -> Lack {
-        let message = missing.text(&self.axes(), &self.conditions());
+        let message = missing.message(&self.axes(), &self.conditions());
         lack(
             match missing {
                 Missing::Mode(_) => "mode",

@@ -4,7 +4,7 @@ use super::desk::{Desk, Welding};
 use super::happening::happening;
 use super::names::WHY;
 use super::progress::{Left, Progress};
-use crate::lack::{Lack, panel_word};
+use crate::lack::Lack;
 use crate::wire::FromCell;
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Place, Raised};
 use seamwright_cell::realtime::Footing;
@@ -45,11 +45,9 @@ impl Desk {
             Note::Refused(command, missing) => self.refused(command, missing),
             Note::Alarm(raised) => self.alarm(t, &raised),
             Note::Cleared(alarm, detail) => {
-                let title = Message::verbatim(alarm.entry().name);
-                self.tell(happening(match self.names.detail(alarm, detail) {
-                    Some(of) => Message::new("server-event-cleared-of")
-                        .message("alarm", title)
-                        .message("object", panel_word("interlock", &of)),
+                let title = alarm.entry().title;
+                self.tell(happening(match self.names.about(alarm, detail) {
+                    Some(of) => Message::new("server-event-cleared-of").message("alarm", title).message("object", of),
                     None => Message::new("server-event-cleared").message("alarm", title),
                 }));
             }
@@ -107,12 +105,12 @@ impl Desk {
             }
             Err(e) => {
                 self.outside.fail();
-                self.tell(happening(Message::new("server-event-not-recorded").text("reason", e.to_string())));
+                self.tell(happening(Message::new("server-event-not-recorded").message("reason", e.message())));
             }
         }
     }
 
-    fn taken(&mut self, command: Command, one: Option<String>) {
+    fn taken(&mut self, command: Command, one: Option<Message>) {
         let Origin { station, .. } = command.origin;
         if let Ask::Why(_) = command.ask {
             let lacks = self.lacks.remove(&(station, command.number)).unwrap_or_default();
@@ -130,8 +128,7 @@ impl Desk {
         }
         if !matches!(command.ask, Ask::Jog(_)) {
             self.tell(
-                happening(Message::new("server-event-order").message("order", panel_word("do", command.ask.name())))
-                    .by(user.clone()),
+                happening(Message::new("server-event-order").message("order", command.ask.message())).by(user.clone()),
             );
         }
         if station > 0 {
@@ -141,8 +138,10 @@ impl Desk {
             Ask::Override(part) => {
                 Message::new("server-audit-override").quantity("override", part * 100.0, Unit::Percent, 0)
             }
-            Ask::AcknowledgeOne(..) => Message::new("server-audit-acknowledge").text("alarm", one.unwrap_or_default()),
-            ask => panel_word("do", ask.name()),
+            Ask::AcknowledgeOne(..) => {
+                Message::new("server-audit-acknowledge").message("alarm", one.unwrap_or_default())
+            }
+            ask => ask.message(),
         };
         let (station, accepted) = (page(station), Message::new("server-audit-accepted"));
         let user = user.as_deref().unwrap_or("");
@@ -164,7 +163,7 @@ impl Desk {
     pub(super) fn refuse(&self, command: Command, why: Lack) {
         let station = command.origin.station;
         let user = self.hub.user(station);
-        let order = panel_word("do", command.ask.name());
+        let order = command.ask.message();
         let refused = Message::new("server-event-refused").message("order", order.clone());
         self.tell(happening(refused.message("reason", why.message.clone())).by(user.clone()));
         self.archive.repeatable(user.as_deref().unwrap_or(""), page(station), order, why.message.clone());
@@ -172,28 +171,17 @@ impl Desk {
     }
 
     fn alarm(&mut self, t: f64, raised: &Raised) {
-        let alarm = raised.alarm.entry().name.to_owned();
-        let event = |code| {
-            let message = Message::new(code).text("alarm", alarm.clone());
-            message.message("reaction", panel_word("reaction", raised.reaction.name()))
-        };
-        let name = match self.names.detail(raised.alarm, raised.detail) {
-            Some(of) => {
-                let name = format!("{alarm} ({of})");
-                self.tell(happening(event("server-event-alarm-of").message("object", panel_word("interlock", &of))));
-                name
-            }
-            None => {
-                self.tell(happening(event("server-event-alarm")));
-                alarm
-            }
-        };
-        self.recorder.alarm(t, raised, &name);
+        let about = self.names.about(raised.alarm, raised.detail);
+        let code = if about.is_some() { "server-event-alarm-of" } else { "server-event-alarm" };
+        let event = Message::new(code).message("alarm", raised.alarm.entry().title);
+        let event = event.message("reaction", raised.reaction.message());
+        self.tell(happening(about.iter().cloned().fold(event, |event, of| event.message("object", of))));
+        self.recorder.alarm(t, raised, &raised.alarm.title_of(about));
     }
 }
 
 fn mode_changes(from: Mode, to: Mode) -> Message {
-    let [from, to] = [from, to].map(|mode| panel_word("mode", mode.name()));
+    let [from, to] = [from, to].map(|mode| mode.message());
     Message::new("server-event-mode").message("from", from).message("to", to)
 }
 

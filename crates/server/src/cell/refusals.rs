@@ -86,19 +86,26 @@ impl Refusals {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::from_stored;
+
+    fn words(entry: &AuditEntry) -> String {
+        from_stored(entry.result.clone()).to_string()
+    }
 
     #[test]
     fn repeated_refusals_become_one_entry_a_minute() {
         let (mut refusals, begin) = (Refusals::default(), Instant::now());
-        (0..313).for_each(|_| refusals.add("eve", "panel", "users.read", "refused: role", begin));
+        (0..313).for_each(|_| {
+            refusals.add("eve", "panel", "users.read", &Message::new("server-audit-refused-role"), begin)
+        });
         assert_eq!(refusals.due(begin, false).len(), 1);
         assert!(refusals.due(begin + SUM_UP / 2, false).is_empty());
         let due = refusals.due(begin + SUM_UP, false);
         assert_eq!(due.len(), 1);
-        assert_eq!((due[0].user.as_str(), due[0].result.as_str()), ("eve", "refused: role: 312 more in 60 s"));
+        assert_eq!((due[0].user.as_str(), words(&due[0])), ("eve", "refused: role: 312 more in 60 s".to_owned()));
         // Without further refusals the next one counts as the first again.
         assert!(refusals.due(begin + 2 * SUM_UP, false).is_empty());
-        refusals.add("eve", "panel", "users.read", "refused: role", begin + 2 * SUM_UP);
+        refusals.add("eve", "panel", "users.read", &Message::new("server-audit-refused-role"), begin + 2 * SUM_UP);
         assert_eq!(refusals.due(begin + 2 * SUM_UP, true).len(), 1);
         assert_eq!(refusals.next(begin), None);
     }
@@ -106,11 +113,13 @@ mod tests {
     #[test]
     fn made_up_names_take_bounded_memory_and_entries() {
         let (mut refusals, begin) = (Refusals::default(), Instant::now());
-        (0..10_000).for_each(|i| refusals.add(&format!("name {i}"), "panel", "log in", "refused", begin));
+        (0..10_000).for_each(|i| {
+            refusals.add(&format!("name {i}"), "panel", "log in", &Message::new("server-audit-refused"), begin)
+        });
         let entries = refusals.due(begin, true);
         assert!(entries.len() <= MAX_KINDS + 2, "{}", entries.len());
-        let summed: u64 = entries.iter().filter_map(|e| e.result.split(' ').nth(1)?.parse::<u64>().ok()).sum();
-        let firsts = entries.iter().filter(|e| e.result == "refused").count() as u64;
+        let summed: u64 = entries.iter().filter_map(|e| words(e).split(' ').nth(1)?.parse::<u64>().ok()).sum();
+        let firsts = entries.iter().filter(|e| words(e) == "refused").count() as u64;
         assert_eq!(summed + firsts, 10_000);
     }
 }

@@ -84,14 +84,8 @@ impl Cell {
             hub.event(0.0, happening(Message::new("server-event-weld-lost").text("weld", weld.to_string())));
         }
         for alarm in &unknown {
-            hub.event(
-                0.0,
-                happening(
-                    Message::new("server-event-alarm-before")
-                        .text("alarm", &alarm.name)
-                        .text("time", alarm.raised.to_string()),
-                ),
-            );
+            let message = Message::new("server-event-alarm-before").message("alarm", alarm.name.clone());
+            hub.event(0.0, happening(message.text("time", alarm.raised.to_string())));
         }
         let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;
         let (port, outside) = live(shutdown);

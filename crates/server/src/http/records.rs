@@ -73,7 +73,7 @@ fn row(weld: &WeldRecord) -> RecordRow {
         begun: written(weld.begun),
         ended: weld.ended.map(written),
         result: weld.result.name().to_owned(),
-        note: weld.note.clone(),
+        note: (&weld.note).into(),
         machine: weld.machine.0.clone(),
         procedure: weld.procedure.as_ref().map(|(number, _)| number.clone()),
         welder: weld.welder.clone(),
@@ -127,8 +127,8 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
                 .alarms
                 .iter()
                 .map(|a| RecordedAlarm {
-                    name: a.name.clone(),
-                    cause: a.cause.clone(),
+                    name: (&a.name).into(),
+                    cause: (&a.cause).into(),
                     pass: a.place.pass,
                     s_mm: a.place.s_mm,
                     t_s: a.place.t_s,
@@ -139,7 +139,7 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
                 .events
                 .iter()
                 .map(|e| RecordedEvent {
-                    text: e.text.clone(),
+                    message: (&e.text).into(),
                     pass: e.place.pass,
                     s_mm: e.place.s_mm,
                     t_s: e.place.t_s,

@@ -22,7 +22,7 @@ pub struct RecordRow {
     /// `running`, `good`, `deviating`, `stopped`, ...
     pub result: String,
     /// What else there is to say.
-    pub note: String,
+    pub note: MessageView,
     /// Name of the machine.
     pub machine: String,
     /// Number of the procedure.
@@ -77,8 +77,9 @@ pub struct JudgedView {
 /// An event of a recorded weld.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RecordedEvent {
-    /// What happened, in English.
-    pub text: String,
+    /// What happened.
+    #[serde(flatten)]
+    pub message: MessageView,
     /// The pass, from 1.
     pub pass: Option<u32>,
     /// Path length, mm.
@@ -91,9 +92,9 @@ pub struct RecordedEvent {
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RecordedAlarm {
     /// Name.
-    pub name: String,
+    pub name: MessageView,
     /// Cause.
-    pub cause: String,
+    pub cause: MessageView,
     /// The pass, from 1.
     pub pass: Option<u32>,
     /// Path length, mm.

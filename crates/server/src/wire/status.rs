@@ -183,7 +183,7 @@ pub struct AlarmView {
     /// Stable name.
     pub name: String,
     /// Which axis or condition, if it is about one.
-    pub of: Option<String>,
+    pub of: Option<MessageView>,
     /// Why it came, what it leads to, what to do.
     pub cause: String,
     /// See `cause`.

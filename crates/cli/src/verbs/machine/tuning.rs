@@ -64,7 +64,7 @@ impl AxisTuning {
     pub(super) fn new(axis: &Axis, tuned: Result<Tuned, Error>) -> Self {
         let (response, refused) = match &tuned {
             Ok(tuned) => (response(tuned), None),
-            Err(Error::Drive { reason, .. }) => (Vec::new(), Some(reason.clone())),
+            Err(Error::Drive { reason, .. }) => (Vec::new(), Some(reason.to_string())),
             Err(other) => (Vec::new(), Some(other.to_string())),
         };
         Self {
