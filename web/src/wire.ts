@@ -387,7 +387,7 @@ assumed_drive: boolean,
 /**
  * Why it cannot be tuned.
  */
-refused: string | null, 
+refused: MessageView | null, 
 /**
  * Open loop: frequency, Hz, gain, dB, phase, degrees.
  */
@@ -2339,9 +2339,9 @@ job: string,
  */
 key: string | null, 
 /**
- * More of that, in English words.
+ * More of that.
  */
-why: string | null, 
+why: MessageView | null, 
 /**
  * Way along the joint that was taught, and length of the nominal seam, mm.
  */

@@ -1,46 +1,43 @@
 use crate::wire::EventView;
 use seamwright_message::Message;
 
-/// Start of the codes of events.
-const EVENT: &str = "server-event-";
-
-/// Kinds of events by the rest of their codes.
+/// Kinds of events by the codes of their messages.
 const KINDS: [(&str, &str); 35] = [
-    ("mode", "mode"),
-    ("order", "order"),
-    ("refused", "refused"),
-    ("alarm", "alarm"),
-    ("alarm-of", "alarm"),
-    ("alarm-before", "alarm"),
-    ("cleared", "cleared"),
-    ("cleared-of", "cleared"),
-    ("shelved", "alarm"),
-    ("unshelved", "alarm"),
-    ("machine-changed", "work"),
-    ("tool-changed", "work"),
-    ("sensor-changed", "work"),
-    ("pass-ends", "pass"),
-    ("left", "left"),
-    ("left-before", "left"),
-    ("stopped-by", "alarm"),
-    ("cycles-missed", "alarm"),
-    ("no-realtime", "alarm"),
-    ("safe-unconfirmed", "alarm"),
-    ("journal-damaged", "alarm"),
-    ("weld-lost", "record"),
-    ("recorded", "record"),
-    ("record-not-whole", "record"),
-    ("record-interrupted", "record"),
-    ("record-fails", "record"),
-    ("not-recorded", "record"),
-    ("audit-fails", "record"),
-    ("restored", "record"),
-    ("control-taken", "control"),
-    ("control-taken-over", "control"),
-    ("control-lost", "control"),
-    ("loaded", "work"),
-    ("not-loaded", "work"),
-    ("teach-ended", "teach"),
+    ("server-event-mode", "mode"),
+    ("server-event-order", "order"),
+    ("server-event-refused", "refused"),
+    ("server-event-alarm", "alarm"),
+    ("server-event-alarm-of", "alarm"),
+    ("server-event-alarm-before", "alarm"),
+    ("server-event-cleared", "cleared"),
+    ("server-event-cleared-of", "cleared"),
+    ("server-event-shelved", "alarm"),
+    ("server-event-unshelved", "alarm"),
+    ("server-event-machine-changed", "work"),
+    ("server-event-tool-changed", "work"),
+    ("server-event-sensor-changed", "work"),
+    ("server-event-pass-ends", "pass"),
+    ("server-event-left", "left"),
+    ("server-event-left-before", "left"),
+    ("server-event-stopped-by", "alarm"),
+    ("server-event-cycles-missed", "alarm"),
+    ("server-event-no-realtime", "alarm"),
+    ("server-event-safe-unconfirmed", "alarm"),
+    ("server-event-journal-damaged", "alarm"),
+    ("server-event-weld-lost", "record"),
+    ("server-event-recorded", "record"),
+    ("server-event-record-not-whole", "record"),
+    ("server-event-record-interrupted", "record"),
+    ("server-event-record-fails", "record"),
+    ("server-event-not-recorded", "record"),
+    ("server-event-audit-fails", "record"),
+    ("server-event-restored", "record"),
+    ("server-event-control-taken", "control"),
+    ("server-event-control-taken-over", "control"),
+    ("server-event-control-lost", "control"),
+    ("server-event-loaded", "work"),
+    ("server-event-not-loaded", "work"),
+    ("server-event-teach-ended", "teach"),
 ];
 
 /// An event.
@@ -58,8 +55,7 @@ pub(crate) fn happening(message: Message) -> Happening {
 }
 
 fn kind(message: &Message) -> Option<&'static (&'static str, &'static str)> {
-    let rest = message.code.strip_prefix(EVENT)?;
-    KINDS.iter().find(|(code, _)| *code == rest)
+    KINDS.iter().find(|(code, _)| *code == message.code)
 }
 
 impl Happening {
@@ -70,7 +66,8 @@ impl Happening {
     /// Returns the event's view with its number and times.
     pub(super) fn view(self, number: u64, t: f64, at: String) -> EventView {
         let (key, what) = kind(&self.message).copied().unwrap_or(KINDS[1]);
-        let (key, what) = (key.replace('-', "_"), what.to_owned());
+        let key = key.splitn(3, '-').nth(2).unwrap_or_default().replace('-', "_");
+        let what = what.to_owned();
         EventView { number, t, at, what, key, message: self.message.into(), user: self.user }
     }
 }
@@ -84,7 +81,7 @@ mod tests {
     fn every_event_has_a_kind_and_words() {
         for (i, (code, _)) in KINDS.iter().enumerate() {
             assert!(KINDS[..i].iter().all(|row| row.0 != *code), "{code}");
-            assert!(Catalogue::of(Language::English).has(&format!("{EVENT}{code}")), "{code}");
+            assert!(Catalogue::of(Language::English).has(code), "{code}");
         }
         let loaded = happening(Message::new("server-event-loaded").text("job", "{ $job }"));
         let view = loaded.by(Some("ada".to_owned())).view(7, 1.5, String::new());

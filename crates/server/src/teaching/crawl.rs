@@ -40,9 +40,9 @@ pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
         Ok(Some(found)) => {
             let stopped = panel.teaching.state().wish == Wish::Stop;
             let key = if stopped { "stopped" } else { found.outcome.ended };
-            (key, found.outcome.finding.clone().filter(|_| !stopped), Some(found))
+            (key, found.outcome.finding.clone().filter(|_| !stopped).map(Message::from), Some(found))
         }
-        Err(failure) => ("failed", Some(failure.text()), None),
+        Err(failure) => ("failed", Some(Message::from(failure.text())), None),
     };
     hub.event(
         t,
@@ -53,7 +53,8 @@ pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
         ),
     );
     panel.teaching.ended(hub, |state| {
-        (state.view.key, state.view.why, state.found) = (Some(key.to_owned()), why, found.map(Arc::new));
+        (state.view.key, state.view.why, state.found) =
+            (Some(key.to_owned()), why.map(Into::into), found.map(Arc::new));
     });
 }
 

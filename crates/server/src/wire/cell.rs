@@ -311,7 +311,7 @@ pub struct TuningView {
     /// The machine file describes no drive: an assumed one was tuned.
     pub assumed_drive: bool,
     /// Why it cannot be tuned.
-    pub refused: Option<String>,
+    pub refused: Option<MessageView>,
     /// Open loop: frequency, Hz, gain, dB, phase, degrees.
     pub response: Vec<[f64; 3]>,
     /// Gain margin, dB, and the frequency at which it is, Hz; none: the phase never comes to -180 degrees.

@@ -1,3 +1,4 @@
+use super::MessageView;
 use schemars::JsonSchema;
 use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
@@ -94,8 +95,8 @@ pub struct TeachView {
     /// Why it is paused: `operator`, `hand`, `control`, `mode`; how it ended: `closed`, `joint-end`, `operator`, `lost`, `limit`,
     /// `too-long`, `stopped`, `failed`.
     pub key: Option<String>,
-    /// More of that, in English words.
-    pub why: Option<String>,
+    /// More of that.
+    pub why: Option<MessageView>,
     /// Way along the joint that was taught, and length of the nominal seam, mm.
     pub way_mm: f64,
     /// See `way_mm`.
