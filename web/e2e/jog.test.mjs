@@ -94,7 +94,7 @@ test('no place is recorded while an axis moves, by the key or past it', onReal, 
   const key = await held(async () => busy && one.evaluate(() => window.refused)).finally(() => (watches = false));
   await watched;
   await ways['the pointer lifted outside of the button'](key);
-  assert.deepEqual([busy.key, busy.text], ['busy', 'the axes have not come to rest: wait a moment']);
+  assert.deepEqual([busy.key, busy.text], ['busy', 'the axes are still moving: wait a moment']);
   await stands();
   await recordable.waitFor();
   await record(one);

@@ -210,7 +210,7 @@ impl Writer {
         while let Err(e) = write(&mut self.data, item) {
             if !self.fails {
                 let t = self.hub.latest().map_or(0.0, |s| s.t);
-                self.hub.event(t, happening(Message::new("server-event-audit-fails").text("reason", e.to_string())));
+                self.hub.event(t, happening(Message::new("server-event-audit-fails").message("reason", e.message())));
                 log::warning(&format!("the audit log cannot be written: {e}"));
             }
             self.fails = true;

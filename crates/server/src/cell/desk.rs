@@ -200,7 +200,7 @@ impl Desk {
         if !footing.is_whole() {
             let text = footing.to_string();
             eprintln!("note: the cycle runs without real-time rights: {text}");
-            self.tell(happening(Message::new("server-event-no-realtime").text("reason", text)));
+            self.tell(happening(Message::new("server-event-no-realtime").message("reason", footing.message())));
         }
         self.granted = true;
     }

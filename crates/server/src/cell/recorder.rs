@@ -192,7 +192,7 @@ impl Recorder {
                     happening(
                         Message::new("server-event-record-not-whole")
                             .number("weld", id as f64, 0)
-                            .text("reason", e.to_string()),
+                            .message("reason", e.message()),
                     ),
                 ),
             }

@@ -57,7 +57,7 @@ impl From<Failure> for Refused {
 
 impl From<seamwright_record::Error> for Refused {
     fn from(e: seamwright_record::Error) -> Self {
-        if e.is_input() { Self::not_found(e.to_string()) } else { Self::server(e.to_string()) }
+        if e.is_input() { Self::not_found(e.message()) } else { Self::server(e.message()) }
     }
 }
 

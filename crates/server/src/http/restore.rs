@@ -52,7 +52,7 @@ fn unfit(e: &Error) -> Refused {
         Error::ReadOnly { .. } | Error::Busy { .. } => (StatusCode::INTERNAL_SERVER_ERROR, "server"),
         _ => (StatusCode::UNPROCESSABLE_ENTITY, "archive"),
     };
-    Refused::new(status, key, e.to_string())
+    Refused::new(status, key, e.message())
 }
 
 /// Receives an archive and checks it completely; replaces nothing.
