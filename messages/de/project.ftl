@@ -133,6 +133,13 @@ project-grind-and-continue = das Ende der Raupe ansehen, schleifen, dann --from 
 project-journal-thread-failed = der Thread des Journals ist ausgefallen
 project-goes-on = geht in Lage { $pass } ab { $from } weiter
 
+# Events of a weld.
+project-event-mode = { $from } -> { $to }
+project-event-override = Override { $override }
+project-event-cycles-missed = { $cycles } Takte wurden ausgelassen, bis zu { $longest } am Stück
+project-event-pass-ends = Lage { $pass } endet
+project-event-left = Lage { $pass } wurde verlassen, geschweißt bis { $welded }
+
 # Teaching by camera.
 project-no-taught-program = aus der gefundenen Linie wird kein Programm: { $why }
 project-teach-machine-limit = die Maschine kann nicht weiter: { $why }

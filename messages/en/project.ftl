@@ -133,6 +133,13 @@ project-grind-and-continue = look at the end of the bead, grind it, then --from 
 project-journal-thread-failed = the journal's thread failed
 project-goes-on = goes on in pass { $pass } from { $from }
 
+# Events of a weld.
+project-event-mode = { $from } -> { $to }
+project-event-override = override { $override }
+project-event-cycles-missed = { $cycles } cycles were missed, up to { $longest } at once
+project-event-pass-ends = pass { $pass } ends
+project-event-left = pass { $pass } was left, welded up to { $welded }
+
 # Teaching by camera.
 project-no-taught-program = the line found makes no program: { $why }
 project-teach-machine-limit = the machine can go no further: { $why }

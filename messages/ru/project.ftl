@@ -139,6 +139,13 @@ project-grind-and-continue = осмотрите конец валика, зач�
 project-journal-thread-failed = поток журнала дал сбой
 project-goes-on = продолжено в проходе { $pass } с { $from }
 
+# Events of a weld.
+project-event-mode = { $from } -> { $to }
+project-event-override = коррекция подачи { $override }
+project-event-cycles-missed = пропущено тактов: { $cycles }, до { $longest } подряд
+project-event-pass-ends = проход { $pass } закончен
+project-event-left = проход { $pass } прерван, сварено до { $welded }
+
 # Teaching by camera.
 project-no-taught-program = из найденной линии не выходит программа: { $why }
 project-teach-machine-limit = станок не может идти дальше: { $why }

@@ -139,6 +139,13 @@ project-grind-and-continue = огляньте кінець валика, зач�
 project-journal-thread-failed = потік журналу зазнав збою
 project-goes-on = продовжує прохід { $pass } від { $from }
 
+# Events of a weld.
+project-event-mode = { $from } -> { $to }
+project-event-override = корекція подачі { $override }
+project-event-cycles-missed = пропущено тактів: { $cycles }, до { $longest } поспіль
+project-event-pass-ends = прохід { $pass } закінчено
+project-event-left = прохід { $pass } перервано, зварено до { $welded }
+
 # Teaching by camera.
 project-no-taught-program = зі знайденої лінії не виходить програма: { $why }
 project-teach-machine-limit = верстат не може йти далі: { $why }

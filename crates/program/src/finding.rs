@@ -87,9 +87,9 @@ mod tests {
 
     #[test]
     fn a_warning_has_a_cure_and_a_note_has_none() {
-        let note = Finding::note("blend", "goes round", 2, (1.0, 2.0));
+        let note = Finding::note("blend", Message::new("blend"), 2, (1.0, 2.0));
         assert_eq!(note.severity(), Severity::Note);
-        let warning = Finding { cure: Some("make it wider".into()), ..note.clone() };
+        let warning = Finding { cure: Some(Message::new("wider")), ..note.clone() };
         assert_eq!(warning.severity(), Severity::Warning);
         let error = Finding { allowed: false, ..note };
         assert_eq!(error.severity(), Severity::Error);

@@ -19,6 +19,6 @@ pub(crate) fn man(args: &ManArgs) -> Result<(), Failure> {
     pages.map_err(|error| {
         let folder = args.folder.display().to_string();
         let message = Message::new("cli-folder-not-written").text("folder", folder).text("why", error.to_string());
-        Failure::Environment(message.to_string())
+        Failure::Environment(message)
     })
 }

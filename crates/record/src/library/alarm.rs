@@ -1,6 +1,7 @@
 use super::Library;
 use crate::{Error, Moment};
 use rusqlite::{Row, params};
+use seamwright_message::{Argument, Language, Message};
 use serde::Serialize;
 
 /// Position and time in a weld.
@@ -44,11 +45,30 @@ pub struct Event {
     /// When.
     #[serde(serialize_with = "crate::moment::written")]
     pub at: Moment,
-    /// What.
-    pub text: String,
+    /// Description; as JSON its English words.
+    #[serde(serialize_with = "in_english")]
+    pub text: Message,
     /// Where.
     #[serde(flatten)]
     pub place: Place,
+}
+
+fn in_english<S: serde::Serializer>(message: &Message, out: S) -> Result<S::Ok, S::Error> {
+    out.serialize_str(&message.in_language(Language::English))
+}
+
+/// Text of a column for `message`: JSON, or text without a code as it is.
+fn column(message: &Message) -> String {
+    match message.argument("text") {
+        Some(Argument::Text(text)) if message.code == "text" && !text.starts_with('{') => text.clone(),
+        // A message is names and numbers: writing it as JSON cannot fail.
+        _ => serde_json::to_string(message).unwrap_or_else(|_| message.as_data()),
+    }
+}
+
+/// Message of a column; text that is not a message is from before events had messages.
+fn from_column(text: String) -> Message {
+    serde_json::from_str(&text).unwrap_or_else(|_| Message::verbatim(text))
 }
 
 const SELECT: &str = "SELECT name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged FROM alarm";
@@ -146,7 +166,7 @@ impl Library {
     pub fn add_event(&self, weld: Option<i64>, event: &Event) -> Result<(), Error> {
         let Place { pass, s_mm, t_s } = event.place;
         let sql = "INSERT INTO event (weld, at, text, pass, s_mm, t_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
-        self.run(sql, params![weld, event.at.0, event.text, pass, s_mm, t_s]).map(drop)
+        self.run(sql, params![weld, event.at.0, column(&event.text), pass, s_mm, t_s]).map(drop)
     }
 
     /// Events of a weld, in the order in which they came.
@@ -157,7 +177,7 @@ impl Library {
         let sql = "SELECT at, text, pass, s_mm, t_s FROM event WHERE weld = ?1 ORDER BY id";
         self.all(sql, [weld], |row| {
             let place = Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? };
-            Ok(Event { at: Moment(row.get(0)?), text: row.get(1)?, place })
+            Ok(Event { at: Moment(row.get(0)?), text: from_column(row.get(1)?), place })
         })
     }
 }

@@ -3,6 +3,7 @@
 //! The test starts itself again as a program that welds without end, and kills it.
 
 use crate::common::{WeldResult, plan, row};
+use seamwright_message::Message;
 use seamwright_record::journal::Position;
 use seamwright_record::library::{Event, Place, Query};
 use seamwright_record::trace::Trace;
@@ -30,7 +31,7 @@ fn weld_for_ever(folder: &Path) {
             println!("position {i}");
         }
         if i.is_multiple_of(500) {
-            let event = Event { at: Moment::now(), text: format!("row {i}"), place: Place::default() };
+            let event = Event { at: Moment::now(), text: format!("row {i}").into(), place: Place::default() };
             data.library().add_event(Some(recording.id()), &event).unwrap();
             println!("event {i}");
         }
@@ -74,7 +75,10 @@ fn kill_at(after: Duration) -> bool {
         let record = data.library().find(&Query::default()).unwrap().remove(0);
         assert_eq!(record.result, WeldResult::Interrupted);
         let events = data.library().events(record.id).unwrap();
-        assert!(said(&lines, "event").is_none_or(|i| events.iter().any(|e| e.text == format!("row {i}"))));
+        assert!(
+            said(&lines, "event")
+                .is_none_or(|i| events.iter().any(|e| e.text == Message::verbatim(format!("row {i}"))))
+        );
         // Every row equals the written one, up to the last second of the clock.
         let trace = Trace::open(&data.weld_folder(record.id).join("trace.parquet")).unwrap();
         let mut next = 0;

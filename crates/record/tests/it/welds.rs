@@ -169,7 +169,7 @@ fn alarms_and_events_come_back() {
     data.library().acknowledge(number, "somebody else", Moment(at.0 + 1)).unwrap();
     assert_eq!(data.library().alarms(id).unwrap()[0].acknowledged, Some(("A. Welder".to_owned(), at)));
     assert!(data.library().acknowledge(99, "A. Welder", at).is_err());
-    let event = Event { at, text: "hold".to_owned(), place: Place::default() };
+    let event = Event { at, text: "hold".into(), place: Place::default() };
     data.library().add_event(Some(id), &event).unwrap();
     assert_eq!(data.library().events(id).unwrap(), [event]);
     // A weld that is not there has no alarms.

@@ -62,7 +62,7 @@ pub(super) fn alarms(alarms: &[Alarm], language: Language) -> Block {
 pub(super) fn events(events: &[Event], language: Language) -> Block {
     let rows = events.iter().map(|e| {
         let [pass, s, t] = place(&e.place);
-        vec![e.at.to_string(), said::event(language, &e.text), pass, s, t]
+        vec![e.at.to_string(), said::event(language, &e.text.to_string()), pass, s, t]
     });
     let head = ["event.time", "event.text", "pass", "s, mm", "t, s"].map(|head| language.say(head));
     table(language.say("Events in the order in which they came"), &head, rows.collect(), 2..5)

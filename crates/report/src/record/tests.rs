@@ -46,7 +46,7 @@ fn detail() -> WeldDetail {
             first_out: true,
             acknowledged: Some(("A. Welder".to_owned(), at)),
         }],
-        events: vec![Event { at, text: "hold".to_owned(), place }],
+        events: vec![Event { at, text: "hold".into(), place }],
         files: vec![WeldFile {
             name: "trace.parquet".to_owned(),
             sha256: "cd".repeat(32),
@@ -146,7 +146,7 @@ fn full(language: Language) -> String {
         alarm("tracking: joint lost (head 2)", cause(Catalogue::Tracking), false),
         alarm("tracking (correction near its end, head 2)", cause(Catalogue::Tracking), false),
     ];
-    let event = |text: String| Event { text, ..good.events[0].clone() };
+    let event = |text: String| Event { text: text.into(), ..good.events[0].clone() };
     let modes = Mode::ALL.windows(2).map(|modes| event(format!("{} -> {}", modes[0], modes[1])));
     let orders = [Ask::Hold, Ask::Resume, Ask::Reverse, Ask::Stop].map(|ask| event(ask.name().to_owned()));
     let said =

@@ -87,7 +87,11 @@ impl Recorder {
         let mut events = Vec::new();
         if !missing.is_empty() {
             let text = format!("without real-time rights: {}", missing.join(", "));
-            events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
+            events.push(Event {
+                at: Moment::now(),
+                text: text.into(),
+                place: Recorded { pass: None, s_mm: None, t_s: None },
+            });
         }
         self.open = Some(Open {
             recording,
@@ -188,7 +192,11 @@ impl Recorder {
     pub(super) fn stopped_by(&mut self, cause: &str) {
         let Some(open) = &mut self.open else { return };
         let text = format!("stopped by: {cause}");
-        open.events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
+        open.events.push(Event {
+            at: Moment::now(),
+            text: text.into(),
+            place: Recorded { pass: None, s_mm: None, t_s: None },
+        });
         open.stopped.get_or_insert_with(|| cause.to_owned());
     }
 

@@ -135,7 +135,7 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
                 .events
                 .iter()
                 .map(|e| RecordedEvent {
-                    text: e.text.clone(),
+                    text: e.text.to_string(),
                     pass: e.place.pass,
                     s_mm: e.place.s_mm,
                     t_s: e.place.t_s,

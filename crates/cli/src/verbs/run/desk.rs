@@ -110,7 +110,7 @@ impl Desk {
         let text = format!("without real-time rights: {}", missing.join(", "));
         self.tell("realtime", &text, json!({ "missing": missing }));
         let place = library::Place { pass: None, s_mm: None, t_s: None };
-        self.kept.push(library::Event { at: Moment::now(), text, place });
+        self.kept.push(library::Event { at: Moment::now(), text: text.into(), place });
     }
 
     /// A signal or a fault of the program has ended the cell.
@@ -119,7 +119,7 @@ impl Desk {
         let text = format!("stopped by: {cause}");
         self.tell("ended", &text, json!({ "ended_by": cause.to_string() }));
         let place = library::Place { pass: None, s_mm: None, t_s: self.now.map(|now| now.t) };
-        self.kept.push(library::Event { at: Moment::now(), text, place });
+        self.kept.push(library::Event { at: Moment::now(), text: text.into(), place });
     }
 
     /// A line that the operator typed.
