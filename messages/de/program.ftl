@@ -179,18 +179,6 @@ program-window-order = der kleinste Wert, { $min }, liegt über dem größten, {
 program-window = [kleinster, größter]
 program-processes = { $processes }
 program-process = { $number } ({ $name })
-program-process-111 = Lichtbogenhandschweißen
-program-process-114 = Metall-Lichtbogenschweißen mit selbstschützender Fülldrahtelektrode
-program-process-121 = Unterpulverschweißen mit Massivdraht
-program-process-131 = MIG-Schweißen mit Massivdraht
-program-process-135 = MAG-Schweißen mit Massivdraht
-program-process-136 = MAG-Schweißen mit schweißpulvergefüllter Drahtelektrode
-program-process-138 = MAG-Schweißen mit metallpulvergefüllter Drahtelektrode
-program-process-141 = WIG-Schweißen mit massivem Zusatz
-program-process-142 = WIG-Schweißen ohne Zusatz
-program-process-15 = Plasmaschweißen
-program-process-51 = Elektronenstrahlschweißen
-program-process-52 = Laserstrahlschweißen
 
 # Jumps of the torch.
 program-torch-direction-jumps = die Richtung des Brenners spränge um { $jump } an der Ecke bei s = { $s }

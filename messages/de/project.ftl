@@ -131,14 +131,6 @@ project-look-and-choose = das Werkstück ansehen, dann mit --from PASS,MM dort f
 project-weld-left = Schweißung { $weld } wurde durch einen Ausfall von Strom oder Programm unterbrochen: Lage { $pass }, geschweißt bis { $welded }, der Brenner bei { $torch }
 project-grind-and-continue = das Ende der Raupe ansehen, schleifen, dann --from { $from }; oder --from 1,0, um neu zu schweißen
 project-journal-thread-failed = der Thread des Journals ist ausgefallen
-project-goes-on = geht in Lage { $pass } ab { $from } weiter
-
-# Events of a weld.
-project-event-mode = { $from } -> { $to }
-project-event-override = Override { $override }
-project-event-cycles-missed = { $cycles } Takte wurden ausgelassen, bis zu { $longest } am Stück
-project-event-pass-ends = Lage { $pass } endet
-project-event-left = Lage { $pass } wurde verlassen, geschweißt bis { $welded }
 
 # Teaching by camera.
 project-no-taught-program = aus der gefundenen Linie wird kein Programm: { $why }

@@ -179,18 +179,6 @@ program-window-order = the minimum, { $min }, is above the maximum, { $max }
 program-window = [minimum, maximum]
 program-processes = { $processes }
 program-process = { $number } ({ $name })
-program-process-111 = manual metal arc welding
-program-process-114 = self-shielded tubular cored arc welding
-program-process-121 = submerged arc welding with solid wire
-program-process-131 = MIG welding with solid wire
-program-process-135 = MAG welding with solid wire
-program-process-136 = MAG welding with flux cored wire
-program-process-138 = MAG welding with metal cored wire
-program-process-141 = TIG welding with solid filler
-program-process-142 = TIG welding without filler
-program-process-15 = plasma arc welding
-program-process-51 = electron beam welding
-program-process-52 = laser beam welding
 
 # Jumps of the torch.
 program-torch-direction-jumps = the torch's direction would jump by { $jump } at the corner at s = { $s }

@@ -131,14 +131,6 @@ project-look-and-choose = look at the part, then --from PASS,MM to continue ther
 project-weld-left = weld { $weld } was left by a failure of power or program: pass { $pass }, welded up to { $welded }, the torch at { $torch }
 project-grind-and-continue = look at the end of the bead, grind it, then --from { $from }; or --from 1,0 to weld anew
 project-journal-thread-failed = the journal's thread failed
-project-goes-on = goes on in pass { $pass } from { $from }
-
-# Events of a weld.
-project-event-mode = { $from } -> { $to }
-project-event-override = override { $override }
-project-event-cycles-missed = { $cycles } cycles were missed, up to { $longest } at once
-project-event-pass-ends = pass { $pass } ends
-project-event-left = pass { $pass } was left, welded up to { $welded }
 
 # Teaching by camera.
 project-no-taught-program = the line found makes no program: { $why }

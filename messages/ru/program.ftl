@@ -184,18 +184,6 @@ program-window-order = наименьшее значение, { $min }, боль
 program-window = [наименьшее, наибольшее]
 program-processes = { $processes }
 program-process = { $number } ({ $name })
-program-process-111 = ручная дуговая сварка покрытым электродом
-program-process-114 = дуговая сварка самозащитной порошковой проволокой
-program-process-121 = дуговая сварка под флюсом сплошной проволокой
-program-process-131 = сварка MIG сплошной проволокой
-program-process-135 = сварка MAG сплошной проволокой
-program-process-136 = сварка MAG порошковой проволокой с флюсовым наполнителем
-program-process-138 = сварка MAG порошковой проволокой с металлическим наполнителем
-program-process-141 = сварка TIG со сплошным присадочным материалом
-program-process-142 = сварка TIG без присадочного материала
-program-process-15 = плазменная сварка
-program-process-51 = электронно-лучевая сварка
-program-process-52 = лазерная сварка
 
 # Jumps of the torch.
 program-torch-direction-jumps = направление горелки изменилось бы скачком на { $jump } на углу s = { $s }

@@ -137,14 +137,6 @@ project-look-and-choose = осмотрите деталь, затем --from PAS
 project-weld-left = шов { $weld } прервал сбой питания или программы: проход { $pass }, сварено до { $welded }, горелка на { $torch }
 project-grind-and-continue = осмотрите конец валика, зачистите его, затем --from { $from }; или --from 1,0, чтобы варить сначала
 project-journal-thread-failed = поток журнала дал сбой
-project-goes-on = продолжено в проходе { $pass } с { $from }
-
-# Events of a weld.
-project-event-mode = { $from } -> { $to }
-project-event-override = коррекция подачи { $override }
-project-event-cycles-missed = пропущено тактов: { $cycles }, до { $longest } подряд
-project-event-pass-ends = проход { $pass } закончен
-project-event-left = проход { $pass } прерван, сварено до { $welded }
 
 # Teaching by camera.
 project-no-taught-program = из найденной линии не выходит программа: { $why }

@@ -184,18 +184,6 @@ program-window-order = найменше значення, { $min }, більше
 program-window = [найменше, найбільше]
 program-processes = { $processes }
 program-process = { $number } ({ $name })
-program-process-111 = ручне дугове зварювання покритим електродом
-program-process-114 = дугове зварювання самозахисним порошковим дротом
-program-process-121 = дугове зварювання під флюсом суцільним дротом
-program-process-131 = зварювання MIG суцільним дротом
-program-process-135 = зварювання MAG суцільним дротом
-program-process-136 = зварювання MAG порошковим дротом із флюсовим осердям
-program-process-138 = зварювання MAG порошковим дротом із металевим осердям
-program-process-141 = зварювання TIG із суцільним присадним матеріалом
-program-process-142 = зварювання TIG без присадного матеріалу
-program-process-15 = плазмове зварювання
-program-process-51 = електронно-променеве зварювання
-program-process-52 = лазерне зварювання
 
 # Jumps of the torch.
 program-torch-direction-jumps = напрям пальника стрибнув би на { $jump } на куті s = { $s }

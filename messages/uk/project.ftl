@@ -137,14 +137,6 @@ project-look-and-choose = огляньте деталь, потім --from PASS,
 project-weld-left = шов { $weld } перервав збій живлення або програми: прохід { $pass }, зварено до { $welded }, пальник на { $torch }
 project-grind-and-continue = огляньте кінець валика, зачистьте його, потім --from { $from }; або --from 1,0, щоб варити спочатку
 project-journal-thread-failed = потік журналу зазнав збою
-project-goes-on = продовжує прохід { $pass } від { $from }
-
-# Events of a weld.
-project-event-mode = { $from } -> { $to }
-project-event-override = корекція подачі { $override }
-project-event-cycles-missed = пропущено тактів: { $cycles }, до { $longest } поспіль
-project-event-pass-ends = прохід { $pass } закінчено
-project-event-left = прохід { $pass } перервано, зварено до { $welded }
 
 # Teaching by camera.
 project-no-taught-program = зі знайденої лінії не виходить програма: { $why }

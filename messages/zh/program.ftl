@@ -164,18 +164,6 @@ program-window-order = 最小值 { $min } 大于最大值 { $max }
 program-window = [最小, 最大]
 program-processes = { $processes }
 program-process = { $number }（{ $name }）
-program-process-111 = 焊条电弧焊
-program-process-114 = 自保护药芯焊丝电弧焊
-program-process-121 = 实心焊丝埋弧焊
-program-process-131 = 实心焊丝 MIG 焊
-program-process-135 = 实心焊丝 MAG 焊
-program-process-136 = 药芯焊丝 MAG 焊
-program-process-138 = 金属粉芯焊丝 MAG 焊
-program-process-141 = 实心填充材料 TIG 焊
-program-process-142 = 不填丝 TIG 焊
-program-process-15 = 等离子弧焊
-program-process-51 = 电子束焊
-program-process-52 = 激光焊
 
 # Jumps of the torch.
 program-torch-direction-jumps = 焊枪方向将在拐角 s = { $s } 处跳变 { $jump }

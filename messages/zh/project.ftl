@@ -113,14 +113,6 @@ project-look-and-choose = 查看工件，然后用 --from PASS,MM 从那里继�
 project-weld-left = 焊接 { $weld } 因断电或程序故障中断：焊道 { $pass }，已焊至 { $welded }，焊枪在 { $torch }
 project-grind-and-continue = 查看焊道末端并打磨，然后 --from { $from }；或 --from 1,0 重新焊接
 project-journal-thread-failed = 日志线程失败
-project-goes-on = 从焊道 { $pass } 的 { $from } 处继续
-
-# Events of a weld.
-project-event-mode = { $from } -> { $to }
-project-event-override = 倍率 { $override }
-project-event-cycles-missed = 错过 { $cycles } 个周期，最长连续 { $longest }
-project-event-pass-ends = 焊道 { $pass } 结束
-project-event-left = 焊道 { $pass } 中断，已焊至 { $welded }
 
 # Teaching by camera.
 project-no-taught-program = 找到的线不能成为程序：{ $why }

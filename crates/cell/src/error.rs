@@ -1,24 +1,39 @@
 use crate::executive::VALUES;
-use thiserror::Error;
+use seamwright_message::{Message, Unit, display_by_message};
 
 /// Reasons why a cell cannot run.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Error {
     /// Invalid drive values.
-    #[error("drive of axis {axis}: {reason}")]
     Drive {
         /// Name of the axis.
         axis: String,
         /// The reason.
-        reason: String,
+        reason: Message,
     },
     /// A pass does not allow tracking.
-    #[error(transparent)]
     Tracking(Box<crate::tracking::Error>),
     /// Too many process values.
-    #[error("the program has {0} process values\n   allowed: up to {VALUES}")]
     Values(usize),
 }
+
+impl Error {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Drive { axis, reason } => {
+                Message::new("cell-invalid-drive").axis("axis", axis).message("why", reason.clone())
+            }
+            Self::Tracking(error) => error.message(),
+            Self::Values(count) => {
+                let message = Message::new("cell-too-many-process-values").count("n", *count);
+                message.value("max", VALUES as f64, Unit::One)
+            }
+        }
+    }
+}
+
+display_by_message!(Error);
 
 impl From<crate::tracking::Error> for Error {
     fn from(error: crate::tracking::Error) -> Self {

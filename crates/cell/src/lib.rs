@@ -14,6 +14,7 @@ mod drives;
 mod error;
 pub mod executive;
 pub mod eyes;
+mod foreign;
 pub mod frames;
 pub mod gate;
 pub mod realtime;

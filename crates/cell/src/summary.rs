@@ -1,6 +1,7 @@
 use crate::Sample;
-use crate::tracking::{AlarmAt, HeadSummary};
+use crate::tracking::HeadSummary;
 use seamwright_machine::{Joints, Machine};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Finding, Tolerance};
 use serde::Serialize;
@@ -115,43 +116,45 @@ fn greater(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
 impl Summary {
     /// Returns findings for deviations beyond the tolerance, and for drives at their current limit.
     pub fn findings(&self, tolerance: &Tolerance, pass: usize) -> Vec<Finding> {
-        let finding = |kind, message, at, cure: &str, allowed| Finding {
-            kind,
-            message,
-            pass,
-            from_mm: at,
-            to_mm: at,
-            cure: Some(cure.into()),
-            allowed,
+        let finding = |kind, message, at, cure, allowed| {
+            let cure = Some(Message::new(cure));
+            Finding { kind, message, pass, from_mm: at, to_mm: at, cure, allowed }
         };
         let mut findings = Vec::new();
         let (path, limit) = (self.path_error_mm.max, tolerance.path_mm.get());
         if path > limit {
-            let message = format!("the simulated torch tip strays {path:.3} mm from the seam; {limit} mm is allowed");
+            let message = Message::new("motion-simulated-path").quantity("deviation", path, Unit::Mm, 3).value(
+                "tolerance",
+                limit,
+                Unit::Mm,
+            );
             let cure = match self.heads.first() {
-                None => "look at the following errors: tune the position loops, or weld slower",
-                Some(head) if head.tracked => "look at what tracking tells: sensor, speed and reach of the corrections",
-                Some(_) => "track the seam, or place the part as it was planned",
+                None => "motion-cure-simulated-path",
+                Some(head) if head.tracked => "motion-cure-simulated-path-tracked",
+                Some(_) => "motion-cure-simulated-path-untracked",
             };
-            findings.push(finding("path", message.into(), self.path_error_at_mm, cure, false));
+            findings.push(finding("path", message, self.path_error_at_mm, cure, false));
         }
         let (ripple, limit) = (100.0 * self.speed_ripple.unwrap_or(0.0), tolerance.speed_percent.get());
         if ripple > limit {
-            let message =
-                format!("the simulated tip's speed deviates {ripple:.1} % from the planned one; {limit} % is allowed");
-            let cure = "finer encoders, softer position loops, less friction, or a higher speed";
-            findings.push(finding("ripple", message.into(), self.speed_ripple_at_mm, cure, false));
+            let message = Message::new("motion-simulated-speed").quantity("deviation", ripple, Unit::Percent, 1).value(
+                "tolerance",
+                limit,
+                Unit::Percent,
+            );
+            findings.push(finding("ripple", message, self.speed_ripple_at_mm, "motion-cure-simulated-speed", false));
         }
         if let Some((head, at)) = self.heads.iter().find_map(|h| Some((h, h.stopped_mm?))) {
-            let why = head.alarms.last().map_or_else(|| "another head stopped".to_owned(), AlarmAt::text);
-            let message = format!("the weld was stopped at {at:.1} mm: {why}; nothing was welded after it");
-            let cure = "place the part nearer to where it was planned, mend the sensor, or weld slower";
-            findings.push(finding("stopped", message.into(), at, cure, false));
+            let why = head
+                .alarms
+                .last()
+                .map_or_else(|| Message::new("motion-simulated-other-head"), |alarm| alarm.text().into());
+            let message = Message::new("motion-simulated-stop").quantity("at", at, Unit::Mm, 1).message("reason", why);
+            findings.push(finding("stopped", message, at, "motion-cure-simulated-stop", false));
         }
         for axis in self.axes.iter().filter(|a| a.current > 0.999) {
-            let message = format!("the drive of axis {} reaches its current limit", axis.axis);
-            let cure = "a stronger drive, or a lower max_acceleration in the machine file";
-            findings.push(finding("drive", message.into(), 0.0, cure, true));
+            let message = Message::new("motion-simulated-drive").axis("axis", axis.axis.as_str());
+            findings.push(finding("drive", message, 0.0, "motion-cure-simulated-drive", true));
         }
         findings
     }

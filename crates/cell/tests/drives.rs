@@ -210,7 +210,7 @@ fn linuxcnc_drives_conform() {
         }
         match start(&format!("hal = \"{name}\"")).1 {
             Err(LinuxCncError::Refused { file, said: all }) => {
-                assert!(file.ends_with(name) && all.contains(said), "{file}: {all}");
+                assert!(file.to_string().ends_with(name) && all.to_string().contains(said), "{file}: {all}");
             }
             other => panic!("{text:?}: {other:?}"),
         }

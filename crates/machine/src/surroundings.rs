@@ -86,12 +86,12 @@ impl<'a> Surroundings<'a> {
         self.scene.watches().is_empty()
     }
 
-    /// Names of all watched groups: links, part, fixtures and zones.
-    pub fn watched(&self) -> Vec<String> {
+    /// All watched groups, for messages: links, part, fixtures and zones.
+    pub fn watched(&self) -> Vec<Message> {
         let mut groups: Vec<usize> = self.scene.watches().iter().flat_map(|w| [w.groups().0, w.groups().1]).collect();
         groups.sort_unstable();
         groups.dedup();
-        groups.into_iter().map(|g| self.scene.groups()[g].name.clone()).collect()
+        groups.into_iter().map(|g| self.body(g)).collect()
     }
 
     /// Maximum of the watches' minimum distances, mm.

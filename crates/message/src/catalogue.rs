@@ -71,6 +71,11 @@ impl Catalogue {
         self.with_unit(&self.number(quantity), quantity.unit)
     }
 
+    /// Symbol of a unit without a number, like `mm/s`; empty for numbers without a unit.
+    pub fn symbol(&self, unit: Unit) -> String {
+        self.with_unit("", unit).trim().to_owned()
+    }
+
     fn number(&self, quantity: Quantity) -> String {
         let number = format!("{:.*}", usize::from(quantity.decimals), quantity.value);
         // No negative zero.

@@ -31,6 +31,7 @@ macro_rules! areas {
 
 areas![
     "units",
+    "words",
     "document",
     "machine",
     "program",
@@ -40,6 +41,7 @@ areas![
     "clearance",
     "vision",
     "tracking",
+    "alarms",
     "cell",
     "record",
     "post",

@@ -31,12 +31,18 @@ units! {
     Mm = "mm",
     /// Square millimetre.
     Mm2 = "mm^2",
+    /// Square metre.
+    M2 = "m^2",
+    /// Cubic metre.
+    M3 = "m^3",
     /// Micrometre.
     Um = "um",
     /// Metre.
     M = "m",
     /// Degree.
     Deg = "deg",
+    /// Per metre.
+    PerM = "1/m",
     /// Radian.
     Rad = "rad",
     /// Millimetre per second.
@@ -67,6 +73,8 @@ units! {
     Ns = "ns",
     /// Hertz.
     Hz = "Hz",
+    /// Kilohertz.
+    KiloHz = "kHz",
     /// Percent.
     Percent = "%",
     /// Ampere.
@@ -91,12 +99,16 @@ units! {
     KiloJPerMm = "kJ/mm",
     /// Millibar.
     Mbar = "mbar",
+    /// Bar.
+    Bar = "bar",
     /// Degree Celsius.
     DegC = "degC",
     /// Kelvin.
     K = "K",
     /// Pixel.
     Px = "px",
+    /// Decibel.
+    Db = "dB",
     /// Byte.
     Byte = "B",
     /// Mebibyte.

@@ -5,6 +5,7 @@ use crate::law::{Bound, Interval};
 use crate::limits::Binding;
 use crate::planned::Planned;
 use seamwright_machine::Machine;
+use seamwright_message::{Message, Unit};
 use seamwright_program::{AtCorner, Finding, Pass};
 
 /// Relative tolerance of the comparison with the procedure's minimum speed.
@@ -21,34 +22,29 @@ struct Slow {
 /// Corners that the torch stops at: findings, unless the pass asks for stops.
 pub(crate) fn stop_findings(machine: &Machine, corners: &[Left], pass: &Pass, number: usize) -> Vec<Finding> {
     let cure = match pass.corner {
-        _ if pass.weave.is_some() && pass.corner != AtCorner::Stop => {
-            "set corner = \"stop\" to stop there with the arc on; or weave by pitch_mm instead of a frequency; or \
-             round the seam off; or end the weld there and begin another after it"
-        }
-        AtCorner::Refuse => {
-            "set corner = \"stop\" to stop there with the arc on, or corner = { blend_mm = 0.2 } to go round \
-             within that distance of the seam; or round the seam off; or end the weld there and begin another after it"
-        }
         // The torch stops at corners, as requested: a note.
-        AtCorner::Stop => "",
-        AtCorner::BlendMm(_) => {
-            "set corner = \"stop\" to stop at corners; or round the seam off; or end the weld there and begin \
-             another after it"
+        AtCorner::Stop => None,
+        _ if pass.weave.is_some() => Some(Message::new("motion-cure-stop-weave")),
+        AtCorner::Refuse => Some(Message::new("motion-cure-stop-or-blend")),
+        AtCorner::BlendMm(_) => Some(Message::new("motion-cure-stop")),
+    };
+    let message = |corner: &Left| {
+        let stops = |code| {
+            let axis = machine.axes[corner.axis].name.as_str();
+            Message::new(code).quantity("s", corner.s, Unit::Mm, 3).axis("axis", axis)
+        };
+        match &corner.why {
+            None => stops("motion-stop"),
+            Some(why) => stops("motion-stop-because").message("reason", why.clone()),
         }
     };
     let finding = |corner: &Left| Finding {
         kind: "stop",
-        message: format!(
-            "the torch stops at s = {:.3} mm with the arc on: the speed or acceleration of axis {} would jump there{}",
-            corner.s,
-            machine.axes[corner.axis].name,
-            corner.why.as_ref().map_or(String::new(), |why| format!("; {why}"))
-        )
-        .into(),
+        message: message(corner),
         pass: number,
         from_mm: corner.s,
         to_mm: corner.s,
-        cure: Some(cure.into()),
+        cure: cure.clone(),
         allowed: pass.corner == AtCorner::Stop,
     };
     corners.iter().map(finding).collect()
@@ -69,8 +65,8 @@ pub(crate) fn least_speed_findings(planned: Planned, pass: &Pass, number: usize)
     }
     let slow = slow_between(planned, (up, down), least);
     let mut findings: Vec<Finding> = slow.iter().map(|slow| too_slow_in(planned, least, slow, number)).collect();
-    findings.push(slow_end("starts from rest", (0.0, crossing(planned, 0.0, up, least)), least, number));
-    findings.push(slow_end("comes to rest", (crossing(planned, length, down, least), length), least, number));
+    findings.push(slow_end("motion-least-speed-start", (0.0, crossing(planned, 0.0, up, least)), least, number));
+    findings.push(slow_end("motion-least-speed-end", (crossing(planned, length, down, least), length), least, number));
     findings
 }
 
@@ -127,40 +123,36 @@ fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Findin
     let bound =
         certificate.intervals.iter().find(binds).filter(|_| slow.from > 0.0 || slow.to < planned.joints.length());
     let stops = legs.iter().skip(1).any(|leg| slow.from <= leg.from && leg.from <= slow.to);
-    let (why, cure) = match bound.and_then(|i| Binding::new(machine, i.bound)) {
-        _ if stops => (
-            "it stops at a corner there".to_owned(),
-            "set corner = { blend_mm = 0.2 } to go round corners within that distance of the seam".to_owned(),
-        ),
+    let (message, cure) = match bound.and_then(|i| Binding::new(machine, i.bound)) {
+        _ if stops => (Message::new("motion-least-speed-stop"), Message::new("motion-cure-least-speed-blend")),
         Some(binding) => (
-            format!("{} with {} does not allow more", binding.whose(), binding.limit()),
+            binding.message("motion-least-speed-axis", "motion-least-speed-tip"),
             match &binding.axis {
-                Some(name) => format!("place the work or turn the torch so that axis {name} has less to do there"),
-                None => "allow the tip more in the machine file, if the torch can bear it".to_owned(),
+                Some(name) => Message::new("motion-cure-least-speed-axis").axis("axis", name.as_str()),
+                None => Message::new("motion-cure-least-speed-tip"),
             },
         ),
-        None => ("the weld is too short to go faster".to_owned(), "make the weld longer".to_owned()),
+        None => (Message::new("motion-least-speed-short"), Message::new("motion-cure-least-speed-longer")),
     };
     Finding {
         kind: "least_speed",
-        message: format!(
-            "the tip goes at {reached:.3} mm/s at s = {at:.3} mm with the arc on, the procedure's least speed is {least:.3} mm/s: {why}"
-        ).into(),
+        message: message.quantity("reached", reached, Unit::MmPerS, 3).quantity("at", at, Unit::Mm, 3).quantity(
+            "minimum",
+            least,
+            Unit::MmPerS,
+            3,
+        ),
         pass,
         from_mm: slow.from,
         to_mm: slow.to,
-        cure: Some(format!(
-            "{cure}; or end the weld before it and begin another after it; or lower least_speed_mm_s if the procedure is qualified for that"
-        ).into()),
+        cure: Some(cure),
         allowed: false,
     }
 }
 
-/// Note for the end of the weld at which the torch is too slow; `does` words its motion there.
-fn slow_end(does: &str, (from_mm, to_mm): (f64, f64), least: f64, pass: usize) -> Finding {
-    let message = format!(
-        "the torch {does} with the arc on: over {:.3} mm it is slower than the procedure's least speed of {least:.3} mm/s",
-        to_mm - from_mm
-    );
+/// Note `code` for the start or end of the weld, where the torch is too slow.
+fn slow_end(code: &'static str, (from_mm, to_mm): (f64, f64), least: f64, pass: usize) -> Finding {
+    let over = to_mm - from_mm;
+    let message = Message::new(code).quantity("over", over, Unit::Mm, 3).quantity("minimum", least, Unit::MmPerS, 3);
     Finding::note("least_speed", message, pass, (from_mm, to_mm))
 }

@@ -9,6 +9,7 @@ use crate::taught::Piece;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
+use seamwright_message::{Message, Unit};
 use seamwright_program::{AtCorner, Finding, Pass};
 
 /// Samples of a blend; the maximum is then refined between the neighbours of the worst sample.
@@ -38,7 +39,7 @@ pub(crate) struct Left {
     /// An axis whose speed or acceleration would jump there.
     pub(crate) axis: usize,
     /// Reason for the missing blend, if one was requested.
-    pub(crate) why: Option<String>,
+    pub(crate) why: Option<Message>,
 }
 
 /// A blend within the tolerances, and its deviations from the seam and the torch's direction.
@@ -101,13 +102,17 @@ fn note((piece, away): (&Piece, &Away), s: f64, pass: usize) -> Option<Finding> 
     if away.tip < RELEVANT_MM && turned < RELEVANT_DEG {
         return None;
     }
-    let direction =
-        if turned < RELEVANT_DEG { String::new() } else { format!(", its direction by up to {turned:.1} degrees") };
-    let message = format!(
-        "the torch goes round the corner at s = {s:.3} mm: over {:.3} mm its tip leaves the seam by up to {:.3} mm{direction}",
-        piece.to - piece.from,
-        away.tip
-    );
+    let blend =
+        |code| {
+            Message::new(code)
+                .quantity("s", s, Unit::Mm, 3)
+                .quantity("over", piece.to - piece.from, Unit::Mm, 3)
+                .quantity("deviation", away.tip, Unit::Mm, 3)
+        };
+    let message = match turned < RELEVANT_DEG {
+        true => blend("motion-blend"),
+        false => blend("motion-blend-turned").quantity("turned", turned, Unit::Deg, 1),
+    };
     Some(Finding::note("blend", message, pass, (piece.from, piece.to)))
 }
 
@@ -124,11 +129,11 @@ struct Corner<'a> {
 impl Corner<'_> {
     /// Finds the fastest blend within `most` and half the distance to the next corner or end: as wide as allowed, but
     /// no wider than the requested speed needs. Else returns the reason.
-    fn blend(&self, most: &Away) -> Result<Fitting, String> {
+    fn blend(&self, most: &Away) -> Result<Fitting, Message> {
         let room = 0.5 * (self.s - self.reach.0).min(self.reach.1 - self.s);
         let shortest = SHORTEST.0.max(SHORTEST.1 * self.joints.length());
         if room < shortest {
-            return Err(format!("there is no room for a blend: the next corner or end is {:.4} mm away", 2.0 * room));
+            return Err(Message::new("motion-blend-no-room").quantity("distance", 2.0 * room, Unit::Mm, 4));
         }
         let mut best = self.fitting(shortest, most);
         let (mut low, mut high, mut half) = (shortest, room, room);
@@ -141,14 +146,11 @@ impl Corner<'_> {
             half = (low * high).sqrt();
         }
         best.map_err(|unfit| match unfit {
-            Unfit::TurnsBack => "the path turns back on itself there, and no blend goes round that".to_owned(),
-            Unfit::TooFar => format!(
-                "the shortest blend, over {:.4} mm, takes the tip more than {} mm from the seam, or the torch more than \
-                 {:.1} degrees from the direction asked for",
-                2.0 * shortest,
-                most.tip,
-                most.direction.to_degrees()
-            ),
+            Unfit::TurnsBack => Message::new("motion-blend-turns-back"),
+            Unfit::TooFar => Message::new("motion-blend-too-far")
+                .quantity("over", 2.0 * shortest, Unit::Mm, 4)
+                .value("deviation", most.tip, Unit::Mm)
+                .quantity("turned", most.direction.to_degrees(), Unit::Deg, 1),
         })
     }
 

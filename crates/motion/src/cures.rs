@@ -6,6 +6,7 @@
 
 use crate::effort::SearchStage;
 use crate::follower::Follower;
+use crate::limit_kind::position_unit;
 use crate::pass_clearance::pass_clearance;
 use crate::pass_motion::{Before, along_axes};
 use crate::redundancy::holding;
@@ -14,6 +15,7 @@ use crate::{JointPath, PassMotion};
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine, Surroundings, Target};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{AxisPositions, Finding, Groove, Pass, TorchPath};
 
 /// Changes of the work angle that are tried, degrees, smallest first.
@@ -25,10 +27,6 @@ const ROOM: f64 = 0.1;
 /// Units of effort of a survey, and of planning a pass.
 const SURVEY_WORK: u64 = 1440;
 const PLAN_WORK: u64 = 6000;
-/// Cure without any change that could be tried.
-const NOT_TRIED: &str = "not tried: other torch angles or another placement of the work may help";
-/// Cure that applies to every clearance finding.
-const ALLOW_LESS: &str = "allow less with clearance.least_mm if the shapes are right";
 
 /// Inputs for planning a pass.
 #[derive(Clone, Copy)]
@@ -52,14 +50,19 @@ enum Change {
 }
 
 impl Change {
-    /// Words the change to a job with `pass`.
-    fn words(self, pass: &Pass) -> String {
+    /// Describes the change to a job with `pass`.
+    fn message(self, pass: &Pass) -> Message {
         match self {
-            Self::Move(by) => {
-                format!("move the work by {:.1}, {:.1}, {:.1} mm along x, y, z (placement.move_mm)", by.x, by.y, by.z)
+            Self::Move(by) => Message::new("motion-change-move").number("x", by.x, 1).number("y", by.y, 1).quantity(
+                "z",
+                by.z,
+                Unit::Mm,
+                1,
+            ),
+            Self::Lean(by) if pass.torch.at.is_empty() => {
+                Message::new("motion-change-work-angle").quantity("by", by, Unit::Deg, 1)
             }
-            Self::Lean(by) if pass.torch.at.is_empty() => format!("change torch.work_angle_deg by {by:+.1} degrees"),
-            Self::Lean(by) => format!("change work_angle_deg of every [[torch.at]] by {by:+.1} degrees"),
+            Self::Lean(by) => Message::new("motion-change-work-angles").quantity("by", by, Unit::Deg, 1),
         }
     }
 }
@@ -90,46 +93,46 @@ impl Trial<'_> {
             return;
         }
         let cure = self.range_cure(count_against(findings));
-        findings.iter_mut().filter(|f| is_of_range(f)).for_each(|f| f.cure = Some(cure.as_str().into()));
+        findings.iter_mut().filter(|f| is_of_range(f)).for_each(|f| f.cure = Some(cure.clone()));
     }
 
-    /// Words a change with which the pass has fewer findings than `count`, or the reason why the search failed.
-    fn range_cure(&self, count: usize) -> String {
+    /// Returns a change with which the pass has fewer findings than `count`, or the reason why the search failed.
+    fn range_cure(&self, count: usize) -> Message {
         self.before.effort.begin(SearchStage::Cure);
         if self.is_redundant() {
             // Each trial would take a search.
-            return "no change was tried with redundant axes: place the work nearer to the middle of the axes' ranges"
-                .to_owned();
+            return Message::new("motion-cure-redundant");
         }
         let lacks = self.survey(self.path).map_or_else(|_| Vec::new(), |survey| survey.lacks);
         let changes = self.changes(&lacks);
         match self.first_cure(&changes, |change| self.cures_range(change, count)) {
             Outcome::Cured(change, Scope::Weld) => {
-                format!("{}: tried, every axis then stays in its range", change.words(self.pass))
+                Message::new("motion-cure-range-weld").message("change", change.message(self.pass))
             }
             Outcome::Cured(change, Scope::Pass) => {
-                format!("{}: tried for this pass, every axis then stays in its range", change.words(self.pass))
+                Message::new("motion-cure-range-pass").message("change", change.message(self.pass))
             }
-            Outcome::Stopped(0) => "no change was tried in the time that is allowed".to_owned(),
+            Outcome::Stopped(0) => Message::new("motion-cure-range-no-time"),
             Outcome::Stopped(tried) => {
-                format!("none was found in the time that is allowed: {tried} of {} changes were tried", changes.len())
+                Message::new("motion-cure-range-stopped").count("tried", tried).count("changes", changes.len())
             }
             Outcome::Exhausted => self.no_cure(&changes, &lacks),
         }
     }
 
-    /// Words the kinds of changes that were tried without success.
-    fn no_cure(&self, changes: &[Change], lacks: &[Lack]) -> String {
-        let reason = both_ends(self.held, lacks).map_or_else(String::new, |why| format!("; {why}"));
+    /// Describes the kinds of changes that were tried without success.
+    fn no_cure(&self, changes: &[Change], lacks: &[Lack]) -> Message {
         let moved = changes.iter().any(|change| matches!(change, Change::Move(_)));
         let leant = changes.iter().any(|change| matches!(change, Change::Lean(_)));
-        match (moved, leant) {
-            (true, true) => {
-                format!("none was found: moving the work and changing the work angle were tried{reason}")
-            }
-            (true, false) => format!("none was found: moving the work was tried{reason}"),
-            (false, true) => format!("none was found: changing the work angle was tried{reason}"),
-            (false, false) => NOT_TRIED.to_owned(),
+        let tried = Message::new(match (moved, leant) {
+            (true, true) => "motion-cure-range-none",
+            (true, false) => "motion-cure-range-none-moved",
+            (false, true) => "motion-cure-range-none-angle",
+            (false, false) => return Message::new("motion-cure-not-tried"),
+        });
+        match both_ends(self.held, lacks) {
+            Some(stroke) => stroke.message("tried", tried),
+            None => tried,
         }
     }
 
@@ -271,25 +274,22 @@ impl Trial<'_> {
             false => Vec::new(),
         };
         let cure = match self.first_cure(&leans, |change| self.clears(change, around)) {
-            _ if leans.is_empty() => format!("move what is in the way, or {ALLOW_LESS}"),
+            _ if leans.is_empty() => Message::new("motion-cure-clearance-move"),
             Outcome::Cured(change, Scope::Weld) => {
-                format!("{}: tried, nothing then comes too near; or {ALLOW_LESS}", change.words(self.pass))
+                Message::new("motion-cure-clearance-weld").message("change", change.message(self.pass))
             }
             Outcome::Cured(change, Scope::Pass) => {
-                format!(
-                    "{}: tried for this pass, nothing then comes too near; or {ALLOW_LESS}",
-                    change.words(self.pass)
-                )
+                Message::new("motion-cure-clearance-pass").message("change", change.message(self.pass))
             }
-            Outcome::Exhausted => format!(
-                "none was found: work angles up to 15 degrees from this one do not clear it; move what is in the way, or {ALLOW_LESS}"
-            ),
-            Outcome::Stopped(tried) => format!(
-                "none was found in the time that is allowed: {tried} of {} work angles were tried; move what is in the way, or {ALLOW_LESS}",
-                leans.len()
-            ),
+            Outcome::Exhausted => {
+                let tried = CLEARING_LEANS_DEG[CLEARING_LEANS_DEG.len() - 1];
+                Message::new("motion-cure-clearance-none").value("angle", tried, Unit::Deg)
+            }
+            Outcome::Stopped(tried) => {
+                Message::new("motion-cure-clearance-stopped").count("tried", tried).count("angles", leans.len())
+            }
         };
-        findings.iter_mut().filter(|f| f.kind == "clearance").for_each(|f| f.cure = Some(cure.as_str().into()));
+        findings.iter_mut().filter(|f| f.kind == "clearance").for_each(|f| f.cure = Some(cure.clone()));
     }
 
     /// Tries `change`: this pass must have no findings and keep every clearance, and no other pass may exceed more
@@ -331,14 +331,18 @@ fn count_against(findings: &[Finding]) -> usize {
 }
 
 /// A linear axis that lacks stroke at both ends of its range: no shift along it helps.
-fn both_ends(machine: &Machine, lacks: &[Lack]) -> Option<String> {
+fn both_ends(machine: &Machine, lacks: &[Lack]) -> Option<Message> {
     lacks.iter().find_map(|low| {
         let high = lacks.iter().find(|high| high.axis == low.axis && low.by < 0.0 && high.by > 0.0)?;
         let axis = &machine.axes[low.axis];
         let (from, to) = axis.range?;
         let needed = axis.to_file(to - from + high.by - low.by);
-        let (has, unit) = (axis.to_file(to - from), axis.unit());
-        Some(format!("axis {} would need {needed:.3} {unit} along the seam, its range is {has:.3} {unit}", axis.name))
+        let unit = position_unit(axis.kind);
+        let message = Message::new("motion-cure-range-none-stroke")
+            .axis("axis", axis.name.as_str())
+            .quantity("needed", needed, unit, 3)
+            .quantity("stroke", axis.to_file(to - from), unit, 3);
+        Some(message)
     })
 }
 

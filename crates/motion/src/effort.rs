@@ -4,6 +4,7 @@
 //! limits their duration: motion has no clock, so the caller brings one. Once stopped, an [`Effort`] stays stopped:
 //! every search ends early, and planning ends with one finding that reports its progress.
 
+use seamwright_message::{Message, Unit};
 use seamwright_program::Finding;
 use std::cell::Cell;
 use std::fmt;
@@ -33,18 +34,25 @@ pub enum SearchStage {
     Cure,
 }
 
+impl SearchStage {
+    /// Message that names the search.
+    pub fn message(self) -> Message {
+        Message::new(match self {
+            Self::Reach => "motion-search-reach",
+            Self::Sampling => "motion-search-sampling",
+            Self::Joining => "motion-search-joining",
+            Self::Refining => "motion-search-refining",
+            Self::Speed => "motion-search-speed",
+            Self::Weave => "motion-search-weave",
+            Self::Transfer => "motion-search-transfer",
+            Self::Cure => "motion-search-cure",
+        })
+    }
+}
+
 impl fmt::Display for SearchStage {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(match self {
-            Self::Reach => "solving poses along the seam",
-            Self::Sampling => "sampling redundant axes",
-            Self::Joining => "joining sampled positions",
-            Self::Refining => "refining redundant axes",
-            Self::Speed => "planning the speed profile",
-            Self::Weave => "trying weave frequencies",
-            Self::Transfer => "searching a transfer move",
-            Self::Cure => "trying cures",
-        })
+        self.message().fmt(f)
     }
 }
 
@@ -161,22 +169,24 @@ impl<'a> Effort<'a> {
 
     fn finding(&self, stop: Stop, pass: usize, length: f64) -> Finding {
         let SearchProgress { stage, part, work, .. } = self.progress.get();
-        let far = format!("{stage} was {:.0} % done after {work} tried positions", 100.0 * part);
+        let progress = Message::new("motion-search-progress")
+            .message("stage", stage.message())
+            .quantity("part", 100.0 * part, Unit::Percent, 0)
+            .count("positions", usize::try_from(work).unwrap_or(usize::MAX));
         let (message, cure) = match stop {
             Stop::OutOfTime(limit) => (
-                format!("no plan within {limit} s of searching: {far}"),
-                "allow more time, hold redundant axes (spare_axes.hold), narrow their ranges in the machine file, or weld the seam in parts"
-                    .to_owned(),
+                Message::new("motion-search-out-of-time").value("limit", limit, Unit::S),
+                Message::new("motion-cure-search"),
             ),
-            Stop::Cancelled => (format!("planning was cancelled: {far}"), "plan again".to_owned()),
+            Stop::Cancelled => (Message::new("motion-search-cancelled"), Message::new("motion-cure-plan-again")),
         };
         Finding {
             kind: "search",
-            message: message.into(),
+            message: message.message("progress", progress),
             pass,
             from_mm: 0.0,
             to_mm: length,
-            cure: Some(cure.into()),
+            cure: Some(cure),
             allowed: false,
         }
     }
@@ -212,7 +222,7 @@ mod tests {
         assert!(looks[0].begins && !looks[1].begins && looks[1].pass == 2 && looks[1].passes == 4);
         let found = effort.check(2, 30.0).unwrap_err();
         assert!(
-            found.len() == 1 && found[0].kind == "search" && found[0].message.to_string().contains("5 s"),
+            found.len() == 1 && found[0].kind == "search" && found[0].message.code == "motion-search-out-of-time",
             "{found:?}"
         );
     }

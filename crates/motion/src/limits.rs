@@ -1,10 +1,11 @@
 //! Findings for stretches of a path on which the axes do not allow the requested speed.
 
-use crate::SpeedLaw;
-use crate::law::{Bound, Certificate, Interval, Leg};
+use crate::law::{Bound, Certificate, Interval, Leg, SpeedLaw};
+use crate::limit_kind::LimitKind;
 use crate::pass_channels::PassChannels;
 use crate::planned::{Band, Planned};
-use seamwright_machine::{Machine, TipLimits};
+use seamwright_machine::{AxisKind, Machine, TipLimits};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass};
 
 /// Relative shortfall of speed that is reported: an axis at exactly its limit falls short by the profile's reserve
@@ -25,49 +26,54 @@ const LOWER: [f64; 4] = [1.0, 0.98, 0.93, 0.85];
 pub struct Binding {
     /// Name of the axis, or none for the torch tip.
     pub axis: Option<String>,
-    /// `speed`, `acceleration` or `jerk`.
-    pub what: &'static str,
+    /// Kind of the limit.
+    pub kind: LimitKind,
     /// The limit.
     pub value: f64,
     /// Its unit.
-    pub unit: String,
+    pub unit: Unit,
 }
 
 impl Binding {
     /// The limit of `machine` that `bound` refers to: channels are its axes, then the tip.
     pub fn new(machine: &Machine, bound: Bound) -> Option<Self> {
-        let (channel, what, per) = match bound {
+        let (channel, kind) = match bound {
             Bound::Asked | Bound::Change => return None,
-            Bound::Speed(i) => (i, "speed", "/s"),
-            Bound::Acceleration(i) => (i, "acceleration", "/s^2"),
-            Bound::Jerk(i) => (i, "jerk", "/s^3"),
+            Bound::Speed(i) => (i, LimitKind::Speed),
+            Bound::Acceleration(i) => (i, LimitKind::Acceleration),
+            Bound::Jerk(i) => (i, LimitKind::Jerk),
         };
-        let of = |speed: f64, acceleration: f64, jerk: f64| match bound {
-            Bound::Asked | Bound::Change | Bound::Speed(_) => speed,
-            Bound::Acceleration(_) => acceleration,
-            Bound::Jerk(_) => jerk,
+        let of = |speed: f64, acceleration: f64, jerk: f64| match kind {
+            LimitKind::Speed => speed,
+            LimitKind::Acceleration => acceleration,
+            LimitKind::Jerk => jerk,
         };
         let Some(axis) = machine.axes.get(channel) else {
             let TipLimits { speed, acceleration, jerk } = machine.tip;
-            return Some(Self { axis: None, what, value: of(speed, acceleration, jerk), unit: format!("mm{per}") });
+            let (value, unit) = (of(speed, acceleration, jerk), kind.unit(AxisKind::Linear));
+            return Some(Self { axis: None, kind, value, unit });
         };
         let value = plain(axis.to_file(of(axis.max_speed, axis.max_acceleration, axis.jerk())));
-        Some(Self { axis: Some(axis.name.clone()), what, value, unit: format!("{}{per}", axis.unit()) })
+        Some(Self { axis: Some(axis.name.clone()), kind, value, unit: kind.unit(axis.kind) })
     }
 
-    /// Whose limit it is.
-    pub fn whose(&self) -> String {
-        self.axis.as_ref().map_or("the torch tip".to_owned(), |name| format!("axis {name}"))
+    /// Reports the difference between the requested and the reached tip speed, mm/s.
+    pub(crate) fn cannot_keep(&self, asked: f64, reached: f64) -> Message {
+        self.message("motion-speed-axis", "motion-speed-tip").quantity("asked", asked, Unit::MmPerS, 3).quantity(
+            "reached",
+            reached,
+            Unit::MmPerS,
+            3,
+        )
     }
 
-    /// Words the difference between the requested and the reached tip speed, mm/s.
-    pub(crate) fn cannot_keep(&self, asked: f64, reached: f64) -> String {
-        format!("{} cannot keep {asked:.3} mm/s: {} allows {reached:.3} mm/s", self.whose(), self.limit())
-    }
-
-    /// The limit in words.
-    pub(crate) fn limit(&self) -> String {
-        format!("its {} limit of {:.3} {}", self.what, self.value, self.unit)
+    /// Message `of_axis` with the axis or `of_tip` without one, and the limit.
+    pub(crate) fn message(&self, of_axis: &'static str, of_tip: &'static str) -> Message {
+        let message = match &self.axis {
+            Some(name) => Message::new(of_axis).axis("axis", name.as_str()),
+            None => Message::new(of_tip),
+        };
+        message.message("limit", self.kind.message()).quantity("value", self.value, self.unit, 3)
     }
 }
 
@@ -85,7 +91,7 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
     // The speed of a weave is reported with its frequency, see `weave_limits`.
     let wanted = pass.on_limit == OnLimit::Refuse && bound && !planned.joints.is_woven();
     let keepable = if wanted { keepable(planned, pass, &slow) } else { None };
-    slow.iter().filter_map(|run| speed_finding(planned, run, (pass, number), keepable.as_deref())).collect()
+    slow.iter().map(|run| speed_finding(planned, run, (pass, number), keepable)).collect()
 }
 
 /// True if the tip keeps the speed that `pass` asks for.
@@ -155,45 +161,62 @@ fn speed_finding(
     planned: Planned,
     run: &SlowRun,
     (pass, number): (&Pass, usize),
-    keepable: Option<&str>,
-) -> Option<Finding> {
+    keepable: Option<Keepable>,
+) -> Finding {
     let SlowRun { from, to, at, asked, reached, binding } = run;
     let message = match binding {
         Some(binding) => binding.cannot_keep(*asked, *reached),
-        None => format!(
-            "the tip goes at {reached:.3} mm/s where {asked:.3} mm/s are asked for: the asked speed changes there, and \
-             the speed profile rounds the change off"
+        None => Message::new("motion-speed-rounded-off").quantity("reached", *reached, Unit::MmPerS, 3).quantity(
+            "asked",
+            *asked,
+            Unit::MmPerS,
+            3,
         ),
     };
     if pass.on_limit == OnLimit::Slow {
-        let message = format!("{message}; the weld slows down there, as asked");
-        return Some(Finding::note("speed", message, number, (*from, *to)));
+        let message = Message::new("motion-speed-slowed").message("reason", message);
+        return Finding::note("speed", message, number, (*from, *to));
     }
     if binding.is_none() && *reached > (1.0 - ROUNDED_OFF) * asked {
-        return Some(Finding::note("speed", message, number, (*from, *to)));
+        return Finding::note("speed", message, number, (*from, *to));
     }
-    let blend = if planned.joints.in_blend(*at) { ", or allow the blend more of the seam" } else { "" };
     let cure = match (binding, keepable) {
-        (None, _) => {
-            "let the speed change over a longer way, or set weld.on_limit = \"slow\" to slow down there".to_owned()
-        }
-        (Some(_), Some(lower)) => format!("{lower}, or set weld.on_limit = \"slow\" to slow down there{blend}"),
-        (Some(_), None) => format!("set weld.on_limit = \"slow\" to slow down there{blend}"),
+        (None, _) => Message::new("motion-cure-longer-change"),
+        (Some(_), keepable) => slower_cure(keepable, planned.joints.in_blend(*at)),
     };
-    Some(Finding {
-        kind: "speed",
-        message: message.into(),
-        pass: number,
-        from_mm: *from,
-        to_mm: *to,
-        cure: Some(cure.into()),
-        allowed: false,
-    })
+    Finding { kind: "speed", message, pass: number, from_mm: *from, to_mm: *to, cure: Some(cure), allowed: false }
 }
 
-/// Words a lower speed than that of `pass` that removes all `slow` stretches, as verified by planning. None if no lower
-/// speed helps.
-fn keepable(planned: Planned, pass: &Pass, slow: &[SlowRun]) -> Option<String> {
+/// Operator action at a limit: a lower speed, if one helps, or to slow down at the limit; in a blend also a wider one.
+fn slower_cure(keepable: Option<Keepable>, in_blend: bool) -> Message {
+    match (keepable, in_blend) {
+        (Some(Keepable::Speed(v)), false) => Message::new("motion-cure-speed").quantity("speed", v, Unit::MmPerS, 3),
+        (Some(Keepable::Speed(v)), true) => {
+            Message::new("motion-cure-speed-or-blend").quantity("speed", v, Unit::MmPerS, 3)
+        }
+        (Some(Keepable::Part(part)), false) => {
+            Message::new("motion-cure-speed-part").quantity("part", 100.0 * part, Unit::Percent, 1)
+        }
+        (Some(Keepable::Part(part)), true) => {
+            Message::new("motion-cure-speed-part-or-blend").quantity("part", 100.0 * part, Unit::Percent, 1)
+        }
+        (None, false) => Message::new("motion-cure-slow"),
+        (None, true) => Message::new("motion-cure-slow-or-blend"),
+    }
+}
+
+/// A lower speed that every axis can keep everywhere.
+#[derive(Clone, Copy)]
+enum Keepable {
+    /// The speed, mm/s.
+    Speed(f64),
+    /// Fraction of the requested speeds.
+    Part(f64),
+}
+
+/// Returns a lower speed than that of `pass` that removes all `slow` stretches, as verified by planning. None if no
+/// lower speed helps.
+fn keepable(planned: Planned, pass: &Pass, slow: &[SlowRun]) -> Option<Keepable> {
     let (least, fastest) = pass.speeds();
     let steady = (fastest - least).abs() <= f64::EPSILON * fastest;
     let reached = slow.iter().map(|run| run.reached / run.asked).fold(1.0, f64::min);
@@ -213,10 +236,7 @@ fn keepable(planned: Planned, pass: &Pass, slow: &[SlowRun]) -> Option<String> {
         slow_runs(lower, pass, *part).is_empty()
     };
     let part = LOWER.iter().map(|lower| rounded(lower * most)).find(keeps)?;
-    Some(match steady {
-        true => format!("ask for {:.3} mm/s, which every axis can keep everywhere", part * fastest),
-        false => format!("ask for {:.1} % of the speed, which every axis can keep everywhere", 100.0 * part),
-    })
+    Some(if steady { Keepable::Speed(part * fastest) } else { Keepable::Part(part) })
 }
 
 /// The certificate's stretches without the acceleration and deceleration phase of each leg.
@@ -243,27 +263,20 @@ fn between(planned: Planned, asked: &dyn Fn(f64) -> f64) -> Vec<Interval> {
 pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pass: usize) -> Vec<Finding> {
     let finding = |leg: &Leg| {
         let reached = planned.tip_speed_at(leg.run_up_end);
-        let what = if planned.legs.len() > 1 { "way between two stops" } else { "weld" };
+        let several = planned.legs.len() > 1;
         if reached >= asked * (1.0 - WORTH_SAYING) || leg.run_up_end < leg.run_down_start {
             return None;
         }
-        let message =
-            format!("the {what} is too short: between run-up and run-down it reaches {reached:.3} of {asked:.3} mm/s");
-        let (from_mm, to_mm) = (leg.from, if planned.legs.len() > 1 { leg.to } else { leg.run_up_end });
+        let message = Message::new(if several { "motion-too-short-between-stops" } else { "motion-too-short" })
+            .quantity("reached", reached, Unit::MmPerS, 3)
+            .quantity("asked", asked, Unit::MmPerS, 3);
+        let (from_mm, to_mm) = (leg.from, if several { leg.to } else { leg.run_up_end });
         if on_limit == OnLimit::Slow {
             return Some(Finding::note("speed", message, pass, (from_mm, to_mm)));
         }
-        let cure =
-            format!("ask for {:.3} mm/s or less, or set weld.on_limit = \"slow\"", (reached * 1e3).floor() * 1e-3);
-        Some(Finding {
-            kind: "speed",
-            message: message.into(),
-            pass,
-            from_mm,
-            to_mm,
-            cure: Some(cure.into()),
-            allowed: false,
-        })
+        let speed = (reached * 1e3).floor() * 1e-3;
+        let cure = Message::new("motion-cure-speed-at-most").quantity("speed", speed, Unit::MmPerS, 3);
+        Some(Finding { kind: "speed", message, pass, from_mm, to_mm, cure: Some(cure), allowed: false })
     };
     planned.legs.iter().filter_map(finding).collect()
 }
@@ -279,14 +292,14 @@ pub(crate) struct Runs {
 pub(crate) struct Run {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    pub(crate) message: String,
-    key: usize,
+    pub(crate) message: Message,
+    pub(crate) key: usize,
     worst: f64,
 }
 
 impl Runs {
     /// Adds the next station: none, or a complaint as (key, severity, message).
-    pub(crate) fn add(&mut self, s: f64, complaint: Option<(usize, f64, String)>) {
+    pub(crate) fn add(&mut self, s: f64, complaint: Option<(usize, f64, Message)>) {
         let Some((key, worst, message)) = complaint else {
             self.open = false;
             return;

@@ -2,6 +2,7 @@ use crate::JointPath;
 use crate::air::too_near;
 use seamwright_clearance::Limits;
 use seamwright_machine::Surroundings;
+use seamwright_message::Message;
 use seamwright_program::Finding;
 
 /// Clearance along a pass.
@@ -12,10 +13,10 @@ pub struct PassClearance {
     /// For each stretch of the pass: its end (mm), and a proven lower bound (mm) of all watched distances in it, up to
     /// the cut-off. The bound is up to a tenth less than the distances found.
     pub at_least: Vec<(f64, f64)>,
-    /// The minimum distance found: mm, path length, and the two solids, worded as in findings.
-    pub nearest: Option<(f64, f64, String)>,
+    /// The minimum distance found: mm, path length, and the two solids.
+    pub nearest: Option<(f64, f64, [Message; 2])>,
     /// Everything that is watched.
-    pub watched: Vec<String>,
+    pub watched: Vec<Message>,
     /// Maximum distance that is reported, mm.
     pub cutoff_mm: f64,
 }
@@ -42,19 +43,15 @@ pub(crate) fn pass_clearance(
         pass,
         from_mm,
         to_mm,
-        cure: Some(
-            "change the torch angles or the placement, or allow less with clearance.least_mm if the shapes are right"
-                .into(),
-        ),
+        cure: Some(Message::new("motion-cure-clearance")),
         allowed: false,
     };
     let profile = match around.along(path, STATIONS, &limits) {
         Ok(profile) => profile,
         // An unchecked pass counts as not clear.
-        Err(e) => return (None, vec![finding(e.to_string().into(), 0.0, path.length())]),
+        Err(e) => return (None, vec![finding(e.message(), 0.0, path.length())]),
     };
-    let findings =
-        profile.stretches.iter().map(|s| finding(too_near(around, s.watch, &s.nearest).into(), s.from, s.to));
+    let findings = profile.stretches.iter().map(|s| finding(too_near(around, s.watch, &s.nearest), s.from, s.to));
     let at_least = (0..STATIONS).filter_map(|i| {
         let (_, cell) = profile.nearest(i)?;
         Some((profile.edges[i + 1], cell.at_least_mm))
@@ -62,8 +59,7 @@ pub(crate) fn pass_clearance(
     let near = profile.traces.iter().enumerate().filter(|(_, t)| t.nearest.1.place.is_some());
     let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance)).map(|(watch, t)| {
         let (s, found) = t.nearest;
-        let (a, b) = around.solids_described(watch, &found).unwrap_or_else(|| around.names(watch));
-        (found.distance, s, format!("{a} and {b}"))
+        (found.distance, s, around.nearest_bodies(watch, &found).into())
     });
     let found = profile.edges.iter().map(|&s| (s, around.least(&path.at(s), CUTOFF_MM))).collect();
     let clearance =

@@ -16,6 +16,7 @@ use crate::survey::{Survey, range_between, range_on_path, survey};
 use crate::weave_limits::Woven;
 use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
+use seamwright_message::Message;
 use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
 use std::borrow::Cow;
 
@@ -160,7 +161,7 @@ impl PassMotion {
         let legs = law.legs();
         let planned = Planned { machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };
         findings.extend(speed_findings(planned, pass, number));
-        woven.iter().for_each(|woven| woven.tell(&mut findings));
+        woven.iter().for_each(|woven| woven.explain(&mut findings));
         findings.extend(stop_findings(machine, &left, pass, number));
         findings.extend(least_speed_findings(planned, pass, number));
         findings.extend(never_reached(planned, fastest, pass.on_limit, number));
@@ -323,11 +324,13 @@ fn no_law(machine: &Machine, length: f64, error: LawError, pass: usize) -> Findi
     };
     Finding {
         kind: "speed",
-        message: format!("there is no speed law for the axes of {}: {error}", machine.name).into(),
+        message: Message::new("motion-no-speed-profile")
+            .text("machine", machine.name.as_str())
+            .message("reason", error.message()),
         pass,
         from_mm,
         to_mm,
-        cure: Some("give the machine's axes finite limits above zero, and the pass a speed and a length".into()),
+        cure: Some(Message::new("motion-cure-limits")),
         allowed: false,
     }
 }
@@ -335,15 +338,11 @@ fn no_law(machine: &Machine, length: f64, error: LawError, pass: usize) -> Findi
 fn not_smooth(machine: &Machine, s: f64, pass: usize) -> Finding {
     Finding {
         kind: "singular",
-        message: format!(
-            "the axes of {} cannot follow the torch smoothly here: it passes a singular attitude",
-            machine.name
-        )
-        .into(),
+        message: Message::new("motion-not-smooth").text("machine", machine.name.as_str()),
         pass,
         from_mm: s,
         to_mm: s,
-        cure: Some("not tried: other torch angles or another placement of the work may help".into()),
+        cure: Some(Message::new("motion-cure-not-tried")),
         allowed: false,
     }
 }

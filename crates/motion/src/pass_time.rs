@@ -2,6 +2,7 @@
 //! time.
 
 use crate::SpeedLaw;
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Pass};
 
 /// Maximum time of a pass or of a part of its sequence, s: more than two days. Longer times come from a wrong unit or
@@ -17,29 +18,28 @@ pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
         ("sequence.crater_s", sequence.crater_s.get(), pass.length()),
         ("sequence.postflow_s", sequence.postflow_s.get(), pass.length()),
     ];
-    let finding = |(from_mm, to_mm): (f64, f64), message: String, cure: String| Finding {
+    let finding = |(from_mm, to_mm): (f64, f64), message: Message, cure: Message| Finding {
         kind: "time",
-        message: message.into(),
+        message,
         pass: number,
         from_mm,
         to_mm,
-        cure: Some(cure.into()),
+        cure: Some(cure),
         allowed: false,
     };
     let mut all: Vec<Finding> = times
         .into_iter()
         .filter(|(_, time, _)| is_too_long(*time))
         .map(|(key, time, s)| {
-            let message = format!("{key} = {time} s: no pass may take longer than {MAX_PASS_S} s");
-            finding((s, s), message, format!("set {key} to at most {MAX_PASS_S}"))
+            let message = Message::new("motion-time-too-long").key("key", key).value("time", time, Unit::S);
+            let cure = Message::new("motion-cure-time").key("key", key);
+            finding((s, s), at_most(message), at_most(cure))
         })
         .collect();
     let travel = pass.travel_s();
     if is_too_long(travel) {
-        let message =
-            format!("at the asked speed the travel takes {travel:.3e} s: no pass may take longer than {MAX_PASS_S} s");
-        let cure = "ask for a higher speed_mm_s, or divide the weld into several passes".to_owned();
-        all.push(finding((0.0, pass.length()), message, cure));
+        let message = Message::new("motion-travel-too-long").quantity("time", travel, Unit::S, 0);
+        all.push(finding((0.0, pass.length()), at_most(message), Message::new("motion-cure-travel")));
     }
     all
 }
@@ -49,18 +49,18 @@ pub(crate) fn travels_too_long(law: &SpeedLaw, length: f64, pass: usize) -> Opti
     let travel = law.duration();
     is_too_long(travel).then(|| Finding {
         kind: "time",
-        message: format!(
-            "with the limits of the axes the travel takes {travel:.3e} s: no pass may take longer than {MAX_PASS_S} s"
-        )
-        .into(),
+        message: at_most(Message::new("motion-travel-too-long-axes").quantity("time", travel, Unit::S, 0)),
         pass,
         from_mm: 0.0,
         to_mm: length,
-        cure: Some(
-            "give the machine's axes higher speeds and accelerations, or divide the weld into several passes".into(),
-        ),
+        cure: Some(Message::new("motion-cure-travel-axes")),
         allowed: false,
     })
+}
+
+/// Adds the maximum time to a message.
+pub(crate) fn at_most(message: Message) -> Message {
+    message.value("limit", MAX_PASS_S, Unit::S)
 }
 
 fn is_too_long(s: f64) -> bool {

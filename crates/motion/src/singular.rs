@@ -4,6 +4,7 @@ use crate::JointPath;
 use crate::limits::Runs;
 use glam::DVec3;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine};
+use seamwright_message::{Message, Unit};
 use seamwright_program::Finding;
 
 /// Number of samples along the path.
@@ -50,24 +51,26 @@ pub(crate) fn margins(
         let (holds, axis) = speeds.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0));
         let holds = holds * path.speed_rate(machine, s);
         let used = asked(s) / holds;
-        runs.add(s, near.filter(|_| used > MUCH && used <= 1.0).map(|distance| {
-            let message = format!(
-                "{:.1} degrees from a singular attitude axis {} needs {:.0} % of what it can do at {:.3} mm/s; the seam could hold {holds:.3} mm/s here",
-                distance.min(1.0).asin().to_degrees(),
-                machine.axes[axis].name,
-                100.0 * used,
-                asked(s)
-            );
-            (axis, used, message)
-        }));
+        runs.add(
+            s,
+            near.filter(|_| used > MUCH && used <= 1.0).map(|distance| {
+                let message = Message::new("motion-near-singular")
+                    .quantity("distance", distance.min(1.0).asin().to_degrees(), Unit::Deg, 1)
+                    .axis("axis", machine.axes[axis].name.as_str())
+                    .quantity("used", 100.0 * used, Unit::Percent, 0)
+                    .quantity("asked", asked(s), Unit::MmPerS, 3)
+                    .quantity("holds", holds, Unit::MmPerS, 3);
+                (axis, used, message)
+            }),
+        );
     }
     runs.findings(|run| Finding {
         kind: "singular",
-        message: run.message.clone().into(),
+        message: run.message.clone(),
         pass,
         from_mm: run.from,
         to_mm: run.to,
-        cure: Some("lean the torch or the work a few degrees away to gain room".into()),
+        cure: Some(Message::new("motion-cure-near-singular")),
         allowed: true,
     })
 }

@@ -3,8 +3,10 @@
 use crate::JointPath;
 use crate::effort::Effort;
 use crate::follower::Follower;
+use crate::limit_kind::position_unit;
 use crate::limits::Runs;
 use seamwright_machine::{Axis, AxisKind, Joints, Machine};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Tolerance};
 use std::f64::consts::TAU;
 
@@ -70,7 +72,8 @@ pub(crate) fn survey(
             best = Some((cost, walk));
         }
     }
-    best.map(|(_, survey)| survey).ok_or_else(|| vec![reach_finding(machine, "no solution", (0.0, 0.0), pass)])
+    best.map(|(_, survey)| survey)
+        .ok_or_else(|| vec![reach_finding(machine, Message::new("motion-no-solution"), (0.0, 0.0), pass)])
 }
 
 /// Possible start positions of a walk.
@@ -83,7 +86,7 @@ fn starts(follower: Follower, places: &[f64], pass: usize) -> Result<Vec<Joints>
     let later = follower.near(places[1] * 1e-3, &home).map_or(home, |s| s.joints);
     match follower.branches(0.0, &later) {
         Ok(branches) => Ok(branches.iter().map(|b| b.joints).collect()),
-        Err(reason) => Err(vec![reach_finding(follower.machine, &reason.to_string(), (0.0, 0.0), pass)]),
+        Err(reason) => Err(vec![reach_finding(follower.machine, reason.message(), (0.0, 0.0), pass)]),
     }
 }
 
@@ -107,7 +110,7 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
                 last = solution.joints;
                 None
             }
-            Err(reason) if numeric && !is_strided && !is_first => runs.is_open().then(|| reason.to_string()),
+            Err(reason) if numeric && !is_strided && !is_first => runs.is_open().then(|| reason.message()),
             Err(_) => {
                 first_searches += usize::from(numeric && !is_strided);
                 effort.spend(SEARCH_WORK, i as f64 / places.len() as f64);
@@ -115,23 +118,23 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
                 if let Ok(branches) = &found {
                     last = branches[0].joints;
                 }
-                found.err().map(|reason| reason.to_string())
+                found.err().map(|reason| reason.message())
             }
         };
         runs.add(s, reason.map(|message| (0, 0.0, message)));
     }
-    runs.findings(|run| reach_finding(follower.machine, &run.message, (run.from, run.to), pass))
+    runs.findings(|run| reach_finding(follower.machine, run.message.clone(), (run.from, run.to), pass))
 }
 
 /// Finding for a stretch that no axis positions reach.
-fn reach_finding(machine: &Machine, reason: &str, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
+fn reach_finding(machine: &Machine, reason: Message, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
     Finding {
         kind: "reach",
-        message: format!("{}: {reason}", machine.name).into(),
+        message: Message::new("motion-unreachable").text("machine", machine.name.as_str()).message("reason", reason),
         pass,
         from_mm,
         to_mm,
-        cure: Some("change the placement of the work, the torch angles or the machine".into()),
+        cure: Some(Message::new("motion-cure-unreachable")),
         allowed: false,
     }
 }
@@ -166,16 +169,14 @@ fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pas
     let allowed = error.to_degrees() <= tolerance.attitude_deg.get();
     (error > ATTITUDE_WORTH_SAYING).then(|| Finding {
         kind: "attitude",
-        message: format!(
-            "{} has too few axes for the whole torch attitude: it is up to {:.2} degrees off the one asked for (tolerance {} degrees)",
-            machine.name,
-            error.to_degrees(),
-            tolerance.attitude_deg.get()
-        ).into(),
+        message: Message::new("motion-attitude")
+            .text("machine", machine.name.as_str())
+            .quantity("error", error.to_degrees(), Unit::Deg, 2)
+            .value("tolerance", tolerance.attitude_deg.get(), Unit::Deg),
         pass,
         from_mm: at,
         to_mm: at,
-        cure: Some("change the torch angles, use a machine with one more rotary axis, or allow more with tolerance.attitude_deg".into()),
+        cure: Some(Message::new("motion-cure-attitude")),
         allowed,
     })
 }
@@ -271,20 +272,19 @@ pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) ->
 
 /// Finding for an axis beyond its range.
 fn range_finding(axis: &Axis, value: f64, limit: f64, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
-    let (value, limit, unit) = (axis.to_file(value), axis.to_file(limit), axis.unit());
-    let by = (value - limit).abs();
+    let (value, limit, unit) = (axis.to_file(value), axis.to_file(limit), position_unit(axis.kind));
     Finding {
         kind: "range",
-        message: format!(
-            "axis {} would go to {value:.3} {unit}, {by:.3} {unit} beyond its limit {limit:.3} {unit}",
-            axis.name
-        )
-        .into(),
+        message: Message::new("motion-beyond-range")
+            .axis("axis", axis.name.as_str())
+            .quantity("value", value, unit, 3)
+            .quantity("by", (value - limit).abs(), unit, 3)
+            .quantity("limit", limit, unit, 3),
         pass,
         from_mm,
         to_mm,
         // Changes are tried when the pass is planned.
-        cure: Some("place the work so that the axis stays in its range".into()),
+        cure: Some(Message::new("motion-cure-range")),
         allowed: false,
     }
 }

@@ -5,14 +5,14 @@
 //! small fraction of the cost of a plan. The result is then verified by one whole plan before it is reported.
 
 use crate::JointPath;
-use crate::SpeedLaw;
 use crate::effort::Effort;
 use crate::follower::Follower;
-use crate::law::{Bound, Certificate, Channels, Limits};
+use crate::law::{Bound, Certificate, Channels, Limits, SpeedLaw};
 use crate::limits::{Binding, keeps_speed};
 use crate::pass_channels::PassChannels;
 use crate::planned::Planned;
 use seamwright_machine::Joints;
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass};
 use std::cell::Cell;
 
@@ -116,55 +116,58 @@ impl<'a> Woven<'a> {
         let asked = self.pass.speed_at(worst.at);
         let binding = Binding::new(self.follower.machine, worst.bound)?;
         let reached = worst.holds * asked;
-        let mut finding = Finding {
+        let (message, cure) = self.too_fast_because(binding.cannot_keep(asked, reached), factor)?;
+        Some(Finding {
             kind: "speed",
-            message: binding.cannot_keep(asked, reached).into(),
+            message,
             pass: number,
             from_mm: over[0].at,
             to_mm: over[over.len() - 1].at,
-            cure: Some(String::new().into()),
+            cure: Some(cure),
             allowed: false,
-        };
-        self.tell_in(&mut finding, factor);
-        Some(finding)
+        })
     }
 
-    /// Rewords the findings of kind `speed` for a weave that is too fast, with its maximum frequency. They stay
-    /// unchanged if no slower weave helps.
-    pub(crate) fn tell(&self, findings: &mut [Finding]) {
-        let mut too_fast: Vec<&mut Finding> = findings.iter_mut().filter(|f| f.kind == "speed" && !f.allowed).collect();
+    /// Replaces the findings of kind `speed` by ones for a weave that is too fast, with its maximum frequency. They
+    /// stay unchanged if no slower weave helps.
+    pub(crate) fn explain(&self, findings: &mut [Finding]) {
+        let too_fast: Vec<&mut Finding> = findings.iter_mut().filter(|f| f.kind == "speed" && !f.allowed).collect();
         if too_fast.is_empty() {
             return;
         }
         if let Some(factor) = self.highest() {
-            too_fast.iter_mut().for_each(|finding| self.tell_in(finding, factor));
+            for finding in too_fast {
+                if let Some((message, cure)) = self.too_fast_because(finding.message.clone(), factor) {
+                    (finding.message, finding.cure) = (message, Some(cure));
+                }
+            }
         }
     }
 
-    /// Rewords a finding: a weave `factor` times as fast is possible.
-    fn tell_in(&self, finding: &mut Finding, factor: f64) {
-        let Some(weave) = &self.pass.weave else { return };
+    /// Message of a weave that is too fast for `reason`, and the operator action: a weave `factor` times as fast is
+    /// possible.
+    fn too_fast_because(&self, reason: Message, factor: f64) -> Option<(Message, Message)> {
+        let weave = self.pass.weave.as_ref()?;
         let slower = weave.faster(factor);
-        let (value, allowed) = match (slower.frequency_hz.map(f64::from), slower.pitch_mm.map(f64::from)) {
-            (Some(frequency), _) => (
-                format!("{frequency:.4} Hz"),
-                format!("ask for a frequency_hz of {:.4} or a smaller width", (frequency * 1e4).floor() * 1e-4),
-            ),
-            (None, pitch) => {
-                let pitch = pitch.unwrap_or_default();
+        let message =
+            |code| Message::new(code).message("reason", reason).value("width", weave.width_mm.get(), Unit::Mm);
+        Some(match (slower.frequency_hz.map(f64::from), slower.pitch_mm.map(f64::from)) {
+            (Some(frequency), _) => {
+                let rounded = (frequency * 1e4).floor() * 1e-4;
                 (
-                    format!("one in {pitch:.4} mm"),
-                    format!("ask for a pitch_mm of {:.4}, a smaller width or less speed", (pitch * 1e4).ceil() * 1e-4),
+                    message("motion-weave-frequency").quantity("frequency", frequency, Unit::Hz, 4),
+                    Message::new("motion-cure-weave-frequency").number("frequency", rounded, 4),
                 )
             }
-        };
-        finding.message = format!(
-            "the weave is too fast: {}; {} mm wide it can go at up to {value}",
-            finding.message,
-            weave.width_mm.get()
-        )
-        .into();
-        finding.cure = Some(format!("{allowed}, or set weld.on_limit = \"slow\" to slow down there").into());
+            (None, pitch) => {
+                let pitch = pitch.unwrap_or_default();
+                let rounded = (pitch * 1e4).ceil() * 1e-4;
+                (
+                    message("motion-weave-pitch").quantity("pitch", pitch, Unit::Mm, 4),
+                    Message::new("motion-cure-weave-pitch").number("pitch", rounded, 4),
+                )
+            }
+        })
     }
 
     /// Maximum factor below 1 of the weave's frequency at which the requested speed can be kept, if any: to [`CLOSE`]

@@ -1,14 +1,15 @@
-use crate::air::{AirMove, Blocked, Leg, route_within};
+use crate::air::{AirMove, Blocked, Leg, MoveEnd, route_within};
 use crate::cures::Trial;
 use crate::effort::{Effort, Watch};
 use crate::pass_clearance::{PassClearance, pass_clearance};
 use crate::pass_motion::Before;
-use crate::pass_time::MAX_PASS_S;
+use crate::pass_time::{MAX_PASS_S, at_most};
 use crate::procedure::PassProcedure;
 use crate::redundancy::{Clearance, holding};
 use crate::{LawPoint, PassMotion, Phase, SetPoint};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Pass, Procedure, TorchPath};
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -148,48 +149,45 @@ impl WeldMotion {
             return;
         }
         let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, super::joint_path::JointPath::length)) };
-        let finding = |kind, message: String, cure: &str, allowed| Finding {
-            kind,
-            message: message.into(),
-            pass,
-            from_mm: s,
-            to_mm: s,
-            cure: Some(cure.into()),
-            allowed,
+        let finding = |kind, message, cure, allowed| {
+            let cure = Some(Message::new(cure));
+            Finding { kind, message, pass, from_mm: s, to_mm: s, cure, allowed }
         };
-        let what = match i {
-            0 => "from home to the weld".to_owned(),
-            _ if start.is_none() => "from the weld back home".to_owned(),
-            _ => format!("from pass {i} to pass {}", i + 1),
+        let transfer = match i {
+            0 => Message::new("motion-transfer-from-home"),
+            _ if start.is_none() => Message::new("motion-transfer-home"),
+            _ => Message::new("motion-transfer-between").pass("from", i).pass("to", i + 1),
         };
+        let about = |code| Message::new(code).message("move", transfer.clone());
         match air.way(end, start) {
             Ok((planned, _)) if planned.duration() > MAX_PASS_S => {
-                let message = format!(
-                    "the air move {what}: it takes {:.3e} s, no move may take longer than {MAX_PASS_S} s",
-                    planned.duration()
-                );
-                let cure = "give the machine's axes higher speeds and accelerations, or move the part nearer";
-                self.findings.push(finding("air", message, cure, false));
+                let message = about("motion-transfer-too-long").quantity("time", planned.duration(), Unit::S, 0);
+                self.findings.push(finding("air", at_most(message), "motion-cure-transfer-too-long", false));
             }
             Ok((planned, retracts)) => {
                 for back in retracts {
                     let message = match back {
-                        Some(mm) => format!("the torch can only stand back {mm:.1} of {} mm {what}", air.retract_mm),
-                        None => format!("no axis can take the torch back along itself {what}: it leaves sideways"),
+                        Some(mm) => about("motion-retract-short").quantity("distance", mm, Unit::Mm, 1).value(
+                            "asked",
+                            air.retract_mm,
+                            Unit::Mm,
+                        ),
+                        None => about("motion-retract-none"),
                     };
-                    let cure = "make sure that nothing stands beside the seam there, or ask for a smaller retract";
-                    self.findings.push(finding("retract", message, cure, true));
+                    self.findings.push(finding("retract", message, "motion-cure-retract", true));
                 }
                 if let (Some(from), Some(to)) = (&end, &start) {
-                    for note in unwound(air.machine, &from.q, &to.q) {
-                        self.findings.push(Finding::note("unwind", format!("{note} {what}"), pass, (s, s)));
+                    for (axis, by) in unwound(air.machine, &from.q, &to.q) {
+                        let message =
+                            about("motion-unwind").axis("axis", axis).quantity("by", by.to_degrees(), Unit::Deg, 1);
+                        self.findings.push(Finding::note("unwind", message, pass, (s, s)));
                     }
                 }
                 self.air.push(planned);
             }
             Err(blocked) => {
-                let cure = "not tried: moving the part, the fixture or home, or another start of the weld may help";
-                self.findings.push(finding("air", format!("the air move {what}: {blocked}"), cure, false));
+                let message = about("motion-transfer-blocked").message("reason", blocked.message());
+                self.findings.push(finding("air", message, "motion-cure-transfer-blocked", false));
             }
         }
     }
@@ -395,12 +393,12 @@ impl Air<'_> {
         let to = if start.is_none() { self.nearest_turn(&to, &from) } else { to };
         let mut points = Vec::new();
         if let (Some(PassEnd { q, .. }), Some(_)) = (end, back_end) {
-            self.straight("the retract", &q, &from)?;
+            self.straight(MoveEnd::Retract, &q, &from)?;
             points.push(q);
         }
         points.extend(route_within(self.effort, self.machine, self.around, (&from, &to), AxisSet::default())?);
         if let (Some(PassEnd { q, .. }), Some(_)) = (start, back_start) {
-            self.straight("the approach", &to, &q)?;
+            self.straight(MoveEnd::Approach, &to, &q)?;
             points.push(q);
         }
         points.dedup();
@@ -427,9 +425,9 @@ impl Air<'_> {
         q
     }
 
-    fn straight(&self, which: &'static str, from: &Joints, to: &Joints) -> Result<(), Blocked> {
+    fn straight(&self, which: MoveEnd, from: &Joints, to: &Joints) -> Result<(), Blocked> {
         let leg = Leg::new(self.machine, from, to);
-        crate::air::obstacle(self.around, &leg).map_or(Ok(()), |what| Err(Blocked::End { which, what }))
+        crate::air::obstacle(self.around, &leg).map_or(Ok(()), |obstacle| Err(Blocked::End { which, obstacle }))
     }
 
     /// Positions of the torch retracted along its axis (two torches: along the middle of both), and the fraction of the
@@ -459,22 +457,18 @@ impl Air<'_> {
 fn unchecked(machine: &Machine) -> Finding {
     Finding {
         kind: "unchecked",
-        message: format!(
-            "{} has no shapes: nothing is checked for collisions, and air moves go straight",
-            machine.name
-        )
-        .into(),
+        message: Message::new("motion-no-shapes").text("machine", machine.name.as_str()),
         pass: 1,
         from_mm: 0.0,
         to_mm: 0.0,
-        cure: Some("describe torch and links with [[shapes.<link>]] in the machine file".into()),
+        cure: Some(Message::new("motion-cure-no-shapes")),
         allowed: true,
     }
 }
 
-/// Axes that turn by more than half a turn in a transfer move, in words.
-fn unwound(machine: &Machine, from: &Joints, to: &Joints) -> Vec<String> {
+/// Axes that turn by more than half a turn in a transfer move, with the angle, rad.
+fn unwound<'m>(machine: &'m Machine, from: &Joints, to: &Joints) -> Vec<(&'m str, f64)> {
     let axes = machine.axes.iter().enumerate().filter(|(_, a)| a.kind == AxisKind::Rotary);
-    let turned = axes.filter(|(i, _)| (to[*i] - from[*i]).abs() > PI);
-    turned.map(|(i, a)| format!("axis {} unwinds by {:.1} deg", a.name, (to[i] - from[i]).abs().to_degrees())).collect()
+    let turned = axes.map(|(i, a)| (a.name.as_str(), (to[i] - from[i]).abs()));
+    turned.filter(|(_, by)| *by > PI).collect()
 }

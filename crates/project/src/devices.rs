@@ -1,7 +1,7 @@
 //! The devices of a run: those that the machine file names, and simulated ones for the rest.
 
 use crate::Failure;
-use crate::failure::{foreign, with_hint};
+use crate::failure::with_hint;
 use crate::steps::StreamedSteps;
 #[cfg(target_os = "linux")]
 use seamwright_cell::devices::LinuxCncDrives;
@@ -59,7 +59,7 @@ pub fn simulated(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell,
 }
 
 fn simulated_drives(machine: &Machine, seed: u64) -> Result<Box<dyn Drives + Send>, Failure> {
-    Ok(Box::new(SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(foreign(&e)))?))
+    Ok(Box::new(SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(e.message()))?))
 }
 
 /// The drives that the machine file names.
@@ -80,8 +80,8 @@ fn note(text: &str) {
 /// Drives by LinuxCNC's HAL.
 #[cfg(target_os = "linux")]
 fn linuxcnc_drives(machine: &Machine, folder: &Path, device: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
-    let drives = LinuxCncDrives::start(machine, device, folder, note);
-    Ok(Box::new(drives.map_err(|e| Failure::Environment(foreign(&e)))?))
+    let drives = LinuxCncDrives::start(machine, device, folder, |message| note(&message.to_string()));
+    Ok(Box::new(drives.map_err(|e| Failure::Environment(e.message()))?))
 }
 
 #[cfg(not(target_os = "linux"))]
@@ -149,10 +149,10 @@ fn failure(error: &ModbusError) -> Failure {
     match error {
         ModbusError::NoRegister { device, value } => {
             let allowed = Message::new("project-register-or-no-value").key("value", value).text("device", device);
-            Failure::refused(foreign(error), allowed)
+            Failure::refused(error.message(), allowed)
         }
         ModbusError::Unreachable { .. } => {
-            Failure::Environment(with_hint(foreign(error), Message::new("project-check-modbus")))
+            Failure::Environment(with_hint(error.message(), Message::new("project-check-modbus")))
         }
     }
 }
@@ -167,7 +167,7 @@ pub fn told(lines: &Lines) -> Vec<Value> {
             "polls": traffic.polls, "missed": traffic.missed, "failed": traffic.failed,
             "connections": traffic.connections, "away_s": traffic.away_s,
             "round_us": { "median": round.quantile_us(0.5), "p99_9": round.quantile_us(0.999), "most": round.most_us() },
-            "trouble": traffic.trouble,
+            "trouble": traffic.trouble.as_ref().map(ToString::to_string),
         })
     };
     lines.iter().map(one).collect()

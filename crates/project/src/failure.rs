@@ -124,7 +124,7 @@ impl From<io::Error> for Failure {
 
 impl From<seamwright_cell::frames::FrameError> for Failure {
     fn from(e: seamwright_cell::frames::FrameError) -> Self {
-        if e.is_environment() { Self::Environment(foreign(&e)) } else { Self::Input(foreign(&e)) }
+        if e.is_environment() { Self::Environment(e.message()) } else { Self::Input(e.message()) }
     }
 }
 
@@ -132,28 +132,28 @@ impl From<seamwright_cell::Error> for Failure {
     fn from(e: seamwright_cell::Error) -> Self {
         match e {
             seamwright_cell::Error::Drive { .. } => {
-                Self::Input(Message::new("project-in-machine-file").message("why", foreign(&e)))
+                Self::Input(Message::new("project-in-machine-file").message("why", e.message()))
             }
-            _ => Self::Input(foreign(&e)),
+            _ => Self::Input(e.message()),
         }
     }
 }
 
 impl From<seamwright_cell::tracking::Error> for Failure {
     fn from(e: seamwright_cell::tracking::Error) -> Self {
-        Self::Input(foreign(&e))
+        Self::Input(e.message())
     }
 }
 
 impl From<seamwright_record::Error> for Failure {
     fn from(e: seamwright_record::Error) -> Self {
-        if e.is_input() { Self::Input(foreign(&e)) } else { Self::Environment(foreign(&e)) }
+        if e.is_input() { Self::Input(e.message()) } else { Self::Environment(e.message()) }
     }
 }
 
 impl From<seamwright_motion::textbook::Error> for Failure {
     fn from(e: seamwright_motion::textbook::Error) -> Self {
-        Self::Input(foreign(&e))
+        Self::Input(e.message())
     }
 }
 

@@ -1,7 +1,7 @@
 //! From files to a planned weld.
 
 use crate::examples::{EXAMPLES, example};
-use crate::failure::{Failure, foreign, with_hint};
+use crate::failure::{Failure, with_hint};
 use crate::files::{self, io_error};
 use crate::outside::Beside;
 use crate::planning::{Clocked, Planning};
@@ -99,7 +99,7 @@ fn check_held(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
     for (i, pass) in program.value.passes.iter().enumerate() {
         if let Err(error) = redundancy::holding(machine, &pass.spare_axes) {
             let path = welding.keys(i).of(&format!("spare_axes.hold.{}", error.axis()));
-            return Err(program.error_at(&path, error.to_string(), error.allowed()).into());
+            return Err(program.error_at(&path, error.message(), error.allowed()).into());
         }
     }
     Ok(())
@@ -319,13 +319,13 @@ impl Loaded {
     /// # Errors
     /// Solids whose clearance cannot be checked.
     pub fn surroundings(&self) -> Result<Surroundings<'_>, Failure> {
-        Surroundings::new(&self.machine, &self.clamped).map_err(|e| self.fault(&e))
+        Surroundings::new(&self.machine, &self.clamped).map_err(|e| self.fault(e.message()))
     }
 
     /// A fault of the job or program file.
-    fn fault(&self, why: &dyn std::fmt::Display) -> Failure {
+    fn fault(&self, why: Message) -> Failure {
         let file = self.welding.program.file();
-        Failure::Input(Message::new("project-in-file").text("file", file).message("why", foreign(why)))
+        Failure::Input(Message::new("project-in-file").text("file", file).message("why", why))
     }
 
     /// The paths of all passes.
@@ -374,7 +374,7 @@ impl Loaded {
         planning: &Planning,
     ) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
         let program = &self.welding.program.value;
-        let around = Surroundings::new(machine, &self.clamped).map_err(|e| self.fault(&e))?;
+        let around = Surroundings::new(machine, &self.clamped).map_err(|e| self.fault(e.message()))?;
         let paths = self.paths();
         let passes = self.passes(&paths);
         let mut findings = self.welding.findings();

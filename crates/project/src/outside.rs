@@ -1,7 +1,7 @@
 //! Data that a job names outside its file: tables of points, and the torch poses of its machine's axes.
 
 use crate::csv::CsvReader;
-use crate::failure::{Failure, foreign};
+use crate::failure::Failure;
 use crate::files::io_error;
 use crate::load;
 use crate::within::Within;
@@ -89,7 +89,7 @@ impl Outside for Beside<'_> {
             *q = axis.from_file(*value);
         }
         if let Some(violation) = machine.outside(&q) {
-            let message = foreign(&machine.range_error(&violation));
+            let message = machine.range_error(&violation).message();
             return Err(Wrong { message, allowed: Message::new("project-within-axis-ranges") });
         }
         Ok(machine.forward(&q).point)

@@ -1,10 +1,9 @@
 //! Part programs that are proven before anybody sees them.
 
 use crate::Failure;
-use crate::failure::foreign;
 use crate::load::Loaded;
 use seamwright_machine::Machine;
-use seamwright_message::Message;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_post::{
     Control, Error, Feed, Level, Options, PartProgram, Planned, ReadOptions, Verification, WriteOptions, part_program,
@@ -44,10 +43,10 @@ pub fn proven(
     let part = part_program(&loaded.machine, control, program, &paths, motion, options);
     let part = part.map_err(|e| match &e {
         Error::TooFine { .. } => {
-            let message = Message::new("project-option-tolerance").number("value", options.tolerance_mm, 6);
-            Failure::Input(message.message("why", foreign(&e)))
+            let message = Message::new("project-option-tolerance").value("value", options.tolerance_mm, Unit::One);
+            Failure::Input(message.message("why", e.message()))
         }
-        _ => Failure::Input(foreign(&e)),
+        _ => Failure::Input(e.message()),
     })?;
     let mut write_options = WriteOptions {
         machine: loaded.machine.title.clone(),
@@ -55,7 +54,7 @@ pub fn proven(
         rounding_mm: options.rounding_mm(),
         remarks: Vec::new(),
     };
-    let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(foreign(&e)));
+    let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(e.message()));
     let planned = Planned {
         machine: &loaded.machine,
         control,

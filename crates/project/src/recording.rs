@@ -6,7 +6,7 @@ use crate::files;
 use crate::load::Loaded;
 use seamwright_cell::executive::Place;
 use seamwright_machine::shipped;
-use seamwright_message::{Language, Message, Unit};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Procedure, Program};
 use seamwright_record::Plan;
@@ -99,16 +99,16 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
         most_rows: most_rows(loaded.machine.servo_period_s),
         rows: motion.count(loaded.machine.servo_period_s, true),
         basis: basis(program, motion),
-        note: header.from.map_or(String::new(), |at| goes_on(program, at)),
+        note: header.from.map_or_else(Message::default, |at| goes_on(program, at)),
     })
 }
 
 /// A continued weld starts before the position up to which its pass is welded, by the overlap.
-fn goes_on(program: &Program, at: Place) -> String {
+fn goes_on(program: &Program, at: Place) -> Message {
     let pass = at.pass.checked_sub(1).and_then(|i| program.passes.get(i));
     let overlap = pass.map_or(0.0, |pass| pass.sequence.overlap_mm.get());
-    let note = Message::new("project-goes-on").pass("pass", at.pass);
-    note.quantity("from", (at.s_mm - overlap).max(0.0), Unit::Mm, 2).in_language(Language::English)
+    let from = (at.s_mm - overlap).max(0.0);
+    Message::new("cell-note-resumed").pass("pass", at.pass).quantity("at", from, Unit::Mm, 2)
 }
 
 /// Values that are judged: process values, speed and heat input of each pass between its acceleration and deceleration

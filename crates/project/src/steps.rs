@@ -32,7 +32,7 @@ pub(crate) struct StreamedSteps {
 impl StreamedSteps {
     /// With the stream of `device`, if it has one, beside the machine file in `folder`. A named pipe waits for its reader.
     pub(crate) fn start(machine: &Machine, device: &Steps, folder: &Path) -> Result<Self, Failure> {
-        let mut drives = StepDrives::new(machine, device).map_err(|e| Failure::Input(foreign(&e)))?;
+        let mut drives = StepDrives::new(machine, device).map_err(|e| Failure::Input(e.message()))?;
         let late_s = drives.late_s();
         let Some(name) = &device.stream else { return Ok(Self { drives: Some(drives), late_s, writer: None }) };
         let path = folder.join(name);

@@ -1,6 +1,8 @@
+use crate::data_folder::{LEFT_UNFINISHED, UNFINISHED};
 use crate::hash::Hashing;
 use crate::library::Library;
-use crate::{DataFolder, Error, sha256_of_file};
+use crate::{DataFolder, Doing, Error, sha256_of_file};
+use seamwright_message::{Argument, Message, Unit};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{Read, Seek, SeekFrom, Write};
@@ -17,6 +19,8 @@ pub(crate) const LIBRARY: &str = "library.sqlite";
 
 /// SHA-256 of every file in the archive, the last one in it.
 const MANIFEST: &str = "manifest.sha256";
+/// Code of the operator action for a changed archive.
+const AS_WRITTEN: &str = "record-archive-as-written";
 /// Maximum size of it: half a million files.
 const MAX_MANIFEST: u64 = 64 << 20;
 
@@ -42,10 +46,10 @@ impl DataFolder {
     }
 
     fn back_up_files(&self, out: impl Write, with: &[&str]) -> Result<(), Error> {
-        let scratch = tempfile::tempdir_in(self.path()).map_err(|e| Error::io(self.path(), "cannot be written", e))?;
+        let scratch = tempfile::tempdir_in(self.path()).map_err(|e| Error::io(self.path(), Doing::Write, e))?;
         let copy = scratch.path().join(LIBRARY);
         self.library().copy_to(&copy)?;
-        let failed = |path: &Path, e| Error::io(path, "cannot be put into the archive", e);
+        let failed = |path: &Path, e| Error::io(path, Doing::Archive, e);
         let mut archive = Archive { tar: tar::Builder::new(out), manifest: String::new() };
         archive.add(&copy, Path::new(LIBRARY)).map_err(|e| failed(&copy, e))?;
         for name in with {
@@ -110,43 +114,53 @@ fn line(hash: &str, name: &Path) -> String {
 pub fn restore(archive: &Path, folder: &Path) -> Result<(), Error> {
     let used = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some()) || folder.is_file();
     if used {
-        let what = format!("{}: there is something in it", folder.display());
-        return Err(Error::wrong(what, "a folder that is empty or not there yet"));
+        let what = Message::new("record-folder-not-empty").text("path", folder.display().to_string());
+        return Err(Error::wrong(what, Message::new("record-empty-folder")));
     }
-    let file = File::open(archive).map_err(|e| Error::io(archive, "cannot be read", e))?;
+    let file = File::open(archive).map_err(|e| Error::io(archive, Doing::Read, e))?;
     let parent = folder.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let scratch = tempfile::tempdir_in(parent).map_err(|e| Error::io(parent, "cannot be written", e))?;
+    let scratch = tempfile::tempdir_in(parent).map_err(|e| Error::io(parent, Doing::Write, e))?;
     let inside = scratch.path().join("data");
-    unpack(file, &inside).map_err(|e| Error::io(archive, "is no whole archive", e))?;
+    unpack(file, archive, &inside)?;
     let is_listed = check_manifest(archive, &inside)?;
     // Only rows are copied from the archive: its triggers, views and damaged pages are not.
     let foreign = scratch.path().join("foreign.sqlite");
-    fs::rename(inside.join(LIBRARY), &foreign).map_err(|e| Error::io(&foreign, "cannot be made", e))?;
+    fs::rename(inside.join(LIBRARY), &foreign).map_err(|e| Error::io(&foreign, Doing::Create, e))?;
     let has_manifests = Library::rebuild(&foreign, &inside.join(LIBRARY)).map_err(|e| in_archive(archive, e))?;
     if has_manifests && !is_listed {
-        let why = format!("{MANIFEST}: missing, though the version that wrote the archive writes it");
-        return Err(Error::damaged(archive, why, "an archive that is as it was written"));
+        let why = Message::new("record-manifest-missing").text("name", MANIFEST);
+        return Err(Error::damaged(archive, why, Message::new(AS_WRITTEN)));
     }
     // It opens, and is of this version or an older one.
     let data = DataFolder::open(&inside).map_err(|e| in_archive(archive, e))?;
     if !is_listed {
         // Of an older version, which wrote no hashes: those that the library has must be right.
-        let problems = data.verify()?.problems;
-        if let Some(problem) = problems.iter().find(|problem| !problem.contains("its trace is not finished")) {
-            let why = format!("it has no list of hashes, and is not in order: {}", relative(problem, &inside));
-            return Err(Error::damaged(archive, why, "an archive that is as it was written"));
+        let mut problems = data.verify()?.problems;
+        problems.retain(|problem| !matches!(problem.code.as_ref(), UNFINISHED | LEFT_UNFINISHED));
+        if let Some(problem) = problems.first() {
+            let why = Message::new("record-archive-without-hashes").message("problem", relative(problem, &inside));
+            return Err(Error::damaged(archive, why, Message::new(AS_WRITTEN)));
         }
     }
     drop(data);
     if folder.is_dir() {
-        fs::remove_dir(folder).map_err(|e| Error::io(folder, "cannot be replaced", e))?;
+        fs::remove_dir(folder).map_err(|e| Error::io(folder, Doing::Remove, e))?;
     }
-    fs::rename(&inside, folder).map_err(|e| Error::io(folder, "cannot be made", e))
+    fs::rename(&inside, folder).map_err(|e| Error::io(folder, Doing::Create, e))
 }
 
 /// Removes the path of the temporary folder, which means nothing to the user.
-fn relative(text: &str, folder: &Path) -> String {
-    text.replace(&format!("{}/", folder.display()), "")
+fn relative(message: &Message, folder: &Path) -> Message {
+    let path = format!("{}/", folder.display());
+    let mut message = message.clone();
+    for (_, argument) in &mut message.arguments {
+        match argument {
+            Argument::Text(text) => *text = text.replace(&path, ""),
+            Argument::Message(inner) => **inner = relative(inner, folder),
+            _ => {}
+        }
+    }
+    message
 }
 
 /// Names the archive as the source of an error of the library inside it.
@@ -155,8 +169,8 @@ fn in_archive(archive: &Path, e: Error) -> Error {
         Error::Damaged { why, allowed, .. } => Error::Damaged { path: archive.to_owned(), why, allowed },
         Error::Newer { found, known, .. } => Error::Newer { path: archive.to_owned(), found, known },
         Error::Database { cause, .. } => {
-            let why = format!("the library in it is damaged ({cause})");
-            Error::damaged(archive, why, "an archive that is as it was written")
+            let why = Message::new("record-library-damaged").text("why", cause.to_string());
+            Error::damaged(archive, why, Message::new(AS_WRITTEN))
         }
         other => other,
     }
@@ -169,22 +183,24 @@ fn check_manifest(archive: &Path, inside: &Path) -> Result<bool, Error> {
     let size = match fs::metadata(&path) {
         Ok(there) => there.len(),
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(false),
-        Err(e) => return Err(Error::io(&path, "cannot be read", e)),
+        Err(e) => return Err(Error::io(&path, Doing::Read, e)),
     };
     if size > MAX_MANIFEST {
-        let why = format!("{MANIFEST}: of {} MiB", size.div_ceil(1 << 20));
-        return Err(Error::damaged(archive, why, format!("up to {} MiB", MAX_MANIFEST >> 20)));
+        let mib = |bytes: u64| bytes.div_ceil(1 << 20) as f64;
+        let why = Message::new("record-manifest-size").text("name", MANIFEST).quantity("size", mib(size), Unit::MiB, 0);
+        let allowed = Message::new("document-at-most").quantity("max", mib(MAX_MANIFEST), Unit::MiB, 0);
+        return Err(Error::damaged(archive, why, allowed));
     }
-    let manifest = fs::read_to_string(&path).map_err(|e| Error::io(&path, "cannot be read", e))?;
-    fs::remove_file(&path).map_err(|e| Error::io(&path, "cannot be removed", e))?;
+    let manifest = fs::read_to_string(&path).map_err(|e| Error::io(&path, Doing::Read, e))?;
+    fs::remove_file(&path).map_err(|e| Error::io(&path, Doing::Remove, e))?;
     let listed: BTreeSet<String> = manifest.split_inclusive('\n').map(str::to_owned).collect();
     let mut found = BTreeSet::new();
     lines(inside, Path::new(""), &mut found)?;
     let differs = listed.symmetric_difference(&found).next();
     let Some(differs) = differs else { return Ok(true) };
     let name = differs.trim_end().split_once("  ").map_or(MANIFEST, |(_, name)| name);
-    let why = format!("{name}: not as it was when it was backed up, or missing, or added since");
-    Err(Error::damaged(archive, why, "an archive that is as it was written"))
+    let why = Message::new("record-archive-changed").text("name", name);
+    Err(Error::damaged(archive, why, Message::new(AS_WRITTEN)))
 }
 
 /// The lines that a manifest of this folder has.
@@ -194,7 +210,7 @@ fn lines(folder: &Path, name: &Path, found: &mut BTreeSet<String>) -> Result<(),
         found.insert(line(&sha256_of_file(&path)?.0, name));
         return Ok(());
     }
-    let unreadable = |e| Error::io(&path, "cannot be read", e);
+    let unreadable = |e| Error::io(&path, Doing::Read, e);
     for entry in fs::read_dir(&path).map_err(unreadable)? {
         lines(folder, &name.join(entry.map_err(unreadable)?.file_name()), found)?;
     }
@@ -202,35 +218,37 @@ fn lines(folder: &Path, name: &Path, found: &mut BTreeSet<String>) -> Result<(),
 }
 
 /// Unpacks only plain files and folders of the kinds that an archive has, and only into `folder`.
-fn unpack(mut file: impl Read + Seek, folder: &Path) -> std::io::Result<()> {
-    fs::create_dir(folder)?;
+fn unpack(mut file: impl Read + Seek, from: &Path, folder: &Path) -> Result<(), Error> {
+    let failed = |e| Error::io(from, Doing::Unpack, e);
+    let damaged = |why| Error::damaged(from, why, Message::new(AS_WRITTEN));
+    fs::create_dir(folder).map_err(failed)?;
     let mut end = 0;
-    let wrong = |what: String| std::io::Error::new(std::io::ErrorKind::InvalidData, what);
     let mut archive = tar::Archive::new(&mut file);
-    for entry in archive.entries()? {
-        let mut entry = entry?;
-        let path = entry.path()?.into_owned();
+    for entry in archive.entries().map_err(failed)? {
+        let mut entry = entry.map_err(failed)?;
+        let path = entry.path().map_err(failed)?.into_owned();
+        let named = |code| Message::new(code).text("name", path.display().to_string());
         let first = path.components().next().and_then(|c| c.as_os_str().to_str().map(str::to_owned));
         let known = first.is_some_and(|first| first == LIBRARY || first == MANIFEST || WITH.contains(&first.as_str()));
         let kind = entry.header().entry_type();
         if !known || !(kind.is_file() || kind.is_dir()) {
-            return Err(wrong(format!("{} does not belong into it", path.display())));
+            return Err(damaged(named("record-archive-foreign")));
         }
         // Regardless of the archive only the owner may write the files, and only the owner may read users.
         entry.set_mask(if path == Path::new(USERS) { 0o7177 } else { 0o7022 });
         end = entry.raw_file_position() + entry.size().next_multiple_of(BLOCK);
-        if !entry.unpack_in(folder)? {
-            return Err(wrong(format!("{} leads out of it", path.display())));
+        if !entry.unpack_in(folder).map_err(failed)? {
+            return Err(damaged(named("record-archive-outside")));
         }
     }
     // The mark of its end: without it, files may be missing.
-    file.seek(SeekFrom::Start(end))?;
+    file.seek(SeekFrom::Start(end)).map_err(failed)?;
     let mut mark = [1; 2 * BLOCK as usize];
     if file.read_exact(&mut mark).is_err() || mark.iter().any(|byte| *byte != 0) {
-        return Err(wrong("its end is missing".to_owned()));
+        return Err(damaged(Message::new("record-archive-cut-off")));
     }
     if !folder.join(LIBRARY).is_file() {
-        return Err(wrong("it has no library".to_owned()));
+        return Err(damaged(Message::new("record-archive-no-library")));
     }
     Ok(())
 }
@@ -365,7 +383,7 @@ mod tests {
             CREATE TRIGGER audit_is_not_changed BEFORE UPDATE ON audit
             BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;";
         let changed = copy("changed", changed).unwrap_err();
-        assert!(changed.contains("audit entry 1"), "{changed}");
+        assert!(changed.contains("audit log, entry 1"), "{changed}");
         // Archives without hashes are refused.
         let stripped = copy("stripped", "PRAGMA user_version = 3").unwrap_err();
         assert!(stripped.contains("manifest.sha256: missing") && stripped.contains("stripped.tar"), "{stripped}");
@@ -379,7 +397,7 @@ mod tests {
         fs::create_dir(&inside).unwrap();
         File::create(inside.join(MANIFEST)).unwrap().set_len(MAX_MANIFEST + 1).unwrap();
         let refused = check_manifest(Path::new("backup.tar"), &inside).unwrap_err().to_string();
-        assert!(refused.contains("manifest.sha256: of 65 MiB"), "{refused}");
+        assert!(refused.contains("manifest.sha256: 65 MiB"), "{refused}");
     }
 
     /// A backup without users holds no password hashes; after a restore the users stay unchanged.
@@ -406,7 +424,7 @@ mod tests {
             builder.append_data(&mut header, name, &b"x"[..]).unwrap();
             builder.finish().unwrap();
             let told = restore(&archive, &scratch.path().join("to")).unwrap_err().to_string();
-            assert!(told.contains("whole archive"), "{told}");
+            assert!(told.contains("unchanged archive"), "{told}");
             assert!(!scratch.path().join("to").exists());
         }
     }

@@ -3,12 +3,17 @@ use crate::journal::Journal;
 use crate::library::{AuditCheck, DocumentKind, Library, NewWeld, WeldRecord, WeldResult};
 use crate::recording::{hash_of, settle};
 use crate::trace::{self, Trace, recover::is_written};
-use crate::{Error, Moment, Plan, Recording, private, sha256_of_file};
+use crate::{Doing, Error, Moment, Plan, Recording, joined, private, sha256_of_file};
+use seamwright_message::{Message, Unit};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Room that must be left on the disk beside the trace, bytes.
 const SPARE: u64 = 64 << 20;
+
+/// Problems of a trace that is being written, and of one that a crash left.
+pub(crate) const UNFINISHED: &str = "record-problem-unfinished";
+pub(crate) const LEFT_UNFINISHED: &str = "record-problem-left";
 
 /// Files that only the owner of the folder may read, regardless of the permissions that they were made with.
 const PRIVATE: [&str; 6] =
@@ -42,7 +47,7 @@ pub struct Verified {
     /// The audit log.
     pub audit: AuditCheck,
     /// Everything that is not in order.
-    pub problems: Vec<String>,
+    pub problems: Vec<Message>,
 }
 
 impl DataFolder {
@@ -54,7 +59,7 @@ impl DataFolder {
     pub fn open(path: &Path) -> Result<Self, Error> {
         crate::finish_replacing(path)?;
         let welds = path.join("welds");
-        private::folder(&welds).map_err(|e| Error::io(&welds, "cannot be made", e))?;
+        private::folder(&welds).map_err(|e| Error::io(&welds, Doing::Create, e))?;
         for name in PRIVATE {
             // Errors are ignored: the permissions of another user's files are left alone.
             drop(private::tighten(&path.join(name)));
@@ -135,7 +140,7 @@ impl DataFolder {
         let last = self.weld_folders()?.into_iter().max().unwrap_or(0);
         let id = self.library.begin_weld(&new, last)?;
         let folder = self.weld_folder(id);
-        let made = private::folder(&folder).map_err(|e| Error::io(&folder, "cannot be made", e));
+        let made = private::folder(&folder).map_err(|e| Error::io(&folder, Doing::Create, e));
         let recording = made.and_then(|()| Recording::new((id, new.begun), folder.clone(), plan));
         recording.inspect_err(|_| self.take_back(id, &folder))
     }
@@ -154,7 +159,13 @@ impl DataFolder {
         let wanted = plan.rows.saturating_mul(2 * row).saturating_add(SPARE);
         match free_bytes(&self.path)? {
             Some(free) if free < wanted => {
-                let why = format!("{} MB are free, the weld's record needs {} MB", free >> 20, wanted >> 20);
+                let mib = |bytes: u64| (bytes >> 20) as f64;
+                let why = Message::new("record-no-room").quantity("free", mib(free), Unit::MiB, 0).quantity(
+                    "needed",
+                    mib(wanted),
+                    Unit::MiB,
+                    0,
+                );
                 Err(Error::Full { path: self.path.clone(), why })
             }
             _ => Ok(()),
@@ -207,16 +218,16 @@ impl DataFolder {
     }
 
     fn settle_left(&mut self, weld: WeldRecord, folder: &Path, unread: u64) -> Result<WeldRecord, Error> {
-        let mut note = weld.note;
         let result = match weld.result {
             WeldResult::Running => WeldResult::Interrupted,
             known => known,
         };
+        let recovered = |code| Message::new(code).text("time", Moment::now().to_string());
         let said = match unread {
-            0 => format!("recovered {}", Moment::now()),
-            n => format!("recovered {}, {n} bytes at the end of the trace were no whole rows", Moment::now()),
+            0 => recovered("record-recovered"),
+            n => recovered("record-recovered-without").quantity("size", n as f64, Unit::Byte, 0),
         };
-        note = if note.is_empty() { said } else { format!("{note}; {said}") };
+        let note = joined([weld.note, said]);
         // The weld ended with the last write to its files.
         let modified = fs::read_dir(folder).into_iter().flatten().flatten();
         let modified = modified.filter_map(|f| f.metadata().ok()?.modified().ok()).max();
@@ -234,31 +245,32 @@ impl DataFolder {
         let mut problems = self.library.integrity()?;
         problems.extend(self.library.foreign_schema()?);
         let audit = self.library.verify_audit()?;
-        problems.extend(audit.broken.as_ref().map(|(id, why)| format!("audit entry {id}: {why}")));
-        problems.extend(self.lost_welds()?.into_iter().map(|id| {
-            format!(
-                "weld {id}: its files are in {}, but the library has no entry of it: it was lost",
-                self.weld_folder(id).display()
-            )
-        }));
+        let of = |code, id: i64| Message::new(code).number("id", id as f64, 0);
+        let broken = audit.broken.as_ref();
+        problems.extend(broken.map(|(id, why)| of("record-problem-audit", *id).message("why", why.clone())));
+        problems.extend(
+            self.lost_welds()?
+                .into_iter()
+                .map(|id| of("record-problem-lost", id).text("folder", self.weld_folder(id).display().to_string())),
+        );
         let (mut files, welds) = (0, self.library.find(&crate::library::Query::default())?);
         for weld in &welds {
             let folder = self.weld_folder(weld.id);
             if weld.result == WeldResult::Running || (folder.exists() && has_raw(&folder)?) {
-                let running =
-                    if is_written(&folder) { "it is being written" } else { "a crash left it: records recover" };
-                problems.push(format!("weld {}: its trace is not finished: {running}", weld.id));
+                problems.push(of(if is_written(&folder) { UNFINISHED } else { LEFT_UNFINISHED }, weld.id));
             }
             let program = self.library.program_of(weld.id)?;
             if hash_of(&program.text) != program.sha256 {
-                problems.push(format!("weld {}: the text of its program was changed", weld.id));
+                problems.push(of("record-problem-program", weld.id));
             }
             for file in self.library.files(weld.id)? {
                 let path = folder.join(&file.name);
                 match sha256_of_file(&path) {
                     Ok((hash, _)) if hash == file.sha256 => files += 1,
-                    Ok(_) => problems.push(format!("{}: changed since it was recorded", path.display())),
-                    Err(e) => problems.push(e.to_string()),
+                    Ok(_) => {
+                        problems.push(Message::new("record-problem-changed").text("path", path.display().to_string()))
+                    }
+                    Err(e) => problems.push(e.message()),
                 }
             }
         }
@@ -267,14 +279,14 @@ impl DataFolder {
 }
 
 fn has_raw(folder: &Path) -> Result<bool, Error> {
-    let entries = fs::read_dir(folder).map_err(|e| Error::io(folder, "cannot be read", e))?;
+    let entries = fs::read_dir(folder).map_err(|e| Error::io(folder, Doing::Read, e))?;
     Ok(entries.flatten().any(|f| f.path().extension().is_some_and(|e| e == "raw")))
 }
 
 /// Bytes free on the disk of `path`, if the system reports them.
 #[cfg(unix)]
 fn free_bytes(path: &Path) -> Result<Option<u64>, Error> {
-    let room = rustix::fs::statvfs(path).map_err(|e| Error::io(path, "cannot be read", e.into()))?;
+    let room = rustix::fs::statvfs(path).map_err(|e| Error::io(path, Doing::Read, e.into()))?;
     Ok(Some(room.f_bavail.saturating_mul(room.f_frsize)))
 }
 

@@ -1,22 +1,18 @@
+use seamwright_message::{Message, display_by_message};
 use std::io;
 use std::path::{Path, PathBuf};
-use thiserror::Error;
 
 /// Reason why data cannot be recorded or read. Every message names the file and the operator action.
-#[derive(Debug, Error)]
+#[derive(Debug)]
 pub enum Error {
     /// The disk is full.
-    #[error(
-        "{}: {why}\n   allowed: make room, or another data folder; what was written before is kept", path.display()
-    )]
     Full {
         /// The file.
         path: PathBuf,
         /// Reason: the disk is full, or how much is missing.
-        why: String,
+        why: Message,
     },
     /// The folder or file is read-only.
-    #[error("{}: cannot be written: {why}\n   allowed: a folder that you may write", path.display())]
     ReadOnly {
         /// The file or folder.
         path: PathBuf,
@@ -24,30 +20,24 @@ pub enum Error {
         why: String,
     },
     /// The system refuses for another reason.
-    #[error("{}: {doing}: {cause}\n   allowed: a file or folder that is there, on a disk that works", path.display())]
     Io {
         /// The file.
         path: PathBuf,
         /// Action that failed.
-        doing: &'static str,
+        doing: Doing,
         /// Error of the system.
         cause: io::Error,
     },
     /// A file is damaged.
-    #[error("{}: {why}\n   allowed: {allowed}", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
         /// Description of the damage.
-        why: String,
+        why: Message,
         /// Operator action.
-        allowed: String,
+        allowed: Message,
     },
     /// A library of a later version.
-    #[error(
-        "{}: written by a later version (schema {found}, this version knows up to {known})\n   allowed: that version of \
-         Seamwright; nothing was changed", path.display()
-    )]
     Newer {
         /// The library.
         path: PathBuf,
@@ -57,21 +47,18 @@ pub enum Error {
         known: i64,
     },
     /// Something else holds it.
-    #[error("{}: another program is using it\n   allowed: try again when that has ended", path.display())]
     Busy {
         /// The file.
         path: PathBuf,
     },
     /// The request is invalid: its object is missing, or it is not allowed.
-    #[error("{what}\n   allowed: {allowed}")]
     Wrong {
         /// Description of the fault.
-        what: String,
+        what: Message,
         /// Operator action.
-        allowed: String,
+        allowed: Message,
     },
     /// The database refuses for another reason.
-    #[error("{}: {cause}", path.display())]
     Database {
         /// The library.
         path: PathBuf,
@@ -80,9 +67,49 @@ pub enum Error {
     },
 }
 
+/// Action on a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Doing {
+    /// Read it.
+    Read,
+    /// Write it.
+    Write,
+    /// Create it.
+    Create,
+    /// Remove it.
+    Remove,
+    /// Rename or move it.
+    Move,
+    /// Put it into an archive.
+    Archive,
+    /// Unpack it.
+    Unpack,
+}
+
 impl Error {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        let at = |code, path: &Path| Message::new(code).text("path", path.display().to_string());
+        match self {
+            Self::Full { path, why } => at("record-full", path).message("why", why.clone()),
+            Self::ReadOnly { path, why } => at("record-read-only", path).text("why", why),
+            Self::Io { path, doing, cause } => at(doing.code(), path).text("why", cause.to_string()),
+            Self::Damaged { path, why, allowed } => {
+                at("record-damaged", path).message("why", why.clone()).message("allowed", allowed.clone())
+            }
+            Self::Newer { path, found, known } => {
+                at("record-newer", path).number("found", *found as f64, 0).number("known", *known as f64, 0)
+            }
+            Self::Busy { path } => at("record-busy", path),
+            Self::Wrong { what, allowed } => {
+                Message::new("record-invalid").message("what", what.clone()).message("allowed", allowed.clone())
+            }
+            Self::Database { path, cause } => at("record-database", path).text("why", cause.to_string()),
+        }
+    }
+
     /// A failure of the system at `path` during the action `doing`.
-    pub(crate) fn io(path: &Path, doing: &'static str, cause: io::Error) -> Self {
+    pub(crate) fn io(path: &Path, doing: Doing, cause: io::Error) -> Self {
         use io::ErrorKind::{PermissionDenied, QuotaExceeded, ReadOnlyFilesystem, StorageFull};
         let path = path.to_owned();
         match cause.kind() {
@@ -93,7 +120,7 @@ impl Error {
     }
 
     fn full(path: &Path) -> Self {
-        Self::Full { path: path.to_owned(), why: "the disk is full".to_owned() }
+        Self::Full { path: path.to_owned(), why: Message::new("record-disk-full") }
     }
 
     /// A failure of the Parquet file at `path`.
@@ -101,17 +128,18 @@ impl Error {
         if let parquet::errors::ParquetError::External(inner) = cause
             && let Some(io) = inner.downcast_ref::<io::Error>()
         {
-            return Self::io(path, "written", io::Error::new(io.kind(), io.to_string()));
+            return Self::io(path, Doing::Write, io::Error::new(io.kind(), io.to_string()));
         }
-        Self::damaged(path, format!("not a trace: {cause}"), "a Parquet file that Seamwright wrote")
+        let why = Message::new("record-no-trace").text("why", cause.to_string());
+        Self::damaged(path, why, Message::new("record-own-parquet"))
     }
 
-    pub(crate) fn damaged(path: &Path, why: impl Into<String>, allowed: impl Into<String>) -> Self {
-        Self::Damaged { path: path.to_owned(), why: why.into(), allowed: allowed.into() }
+    pub(crate) fn damaged(path: &Path, why: Message, allowed: Message) -> Self {
+        Self::Damaged { path: path.to_owned(), why, allowed }
     }
 
-    pub(crate) fn wrong(what: impl Into<String>, allowed: impl Into<String>) -> Self {
-        Self::Wrong { what: what.into(), allowed: allowed.into() }
+    pub(crate) fn wrong(what: Message, allowed: Message) -> Self {
+        Self::Wrong { what, allowed }
     }
 
     /// A failure of the library at `path`.
@@ -127,10 +155,8 @@ impl Error {
             Some(DatabaseBusy | DatabaseLocked) => Self::Busy { path: known },
             Some(DatabaseCorrupt | NotADatabase) => Self::Damaged {
                 path: known,
-                why: format!("the library is damaged ({cause})"),
-                allowed: "put the last copy of it in its place, or move it away: a new one is begun, and traces stay \
-                          as they are"
-                    .to_owned(),
+                why: Message::new("record-library-damaged").text("why", cause.to_string()),
+                allowed: Message::new("record-library-from-copy"),
             },
             _ => Self::Database { path: known, cause },
         }
@@ -147,6 +173,23 @@ impl Error {
                 )
             }
             Self::Full { .. } | Self::Damaged { .. } | Self::Busy { .. } | Self::Database { .. } => false,
+        }
+    }
+}
+
+display_by_message!(Error);
+
+impl Doing {
+    /// Code of the message if it fails.
+    fn code(self) -> &'static str {
+        match self {
+            Self::Read => "record-not-read",
+            Self::Write => "record-not-written",
+            Self::Create => "record-not-created",
+            Self::Remove => "record-not-removed",
+            Self::Move => "record-not-moved",
+            Self::Archive => "record-not-archived",
+            Self::Unpack => "record-not-unpacked",
         }
     }
 }

@@ -1,4 +1,4 @@
-use crate::Error;
+use crate::{Doing, Error};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 use std::fs::File;
@@ -15,7 +15,7 @@ pub fn sha256(bytes: &[u8]) -> String {
 /// # Errors
 /// If the file cannot be read.
 pub fn sha256_of_file(path: &Path) -> Result<(String, u64), Error> {
-    let unreadable = |e| Error::io(path, "cannot be read", e);
+    let unreadable = |e| Error::io(path, Doing::Read, e);
     let mut file = File::open(path).map_err(unreadable)?;
     let (mut hasher, mut piece, mut bytes) = (Sha256::new(), vec![0; 1 << 16], 0);
     loop {

@@ -13,7 +13,7 @@
 //! | 32 | corrections (mm): of each head lateral, height |
 //! | 4 | CRC-32 of all this |
 
-use crate::{Error, private, whole_file};
+use crate::{Doing, Error, private, whole_file};
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -68,7 +68,7 @@ impl Journal {
         let mut newest = (0, None);
         let (mut whole, mut written) = (false, false);
         for (path, file) in &mut files {
-            let failed = |e| Error::io(path, "cannot be read", e);
+            let failed = |e| Error::io(path, Doing::Read, e);
             let entry = read(file).map_err(failed)?;
             whole |= entry.is_some();
             written |= !is_blank(file).map_err(failed)?;
@@ -113,7 +113,7 @@ impl Journal {
             .seek(SeekFrom::Start(0))
             .and_then(|_| file.write_all(&encoded(sequence, position)))
             .and_then(|()| file.sync_data());
-        written.map_err(|e| Error::io(path, "cannot be written", e))?;
+        written.map_err(|e| Error::io(path, Doing::Write, e))?;
         (self.sequence, self.last, self.damaged) = (sequence, position, false);
         Ok(())
     }
@@ -130,7 +130,7 @@ impl Drop for Journal {
 
 /// Opens a file of full length, which it locks.
 fn open(path: &Path) -> Result<(PathBuf, File), Error> {
-    let failed = |e| Error::io(path, "cannot be written", e);
+    let failed = |e| Error::io(path, Doing::Write, e);
     let mut options = private::options();
     let mut file = options.read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
     if file.try_lock().is_err() {

@@ -1,3 +1,4 @@
+use seamwright_message::{Message, display_by_message};
 use std::fmt;
 use std::str::FromStr;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -55,11 +56,11 @@ impl fmt::Display for Moment {
 }
 
 impl FromStr for Moment {
-    type Err = String;
+    type Err = InvalidMoment;
 
     /// `2026-11-21`, which is its midnight, or `2026-11-21 14:05` with or without seconds; UTC.
-    fn from_str(text: &str) -> Result<Self, String> {
-        let refused = || format!("{text}: no such date; allowed: 2026-11-21 or \"2026-11-21 14:05\", UTC");
+    fn from_str(text: &str) -> Result<Self, InvalidMoment> {
+        let refused = || InvalidMoment { text: text.to_owned() };
         let (date, time) = text.trim().split_once([' ', 'T']).unwrap_or((text.trim(), "00:00"));
         let numbers = |part: &str, by: char| -> Option<Vec<i64>> {
             let all = part.split(by).map(|n| n.bytes().all(|b| b.is_ascii_digit()).then(|| n.parse().ok())?);
@@ -80,6 +81,22 @@ impl FromStr for Moment {
         Ok(Self(midnight.0 + 1000 * (3600 * hour + 60 * minute + second)))
     }
 }
+
+/// A text is not a [`Moment`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct InvalidMoment {
+    /// The text.
+    pub text: String,
+}
+
+impl InvalidMoment {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        Message::new("record-invalid-moment").text("text", &self.text)
+    }
+}
+
+display_by_message!(InvalidMoment);
 
 /// A moment in JSON.
 pub(crate) fn written<S: serde::Serializer>(moment: &Moment, out: S) -> Result<S::Ok, S::Error> {
@@ -132,7 +149,7 @@ mod tests {
             "99999999999999999999-1-1",
         ] {
             let told = bad.parse::<Moment>().unwrap_err();
-            assert!(told.contains("allowed: 2026-11-21"), "{told}");
+            assert!(told.to_string().contains("2026-11-21"), "{told}");
         }
     }
 }

@@ -1,7 +1,8 @@
 use crate::figures::{Basis, Figures, HEAT_INPUT};
 use crate::library::{WeldEnd, WeldFile, WeldRecord, WeldResult};
 use crate::trace::{Column, Trace, TraceWriter};
-use crate::{DataFolder, Error, Moment, sha256, sha256_of_file, whole_file};
+use crate::{DataFolder, Doing, Error, Moment, joined, sha256, sha256_of_file, whole_file};
+use seamwright_message::{Message, Unit};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -37,7 +38,7 @@ pub struct Plan {
     /// Inputs of the figures.
     pub basis: Basis,
     /// Note made at the start of the weld; may be empty.
-    pub note: String,
+    pub note: Message,
 }
 
 /// End of a weld.
@@ -46,7 +47,7 @@ pub struct Outcome {
     /// Result of the weld.
     pub result: WeldResult,
     /// Further remarks; may be empty.
-    pub note: String,
+    pub note: Message,
     /// Files to keep with it: name and text.
     pub files: Vec<(String, String)>,
 }
@@ -62,8 +63,8 @@ pub struct Recording {
     begun: (Moment, Instant),
     folder: PathBuf,
     writer: TraceWriter,
-    note: String,
-    trouble: Option<String>,
+    note: Message,
+    trouble: Option<Message>,
 }
 
 impl Recording {
@@ -91,13 +92,13 @@ impl Recording {
 
     fn keep(&mut self, result: Result<(), Error>) {
         if let Err(error) = result {
-            self.trouble.get_or_insert_with(|| error.to_string());
+            self.trouble.get_or_insert_with(|| error.message());
         }
     }
 
     /// Reason why rows could not be written, if any: an alarm should report it.
-    pub fn trouble(&self) -> Option<&str> {
-        self.trouble.as_deref()
+    pub fn trouble(&self) -> Option<&Message> {
+        self.trouble.as_ref()
     }
 
     /// Ends the weld: converts the trace to Parquet, computes the figures and puts all of it into the library.
@@ -107,24 +108,23 @@ impl Recording {
     /// An unfinished trace is no error; the weld's note reports it.
     pub fn finish(self, data: &mut DataFolder, outcome: &Outcome) -> Result<WeldRecord, Error> {
         let Self { id, begun, folder, writer, note, trouble } = self;
-        let mut notes: Vec<String> = vec![note, outcome.note.clone()];
-        let lost = writer.lost();
-        notes.extend(trouble.map(|why| format!("{lost} rows of the trace were lost: {why}")));
+        let mut notes = vec![note, outcome.note.clone()];
+        let lost = usize::try_from(writer.lost()).unwrap_or(usize::MAX);
+        notes.extend(trouble.map(|why| Message::new("record-rows-lost").count("n", lost).message("why", why)));
         let kept = writer.finish().map(drop);
         let kept = kept.and_then(|()| {
             outcome.files.iter().try_for_each(|(name, text)| write(&folder.join(name), text.as_bytes()))
         });
-        notes.extend(kept.err().map(|why| format!("the record is not whole: {why}")));
-        notes.retain(|note| !note.is_empty());
+        notes.extend(kept.err().map(|why| Message::new("record-incomplete").message("why", why.message())));
         let lasted = i64::try_from(begun.1.elapsed().as_millis()).unwrap_or(i64::MAX);
         let ended = Moment(begun.0.0.saturating_add(lasted));
-        settle(data, id, &folder, (outcome.result, ended, notes.join("; ")))
+        settle(data, id, &folder, (outcome.result, ended, joined(notes)))
     }
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let mut file = whole_file::create(path)?;
-    file.write_all(bytes).map_err(|e| Error::io(path, "cannot be written", e))?;
+    file.write_all(bytes).map_err(|e| Error::io(path, Doing::Write, e))?;
     whole_file::finish(file, path)
 }
 
@@ -133,7 +133,7 @@ pub(crate) fn settle(
     data: &mut DataFolder,
     id: i64,
     folder: &Path,
-    (result, ended, mut note): (WeldResult, Moment, String),
+    (result, ended, mut note): (WeldResult, Moment, Message),
 ) -> Result<WeldRecord, Error> {
     let files = files_in(folder)?;
     let traces = files.iter().filter(|f| f.rows.is_some()).map(|f| Trace::open(&folder.join(&f.name)));
@@ -142,16 +142,16 @@ pub(crate) fn settle(
         Figures::of(&traces, &basis)
     });
     let figures = figures.unwrap_or_else(|why| {
-        let why = format!("no figures: {why}");
-        note = if note.is_empty() { why } else { format!("{note}; {why}") };
+        let why = Message::new("record-no-figures").message("why", why.message());
+        note = joined([std::mem::take(&mut note), why]);
         Figures::default()
     });
     let beyond: f64 = figures.values.iter().filter(|v| v.name == HEAT_INPUT).map(|v| v.outside_mm).sum();
     let result = match result {
         // Energy over a way, which averages out the noise of the arc: the qualified range of the procedure was left.
         WeldResult::Good if beyond > 0.0 => {
-            let why = format!("heat input outside of the procedure over {beyond:.0} mm");
-            note = if note.is_empty() { why } else { format!("{note}; {why}") };
+            let why = Message::new("record-heat-input-outside").quantity("length", beyond, Unit::Mm, 0);
+            note = joined([note, why]);
             WeldResult::Deviating
         }
         other => other,
@@ -175,7 +175,7 @@ fn files_in(folder: &Path) -> Result<Vec<WeldFile>, Error> {
     if !folder.exists() {
         return Ok(files);
     }
-    let unreadable = |e| Error::io(folder, "cannot be read", e);
+    let unreadable = |e| Error::io(folder, Doing::Read, e);
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -1,6 +1,7 @@
 use crate::backup::{LIBRARY, USERS, restore};
 use crate::library::Query;
-use crate::{DataFolder, Error, Moment};
+use crate::{DataFolder, Doing, Error, Moment};
+use seamwright_message::Message;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -46,7 +47,7 @@ pub struct Contents {
 /// An archive that is foreign, not whole, of a later version or changed since; a disk that is full.
 pub fn check_archive(archive: &Path, data: &Path) -> Result<(Contents, PathBuf), Error> {
     discard_checked(data)?;
-    let scratch = tempfile::tempdir_in(data).map_err(|e| Error::io(data, "cannot be written", e))?;
+    let scratch = tempfile::tempdir_in(data).map_err(|e| Error::io(data, Doing::Write, e))?;
     let new = scratch.path().join("new");
     restore(archive, &new)?;
     let mut folder = DataFolder::open(&new)?;
@@ -55,16 +56,16 @@ pub fn check_archive(archive: &Path, data: &Path) -> Result<(Contents, PathBuf),
     let verified = folder.verify()?;
     if let Some(problem) = verified.problems.first() {
         let more = verified.problems.len() - 1;
-        let why = format!("what is in it is not in order: {problem} (and {more} more)");
-        return Err(Error::damaged(archive, why, "`seamwright records restore` takes it into a folder of its own"));
+        let why = Message::new("record-archive-problems").message("problem", problem.clone()).count("more", more);
+        return Err(Error::damaged(archive, why, Message::new("record-restore-elsewhere")));
     }
     let newest = folder.library().find(&Query::default())?.iter().map(|weld| weld.begun).max();
     let jobs = fs::read_dir(new.join("jobs")).map_or(0, Iterator::count);
     let contents = Contents { welds: verified.welds, newest, jobs, audit: verified.audit.entries };
     drop(folder);
-    sync(&new).map_err(|e| Error::io(&new, "cannot be written", e))?;
+    sync(&new).map_err(|e| Error::io(&new, Doing::Write, e))?;
     let checked = data.join(CHECKED);
-    fs::rename(scratch.path(), &checked).map_err(|e| Error::io(&checked, "cannot be made", e))?;
+    fs::rename(scratch.path(), &checked).map_err(|e| Error::io(&checked, Doing::Create, e))?;
     Ok((contents, checked.join("new")))
 }
 
@@ -75,7 +76,7 @@ pub fn check_archive(archive: &Path, data: &Path) -> Result<(Contents, PathBuf),
 pub fn discard_checked(data: &Path) -> Result<(), Error> {
     let checked = data.join(CHECKED);
     match fs::remove_dir_all(&checked) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Error::io(&checked, "cannot be removed", e)),
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Error::io(&checked, Doing::Remove, e)),
         _ => Ok(()),
     }
 }
@@ -93,8 +94,8 @@ pub fn has_checked(data: &Path) -> bool {
 pub fn replace_by_checked(data: &Path) -> Result<PathBuf, Error> {
     let checked = data.join(CHECKED);
     keep_users(data, &checked.join("new"))?;
-    fs::rename(&checked, data.join(BEGUN)).map_err(|e| Error::io(&checked, "cannot be taken", e))?;
-    let nothing = || Error::wrong("nothing was restored", "an archive that was checked");
+    fs::rename(&checked, data.join(BEGUN)).map_err(|e| Error::io(&checked, Doing::Move, e))?;
+    let nothing = || Error::wrong(Message::new("record-nothing-restored"), Message::new("record-checked-archive"));
     finish_replacing(data)?.ok_or_else(nothing)
 }
 
@@ -104,10 +105,10 @@ fn keep_users(data: &Path, new: &Path) -> Result<(), Error> {
     if !own.is_file() || coming.exists() || !new.is_dir() {
         return Ok(());
     }
-    let failed = |e| Error::io(&coming, "cannot be written", e);
+    let failed = |e| Error::io(&coming, Doing::Write, e);
     // Whole, or not: a restore that is broken off here has not begun.
     let mut file = tempfile::NamedTempFile::new_in(new).map_err(failed)?;
-    let mut from = File::open(&own).map_err(|e| Error::io(&own, "cannot be read", e))?;
+    let mut from = File::open(&own).map_err(|e| Error::io(&own, Doing::Read, e))?;
     std::io::copy(&mut from, &mut file).map_err(failed)?;
     file.as_file().sync_all().map_err(failed)?;
     file.persist(&coming).map(drop).map_err(|e| failed(e.error))?;
@@ -123,7 +124,7 @@ pub fn finish_replacing(data: &Path) -> Result<Option<PathBuf>, Error> {
     let (begun, moved) = (data.join(BEGUN), data.join(MOVED));
     if begun.is_dir() {
         let old = begun.join("old");
-        fs::create_dir_all(&old).map_err(|e| Error::io(&old, "cannot be made", e))?;
+        fs::create_dir_all(&old).map_err(|e| Error::io(&old, Doing::Create, e))?;
         take(data, &old)?;
         step(&begun, &moved)?;
         synced(data)?;
@@ -138,7 +139,7 @@ pub fn finish_replacing(data: &Path) -> Result<Option<PathBuf>, Error> {
         step(&moved.join("old"), &kept)?;
     }
     synced(data)?;
-    fs::remove_dir_all(&moved).map_err(|e| Error::io(&moved, "cannot be removed", e))?;
+    fs::remove_dir_all(&moved).map_err(|e| Error::io(&moved, Doing::Remove, e))?;
     Ok(Some(kept))
 }
 
@@ -150,7 +151,7 @@ fn take(from: &Path, to: &Path) -> Result<(), Error> {
 }
 
 fn step(from: &Path, to: &Path) -> Result<(), Error> {
-    fs::rename(from, to).map_err(|e| Error::io(from, "cannot be moved", e))
+    fs::rename(from, to).map_err(|e| Error::io(from, Doing::Move, e))
 }
 
 /// The folder's entries are on the disk.
@@ -159,7 +160,7 @@ fn synced(folder: &Path) -> Result<(), Error> {
     if cfg!(not(unix)) {
         return Ok(());
     }
-    File::open(folder).and_then(|f| f.sync_all()).map_err(|e| Error::io(folder, "cannot be written", e))
+    File::open(folder).and_then(|f| f.sync_all()).map_err(|e| Error::io(folder, Doing::Write, e))
 }
 
 /// A folder and all that is in it is on the disk.
@@ -296,13 +297,13 @@ mod tests {
         };
         for n in [0, 1, 511, 512, whole.len() / 2, whole.len() - 1025, whole.len() - 1] {
             fs::write(&bad, &whole[..n]).unwrap();
-            assert!(refused("cut").contains("whole archive"), "{n}");
+            assert!(refused("cut").contains("archive"), "{n}");
         }
         fs::write(&bad, b"PK\x03\x04 something else".repeat(100)).unwrap();
-        assert!(refused("foreign").contains("whole archive"));
+        assert!(refused("foreign").contains("archive"));
         // An entry of the audit log that was changed, and a schema of a later version.
         for (sql, said) in [
-            ("UPDATE audit SET user = 'eve'; PRAGMA user_version = 2", "audit entry"),
+            ("UPDATE audit SET user = 'eve'; PRAGMA user_version = 2", "audit log, entry"),
             ("PRAGMA user_version = 999", "later version"),
         ] {
             let from = scratch.path().join(format!("from {said}"));

@@ -4,7 +4,7 @@
 //! and owner of a file that it replaces. It writes to pipes and character devices instead of putting a file in their
 //! place.
 
-use crate::Error;
+use crate::{Doing, Error};
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -233,12 +233,12 @@ fn folder_of(path: &Path) -> &Path {
 
 /// Starts the file `path` of a data folder: readable by its owner only, regardless of the folder's permissions.
 pub(crate) fn create(path: &Path) -> Result<WholeFile, Error> {
-    WholeFile::create_private(path).map_err(|e| Error::io(path, "cannot be written", e))
+    WholeFile::create_private(path).map_err(|e| Error::io(path, Doing::Write, e))
 }
 
 /// Gives a written file of a data folder its name, for good.
 pub(crate) fn finish(file: WholeFile, path: &Path) -> Result<(), Error> {
-    file.finish().map_err(|e| Error::io(path, "cannot be written", e))?;
+    file.finish().map_err(|e| Error::io(path, Doing::Write, e))?;
     sync_folder(path)
 }
 
@@ -247,7 +247,7 @@ pub(crate) fn sync_folder(path: &Path) -> Result<(), Error> {
     if cfg!(unix) {
         let folder = folder_of(path);
         let synced = File::open(folder).and_then(|folder| folder.sync_all());
-        synced.map_err(|e| Error::io(folder, "cannot be written", e))?;
+        synced.map_err(|e| Error::io(folder, Doing::Write, e))?;
     }
     Ok(())
 }

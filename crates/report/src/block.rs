@@ -1,6 +1,7 @@
 //! The parts of a page.
 
-use crate::Phrases as _;
+use crate::Words as _;
+use seamwright_message::Message;
 use std::fmt::Write;
 
 use crate::Language;
@@ -71,11 +72,11 @@ impl Severity {
         }
     }
 
-    fn word(self, language: Language) -> &'static str {
-        language.say(match self {
-            Self::Note => "Note",
-            Self::Warning => "Warning",
-            Self::Error => "Error",
+    fn word(self, language: Language) -> String {
+        language.words(match self {
+            Self::Note => "report-severity-note",
+            Self::Warning => "report-severity-warning",
+            Self::Error => "report-severity-error",
         })
     }
 }
@@ -138,10 +139,13 @@ impl Block {
             }
             Self::Figure { svg, caption } => {
                 counters.figures += 1;
-                let caption = numbered(&language.fill("Figure {0}.", &[&counters.figures.to_string()]), caption);
+                let number = Message::new("report-figure").pass("number", counters.figures).in_language(language);
+                let caption = numbered(&number, caption);
                 writeln!(out, "<figure><div class=\"drawing\">\n{svg}</div><figcaption>{caption}</figcaption></figure>")
             }
-            Self::Findings(findings) if findings.is_empty() => writeln!(out, "<p>{}</p>", language.say("No findings.")),
+            Self::Findings(findings) if findings.is_empty() => {
+                writeln!(out, "<p>{}</p>", language.words("report-no-findings"))
+            }
             Self::Findings(findings) => {
                 out.push_str("<ul class=\"findings\">\n");
                 findings.iter().for_each(|f| f.render(out, language));
@@ -188,11 +192,12 @@ impl Finding {
         let (sign, word) = (icon::of(self.severity), self.severity.word(language));
         let _ = write!(out, "<li>{sign}<div><p><b>{word}:</b> {}</p>", escape(&self.text));
         if !self.place.is_empty() {
-            let place = language.fill("At: {0}", &[&self.place]);
+            let place = Message::new("report-finding-place").text("place", &self.place).in_language(language);
             let _ = write!(out, "<p class=\"place\">{}</p>", escape(&place));
         }
         if !self.cure.is_empty() {
-            let _ = write!(out, "<p>{}</p>", escape(&language.fill("Cure: {0}", &[&self.cure])));
+            let cure = Message::new("report-finding-cure").text("cure", &self.cure).in_language(language);
+            let _ = write!(out, "<p>{}</p>", escape(&cure));
         }
         out.push_str("</div></li>\n");
     }
@@ -204,7 +209,8 @@ impl Table {
     }
 
     fn render(&self, out: &mut String, counters: &Counters) {
-        let caption = numbered(&counters.language.fill("Table {0}.", &[&counters.tables.to_string()]), &self.caption);
+        let number = Message::new("report-table").pass("number", counters.tables).in_language(counters.language);
+        let caption = numbered(&number, &self.caption);
         let class = |column| if self.is_number(column) { " class=\"number\"" } else { "" };
         let _ = write!(out, "<div class=\"scroll\"><table><caption>{caption}</caption>\n<thead><tr>");
         for (column, text) in self.head.iter().enumerate() {

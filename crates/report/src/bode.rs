@@ -1,10 +1,14 @@
 //! A Bode plot: magnitude and phase over logarithmic frequency, with the margins drawn in.
 
-use crate::{Axis, Chart, ChartGrid, LimitLine, Series, Style, format_number};
+use crate::number::Significant as _;
+use crate::{Axis, Chart, ChartGrid, Language, LimitLine, Series, Style, Words as _};
+use seamwright_message::{Message, Unit};
 
 /// Magnitude and phase of an open loop, with its margins.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Bode {
+    /// Language of built-in texts; the title is already in it.
+    pub language: Language,
     /// Heading.
     pub title: String,
     /// Frequency (Hz), magnitude (dB) and phase (degrees), in order of frequency.
@@ -36,9 +40,10 @@ impl Bode {
         let phases = || self.lines.iter().map(|l| l.2);
         let steps = |v: f64, up: f64| 45.0 * ((v / 45.0 + up).floor());
         let (lowest, highest) = (phases().fold(-180.0, f64::min), phases().fold(-90.0, f64::max));
-        let chart = |label: &str, unit: &str, range, series, limit| Chart {
-            x: Axis::new("frequency", "Hz"),
-            y: Axis::new(label, unit),
+        let chart = |label, unit: String, range, series, limit| Chart {
+            language: self.language,
+            x: Axis::new(self.language.words("report-bode-frequency"), self.language.symbol(Unit::Hz)),
+            y: Axis::new(self.language.words(label), unit),
             series,
             limits: vec![limit],
             y_range: Some(range),
@@ -47,14 +52,15 @@ impl Bode {
             ..Chart::default()
         };
         let magnitude = chart(
-            "magnitude of the open loop",
-            "dB",
+            "report-bode-magnitude",
+            self.language.symbol(Unit::Db),
             (10.0 * (low / 10.0 - 0.2).floor(), 10.0 * (top / 10.0 + 0.2).ceil()),
             self.magnitudes(),
-            LimitLine::new("crossover", 0.0),
+            LimitLine::new(self.language.words("report-bode-crossover"), 0.0),
         );
         let range = (steps(lowest, 0.0).max(-540.0), steps(highest, 1.0));
-        let phase = chart("phase of the open loop", "deg", range, self.phases(), LimitLine::new("", -180.0));
+        let degrees = self.language.symbol(Unit::Deg);
+        let phase = chart("report-bode-phase", degrees, range, self.phases(), LimitLine::new("", -180.0));
         ChartGrid { title: self.title.clone(), columns: 1, charts: vec![magnitude, phase] }
     }
 
@@ -66,18 +72,30 @@ impl Bode {
     }
 
     fn names(&self) -> [String; 2] {
-        let text = |what: &str, (margin, hz): (f64, f64), unit: &str, digits| match margin.is_finite() {
-            true => format!("{what} {} {unit} at {} Hz", format_number(margin, digits), format_number(hz, 3)),
-            false => format!("{what}: not bounded"),
+        let text = |codes: [&'static str; 2], (margin, hz): (f64, f64), unit| {
+            let message = match margin.is_finite() {
+                true => Message::new(codes[0]).significant("margin", margin, unit, 3).significant(
+                    "frequency",
+                    hz,
+                    Unit::Hz,
+                    3,
+                ),
+                false => Message::new(codes[1]),
+            };
+            message.in_language(self.language)
         };
-        [text("gain margin", self.gain_margin, "dB", 3), text("phase margin", self.phase_margin, "deg", 3)]
+        [
+            text(["report-bode-gain-margin", "report-bode-gain-unbounded"], self.gain_margin, Unit::Db),
+            text(["report-bode-phase-margin", "report-bode-phase-unbounded"], self.phase_margin, Unit::Deg),
+        ]
     }
 
     fn magnitudes(&self) -> Vec<Series> {
         let [gain, phase] = self.names();
         let (margin, at) = self.gain_margin;
         vec![
-            Series::line("open loop", self.lines.iter().map(|l| (l.0, l.1)).collect()).coloured(COLOURS[0]),
+            Series::line(self.language.words("report-bode-open-loop"), self.lines.iter().map(|l| (l.0, l.1)).collect())
+                .coloured(COLOURS[0]),
             Self::marker(gain, COLOURS[1], at, (-margin, 0.0)),
             // Named in both plots, drawn in the other plot.
             Self::marker(phase, COLOURS[2], f64::NAN, (0.0, 0.0)),
@@ -95,7 +113,8 @@ impl Bode {
         let half_turn = 360.0 * ((reached + 180.0) / 360.0).round() - 180.0;
         let ends = if margin.is_finite() { (reached, half_turn) } else { (f64::NAN, f64::NAN) };
         vec![
-            Series::line("open loop", self.lines.iter().map(|l| (l.0, l.2)).collect()).coloured(COLOURS[0]),
+            Series::line(self.language.words("report-bode-open-loop"), self.lines.iter().map(|l| (l.0, l.2)).collect())
+                .coloured(COLOURS[0]),
             Self::marker(gain, COLOURS[1], f64::NAN, (0.0, 0.0)),
             Self::marker(phase, COLOURS[2], at, ends),
         ]

@@ -1,7 +1,7 @@
 use crate::Language;
-use crate::Phrases as _;
 use crate::number::px;
 use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
+use seamwright_message::Message;
 
 /// Room above each section for its title and notes, px.
 const HEAD: f64 = 72.0;
@@ -64,7 +64,8 @@ impl SectionDrawing {
 
 impl Gallery {
     fn label(&self) -> String {
-        self.language.fill("{0}: {1} cross-sections", &[&self.title, &self.sections.len().to_string()])
+        let message = Message::new("report-sections").text("title", &self.title).count("n", self.sections.len());
+        message.in_language(self.language)
     }
 
     fn columns(&self) -> usize {
@@ -139,7 +140,7 @@ impl SectionDrawing {
         }
         svg.close_clip();
         svg.rect("edge", frame);
-        svg.scale_bar(frame, scale, language.say("mm"));
+        svg.scale_bar(frame, scale, language);
     }
 }
 

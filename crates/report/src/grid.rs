@@ -1,5 +1,6 @@
 //! Small charts over one x axis.
 
+use crate::Words as _;
 use crate::chart::{Chart, with_unit};
 use crate::legend::{Entry, Legend, ROW};
 use crate::plot::{Plot, Scale};
@@ -35,7 +36,8 @@ crate::svg::both_forms!(ChartGrid);
 
 impl ChartGrid {
     fn label(&self) -> String {
-        if self.title.is_empty() { "charts".into() } else { self.title.clone() }
+        let language = self.charts.first().map(|chart| chart.language).unwrap_or_default();
+        if self.title.is_empty() { language.words("report-charts") } else { self.title.clone() }
     }
 
     fn columns(&self) -> usize {

@@ -1,11 +1,12 @@
 //! Layout of three views and a pictorial one, and the mapping from space to them.
 
 use crate::Language;
-use crate::Phrases as _;
+use crate::Words as _;
 use crate::domain::{Domain, usable};
 use crate::projection::Projection::{self, Front, Pictorial, Side, Top};
 use crate::svg::{Anchor, EDGE, Rect, Svg, WIDTH};
 use crate::ticks::Ticks;
+use seamwright_message::Unit;
 
 /// Height above a view for its name, px.
 pub(crate) const HEAD: f64 = 20.0;
@@ -128,13 +129,13 @@ impl Layout {
             svg.line("grid", x, f.y, x, f.bottom());
         }
         if view != Front {
-            svg.ticks(f.bottom() + 14.0, ticks.values.iter().map(|v| at(*v)).zip(ticks.labels()));
-            let name = format!("{across}, {}", language.say("mm"));
+            svg.ticks(f.bottom() + 14.0, ticks.values.iter().map(|v| at(*v)).zip(ticks.labels_in(language)));
+            let name = format!("{across}, {}", language.symbol(Unit::Mm));
             svg.text("quiet", f.x + 0.5 * f.w, f.bottom() + 30.0, Anchor::Middle, &name);
         }
         let half = 0.5 * f.h / self.scale;
         let ticks = Ticks::spaced(Domain { lo: map.centre.1 - half, hi: map.centre.1 + half }, step);
-        for (v, label) in ticks.values.iter().zip(ticks.labels()) {
+        for (v, label) in ticks.values.iter().zip(ticks.labels_in(language)) {
             let y = map.middle.1 - self.scale * (v - map.centre.1);
             svg.line("grid", f.x, y, f.right(), y);
             if view != Side {
@@ -142,7 +143,7 @@ impl Layout {
             }
         }
         if view != Side {
-            svg.text("quiet", 0.0, f.y - 7.0, Anchor::Start, &format!("{up}, {}", language.say("mm")));
+            svg.text("quiet", 0.0, f.y - 7.0, Anchor::Start, &format!("{up}, {}", language.symbol(Unit::Mm)));
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Horizontal limits of a chart.
 
 use crate::Language;
-use crate::Phrases as _;
 use crate::domain::{Domain, usable};
-use crate::number::format_number;
+use crate::number;
+use seamwright_message::Message;
 
 /// A value that the data should not cross.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -21,8 +21,8 @@ impl LimitLine {
     }
 
     /// Returns the label with the value.
-    pub(crate) fn text(&self) -> String {
-        format!("{} {}", self.label, format_number(self.value, 5)).trim().into()
+    pub(crate) fn text(&self, language: Language) -> String {
+        format!("{} {}", self.label, number::significant(self.value, 5, language)).trim().into()
     }
 }
 
@@ -62,12 +62,13 @@ pub(crate) fn notes(limits: &[LimitLine], shown: Domain, unit: &str, language: L
         let (sign, value, side) = match opposite {
             Some(i) => {
                 outside.remove(i);
-                ("±", limit.value.abs(), "{0}, outside")
+                ("±", limit.value.abs(), "report-limit-outside")
             }
-            None => ("", limit.value, if limit.value > shown.hi { "{0}, above" } else { "{0}, below" }),
+            None => ("", limit.value, if limit.value > shown.hi { "report-limit-above" } else { "report-limit-below" }),
         };
-        let amount = format!("{} {sign}{} {unit}", limit.label, format_number(value, 5));
-        notes.push([language.fill(side, &[amount.trim()]), amount.trim().to_owned()]);
+        let amount =
+            format!("{} {sign}{} {unit}", limit.label, number::significant(value, 5, language)).trim().to_owned();
+        notes.push([Message::new(side).text("limit", &amount).in_language(language), amount]);
     }
     notes.reverse();
     notes

@@ -1,4 +1,7 @@
-//! Numbers as text.
+//! Numbers as text, and as arguments of messages.
+
+use crate::Language;
+use seamwright_message::{Argument, Message, Quantity, Unit};
 
 /// Writes `value` with up to `digits` significant digits, a decimal point and no trailing zeros.
 ///
@@ -27,6 +30,50 @@ pub fn format_number(value: f64, digits: usize) -> String {
         trim_zeros(&format!("{value:.decimals$}")).into()
     } else {
         format!("{}e{exponent}", trim_zeros(mantissa))
+    }
+}
+
+/// Writes the decimal sign of `language` in a number.
+pub(crate) fn localized(number: &str, language: Language) -> String {
+    number.replace('.', &language.decimal_sign().to_string())
+}
+
+/// Formats `value` with up to `digits` significant digits and the decimal sign of `language`.
+pub(crate) fn significant(value: f64, digits: usize, language: Language) -> String {
+    localized(&format_number(value, digits), language)
+}
+
+/// Formats `value` with `decimals` decimals and the decimal sign of `language`.
+pub(crate) fn fixed(value: f64, decimals: usize, language: Language) -> String {
+    localized(&format_fixed(value, decimals), language)
+}
+
+/// Returns a range of formatted values.
+pub(crate) fn from_to(from: impl Into<String>, to: impl Into<String>, language: Language) -> String {
+    Message::new("report-range").text("from", from).text("to", to).in_language(language)
+}
+
+/// Arguments with significant digits.
+pub(crate) trait Significant: Sized {
+    /// Adds a value with up to `digits` significant digits, see [`format_number`].
+    fn significant(self, name: &'static str, value: f64, unit: Unit, digits: usize) -> Self;
+}
+
+impl Significant for Message {
+    fn significant(self, name: &'static str, value: f64, unit: Unit, digits: usize) -> Self {
+        let text = format_number(value, digits);
+        if !value.is_finite() {
+            return self.text(name, text);
+        }
+        let decimals = match text.split_once('e') {
+            // Smaller values are printed in full; larger ones are whole numbers.
+            Some((mantissa, exponent)) => {
+                let digits = mantissa.split_once('.').map_or(0, |(_, digits)| digits.len());
+                (digits as i32 - exponent.parse().unwrap_or(0)).clamp(0, 15) as usize
+            }
+            None => text.split_once('.').map_or(0, |(_, decimals)| decimals.len()),
+        };
+        self.with(name, Argument::Quantity(Quantity { value, unit, decimals: decimals as u8 }))
     }
 }
 
@@ -74,6 +121,18 @@ mod tests {
         ] {
             assert_eq!(format_number(value, digits), text, "{value:e} to {digits}");
         }
+    }
+
+    #[test]
+    fn arguments_have_as_many_digits_as_text() {
+        for (value, text) in [(0.0, "0 mm"), (12345.6, "12346 mm"), (-0.012_345, "-0.0123 mm"), (1.2e-5, "0.000012 mm")]
+        {
+            let message = Message::new("quantity").significant("value", value, Unit::Mm, 3);
+            assert_eq!(message.in_language(Language::English), text);
+        }
+        let message = Message::new("quantity").significant("value", 2.50, Unit::Mm, 3);
+        assert_eq!(message.in_language(Language::German), "2,5 mm");
+        assert_eq!(significant(-1.25, 3, Language::Ukrainian), "-1,25");
     }
 
     #[test]

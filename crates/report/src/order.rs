@@ -1,7 +1,7 @@
 use crate::Language;
-use crate::Phrases as _;
 use crate::number::px;
 use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
+use seamwright_message::Message;
 
 /// Height of title and key above the drawing, px.
 const HEAD: f64 = 44.0;
@@ -48,7 +48,8 @@ both_forms!(OrderDrawing);
 
 impl OrderDrawing {
     fn label(&self) -> String {
-        self.language.fill("{0}: {1} lines in order", &[&self.title, &self.lines.len().to_string()])
+        let message = Message::new("report-order-lines").text("title", &self.title).count("n", self.lines.len());
+        message.in_language(self.language)
     }
 
     fn draw(&self) -> (Svg, f64) {
@@ -78,7 +79,7 @@ impl OrderDrawing {
             self.lines.iter().zip(&lines).map(|(line, points)| beside(points, place(&line.middle), line.outside));
         numbers(&mut svg, places);
         svg.rect("edge", frame);
-        svg.scale_bar(frame, scale, self.language.say("mm"));
+        svg.scale_bar(frame, scale, self.language);
         (svg, frame.bottom() + 1.0)
     }
 }

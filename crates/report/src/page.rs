@@ -1,6 +1,6 @@
 //! The report as one HTML file.
 
-use crate::Phrases as _;
+use crate::Words as _;
 use std::fmt::Write;
 
 use crate::Language;
@@ -86,9 +86,12 @@ impl Page {
 
 impl Verdict {
     fn render(&self, out: &mut String, language: Language) {
-        let (class, sign, word) =
-            if self.ok { ("verdict", icon::OK, "In order") } else { ("verdict bad", icon::ERROR, "Not in order") };
-        let (word, text) = (language.say(word), escape(&self.text));
+        let (class, sign, word) = if self.ok {
+            ("verdict", icon::OK, "report-in-order")
+        } else {
+            ("verdict bad", icon::ERROR, "report-not-in-order")
+        };
+        let (word, text) = (language.words(word), escape(&self.text));
         let _ = writeln!(out, "<div class=\"{class}\">{sign}<p><strong>{word}</strong>{text}</p></div>");
     }
 }

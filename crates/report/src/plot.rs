@@ -1,10 +1,11 @@
 //! The plot area of a chart: grid, bands, limits, curves and the labels around it.
 
-use crate::Phrases as _;
+use crate::Language;
+use crate::Words as _;
 use crate::chart::{Chart, STRIP};
 use crate::domain::{Domain, usable};
 use crate::limit::{self, LimitLine};
-use crate::number::format_number;
+use crate::number::significant;
 use crate::place::spread;
 use crate::series;
 use crate::svg::{Anchor, EDGE, Rect, Svg};
@@ -106,16 +107,16 @@ pub(crate) struct Plot<'a> {
 }
 
 /// Returns the label with the value, or the value alone if both do not fit.
-fn limit_text(limit: &LimitLine, room: f64) -> String {
-    let text = minus(&limit.text());
-    if width(&text, SMALL) <= room { text } else { fit(&minus(&format_number(limit.value, 5)), SMALL, room) }
+fn limit_text(limit: &LimitLine, room: f64, language: Language) -> String {
+    let text = minus(&limit.text(language));
+    if width(&text, SMALL) <= room { text } else { fit(&minus(&significant(limit.value, 5, language)), SMALL, room) }
 }
 
 impl Plot<'_> {
     /// Returns the room right of the plot, px, for its edge and the labels of its limits, at most `aside`.
     pub(crate) fn limit_width(chart: &Chart, y: &Scale, aside: f64) -> f64 {
         let inside = chart.limits.iter().filter(|l| y.domain.contains(l.value));
-        inside.map(|l| width(&limit_text(l, aside), SMALL) + 8.0).fold(EDGE, f64::max)
+        inside.map(|l| width(&limit_text(l, aside, chart.language), SMALL) + 8.0).fold(EDGE, f64::max)
     }
 
     fn px(&self, (x, y): (f64, f64)) -> (f64, f64) {
@@ -139,7 +140,7 @@ impl Plot<'_> {
         for (left, right) in self.chart.bands.iter().filter_map(|b| self.range(b.from, b.to)) {
             svg.rect("band", Rect { x: left, w: right - left, ..f });
         }
-        for (v, label) in self.y.ticks.values.iter().zip(self.y.ticks.labels()) {
+        for (v, label) in self.y.ticks.values.iter().zip(self.y.ticks.labels_in(self.chart.language)) {
             let y = self.at_y(*v);
             svg.line("grid", f.x, y, f.right(), y);
             svg.text("tick", f.x - 6.0, y + 4.0, Anchor::End, &label);
@@ -167,7 +168,7 @@ impl Plot<'_> {
         svg.close_clip();
         if self.chart.y_extent().is_none() {
             let (x, y) = (f.x + 0.5 * f.w, f.y + 0.5 * f.h + 4.0);
-            svg.text("quiet halo", x, y, Anchor::Middle, self.chart.language.say("no data"));
+            svg.text("quiet halo", x, y, Anchor::Middle, &self.chart.language.words("report-no-data"));
         }
     }
 
@@ -178,7 +179,7 @@ impl Plot<'_> {
         let labels = spread(&lines, &vec![12.0; lines.len()], f.y, f.bottom());
         for ((limit, line), label) in inside.iter().zip(&lines).zip(labels) {
             svg.line("limit", f.x, *line, f.right(), *line);
-            let text = limit_text(limit, self.aside);
+            let text = limit_text(limit, self.aside, self.chart.language);
             svg.text("limit-text", f.right() + 6.0, label + 4.0, Anchor::Start, &text);
         }
     }
@@ -186,7 +187,7 @@ impl Plot<'_> {
     /// Draws the labels of the x ticks below the plot.
     pub(crate) fn draw_x_labels(&self, svg: &mut Svg) {
         let places = self.x.ticks.values.iter().map(|v| self.at_x(*v));
-        svg.ticks(self.frame.bottom() + 14.0, places.zip(self.x.ticks.labels()));
+        svg.ticks(self.frame.bottom() + 14.0, places.zip(self.x.ticks.labels_in(self.chart.language)));
     }
 
     /// Draws the names of the bands on one line above the plot; omits names that do not fit.

@@ -47,10 +47,10 @@ impl Projection {
     /// Returns the name of the view.
     pub(crate) fn name(self) -> &'static str {
         match self {
-            Self::Front => "Front",
-            Self::Side => "Side, from the left",
-            Self::Top => "Top",
-            Self::Pictorial => "Pictorial, not to scale",
+            Self::Front => "report-view-front",
+            Self::Side => "report-view-side",
+            Self::Top => "report-view-top",
+            Self::Pictorial => "report-view-pictorial",
         }
     }
 

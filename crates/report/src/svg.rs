@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
+use crate::Language;
 use crate::number::px;
 use crate::style;
 use crate::text::{escape, minus, width};
+use seamwright_message::{Message, Unit};
 
 /// Width of every drawing, px; one px is one CSS pixel at 100 %.
 pub(crate) const WIDTH: f64 = 920.0;
@@ -133,13 +135,14 @@ impl Svg {
     }
 
     /// Draws a bar of a round length in the lower left corner of `frame`; `scale` is px per mm, and `unit` its name.
-    pub(crate) fn scale_bar(&mut self, frame: Rect, scale: f64, unit: &str) {
+    pub(crate) fn scale_bar(&mut self, frame: Rect, scale: f64, language: Language) {
         let wanted = 0.2 * frame.w / scale;
         let power = 10_f64.powf(wanted.log10().floor());
         let mm = [5.0, 2.0, 1.0].into_iter().map(|k| k * power).find(|mm| *mm <= wanted).unwrap_or(power);
         let (x, y) = (frame.x + 8.0, frame.bottom() - 8.0);
+        let length = Message::new("quantity").value("value", mm, Unit::Mm);
         self.line("line thin c6", x, y, x + mm * scale, y);
-        self.text("tick halo", x + mm * scale + 5.0, y + 3.5, Anchor::Start, &format!("{mm} {unit}"));
+        self.text("tick halo", x + mm * scale + 5.0, y + 3.5, Anchor::Start, &length.in_language(language));
     }
 
     /// Clips the following elements to `r`, up to [`Svg::close_clip`].

@@ -1,7 +1,8 @@
 //! Round numbers along an axis.
 
+use crate::Language;
 use crate::domain::Domain;
-use crate::number::{format_fixed, format_number};
+use crate::number::{format_fixed, format_number, localized};
 
 /// Tick values in steps of 1, 2 or 5 times a power of ten.
 #[derive(Debug, Clone, Default)]
@@ -69,6 +70,11 @@ impl Ticks {
         let fine = ticks(&[1.0, 2.0, 5.0]);
         let values = if fine.len() < most { fine } else { ticks(&[1.0]) };
         Self { values, step: 1.0, logarithmic: true }
+    }
+
+    /// Returns the labels with the decimal sign of `language`.
+    pub(crate) fn labels_in(&self, language: Language) -> Vec<String> {
+        self.labels().iter().map(|label| localized(label, language)).collect()
     }
 
     /// Returns the labels, with equal numbers of decimals; on a logarithmic scale with as many as needed.

@@ -1,7 +1,7 @@
 //! A curve in space, drawn in three views.
 
 use crate::Language;
-use crate::Phrases as _;
+use crate::Words as _;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::place;
@@ -52,7 +52,7 @@ crate::svg::both_forms!(ThreeViews);
 
 impl ThreeViews {
     fn label(&self) -> String {
-        if self.title.is_empty() { "three views".into() } else { self.title.clone() }
+        if self.title.is_empty() { self.language.words("report-three-views") } else { self.title.clone() }
     }
 
     fn points(&self) -> impl Iterator<Item = [f64; 3]> {
@@ -79,7 +79,7 @@ impl ThreeViews {
 
         let layout = Layout::new(self.points(), top);
         for (view, frame) in layout.frames() {
-            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, self.language.say(view.name()));
+            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, &self.language.words(view.name()));
             svg.rect("area", frame);
             let map = match view {
                 Pictorial => Map::fitting(view, self.points(), frame.inset(26.0)),

@@ -278,7 +278,7 @@ fn names_in_views(svg: &str) -> Vec<Vec<(f64, f64, f64, f64)>> {
 fn machines_are_drawn_with_every_axis_and_no_name_on_another() {
     for s in SHIPPED {
         let machine = Machine::read(s.name, s.text).unwrap();
-        let drawing = MachineDrawing::new(&machine);
+        let drawing = MachineDrawing::new(&machine, Language::English);
         check(&drawing.to_svg_standalone());
         let svg = drawing.to_svg();
         check(&svg);
@@ -310,7 +310,7 @@ fn arrows_of_a_machine_point_the_positive_way() {
         [("[1, 0, 0]", "tool", "f1", 1.0), ("[1, 0, 0]", "work", "f2", 1.0), ("[-1, 0, 0]", "work", "f2", -1.0)]
     {
         let machine = Machine::read("m", &file(moved, branch)).unwrap();
-        let svg = MachineDrawing::new(&machine).to_svg();
+        let svg = MachineDrawing::new(&machine, Language::English).to_svg();
         let front = Document::parse(&svg).unwrap();
         let front = front.root_element().children().find(|n| n.tag_name().name() == "svg").unwrap();
         let head = front.descendants().find(|n| n.attribute("class") == Some(class)).unwrap();
@@ -328,7 +328,8 @@ fn a_check_makes_a_page_that_is_well_formed_whatever_the_file_says() {
     let machine = Machine::read("m", &text).unwrap();
     let options = CheckOptions { seed: 1, poses: 50 };
     let result = Check::run(&file, &machine, &options, &mut || ());
-    let page = check_page(&result, &MachineDrawing::new(&machine), EVIL, &text, "now");
+    let page =
+        check_page(&result, &MachineDrawing::new(&machine, Language::English), EVIL, &text, "now", Language::English);
     let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
     Document::parse_with_options(&page, options).unwrap();
     assert!(!page.contains("<script>") && page.contains("the torch lies along axis c"));

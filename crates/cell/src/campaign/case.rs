@@ -10,6 +10,7 @@ use crate::executive::{
     Alarm, Devices, DriveReport, Executive, Interlocks, Mode, Orders, Place, Reports, SensorReport, Slack, SourceReport,
 };
 use crate::tracking::SimulatedSensors;
+use seamwright_message::Message;
 use seamwright_tracking::beam::Picture;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -121,7 +122,7 @@ pub struct Outcome {
     /// The situation was reached.
     pub reached: bool,
     /// Violated requirements.
-    pub violations: Vec<String>,
+    pub violations: Vec<Message>,
 }
 
 impl Outcome {

@@ -12,6 +12,7 @@ use crate::devices::{Device, FaultKind};
 use crate::executive::{Mode, Place, Work};
 use crate::{Error, SimulatedCell};
 use seamwright_machine::{Level, Machine};
+use seamwright_message::{Message, Unit};
 
 /// Environment of a fault injection.
 #[derive(Clone, Copy)]
@@ -103,16 +104,17 @@ pub fn table(machine: &Machine, outcomes: &[Outcome]) -> String {
 }
 
 /// Returns a summary in a few words.
-pub fn summary(outcomes: &[Outcome]) -> String {
+pub fn summary(outcomes: &[Outcome]) -> Message {
     let kept = outcomes.iter().filter(|o| o.is_kept()).count();
     let stops = outcomes.iter().map(|o| o.stop_mm).fold(0.0, f64::max);
     let bound = 100.0 * outcomes.iter().map(|o| o.stop_part).fold(0.0, f64::max);
     let cycles = outcomes.iter().map(|o| o.off_cycles).max().unwrap_or(0);
     let faults = outcomes.iter().filter(|o| o.mode == Mode::Fault).count();
-    format!(
-        "{kept} of {} cases end as they must ({faults} in fault); process off after {cycles} cycle{} at most; \
-         longest way to rest {stops:.2} mm, {bound:.0} % of its bound at most",
-        outcomes.len(),
-        if cycles == 1 { "" } else { "s" }
-    )
+    Message::new("cell-campaign-summary")
+        .number("kept", kept as f64, 0)
+        .number("all", outcomes.len() as f64, 0)
+        .number("faults", faults as f64, 0)
+        .count("cycles", cycles as usize)
+        .quantity("stop", stops, Unit::Mm, 2)
+        .quantity("bound", bound, Unit::Percent, 0)
 }

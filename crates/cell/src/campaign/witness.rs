@@ -4,6 +4,7 @@ use super::case::{Case, Outcome, Situation};
 use crate::devices::{Device, FaultKind};
 use crate::executive::{Alarm, Ask, Command, Cycle, Mode, Note, Place, Port, ProcessState, Reaction};
 use seamwright_machine::{Joints, Machine};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::jog;
 use seamwright_motion::pace::RunPhase;
 use std::sync::Arc;
@@ -73,7 +74,7 @@ pub struct Witness {
     /// Positions of the last two set-points with power.
     sets: Vec<Joints>,
     still: u64,
-    violations: Vec<String>,
+    violations: Vec<Message>,
     /// Mode at the end of the observation, and whether everything was at rest for a while.
     mode_then: Option<Mode>,
     rests_then: bool,
@@ -120,10 +121,10 @@ impl Witness {
         let down = self.comes_back() && !self.recovered;
         let mut violations = self.violations;
         if down {
-            violations.push("it cannot be switched on again".to_owned());
+            violations.push(Message::new("cell-violation-no-restart"));
         }
         if self.mode_then.is_some_and(|m| !m.moves()) && !self.rests_then {
-            violations.push("it does not rest".to_owned());
+            violations.push(Message::new("cell-violation-no-rest"));
         }
         Outcome {
             case,
@@ -138,9 +139,10 @@ impl Witness {
         }
     }
 
-    fn violated(&mut self, what: &str) {
+    fn violated(&mut self, what: Message) {
         if self.violations.len() < 4 {
-            self.violations.push(format!("{:.3} s: {what}", self.cycles as f64 * self.period));
+            let message = Message::new("cell-violation").quantity("time", self.cycles as f64 * self.period, Unit::S, 3);
+            self.violations.push(message.message("what", what));
         }
     }
 
@@ -242,14 +244,14 @@ impl Witness {
         let on = cycle.orders.process.on;
         // Orders were given in the mode of the previous cycle.
         if on && !matches!(self.mode, Mode::Weld | Mode::Hold) {
-            self.violated(&format!("the process is on in mode {}", self.mode));
+            self.violated(Message::new("cell-violation-process-on").message("mode", self.mode.message()));
         }
         if let Some((at, s)) = self.alarmed {
             // Orders of the alarm's own cycle were given before it.
             let since = (self.cycles - at) as u32;
             if on && since > 0 {
                 self.off_cycles = since + 1;
-                self.violated("the process is on after the alarm");
+                self.violated(Message::new("cell-violation-process-after-alarm"));
             } else if !on && self.was_on {
                 self.off_cycles = self.off_cycles.max(since);
             }
@@ -258,7 +260,8 @@ impl Witness {
                 if let Some(bound) = self.stop_bound {
                     self.stop_part = self.stop_mm / bound;
                     if self.stop_part > 1.0 {
-                        self.violated(&format!("{:.3} mm to rest, {bound:.3} mm allowed", self.stop_mm));
+                        let message = Message::new("cell-violation-stop").quantity("length", self.stop_mm, Unit::Mm, 3);
+                        self.violated(message.quantity("max", bound, Unit::Mm, 3));
                     }
                 }
             }
@@ -274,7 +277,8 @@ impl Witness {
             for i in 0..self.limits.len() {
                 let away = (cycle.orders.set[i].position - cycle.reports.drives.position[i]).abs();
                 if away > 0.2 + 0.02 * cycle.orders.set[i].velocity.abs() {
-                    self.violated(&format!("axis {i} is told to be {away:.3} from where it is"));
+                    let message = Message::new("cell-violation-jump").number("axis", i as f64, 0);
+                    self.violated(message.number("distance", away, 3));
                 }
             }
         }
@@ -288,7 +292,8 @@ impl Witness {
                 let v = (c[i] - b[i]) / self.period;
                 let dv = (c[i] - 2.0 * b[i] + a[i]) / (self.period * self.period);
                 if v.abs() > speed * 1.001 || dv.abs() > acceleration * 1.01 + 1e-6 {
-                    self.violated(&format!("axis {i}: speed {v:.3}, acceleration {dv:.2}"));
+                    let message = Message::new("cell-violation-limits").number("axis", i as f64, 0);
+                    self.violated(message.number("speed", v, 3).number("acceleration", dv, 2));
                 }
             }
         }

@@ -2,6 +2,7 @@ use super::{Drives, InputBits, Inputs, Sensors, Source};
 use crate::executive::{DriveReport, Orders, ProcessOrders, SeamOrders, SensorReport, Slack, SourceReport};
 use glam::DVec2;
 use seamwright_machine::Joints;
+use seamwright_message::{Message, display_by_message};
 use seamwright_tracking::beam::Picture;
 use std::fmt;
 use std::str::FromStr;
@@ -112,29 +113,54 @@ impl fmt::Display for Fault {
     }
 }
 
+/// Reason why a text is not a [`Fault`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum InvalidFault {
+    /// It has another form.
+    Form,
+    /// Unknown device.
+    Device(String),
+    /// Unknown kind of fault.
+    Kind(String),
+    /// Invalid time or duration.
+    Time(String),
+}
+
+impl InvalidFault {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        let of =
+            |code, name: &str, names: &[&str]| Message::new(code).text("name", name).text("names", names.join(", "));
+        match self {
+            Self::Form => Message::new("cell-fault-form"),
+            Self::Device(name) => of("cell-fault-no-device", name, &Device::ALL.map(Device::name)),
+            Self::Kind(name) => of("cell-fault-no-kind", name, &FaultKind::ALL.map(FaultKind::name)),
+            Self::Time(text) => Message::new("cell-fault-no-time").text("text", text),
+        }
+    }
+}
+
+display_by_message!(InvalidFault);
+
 /// Parses the form of the command line, `drives:silent@12.5` or `inputs:disconnect@3+0.5`: device, kind, time and
 /// duration in s.
 impl FromStr for Fault {
-    type Err = String;
+    type Err = InvalidFault;
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        let form = "DEVICE:KIND@TIME[+DURATION], like drives:silent@12.5 or inputs:disconnect@3+0.5";
-        let bad = |what: &str| format!("{what}; allowed is {form}");
-        let (device, rest) = text.split_once(':').ok_or_else(|| bad("there is no `:` after the device"))?;
-        let (kind, when) = rest.split_once('@').ok_or_else(|| bad("there is no `@` with the time"))?;
-        let device = Device::ALL.into_iter().find(|d| d.name() == device).ok_or_else(|| {
-            format!("there is no device `{device}`; allowed are {}", Device::ALL.map(Device::name).join(", "))
-        })?;
-        let kind = FaultKind::ALL.into_iter().find(|k| k.name() == kind).ok_or_else(|| {
-            format!("there is no fault `{kind}`; allowed are {}", FaultKind::ALL.map(FaultKind::name).join(", "))
-        })?;
-        let number = |text: &str, what: &str| {
+    fn from_str(text: &str) -> Result<Self, InvalidFault> {
+        let (device, rest) = text.split_once(':').ok_or(InvalidFault::Form)?;
+        let (kind, when) = rest.split_once('@').ok_or(InvalidFault::Form)?;
+        let known = Device::ALL.into_iter().find(|d| d.name() == device);
+        let device = known.ok_or_else(|| InvalidFault::Device(device.to_owned()))?;
+        let known = FaultKind::ALL.into_iter().find(|k| k.name() == kind);
+        let kind = known.ok_or_else(|| InvalidFault::Kind(kind.to_owned()))?;
+        let seconds = |text: &str| {
             let number = text.parse::<f64>().ok().filter(|t| t.is_finite() && *t >= 0.0);
-            number.ok_or_else(|| bad(&format!("`{text}` is no {what} in seconds")))
+            number.ok_or_else(|| InvalidFault::Time(text.to_owned()))
         };
         let (at, lasts_s) = match when.split_once('+') {
-            Some((at, lasts)) => (number(at, "time")?, number(lasts, "duration")?),
-            None => (number(when, "time")?, f64::INFINITY),
+            Some((at, lasts)) => (seconds(at)?, seconds(lasts)?),
+            None => (seconds(when)?, f64::INFINITY),
         };
         Ok(Self { device, kind, when: When::At(at), lasts_s, which: 0 })
     }
@@ -388,15 +414,15 @@ mod tests {
             }
         }
         for (bad, says) in [
-            ("drives", "`:`"),
-            ("drives:silent", "`@`"),
+            ("drives", "DEVICE:KIND@TIME"),
+            ("drives:silent", "DEVICE:KIND@TIME"),
             ("drivers:silent@1", "drives, source, inputs, sensors"),
             ("drives:dead@1", "silent, slow, wrong, disconnect, reboot, reconnect"),
             ("drives:silent@soon", "`soon`"),
             ("drives:silent@1+-2", "`-2`"),
             ("drives:silent@nan", "`nan`"),
         ] {
-            let error = bad.parse::<Fault>().unwrap_err();
+            let error = bad.parse::<Fault>().unwrap_err().to_string();
             assert!(error.contains(says) && error.contains("allowed"), "{bad}: {error}");
         }
     }

@@ -9,9 +9,9 @@ pub mod modbus;
 mod simulated;
 mod steps;
 
-pub use fault::{Device, Fault, FaultKind, Faulty, When};
+pub use fault::{Device, Fault, FaultKind, Faulty, InvalidFault, When};
 #[cfg(target_os = "linux")]
-pub use linuxcnc::{LinuxCncDrives, LinuxCncError, Sample, Taken};
+pub use linuxcnc::{LinuxCncDrives, LinuxCncError, Sample, Symptom, Taken};
 pub use simulated::{SimulatedDrives, SimulatedInputs, SimulatedSource};
 pub use steps::StepDrives;
 

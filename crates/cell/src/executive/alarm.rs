@@ -1,3 +1,7 @@
+use super::state::named;
+use crate::tracking::trouble;
+use seamwright_message::{Argument, Language, Message};
+
 /// Reaction of the cell to an alarm, the mildest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reaction {
@@ -14,7 +18,7 @@ pub enum Reaction {
 }
 
 impl Reaction {
-    /// Text of the catalogue.
+    /// Its name in files and interfaces; for people there is [`Reaction::message`].
     pub fn name(self) -> &'static str {
         match self {
             Self::Tell => "told",
@@ -23,6 +27,17 @@ impl Reaction {
             Self::Stop => "process off, stop, power off",
             Self::PowerOff => "process and power off",
         }
+    }
+
+    /// Returns its words.
+    pub fn message(self) -> Message {
+        Message::new(match self {
+            Self::Tell => "alarm-reaction-report",
+            Self::Hold => "alarm-reaction-hold",
+            Self::ProcessOff => "alarm-reaction-process-off",
+            Self::Stop => "alarm-reaction-stop",
+            Self::PowerOff => "alarm-reaction-power-off",
+        })
     }
 }
 
@@ -81,17 +96,20 @@ pub enum Alarm {
     Starved,
 }
 
-/// An entry of the catalogue of alarms (ISA-18.2): cause, consequence, operator action.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// An entry of the catalogue of alarms (ISA-18.2): cause, consequence, operator action. Its words have codes like
+/// `alarm-17-cause`.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {
-    /// Name in a few words.
+    /// Its name in files and interfaces.
     pub name: &'static str,
+    /// Title: the alarm in a few words.
+    pub title: Message,
     /// Cause.
-    pub cause: &'static str,
+    pub cause: Message,
     /// Consequence without an action.
-    pub consequence: &'static str,
+    pub consequence: Message,
     /// Operator action.
-    pub action: &'static str,
+    pub action: Message,
     /// Reaction of the cell.
     pub reaction: Reaction,
 }
@@ -131,177 +149,128 @@ impl Alarm {
         self as usize + 1
     }
 
+    /// Its name in files and interfaces; for people there is its title.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Interlock => "condition not met",
+            Self::DriveFault => "drive fault",
+            Self::LimitSwitch => "limit switch",
+            Self::FollowingError => "following error",
+            Self::DrivePower => "drives without power",
+            Self::DrivesSilent => "drives silent",
+            Self::DrivesRestarted => "drives restarted",
+            Self::NoReference => "no reference",
+            Self::InputsSilent => "inputs silent",
+            Self::InputsRestarted => "inputs restarted",
+            Self::SourceSilent => "process source silent",
+            Self::SourceRestarted => "process source restarted",
+            Self::SourceFault => "process source fault",
+            Self::NoArc => "no arc or beam",
+            Self::ArcLost => "arc or beam lost",
+            Self::ProcessStuckOn => "arc or beam stays on",
+            Self::ProcessValue => "process value off",
+            Self::WireStuck => "wire stuck",
+            Self::Overrun => "cycles missed",
+            Self::MotionStuck => "motion stuck",
+            Self::PanelSilent => "panel silent",
+            Self::JogStopped => "jog stopped",
+            Self::RecordFailing => "record failing",
+            Self::Tracking => "tracking",
+            Self::Starved => "set-points missing",
+        }
+    }
+
+    /// Reaction of the cell.
+    pub fn reaction(self) -> Reaction {
+        match self {
+            Self::DriveFault
+            | Self::LimitSwitch
+            | Self::DrivePower
+            | Self::DrivesSilent
+            | Self::DrivesRestarted
+            | Self::ProcessStuckOn => Reaction::PowerOff,
+            Self::FollowingError | Self::InputsSilent | Self::InputsRestarted | Self::Overrun | Self::Starved => {
+                Reaction::Stop
+            }
+            Self::SourceSilent
+            | Self::SourceRestarted
+            | Self::SourceFault
+            | Self::NoArc
+            | Self::ArcLost
+            | Self::MotionStuck
+            | Self::Tracking => Reaction::ProcessOff,
+            Self::ProcessValue | Self::WireStuck => Reaction::Hold,
+            Self::Interlock | Self::NoReference | Self::PanelSilent | Self::JogStopped | Self::RecordFailing => {
+                Reaction::Tell
+            }
+        }
+    }
+
     /// Its entry in the catalogue.
-    #[allow(clippy::too_many_lines, reason = "a table")]
     pub fn entry(self) -> Entry {
-        use Reaction::{Hold, PowerOff, ProcessOff, Stop, Tell};
-        let (name, cause, consequence, action, reaction) = match self {
-            Self::Interlock => (
-                "condition not met",
-                "a door, vacuum, gas or coolant, as the machine file says",
-                "as the condition's level says",
-                "put right what is named",
-                Tell,
-            ),
-            Self::DriveFault => (
-                "drive fault",
-                "over-current, over-temperature, encoder",
-                "the axis may coast",
-                "read the drive's own code, reset it",
-                PowerOff,
-            ),
-            Self::LimitSwitch => (
-                "limit switch",
-                "an axis ran out of its range: wrong reference or parameter",
-                "the mechanism would be damaged",
-                "move it off by hand or with the drive's own tool, home again",
-                PowerOff,
-            ),
-            Self::FollowingError => (
-                "following error",
-                "collision, a blocked guide, wrong tuning, a brake",
-                "the torch is not where it should be",
-                "look for what blocks the axis; check the tip before going on",
-                Stop,
-            ),
-            Self::DrivePower => (
-                "drives without power",
-                "contactor, fuse or drive dropped out",
-                "axes are held by brakes only",
-                "look at the cabinet, switch on again",
-                PowerOff,
-            ),
-            Self::DrivesSilent => {
-                ("drives silent", "cable, bus or amplifier", "positions are unknown", "check the bus, reset", PowerOff)
-            }
-            Self::DrivesRestarted => (
-                "drives restarted",
-                "their supply was interrupted",
-                "references are lost",
-                "reset, switch on, home",
-                PowerOff,
-            ),
-            Self::NoReference => (
-                "no reference",
-                "a reference switch or encoder",
-                "positions are unknown",
-                "check the switch, home again",
-                Tell,
-            ),
-            Self::InputsSilent => (
-                "inputs silent",
-                "network or I/O device",
-                "doors, gas and vacuum are unknown",
-                "check the network and the device",
-                Stop,
-            ),
-            Self::InputsRestarted => (
-                "inputs restarted",
-                "the I/O device's supply was interrupted",
-                "its outputs fell to their safe states",
-                "check outputs, reset",
-                Stop,
-            ),
-            Self::SourceSilent => (
-                "process source silent",
-                "network or source",
-                "arc or beam is unwatched",
-                "check cable and source",
-                ProcessOff,
-            ),
-            Self::SourceRestarted => (
-                "process source restarted",
-                "its supply was interrupted",
-                "its settings may be lost",
-                "check its settings, then go on",
-                ProcessOff,
-            ),
-            Self::SourceFault => (
-                "process source fault",
-                "overheated, low gas or water, door of a laser, vacuum of a gun",
-                "no weld",
-                "read the source's own code",
-                ProcessOff,
-            ),
-            Self::NoArc => (
-                "no arc or beam",
-                "dirt, insulation, end of wire, shutter",
-                "nothing is welded",
-                "clean, check wire and earth, go on",
-                ProcessOff,
-            ),
-            Self::ArcLost => (
-                "arc or beam lost",
-                "wire, distance, discharge",
-                "a crater where it went out",
-                "grind it out, go on with overlap",
-                ProcessOff,
-            ),
-            Self::ProcessStuckOn => (
-                "arc or beam stays on",
-                "contactor or interface of the source",
-                "it burns through at rest",
-                "emergency stop, disconnect the source",
-                PowerOff,
-            ),
-            Self::ProcessValue => (
-                "process value off",
-                "feed, stick-out, cable, gap",
-                "penetration or size of the weld",
-                "look at the weld, adjust, go on",
-                Hold,
-            ),
-            Self::WireStuck => ("wire stuck", "burn-back too short", "it bends when the torch leaves", "cut it", Hold),
-            Self::Overrun => (
-                "cycles missed",
-                "this computer is too slow or busy for the period",
-                "set-points come late",
-                "stop other programs, see `seamwright latency`",
-                Stop,
-            ),
-            Self::MotionStuck => (
-                "motion stuck",
-                "no way on within the axes' limits",
-                "the torch stands on its path",
-                "abort, plan again",
-                ProcessOff,
-            ),
-            Self::PanelSilent => ("panel silent", "network or browser", "jogging stops", "jog again", Tell),
-            Self::JogStopped => {
-                ("jog stopped", "something is in the way, or an end of range", "none", "jog elsewhere", Tell)
-            }
-            Self::RecordFailing => (
-                "record failing",
-                "disk full or gone",
-                "this weld has no complete record",
-                "free the disk; decide whether to go on",
-                Tell,
-            ),
-            Self::Tracking => (
-                "tracking",
-                "the joint is not seen or out of reach",
-                "the weld may miss the joint",
-                "look at sensor and joint, go on with overlap",
-                ProcessOff,
-            ),
-            Self::Starved => (
-                "set-points missing",
-                "this computer is too busy, or `store` too short for it",
-                "all axes stood still at once, beyond their limits",
-                "look at the weld; stop other programs, or more `store`",
-                Stop,
-            ),
-        };
-        Entry { name, cause, consequence, action, reaction }
+        let words =
+            |part: &str| Message { code: format!("alarm-{}-{part}", self.number()).into(), arguments: Vec::new() };
+        Entry {
+            name: self.name(),
+            title: words("title"),
+            cause: words("cause"),
+            consequence: words("consequence"),
+            action: words("action"),
+            reaction: self.reaction(),
+        }
     }
 }
 
-/// The catalogue as a Markdown table.
+impl Alarm {
+    /// Returns the axis, the interlock or the trouble of tracking that `detail` means, with the names of `axes` and
+    /// `conditions`; `None` for an alarm that has none.
+    pub fn about(self, detail: u8, axes: &[&str], conditions: &[&str]) -> Option<Message> {
+        match self {
+            Self::Interlock => Some(Message::verbatim(named(conditions, detail))),
+            Self::DriveFault | Self::LimitSwitch | Self::FollowingError => Some(Message::verbatim(named(axes, detail))),
+            Self::Tracking => trouble(detail),
+            _ => None,
+        }
+    }
+
+    /// Returns its title, with what it is about.
+    pub fn title_of(self, about: Option<Message>) -> Message {
+        let title = self.entry().title;
+        match about {
+            Some(about) => Message::new("alarm-of").message("title", title).message("of", about),
+            None => title,
+        }
+    }
+
+    /// Returns the alarm of a [title](Self::title_of), and what it is about. Older versions have recorded sentences:
+    /// `NAME` or `NAME (OF)`.
+    pub fn from_title(title: &Message) -> Option<(Self, Option<Message>)> {
+        let of_code = |code: &str| {
+            let number: usize = code.strip_prefix("alarm-")?.strip_suffix("-title")?.parse().ok()?;
+            Self::ALL.get(number.checked_sub(1)?).copied()
+        };
+        match (title.code.as_ref(), title.argument("title"), title.argument("of"), title.argument("text")) {
+            ("alarm-of", Some(Argument::Message(title)), Some(Argument::Message(of)), _) => {
+                Some((of_code(&title.code)?, Some((**of).clone())))
+            }
+            ("text", _, _, Some(Argument::Text(text))) => {
+                let split = text.strip_suffix(')').and_then(|text| text.split_once(" ("));
+                let (name, of) = split.map_or((text.as_str(), None), |(name, of)| (name, Some(of)));
+                let alarm = Self::ALL.into_iter().find(|alarm| alarm.name() == name)?;
+                Some((alarm, of.map(Message::verbatim)))
+            }
+            (code, ..) => Some((of_code(code)?, None)),
+        }
+    }
+}
+
+/// The catalogue as a Markdown table, in English.
 pub fn catalogue() -> String {
     let mut text = String::from("| no. | alarm | cause | consequence | operator | cell |\n|---|---|---|---|---|---|\n");
     for alarm in Alarm::ALL {
         let e = alarm.entry();
-        let line = [e.name, e.cause, e.consequence, e.action, e.reaction.name()].join(" | ");
+        let words = [e.title, e.cause, e.consequence, e.action, e.reaction.message()];
+        let line = words.map(|words| words.in_language(Language::English)).join(" | ");
         text += &format!("| {} | {line} |\n", alarm.number());
     }
     text
@@ -317,6 +286,18 @@ mod tests {
         assert!(text.contains(&catalogue()), "docs/executive.md needs this table:\n{}", catalogue());
         for (i, alarm) in Alarm::ALL.into_iter().enumerate() {
             assert_eq!(alarm.number(), i + 1);
+        }
+    }
+
+    #[test]
+    fn an_alarm_is_found_by_its_title() {
+        for alarm in Alarm::ALL {
+            for about in [None, Some(Message::verbatim("door (left)"))] {
+                assert_eq!(Alarm::from_title(&alarm.title_of(about.clone())), Some((alarm, about)));
+            }
+            let old = Message::verbatim(format!("{} (door (left))", alarm.name()));
+            assert_eq!(Alarm::from_title(&old), Some((alarm, Some(Message::verbatim("door (left)")))));
+            assert_eq!(Alarm::from_title(&Message::verbatim(alarm.name())), Some((alarm, None)));
         }
     }
 }

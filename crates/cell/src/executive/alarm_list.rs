@@ -151,7 +151,7 @@ mod tests {
     const HERE: (f64, Place) = (1.0, Place { pass: 1, s_mm: 5.0 });
 
     fn raise(list: &mut AlarmList, alarm: Alarm, detail: u8) -> Option<Raised> {
-        list.raise(alarm, detail, alarm.entry().reaction, HERE)
+        list.raise(alarm, detail, alarm.reaction(), HERE)
     }
 
     #[test]

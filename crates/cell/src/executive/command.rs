@@ -1,4 +1,5 @@
 use super::{Alarm, Event};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::jog;
 
 /// Origin of a command: numbers that the outside resolves to names, so that a cycle carries no text.
@@ -76,7 +77,7 @@ pub enum Ask {
 }
 
 impl Ask {
-    /// Name in a few words.
+    /// Its name in files and interfaces; for people there is [`Ask::message`].
     pub fn name(&self) -> &'static str {
         match self {
             Self::SwitchOn => "switch on",
@@ -101,5 +102,34 @@ impl Ask {
             Self::Load => "load",
             Self::Quit => "quit",
         }
+    }
+
+    /// Returns its words.
+    pub fn message(&self) -> Message {
+        Message::new(match self {
+            Self::SwitchOn => "cell-ask-switch-on",
+            Self::SwitchOff => "cell-ask-switch-off",
+            Self::Home => "cell-ask-home",
+            Self::HomeAxis(_) => "cell-ask-home-axis",
+            Self::StartJog => "cell-ask-start-jog",
+            Self::StartTeach => "cell-ask-start-teach",
+            Self::Jog(_) => "cell-ask-jog",
+            Self::StartDryRun => "cell-ask-start-dry-run",
+            Self::Arm => "cell-ask-arm",
+            Self::StartWeld => "cell-ask-start-weld",
+            Self::Hold => "cell-ask-hold",
+            Self::Resume => "cell-ask-resume",
+            Self::Reverse => "cell-ask-reverse",
+            Self::Stop => "cell-ask-stop",
+            Self::Override(part) => {
+                return Message::new("cell-ask-override").quantity("override", 100.0 * part, Unit::Percent, 0);
+            }
+            Self::Reset => "cell-ask-reset",
+            Self::Acknowledge => "cell-ask-acknowledge",
+            Self::AcknowledgeOne(..) => "cell-ask-acknowledge-one",
+            Self::Why(_) => "cell-ask-why",
+            Self::Load => "cell-ask-load",
+            Self::Quit => "cell-ask-quit",
+        })
     }
 }

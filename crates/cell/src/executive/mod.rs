@@ -39,5 +39,5 @@ pub use interlocks::{Interlocks, MAX_INPUTS};
 pub use jogging::REDUCED_MM_S;
 pub use mode::{Event, Mode, Refused, table};
 pub use process::ProcessState;
-pub use state::{Cycle, Missing, Note, Port, Status};
+pub use state::{Cycle, Missing, Note, Port, SilentDevice, Status};
 pub use work::{Start, Work};

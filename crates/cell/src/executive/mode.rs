@@ -1,3 +1,4 @@
+use seamwright_message::{Argument, Message, display_by_message};
 use std::fmt;
 
 /// Operating mode of the cell. Power means that the drives hold or move the axes.
@@ -111,7 +112,7 @@ impl Mode {
         matches!(self, Self::Homing | Self::Jog | Self::Teach | Self::DryRun | Self::Weld)
     }
 
-    /// Name of the mode.
+    /// Its name in files and interfaces; for people there is [`Mode::message`].
     pub fn name(self) -> &'static str {
         match self {
             Self::Off => "off",
@@ -125,6 +126,22 @@ impl Mode {
             Self::Hold => "hold",
             Self::Fault => "fault",
         }
+    }
+
+    /// Returns its words.
+    pub fn message(self) -> Message {
+        Message::new(match self {
+            Self::Off => "cell-mode-off",
+            Self::Idle => "cell-mode-idle",
+            Self::Homing => "cell-mode-homing",
+            Self::Ready => "cell-mode-ready",
+            Self::Jog => "cell-mode-jog",
+            Self::Teach => "cell-mode-teach",
+            Self::DryRun => "cell-mode-dry-run",
+            Self::Weld => "cell-mode-weld",
+            Self::Hold => "cell-mode-hold",
+            Self::Fault => "cell-mode-fault",
+        })
     }
 }
 
@@ -146,7 +163,7 @@ impl Event {
         Self::Reset,
     ];
 
-    /// Name in a few words.
+    /// Its name in files and interfaces; for people there is [`Event::message`].
     pub fn name(self) -> &'static str {
         match self {
             Self::SwitchOn => "switch on",
@@ -163,6 +180,25 @@ impl Event {
             Self::Trip => "trip",
             Self::Reset => "reset",
         }
+    }
+
+    /// Returns its words.
+    pub fn message(self) -> Message {
+        Message::new(match self {
+            Self::SwitchOn => "cell-trigger-switch-on",
+            Self::SwitchOff => "cell-trigger-switch-off",
+            Self::Home => "cell-trigger-home",
+            Self::Homed => "cell-trigger-homed",
+            Self::Jog => "cell-trigger-jog",
+            Self::Teach => "cell-trigger-teach",
+            Self::DryRun => "cell-trigger-dry-run",
+            Self::Weld => "cell-trigger-weld",
+            Self::Hold => "cell-trigger-hold",
+            Self::Finish => "cell-trigger-finish",
+            Self::Abort => "cell-trigger-abort",
+            Self::Trip => "cell-trigger-trip",
+            Self::Reset => "cell-trigger-reset",
+        })
     }
 }
 
@@ -192,16 +228,16 @@ impl Refused {
     pub fn allowed(self) -> impl Iterator<Item = Mode> {
         Mode::ALL.into_iter().filter(move |mode| mode.after(self.event).is_ok())
     }
-}
 
-impl fmt::Display for Refused {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` has no meaning in mode {}: allowed in", self.event, self.mode)?;
-        self.allowed().enumerate().try_for_each(|(i, mode)| write!(f, "{} {mode}", if i > 0 { "," } else { "" }))
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        let allowed = self.allowed().map(|mode| Argument::Message(Box::new(mode.message())));
+        let message = Message::new("cell-refused").message("event", self.event.message());
+        message.message("mode", self.mode.message()).list("modes", allowed)
     }
 }
 
-impl std::error::Error for Refused {}
+display_by_message!(Refused);
 
 /// Returns the table of transitions as Markdown: one row per mode, one column per event; `-` for a refused event.
 pub fn table() -> String {

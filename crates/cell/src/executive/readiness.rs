@@ -2,7 +2,7 @@
 
 use super::bus::Devices;
 use super::mode::{Event, Mode};
-use super::state::{Missing, Port};
+use super::state::{Missing, Port, SilentDevice};
 use super::supervision::LATE_S;
 use super::work::Work;
 use super::{Alarm, Executive, Reaction};
@@ -42,9 +42,9 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
         let silent = |age_s: f64| age_s.is_nan() || age_s > LATE_S;
         for (device, age_s, needed) in [
-            ("drives", self.reports.drives.age_s, true),
-            ("inputs", self.reports.inputs_age_s, true),
-            ("process source", self.reports.source.age_s, event == Event::Weld),
+            (SilentDevice::Drives, self.reports.drives.age_s, true),
+            (SilentDevice::Inputs, self.reports.inputs_age_s, true),
+            (SilentDevice::Source, self.reports.source.age_s, event == Event::Weld),
         ] {
             if needed && silent(age_s) {
                 add(Missing::Silent(device));

@@ -1,6 +1,7 @@
 use super::alarm_list::{AlarmList, Place, Raised};
 use super::command::{Ask, Command};
 use super::{Alarm, Mode, Orders, ProcessState, Refused, Reports, Tracked};
+use seamwright_message::{Argument, Message, Unit};
 use seamwright_motion::pace::RunPhase;
 use std::ops::Deref;
 
@@ -88,8 +89,8 @@ pub enum Missing {
     HomesFirst(u8),
     /// The drives have no power yet.
     Power,
-    /// A device has been silent for too long: drives, inputs or source.
-    Silent(&'static str),
+    /// A device has been silent for too long.
+    Silent(SilentDevice),
     /// An interlock condition is not met: its number from 0.
     Condition(u8),
     /// An alarm is active or unacknowledged; with its axis or condition.
@@ -108,41 +109,88 @@ pub enum Missing {
     Motion,
 }
 
+/// A device that does not answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SilentDevice {
+    /// The drives.
+    Drives,
+    /// The input device.
+    Inputs,
+    /// The process source.
+    Source,
+}
+
 impl Missing {
-    /// Returns the text, with the names of `axes` and `conditions`.
-    pub fn text(&self, axes: &[&str], conditions: &[&str]) -> String {
-        let name =
-            |names: &[&str], i: u8| names.get(usize::from(i)).map_or_else(|| format!("no. {i}"), ToString::to_string);
+    /// Returns its message, with the names of `axes` and `conditions`.
+    pub fn message(&self, axes: &[&str], conditions: &[&str]) -> Message {
+        let axis = |i: u8| named(axes, i);
         match self {
-            Self::Mode(refused) => refused.to_string(),
-            Self::Moving => "the axes have not come to rest: wait a moment".to_owned(),
+            Self::Mode(refused) => refused.message(),
+            Self::Moving => Message::new("cell-missing-rest"),
             Self::References(bits) => {
-                let list: Vec<String> = (0..16u8).filter(|i| bits >> i & 1 == 1).map(|i| name(axes, i)).collect();
-                format!("the reference of {} is not known: home first", list.join(", "))
+                let unknown = (0..16u8).filter(|i| bits >> i & 1 == 1);
+                Message::new("cell-missing-references").list("axes", unknown.map(|i| Argument::Axis(axis(i))))
             }
-            Self::HomesFirst(i) => format!("axis {} goes home first: so says the machine file", name(axes, *i)),
-            Self::Power => "the drives have no power yet: wait a moment".to_owned(),
-            Self::Silent(device) => format!("the {device} cannot be heard: check cable and device"),
-            Self::Condition(i) => format!("`{}` is not met", name(conditions, *i)),
-            Self::Alarm(alarm, i) => {
-                let of = match alarm {
-                    Alarm::Interlock => format!(" ({})", name(conditions, *i)),
-                    Alarm::DriveFault | Alarm::LimitSwitch | Alarm::FollowingError => {
-                        format!(" (axis {})", name(axes, *i))
-                    }
-                    _ => String::new(),
-                };
-                let entry = alarm.entry();
-                format!("alarm `{}`{of}: {}, then acknowledge", entry.name, entry.action)
+            Self::HomesFirst(i) => Message::new("cell-missing-homes-first").axis("axis", axis(*i)),
+            Self::Power => Message::new("cell-missing-power"),
+            Self::Silent(device) => Message::new("cell-missing-answer").message("device", device.message()),
+            Self::Condition(i) => Message::new("cell-missing-interlock").text("interlock", named(conditions, *i)),
+            Self::Alarm(alarm, detail) => {
+                let title = alarm.title_of(alarm.about(*detail, axes, conditions));
+                let message = Message::new("cell-missing-acknowledgement").message("alarm", title);
+                message.message("action", alarm.entry().action)
             }
-            Self::Arming => "the process is not armed: arm, then start within a minute".to_owned(),
-            Self::Source => "the process source is not ready".to_owned(),
-            Self::NotAtStart(i) => {
-                format!("axis {} is not where the way to the weld begins", name(axes, *i))
+            Self::Arming => Message::new("cell-missing-arming"),
+            Self::Source => Message::new("cell-missing-source"),
+            Self::NotAtStart(i) => Message::new("cell-missing-start").axis("axis", axis(*i)),
+            Self::Work => Message::new("cell-missing-program"),
+            Self::Value => Message::new("cell-missing-value"),
+            Self::Motion => Message::new("cell-missing-motion"),
+        }
+    }
+}
+
+impl SilentDevice {
+    /// Its name in interfaces.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Drives => "drives",
+            Self::Inputs => "inputs",
+            Self::Source => "process source",
+        }
+    }
+
+    fn message(self) -> Message {
+        Message::new(match self {
+            Self::Drives => "cell-device-drives",
+            Self::Inputs => "cell-device-inputs",
+            Self::Source => "cell-device-source",
+        })
+    }
+}
+
+/// Name of item `i`, counted from 0.
+pub(super) fn named(names: &[&str], i: u8) -> String {
+    names.get(usize::from(i)).map_or_else(|| format!("{}", u16::from(i) + 1), ToString::to_string)
+}
+
+impl Note {
+    /// Returns the words of a note that is an event of a weld; `None` for refusals and alarms.
+    pub fn message(&self) -> Option<Message> {
+        let passed =
+            |code, place: &Place| Message::new(code).pass("pass", place.pass).quantity("at", place.s_mm, Unit::Mm, 2);
+        match self {
+            Self::Mode(from, to) => {
+                Some(Message::new("cell-event-mode").message("from", from.message()).message("to", to.message()))
             }
-            Self::Work => "no program is loaded".to_owned(),
-            Self::Value => "the number is outside what is allowed".to_owned(),
-            Self::Motion => "the motion cannot do that now".to_owned(),
+            Self::Taken(command) => Some(command.ask.message()),
+            Self::Missed(cycles, longest_ms) => {
+                let message = Message::new("cell-event-missed").count("n", *cycles as usize);
+                Some(message.quantity("gap", *longest_ms, Unit::Ms, 0))
+            }
+            Self::PassEnds(place) => Some(passed("cell-event-pass-ends", place)),
+            Self::Left(place) => Some(passed("cell-event-pass-left", place)),
+            Self::Refused(..) | Self::Lacks(..) | Self::Alarm(_) | Self::Cleared(..) => None,
         }
     }
 }

@@ -242,7 +242,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Raises the alarm with its catalogue reaction while `is`, else clears it.
     fn condition(&mut self, alarm: Alarm, detail: u8, is: bool) {
         if is {
-            self.raise(alarm, detail, alarm.entry().reaction);
+            self.raise(alarm, detail, alarm.reaction());
         } else {
             self.clear(alarm, detail);
         }
@@ -256,7 +256,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
 
     /// Raises a momentary alarm: it stays on the list as returned until it is acknowledged.
     pub(super) fn happened(&mut self, alarm: Alarm, detail: u8) {
-        self.tell_raised(alarm, detail, alarm.entry().reaction, AlarmState::Returned);
+        self.tell_raised(alarm, detail, alarm.reaction(), AlarmState::Returned);
         self.alarms.clear(alarm, detail);
     }
 

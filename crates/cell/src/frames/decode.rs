@@ -1,36 +1,46 @@
 //! Decodes image files to grey pictures.
 
 use image::{DynamicImage, ImageFormat, ImageReader, Limits};
+use seamwright_message::{Message, display_by_message};
 use seamwright_vision::{Image, MAX_SIDE};
 use std::io::Cursor;
-use thiserror::Error;
 
 /// Reasons why bytes do not decode.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum DecodeError {
     /// Unknown image format.
-    #[error("not an image: PNG, JPEG and PNM are read")]
     Kind,
     /// A damaged or truncated file, or an invalid header.
-    #[error("the image cannot be read: {0}")]
-    Broken(String),
+    Broken(Message),
     /// Pixels of a depth other than 8 or 16 bits.
-    #[error("pixels of {0}: 8 and 16 bits a channel are read")]
-    Depth(&'static str),
+    Depth(u8),
 }
+
+impl DecodeError {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Kind => Message::new("cell-image-format"),
+            Self::Broken(why) => Message::new("cell-image-broken").message("why", why.clone()),
+            Self::Depth(bits) => Message::new("cell-image-depth").number("bits", f64::from(*bits), 0),
+        }
+    }
+}
+
+display_by_message!(DecodeError);
 
 /// Decodes a PNG, JPEG or PNM file of 8 or 16 bits to a grey picture; colours become their brightness (Rec. 709).
 ///
 /// # Errors
 /// Another format, a damaged file, a picture larger than [`MAX_SIDE`] to a side.
 pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
-    let broken = |e: image::ImageError| DecodeError::Broken(e.to_string());
+    let broken = |e: image::ImageError| DecodeError::Broken(Message::verbatim(e.to_string()));
     let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| DecodeError::Kind)?;
     if reader.format().is_none() {
         return Err(DecodeError::Kind);
     }
     if reader.format() == Some(ImageFormat::Jpeg) && !is_whole_jpeg(bytes) {
-        return Err(DecodeError::Broken("the JPEG file ends before its picture does".to_owned()));
+        return Err(DecodeError::Broken(Message::new("cell-jpeg-truncated")));
     }
     let mut limits = Limits::default();
     limits.max_image_width = u32::try_from(MAX_SIDE).ok();
@@ -43,7 +53,7 @@ pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
         | DynamicImage::ImageLumaA16(_)
         | DynamicImage::ImageRgb16(_)
         | DynamicImage::ImageRgba16(_) => Image::U16 { width, height, pixels: picture.into_luma16().into_raw() },
-        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => return Err(DecodeError::Depth("32 bits")),
+        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => return Err(DecodeError::Depth(32)),
         _ => Image::U8 { width, height, pixels: picture.into_luma8().into_raw() },
     })
 }

@@ -1,72 +1,66 @@
+use crate::foreign;
+use seamwright_message::{Message, Unit, display_by_message};
 use seamwright_vision::FrameError as Shape;
 use std::path::Path;
-use thiserror::Error;
 
 /// Reasons for a missing frame.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum FrameError {
     /// A file or folder cannot be read or written, or a connection fails.
-    #[error("{what}: {why}")]
     Io {
         /// The file, folder or address.
         what: String,
-        /// Message of the system.
-        why: String,
+        /// The reason.
+        why: Message,
     },
     /// A named file or folder is missing, of another kind, or not accessible.
-    #[error("{what}: {why}\n   allowed: a folder of frames that is there, with frames.csv in it")]
     Named {
         /// The file or folder.
         what: String,
-        /// Message of the system.
-        why: String,
+        /// The reason.
+        why: Message,
     },
     /// An invalid image.
-    #[error("{file}: {why}")]
     Image {
         /// The file.
         file: String,
         /// The defect.
-        why: String,
+        why: Message,
     },
     /// An invalid list of frames.
-    #[error("{file}:{line}: {message}\n   allowed: {allowed}")]
     List {
         /// The list.
         file: String,
         /// Line, counted from 1.
         line: usize,
         /// The defect.
-        message: String,
+        message: Message,
         /// Allowed content.
-        allowed: String,
+        allowed: Message,
     },
     /// An invalid frame header.
-    #[error("frame {frame}: {field} {found}: not allowed\n   allowed: {allowed}")]
     Header {
         /// Counted from 0.
         frame: usize,
         /// The header's field.
-        field: &'static str,
+        field: Field,
         /// Its value.
-        found: String,
+        found: Message,
         /// Allowed values.
-        allowed: String,
+        allowed: Message,
     },
     /// The stream ends within a frame.
-    #[error("frame {frame}: the stream ends after {found} of its {wanted} bytes of {part}")]
     Truncated {
         /// Counted from 0.
         frame: usize,
         /// Header, axes or pixels.
-        part: &'static str,
+        part: Part,
         /// Bytes there.
         found: usize,
         /// Bytes of that part.
         wanted: usize,
     },
     /// A time that is not finite, or not after the previous one.
-    #[error("frame {frame}: taken at {t_s} s{}: times are finite and increase", before.map_or(String::new(), |b| format!(", after one at {b} s")))]
     Time {
         /// Counted from 0.
         frame: usize,
@@ -76,7 +70,6 @@ pub enum FrameError {
         before: Option<f64>,
     },
     /// Invalid pixels.
-    #[error("frame {frame}: {shape}")]
     Shape {
         /// Counted from 0.
         frame: usize,
@@ -85,9 +78,94 @@ pub enum FrameError {
     },
 }
 
+/// Field of a frame's header.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Field {
+    /// The first bytes.
+    Magic,
+    /// Version of the format.
+    Version,
+    /// Bits of a pixel.
+    Depth,
+    /// Columns.
+    Width,
+    /// Rows.
+    Height,
+    /// Number of axes.
+    Axes,
+    /// Bytes that must be 0.
+    Reserved,
+    /// Height of the work.
+    WorkHeight,
+    /// Position of an axis.
+    Position,
+}
+
+/// Part of a frame in a stream.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// The header.
+    Header,
+    /// Positions of the axes.
+    Axes,
+    /// The pixels.
+    Pixels,
+}
+
+impl Field {
+    fn message(self) -> Message {
+        Message::new(match self {
+            Self::Magic => "cell-frame-magic",
+            Self::Version => "cell-frame-version",
+            Self::Depth => "cell-frame-depth",
+            Self::Width => "cell-frame-width",
+            Self::Height => "cell-frame-height",
+            Self::Axes => "cell-frame-axes",
+            Self::Reserved => "cell-frame-reserved",
+            Self::WorkHeight => "cell-frame-work-height",
+            Self::Position => "cell-frame-position",
+        })
+    }
+}
+
 impl FrameError {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        let of = |code, frame: &usize| Message::new(code).number("frame", *frame as f64, 0);
+        match self {
+            Self::Io { what, why } => Message::new("cell-frame-io").text("what", what).message("why", why.clone()),
+            Self::Named { what, why } => {
+                Message::new("cell-frames-missing").text("what", what).message("why", why.clone())
+            }
+            Self::Image { file, why } => Message::new("cell-frame-io").text("what", file).message("why", why.clone()),
+            Self::List { file, line, message, allowed } => Message::new("cell-frame-list")
+                .text("file", file)
+                .number("line", *line as f64, 0)
+                .message("why", message.clone())
+                .message("allowed", allowed.clone()),
+            Self::Header { frame, field, found, allowed } => of("cell-frame-header", frame)
+                .message("field", field.message())
+                .message("found", found.clone())
+                .message("allowed", allowed.clone()),
+            Self::Truncated { frame, part, found, wanted } => {
+                let code = match part {
+                    Part::Header => "cell-frame-header-truncated",
+                    Part::Axes => "cell-frame-axes-truncated",
+                    Part::Pixels => "cell-frame-pixels-truncated",
+                };
+                let message = of(code, frame).quantity("found", *found as f64, Unit::Byte, 0);
+                message.quantity("wanted", *wanted as f64, Unit::Byte, 0)
+            }
+            Self::Time { frame, t_s, before: None } => of("cell-frame-time", frame).value("time", *t_s, Unit::S),
+            Self::Time { frame, t_s, before: Some(before) } => {
+                of("cell-frame-time-order", frame).value("time", *t_s, Unit::S).value("before", *before, Unit::S)
+            }
+            Self::Shape { frame, shape } => of("cell-frame-shape", frame).message("why", foreign::error(shape)),
+        }
+    }
+
     pub(super) fn io(what: impl Into<String>, error: &std::io::Error) -> Self {
-        Self::Io { what: what.into(), why: error.to_string() }
+        Self::Io { what: what.into(), why: Message::verbatim(error.to_string()) }
     }
 
     /// A file or folder that the user named: a wrong name is a different mistake from a failing disk.
@@ -98,7 +176,7 @@ impl FrameError {
         let what = path.display().to_string();
         match error.kind() {
             AlreadyExists | IsADirectory | NotADirectory | NotFound | PermissionDenied | ReadOnlyFilesystem => {
-                Self::Named { what, why: error.to_string() }
+                Self::Named { what, why: Message::verbatim(error.to_string()) }
             }
             _ => Self::io(what, error),
         }
@@ -109,3 +187,5 @@ impl FrameError {
         matches!(self, Self::Io { .. })
     }
 }
+
+display_by_message!(FrameError);

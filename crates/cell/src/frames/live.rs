@@ -1,4 +1,5 @@
 use super::{FrameError, FrameSource as _, FrameStream, TimedFrame};
+use seamwright_message::Message;
 use seamwright_vision::Image;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -52,7 +53,7 @@ impl LiveFrames {
                 match next {
                     Ok(Some(frame)) => state.newest = Some((Instant::now(), frame)),
                     Ok(None) => {
-                        let why = "the camera has closed the connection".to_owned();
+                        let why = Message::new("cell-camera-closed");
                         state.ended = Some(FrameError::Io { what: what.clone(), why });
                     }
                     Err(e) => state.ended = Some(e),
@@ -85,7 +86,7 @@ impl LiveFrames {
             }
             let left = (asked + latency + self.patience).saturating_duration_since(Instant::now());
             if left.is_zero() {
-                return Err(FrameError::Io { what: self.address.clone(), why: "no frame came in time".to_owned() });
+                return Err(FrameError::Io { what: self.address.clone(), why: Message::new("cell-no-frame-in-time") });
             }
             state = self.shared.came.wait_timeout(state, left).unwrap_or_else(PoisonError::into_inner).0;
         }
@@ -98,8 +99,9 @@ fn sized(frame: Option<TimedFrame>, [columns, rows]: [usize; 2], what: &str) -> 
         Some(Image::U8 { width, height, .. } | Image::U16 { width, height, .. })
             if [*width, *height] != [columns, rows] =>
         {
-            let why =
-                format!("a frame of {width} x {height} pixels; allowed: the sensor's size_px, {columns} x {rows}");
+            let size = |width: usize, height: usize| format!("{width} x {height}");
+            let why = Message::new("cell-frame-size").text("size", size(*width, *height));
+            let why = why.text("allowed", size(columns, rows));
             Err(FrameError::Io { what: what.to_owned(), why })
         }
         _ => Ok(frame),

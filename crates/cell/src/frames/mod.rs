@@ -7,7 +7,7 @@ mod recorded;
 mod stream;
 
 pub use decode::{DecodeError, decode};
-pub use error::FrameError;
+pub use error::{Field, FrameError, Part};
 pub use live::LiveFrames;
 pub use recorded::{LIST, Recorded, Recorder};
 pub use stream::{FrameStream, HEADER_BYTES, MAX_FRAME_AXES, VERSION, write_frame};

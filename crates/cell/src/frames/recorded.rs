@@ -1,5 +1,7 @@
 use super::{FrameError, FrameSource, TimedFrame, checked_time, decode};
+use crate::foreign;
 use image::{ImageBuffer, ImageFormat, Luma};
+use seamwright_message::{Message, Unit};
 use seamwright_vision::Image;
 use std::fmt::Write as _;
 use std::fs;
@@ -43,8 +45,8 @@ impl Recorded {
         let text = String::from_utf8(read(&path, LARGEST_LIST)?).map_err(|e| FrameError::List {
             file: path.display().to_string(),
             line: 1 + e.as_bytes()[..e.utf8_error().valid_up_to()].iter().filter(|b| **b == b'\n').count(),
-            message: "not a text".to_owned(),
-            allowed: "UTF-8".to_owned(),
+            message: Message::new("cell-list-no-text"),
+            allowed: Message::verbatim("UTF-8"),
         })?;
         let rows = rows(&path.display().to_string(), &text, axes)?;
         Ok(Self { folder: folder.to_owned(), rows, next: 0, before: None })
@@ -71,7 +73,7 @@ impl FrameSource for Recorded {
         let path = self.folder.join(&row.file);
         let bytes = read(&path, LARGEST_IMAGE)?;
         let image =
-            decode(&bytes).map_err(|e| FrameError::Image { file: path.display().to_string(), why: e.to_string() })?;
+            decode(&bytes).map_err(|e| FrameError::Image { file: path.display().to_string(), why: e.message() })?;
         self.next = frame + 1;
         let axes = (!row.axes.is_empty()).then(|| row.axes.clone());
         Ok(Some(TimedFrame { t_s, image, axes, height_mm: row.height_mm }))
@@ -82,14 +84,16 @@ fn read(path: &Path, largest: u64) -> Result<Vec<u8>, FrameError> {
     let failed = |e: &std::io::Error| FrameError::path(path, e);
     let size = fs::metadata(path).map_err(|e| failed(&e))?.len();
     if size > largest {
-        let why = format!("{size} bytes: larger than any, which has {largest}");
+        let bytes = |size: u64| size as f64;
+        let why = Message::new("cell-file-too-large").quantity("size", bytes(size), Unit::Byte, 0);
+        let why = why.quantity("max", bytes(largest), Unit::Byte, 0);
         return Err(FrameError::Image { file: path.display().to_string(), why });
     }
     fs::read(path).map_err(|e| failed(&e))
 }
 
 fn rows(file: &str, text: &str, axes: &[&str]) -> Result<Vec<Row>, FrameError> {
-    let wrong = |line: usize, message: String, allowed: String| FrameError::List {
+    let wrong = |line: usize, message: Message, allowed: Message| FrameError::List {
         file: file.to_owned(),
         line,
         message,
@@ -101,37 +105,42 @@ fn rows(file: &str, text: &str, axes: &[&str]) -> Result<Vec<Row>, FrameError> {
     let header: Vec<&str> = lines.next().map_or(Vec::new(), |(_, line)| line.split(',').map(str::trim).collect());
     let heights = header.len() == wanted.len() + 1 && header[wanted.len()] == HEIGHT;
     if header[..header.len().min(wanted.len())] != wanted[..] || !(heights || header.len() == wanted.len()) {
-        let allowed = format!("{}, and perhaps {HEIGHT}", wanted.join(","));
-        return Err(wrong(1, format!("the columns are {}", header.join(",")), allowed));
+        let allowed = Message::new("cell-list-columns-allowed").text("columns", wanted.join(","));
+        let message = Message::new("cell-list-columns").text("columns", header.join(","));
+        return Err(wrong(1, message, allowed.text("optional", HEIGHT)));
     }
     let mut rows: Vec<Row> = Vec::new();
     for (line, text) in lines.filter(|(_, line)| !line.trim().is_empty()) {
         let cells: Vec<&str> = text.split(',').map(str::trim).collect();
         if cells.len() != header.len() {
-            return Err(wrong(line, format!("{} cells", cells.len()), format!("{}, one a column", header.len())));
+            let allowed = Message::new("cell-list-cells-allowed").count("n", header.len());
+            return Err(wrong(line, Message::new("cell-list-cells").count("n", cells.len()), allowed));
         }
         let name = cells[0];
         // Only within the folder: a foreign list must not lead to other files.
         let inside = Path::new(name).components().all(|c| matches!(c, std::path::Component::Normal(_)));
         if name.is_empty() || !inside {
-            return Err(wrong(line, format!("file {name:?}"), "the name of an image in this folder".to_owned()));
+            let message = Message::new("cell-list-file").text("name", name);
+            return Err(wrong(line, message, Message::new("cell-list-file-allowed")));
         }
         let number = |column: usize| {
             let value = cells[column].parse::<f64>().ok().filter(|v| v.is_finite());
-            let message = || format!("{} {:?} is no number", header[column], cells[column]);
-            value.ok_or_else(|| wrong(line, message(), "a finite number".to_owned()))
+            let message =
+                || Message::new("cell-list-number").text("column", header[column]).text("value", cells[column]);
+            value.ok_or_else(|| wrong(line, message(), Message::new("document-finite-number")))
         };
         let t_s = number(1)?;
         if let Some(before) = rows.last().filter(|before| before.t_s >= t_s) {
-            let message = format!("t_s {t_s} is not after {} in the row before", before.t_s);
-            return Err(wrong(line, message, "times that increase".to_owned()));
+            let message =
+                Message::new("cell-list-time").value("time", t_s, Unit::S).value("before", before.t_s, Unit::S);
+            return Err(wrong(line, message, Message::new("cell-list-time-allowed")));
         }
         let axes = (2..wanted.len()).map(number).collect::<Result<_, _>>()?;
         let height_mm = (heights && !cells[wanted.len()].is_empty()).then(|| number(wanted.len())).transpose()?;
         rows.push(Row { file: name.to_owned(), t_s, axes, height_mm });
     }
     match rows.is_empty() {
-        true => Err(wrong(2, "the list has no frames".to_owned(), "a row a frame".to_owned())),
+        true => Err(wrong(2, Message::new("cell-list-empty"), Message::new("cell-list-empty-allowed"))),
         false => Ok(rows),
     }
 }
@@ -164,10 +173,10 @@ impl Recorder {
     pub fn add(&mut self, frame: &TimedFrame) -> Result<(), FrameError> {
         let name = format!("{:06}.png", self.count);
         let path = self.folder.join(&name);
-        let failed = |why: String| FrameError::Image { file: path.display().to_string(), why };
-        frame.image.frame().map_err(|e| failed(e.to_string()))?;
-        let count = || failed("pixels do not fill the picture".to_owned());
-        let side = |n: usize| u32::try_from(n).map_err(|e| failed(e.to_string()));
+        let failed = |why: Message| FrameError::Image { file: path.display().to_string(), why };
+        frame.image.frame().map_err(|e| failed(foreign::error(&e)))?;
+        let count = || failed(Message::new("cell-pixel-count"));
+        let side = |n: usize| u32::try_from(n).map_err(|e| failed(Message::verbatim(e.to_string())));
         let written = match &frame.image {
             Image::U8 { width, height, pixels } => {
                 let image = ImageBuffer::<Luma<u8>, _>::from_raw(side(*width)?, side(*height)?, pixels.as_slice());
@@ -178,7 +187,8 @@ impl Recorder {
                 image.ok_or_else(count)?.save_with_format(&path, ImageFormat::Png)
             }
         };
-        written.map_err(|e| FrameError::Io { what: path.display().to_string(), why: e.to_string() })?;
+        written
+            .map_err(|e| FrameError::Io { what: path.display().to_string(), why: Message::verbatim(e.to_string()) })?;
         let _ = write!(self.list, "{name},{}", frame.t_s);
         for value in frame.axes.iter().flatten() {
             let _ = write!(self.list, ",{value}");

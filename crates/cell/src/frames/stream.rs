@@ -1,5 +1,8 @@
+use super::error::{Field, Part};
 use super::{FrameError, FrameSource, TimedFrame, checked_time};
+use seamwright_message::{Message, Unit};
 use seamwright_vision::{Image, MAX_SIDE};
+use std::fmt::Display;
 use std::io::{Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
 use std::time::Duration;
@@ -72,7 +75,7 @@ impl<R: Read> FrameStream<R> {
                 Ok(n) => found += n,
                 Err(e) if e.kind() == std::io::ErrorKind::Interrupted => {}
                 Err(e) if matches!(e.kind(), std::io::ErrorKind::WouldBlock | std::io::ErrorKind::TimedOut) => {
-                    let why = format!("frame {} did not come in time", self.frame);
+                    let why = Message::new("cell-frame-late").number("frame", self.frame as f64, 0);
                     return Err(FrameError::Io { what: self.what.clone(), why });
                 }
                 Err(e) => return Err(FrameError::io(&self.what, &e)),
@@ -82,7 +85,7 @@ impl<R: Read> FrameStream<R> {
     }
 
     /// Reads a part of a frame, of `wanted` bytes.
-    fn part(&mut self, part: &'static str, wanted: usize) -> Result<Vec<u8>, FrameError> {
+    fn part(&mut self, part: Part, wanted: usize) -> Result<Vec<u8>, FrameError> {
         let mut bytes = Vec::new();
         while bytes.len() < wanted {
             let from = bytes.len();
@@ -104,22 +107,22 @@ impl<R: Read> FrameStream<R> {
         }
         let frame = self.frame;
         if found < HEADER_BYTES {
-            return Err(FrameError::Truncated { frame, part: "header", found, wanted: HEADER_BYTES });
+            return Err(FrameError::Truncated { frame, part: Part::Header, found, wanted: HEADER_BYTES });
         }
         let header = Header::read(&bytes, frame)?;
         let t_s = checked_time(header.t_s, &mut self.before, frame)?;
-        let axes = self.part("axes", 8 * usize::from(header.axes))?;
+        let axes = self.part(Part::Axes, 8 * usize::from(header.axes))?;
         let axes: Vec<f64> = axes.chunks_exact(8).map(|b| f64::from_le_bytes(array(b))).collect();
         if let Some(bad) = axes.iter().find(|v| !v.is_finite()) {
             return Err(FrameError::Header {
                 frame,
-                field: "position",
-                found: bad.to_string(),
-                allowed: "a finite number of mm or degrees".to_owned(),
+                field: Field::Position,
+                found: Message::verbatim(bad.to_string()),
+                allowed: Message::new("cell-frame-position-allowed"),
             });
         }
         let Header { width, height, bits, .. } = header;
-        let pixels = self.part("pixels", width * height * usize::from(bits / 8))?;
+        let pixels = self.part(Part::Pixels, width * height * usize::from(bits / 8))?;
         let image = match bits {
             8 => Image::U8 { width, height, pixels },
             _ => {
@@ -164,33 +167,37 @@ impl Header {
         let u16_at = |i: usize| u16::from_le_bytes(array(&bytes[i..]));
         let u32_at = |i: usize| u32::from_le_bytes(array(&bytes[i..]));
         let f64_at = |i: usize| f64::from_le_bytes(array(&bytes[i..]));
-        let wrong = |field, found: String, allowed: String| Err(FrameError::Header { frame, field, found, allowed });
+        let text = |text: &dyn Display| Message::verbatim(text.to_string());
+        let wrong = |field, found, allowed| Err(FrameError::Header { frame, field, found, allowed });
         if &bytes[..4] != MAGIC {
-            return wrong("the first bytes", format!("{:02x?}", &bytes[..4]), format!("{MAGIC:02x?}, \"SWFR\""));
+            let found = format!("{:02x?}", &bytes[..4]);
+            return wrong(Field::Magic, text(&found), text(&format!("{MAGIC:02x?}, \"SWFR\"")));
         }
         if u16_at(4) != VERSION {
-            return wrong("version", u16_at(4).to_string(), VERSION.to_string());
+            return wrong(Field::Version, text(&u16_at(4)), text(&VERSION));
         }
         let bits = u16_at(6);
         if ![8, 16].contains(&bits) {
-            return wrong("depth", format!("{bits} bits"), "8 or 16 bits a pixel".to_owned());
+            return wrong(Field::Depth, text(&bits), Message::new("cell-frame-depth-allowed"));
         }
         let (width, height) = (u32_at(8), u32_at(12));
-        for (field, side) in [("width", width), ("height", height)] {
+        for (field, side) in [(Field::Width, width), (Field::Height, height)] {
             if side == 0 || side as usize > MAX_SIDE {
-                return wrong(field, side.to_string(), format!("1 to {MAX_SIDE} pixels"));
+                let allowed = Message::new("document-between").value("min", 1.0, Unit::Px);
+                return wrong(field, text(&side), allowed.value("max", MAX_SIDE as f64, Unit::Px));
             }
         }
         let axes = u16_at(16);
         if axes > MAX_FRAME_AXES {
-            return wrong("number of axes", axes.to_string(), format!("0 to {MAX_FRAME_AXES}"));
+            let allowed = Message::new("document-between").number("min", 0.0, 0);
+            return wrong(Field::Axes, text(&axes), allowed.number("max", f64::from(MAX_FRAME_AXES), 0));
         }
         if u16_at(18) != 0 || u32_at(20) != 0 {
-            return wrong("bytes 18 to 23", format!("{:02x?}", &bytes[18..24]), "0".to_owned());
+            return wrong(Field::Reserved, text(&format!("{:02x?}", &bytes[18..24])), text(&0));
         }
         let height_mm = f64_at(32);
         if height_mm.is_infinite() {
-            return wrong("the work's height", height_mm.to_string(), "a finite number of mm, or NaN".to_owned());
+            return wrong(Field::WorkHeight, text(&height_mm), Message::new("cell-frame-work-height-allowed"));
         }
         let height_mm = Some(height_mm).filter(|h| !h.is_nan());
         Ok(Self { width: width as usize, height: height as usize, bits, axes, t_s: f64_at(24), height_mm })

@@ -1,3 +1,4 @@
+use seamwright_message::{Argument, Message};
 use std::fmt;
 
 /// Priority of the cycle, 1 to 99: above ordinary work, below the kernel's own threads.
@@ -9,11 +10,11 @@ const BELOW: u8 = 70;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Footing {
     /// Real-time priority (SCHED_FIFO), or the reason for its refusal.
-    pub priority: Result<(), String>,
+    pub priority: Result<(), Message>,
     /// Memory locked against paging, or the reason for its refusal.
-    pub memory: Result<(), String>,
+    pub memory: Result<(), Message>,
     /// CPU to stay on, if requested, or the reason for its refusal.
-    pub cpu: Option<Result<usize, String>>,
+    pub cpu: Option<Result<usize, Message>>,
 }
 
 impl Footing {
@@ -41,22 +42,38 @@ impl Footing {
     }
 }
 
+impl Footing {
+    /// Returns its message: granted, or what is missing and how it is granted.
+    pub fn message(&self) -> Message {
+        let refused = |code, why: Option<&Message>| why.map(|why| Message::new(code).message("why", why.clone()));
+        let missing = [
+            refused("cell-realtime-no-priority", self.priority.as_ref().err()),
+            refused("cell-realtime-memory-not-locked", self.memory.as_ref().err()),
+            refused("cell-realtime-no-cpu", self.cpu.as_ref().and_then(|cpu| cpu.as_ref().err())),
+        ];
+        if self.is_whole() {
+            return Message::new("cell-realtime-granted");
+        }
+        let missing = missing.into_iter().flatten().map(|one| Argument::Message(Box::new(one)));
+        Message::new("cell-realtime-degraded").list("missing", missing)
+    }
+
+    /// Returns the event of a weld without the rights of these keys, see [`Footing::missing`].
+    pub fn event(missing: &[&str]) -> Message {
+        let named = |key: &&str| match *key {
+            "priority" => Message::new("cell-right-priority"),
+            "memory" => Message::new("cell-right-memory"),
+            "cpu" => Message::new("cell-right-cpu"),
+            other => Message::verbatim(other),
+        };
+        let rights = missing.iter().map(|key| Argument::Message(Box::new(named(key))));
+        Message::new("cell-event-without-rights").list("rights", rights)
+    }
+}
+
 impl fmt::Display for Footing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.is_whole() {
-            return f.write_str("real-time priority, memory locked");
-        }
-        f.write_str("degraded:")?;
-        if let Err(why) = &self.priority {
-            write!(f, " no real-time priority ({why}; allow it with `ulimit -r` or CAP_SYS_NICE)")?;
-        }
-        if let Err(why) = &self.memory {
-            write!(f, " memory not locked ({why}; allow it with `ulimit -l` or CAP_IPC_LOCK)")?;
-        }
-        if let Some(Err(why)) = &self.cpu {
-            write!(f, " not on the CPU asked for ({why})")?;
-        }
-        Ok(())
+        self.message().fmt(f)
     }
 }
 
@@ -64,43 +81,46 @@ impl fmt::Display for Footing {
 mod system {
     use rustix::mm::{MlockAllFlags, mlockall};
     use rustix::thread::{CpuSet, sched_setaffinity};
+    use seamwright_message::Message;
     use thread_priority::unix::{RealtimeThreadSchedulePolicy, ThreadSchedulePolicy, set_thread_priority_and_policy};
     use thread_priority::{ThreadPriority, ThreadPriorityValue, thread_native_id};
 
-    pub(super) fn priority(value: u8) -> Result<(), String> {
-        let value = ThreadPriorityValue::try_from(value)?;
+    pub(super) fn priority(value: u8) -> Result<(), Message> {
+        let value = ThreadPriorityValue::try_from(value).map_err(Message::verbatim)?;
         let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
         let set = set_thread_priority_and_policy(thread_native_id(), ThreadPriority::Crossplatform(value), policy);
-        set.map_err(|e| format!("{e:?}"))
+        set.map_err(|e| Message::verbatim(format!("{e:?}")))
     }
 
-    pub(super) fn memory() -> Result<(), String> {
-        mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE).map_err(|e| e.to_string())
+    pub(super) fn memory() -> Result<(), Message> {
+        mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE).map_err(|e| Message::verbatim(e.to_string()))
     }
 
-    pub(super) fn stay_on(cpu: usize) -> Result<usize, String> {
+    pub(super) fn stay_on(cpu: usize) -> Result<usize, Message> {
         let mut set = CpuSet::new();
         if cpu >= CpuSet::MAX_CPU {
-            return Err(format!("there is no CPU {cpu}"));
+            return Err(Message::new("cell-no-such-cpu").number("cpu", cpu as f64, 0));
         }
         set.set(cpu);
-        sched_setaffinity(None, &set).map(|()| cpu).map_err(|e| e.to_string())
+        sched_setaffinity(None, &set).map(|()| cpu).map_err(|e| Message::verbatim(e.to_string()))
     }
 }
 
 #[cfg(not(target_os = "linux"))]
 mod system {
-    const NOT_HERE: &str = "only on Linux";
+    use seamwright_message::Message;
 
-    pub(super) fn priority(_value: u8) -> Result<(), String> {
-        Err(NOT_HERE.to_owned())
+    const NOT_HERE: Message = Message::new("cell-only-on-linux");
+
+    pub(super) fn priority(_value: u8) -> Result<(), Message> {
+        Err(NOT_HERE)
     }
 
-    pub(super) fn memory() -> Result<(), String> {
-        Err(NOT_HERE.to_owned())
+    pub(super) fn memory() -> Result<(), Message> {
+        Err(NOT_HERE)
     }
 
-    pub(super) fn stay_on(_cpu: usize) -> Result<usize, String> {
-        Err(NOT_HERE.to_owned())
+    pub(super) fn stay_on(_cpu: usize) -> Result<usize, Message> {
+        Err(NOT_HERE)
     }
 }

@@ -1,11 +1,20 @@
 use super::{Shutdown, ShutdownCause};
 use crate::executive::{Devices, Orders, Reports};
+use seamwright_message::{Message, display_by_message};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The cycle's thread panicked; its devices were ordered off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the cycle failed (a fault of the program); its devices were ordered off")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CyclePanicked;
+
+impl CyclePanicked {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        Message::new("cell-cycle-failed")
+    }
+}
+
+display_by_message!(CyclePanicked);
 
 /// Runs cycles on `devices`. After a panic the devices get the orders of a cell that is off, and `shutdown` is
 /// requested.

@@ -1,3 +1,4 @@
+use seamwright_message::Message;
 use std::cell::Cell;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,16 +20,23 @@ pub enum ShutdownCause {
     Asked,
 }
 
+impl ShutdownCause {
+    /// Returns its message.
+    pub fn message(self) -> Message {
+        match self {
+            Self::Signal(number) => {
+                let name = system::name(number).map_or_else(|| number.to_string(), str::to_owned);
+                Message::new("cell-shutdown-signal").text("signal", name)
+            }
+            Self::Panic => Message::new("cell-shutdown-panic"),
+            Self::Asked => Message::new("cell-shutdown-end"),
+        }
+    }
+}
+
 impl fmt::Display for ShutdownCause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Signal(number) => match system::name(*number) {
-                Some(name) => write!(f, "signal {name}"),
-                None => write!(f, "signal {number}"),
-            },
-            Self::Panic => f.write_str("a fault of the program (panic)"),
-            Self::Asked => f.write_str("the end of the program"),
-        }
+        self.message().fmt(f)
     }
 }
 

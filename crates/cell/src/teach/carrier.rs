@@ -1,8 +1,10 @@
 //! The machine that carries the camera.
 
+use crate::foreign;
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine, Sensor, Surroundings};
+use seamwright_message::{Message, Unit};
 use seamwright_tracking::teach::EyePose;
 
 /// Number of steps in which axis positions for a camera pose are found.
@@ -58,8 +60,8 @@ impl<'a> Carrier<'a> {
     /// against the normal as well as the machine can, with the point at the best height.
     ///
     /// # Errors
-    /// In words: no such positions, an axis' range, the pair that would come too near.
-    pub fn to(&mut self, eye: &EyePose) -> Result<(), String> {
+    /// No such positions, an axis' range, the pair that would come too near.
+    pub fn to(&mut self, eye: &EyePose) -> Result<(), Message> {
         let axes = self.positions(eye)?;
         if let Some(why) = self.too_near(&axes) {
             return Err(why);
@@ -71,18 +73,18 @@ impl<'a> Carrier<'a> {
     /// Returns the axis positions that bring the camera there, within their ranges; the way is not checked.
     ///
     /// # Errors
-    /// In words: no such positions, an axis' range.
-    pub fn positions(&self, eye: &EyePose) -> Result<Joints, String> {
+    /// No such positions, an axis' range.
+    pub fn positions(&self, eye: &EyePose) -> Result<Joints, Message> {
         let axes = self.solve(eye)?;
         match self.machine.outside(&axes) {
-            Some(v) => Err(self.machine.range_error(&v).to_string()),
+            Some(v) => Err(foreign::error(&self.machine.range_error(&v))),
             None => Ok(axes),
         }
     }
 
     /// Solves for positions that bring the camera there. The inverse kinematics handle torches: the torch is moved by
     /// the camera's error until the camera is in place.
-    fn solve(&self, eye: &EyePose) -> Result<Joints, String> {
+    fn solve(&self, eye: &EyePose) -> Result<Joints, Message> {
         let guided = self.guide.and_then(|guide| guide(eye.point));
         let mut q = guided.unwrap_or(self.axes);
         for _ in 0..STEPS {
@@ -97,7 +99,7 @@ impl<'a> Carrier<'a> {
             // Shifts and turns separately: a machine with too few axes turns as far as it can, and the position is
             // still reached.
             let pose = Pose { point: torch.point + off, direction: (turn * torch.direction).normalize() };
-            let next = self.machine.inverse_near(pose, &q).map_err(|e| e.to_string())?.joints;
+            let next = self.machine.inverse_near(pose, &q).map_err(|e| foreign::error(&e))?.joints;
             let stands = next.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-6);
             q = next;
             if stands {
@@ -109,11 +111,11 @@ impl<'a> Carrier<'a> {
         if off < NEAR_MM {
             return Ok(self.machine.turned_into_range(&q));
         }
-        Err(format!("no positions of the axes bring the eye there: {off:.2} mm remain"))
+        Err(Message::new("cell-camera-out-of-reach").quantity("remaining", off, Unit::Mm, 2))
     }
 
     /// Returns the pair that comes too near on the way to `axes`.
-    fn too_near(&self, axes: &Joints) -> Option<String> {
+    fn too_near(&self, axes: &Joints) -> Option<Message> {
         let machine = &self.machine.axes;
         let way = |(axis, (from, to)): (&seamwright_machine::Axis, (&f64, &f64))| {
             (axis.to_file(*to) - axis.to_file(*from)).abs()
@@ -129,7 +131,10 @@ impl<'a> Carrier<'a> {
             }
             let nearest = self.around.nearest(&at, self.around.greatest_least_mm() + 1.0);
             let names = nearest.map(|(watch, _)| self.around.names(watch));
-            Some(names.map_or("something comes too near".to_owned(), |(a, b)| format!("{a} comes too near to {b}")))
+            Some(match names {
+                Some((a, b)) => Message::new("cell-too-close").text("a", a).text("b", b),
+                None => Message::new("cell-something-too-close"),
+            })
         })
     }
 }

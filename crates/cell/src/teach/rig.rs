@@ -4,6 +4,7 @@ use super::Carrier;
 use crate::eyes::Eye;
 use crate::frames::{FrameError, FrameSource, FrameStream, TimedFrame};
 use seamwright_machine::{Joints, Machine, Sensor};
+use seamwright_message::Message;
 use seamwright_tracking::teach::EyePose;
 use std::net::TcpStream;
 
@@ -12,8 +13,8 @@ pub trait Rig {
     /// Moves the camera to a pose.
     ///
     /// # Errors
-    /// In words: the reason why the machine cannot go there.
-    fn go(&mut self, eye: &EyePose) -> Result<(), String>;
+    /// The reason why the machine cannot go there.
+    fn go(&mut self, eye: &EyePose) -> Result<(), Message>;
 
     /// Returns a frame from the camera's pose; `None` if there are no more.
     ///
@@ -58,7 +59,7 @@ impl<'a, 'b> SimulatedRig<'a, 'b> {
 }
 
 impl Rig for SimulatedRig<'_, '_> {
-    fn go(&mut self, eye: &EyePose) -> Result<(), String> {
+    fn go(&mut self, eye: &EyePose) -> Result<(), Message> {
         self.carrier.to(eye)
     }
 
@@ -75,7 +76,7 @@ impl Rig for SimulatedRig<'_, '_> {
 pub struct Played<'a>(pub Box<dyn FrameSource + 'a>);
 
 impl Rig for Played<'_> {
-    fn go(&mut self, _eye: &EyePose) -> Result<(), String> {
+    fn go(&mut self, _eye: &EyePose) -> Result<(), Message> {
         Ok(())
     }
 
@@ -99,7 +100,7 @@ impl<'a> DistantRig<'a> {
 }
 
 impl Rig for DistantRig<'_> {
-    fn go(&mut self, eye: &EyePose) -> Result<(), String> {
+    fn go(&mut self, eye: &EyePose) -> Result<(), Message> {
         self.carrier.to(eye)
     }
 

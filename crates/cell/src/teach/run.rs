@@ -2,8 +2,10 @@
 
 use super::Rig;
 use super::rig::joints;
+use crate::frames::Field;
 use crate::frames::{FrameError, TimedFrame};
 use seamwright_machine::{Joints, Machine, Sensor};
+use seamwright_message::Message;
 use seamwright_tracking::teach::{Aim, Answer, Command, Crawl, End, Event, FrameEnd, Row, Seen, View};
 use seamwright_vision::Frame;
 
@@ -32,7 +34,7 @@ impl Found {
 /// Answers when the joint is lost.
 pub trait Operator {
     /// Returns the answer to `why` the joint is lost, given the crawl so far.
-    fn answer(&mut self, why: &str, crawl: &Crawl) -> Answer;
+    fn answer(&mut self, why: &Message, crawl: &Crawl) -> Answer;
 }
 
 /// Absent operator: the crawl ends with the joint found so far.
@@ -43,7 +45,7 @@ pub struct NoOperator {
 }
 
 impl Operator for NoOperator {
-    fn answer(&mut self, _why: &str, _crawl: &Crawl) -> Answer {
+    fn answer(&mut self, _why: &Message, _crawl: &Crawl) -> Answer {
         self.asked = true;
         Answer::End
     }
@@ -57,7 +59,7 @@ pub struct TaughtRun {
     /// Axis positions at each frame, in order.
     pub axes: Vec<Joints>,
     /// Reason for each question to the operator.
-    pub asked: Vec<String>,
+    pub asked: Vec<Message>,
     /// Time of the last frame, s.
     pub seconds: f64,
 }
@@ -96,7 +98,7 @@ pub fn teach<E: From<FrameError>>(
         command = match command {
             Command::Move(pose) => match rig.go(&pose) {
                 Ok(()) => crawl.next(Event::Reached),
-                Err(why) => crawl.next(Event::Refused(why.into())),
+                Err(why) => crawl.next(Event::Refused(why)),
             },
             Command::Look => {
                 let Some(frame) = rig.frame()? else { return Ok(run) };
@@ -114,7 +116,6 @@ pub fn teach<E: From<FrameError>>(
                 next
             }
             Command::Ask(why) => {
-                let why = why.to_string();
                 let answer = operator.answer(&why, crawl);
                 run.asked.push(why);
                 crawl.next(Event::Operator(answer))
@@ -133,9 +134,9 @@ fn positions(machine: &Machine, frame: &TimedFrame, number: usize) -> Result<Joi
     if given.len() != machine.axes.len() {
         return Err(FrameError::Header {
             frame: number,
-            field: "number of axes",
-            found: given.len().to_string(),
-            allowed: format!("{}, those of the machine", machine.axes.len()),
+            field: Field::Axes,
+            found: Message::verbatim(given.len().to_string()),
+            allowed: Message::new("cell-frame-machine-axes").count("n", machine.axes.len()),
         });
     }
     Ok(joints(machine, given))

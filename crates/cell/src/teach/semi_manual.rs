@@ -1,8 +1,10 @@
 //! Teaching by the operator (SADDLE-2020): the nominal seam is moved to points to which the operator has jogged.
 
 use crate::eyes::SeamLine;
+use crate::foreign;
 use glam::DVec3;
 use seamwright_geometry::MonotoneCurve;
+use seamwright_message::{Message, Unit};
 use seamwright_tracking::teach::LinePoint;
 
 /// Points nearer to each other along the seam than this coincide, mm.
@@ -12,15 +14,18 @@ const SAME_MM: f64 = 0.01;
 /// smoothly between points, and constant beyond the first and last of an open seam. Returns a point every `every` mm.
 ///
 /// # Errors
-/// In words: no points, a point that is not near the seam, two at the same position.
-pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<Vec<LinePoint>, String> {
+/// No points, a point that is not near the seam, two at the same position.
+pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<Vec<LinePoint>, Message> {
     if points.is_empty() {
-        return Err("no points: at least one on the joint".to_owned());
+        return Err(Message::new("cell-no-points"));
     }
     let mut off = Vec::with_capacity(points.len());
     for (i, point) in points.iter().enumerate() {
         let foot = Some(*point).filter(|p| p.is_finite()).and_then(|p| nominal.foot(p));
-        let foot = foot.ok_or_else(|| format!("point {} is not within 15 mm of the nominal seam", i + 1))?;
+        let foot = foot.ok_or_else(|| {
+            let message = Message::new("cell-point-off-seam").number("point", (i + 1) as f64, 0);
+            message.value("max", 15.0, Unit::Mm)
+        })?;
         let away = *point - foot.at.point;
         let (across, along) = (foot.at.normal.cross(foot.along), foot.along);
         // The component along the seam is only where the operator stopped.
@@ -30,7 +35,9 @@ pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<V
     let last = off.last().map_or(0.0, |o| o.0) - nominal.length();
     let round = nominal.is_closed() && off.len() > 1 && off[0].0 - last < SAME_MM;
     if let Some(w) = off.windows(2).find(|w| w[1].0 - w[0].0 < SAME_MM) {
-        return Err(format!("points {} and {} are in one place of the seam", w[0].4 + 1, w[1].4 + 1));
+        let number = |i: usize| (i + 1) as f64;
+        let message = Message::new("cell-points-coincide").number("first", number(w[0].4), 0);
+        return Err(message.number("second", number(w[1].4), 0));
     }
     if round {
         off.pop();
@@ -41,7 +48,7 @@ pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<V
             true => MonotoneCurve::periodic(&rows, nominal.length()),
             false => MonotoneCurve::level(&rows),
         };
-        curve.map_err(|e| e.to_string())
+        curve.map_err(|e| foreign::error(&e))
     };
     let (across, above) = (curve(|o| o.1)?, curve(|o| o.2)?);
     let count = (nominal.length() / every).ceil().clamp(1.0, 1e7);

@@ -3,6 +3,7 @@ use crate::gate::{Gate, Limit};
 use crate::{Conditions, Sample, simulate};
 use glam::DVec2;
 use seamwright_machine::Machine;
+use seamwright_message::Message;
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, TorchPath};
 
@@ -25,7 +26,8 @@ pub fn cross_talk(
         "schema = 1\n[[displacement]]\nhead = 1\nwave = {{ length_mm = {LENGTH_MM}, by = {{ lateral_mm = {SIZE_MM} }} }}\n"
     );
     let other = |text: &str| -> Result<Vec<DVec2>, Error> {
-        let distortion = Distortion::read("displaced", text).map_err(|e| Error::Distortion(e.to_string()))?;
+        let distortion =
+            Distortion::read("displaced", text).map_err(|e| Error::Distortion(Message::verbatim(e.to_string())))?;
         let conditions = Conditions { seed, distortion: Some(&distortion), tracking: true, ..Conditions::default() };
         let mut misses = Vec::new();
         simulate(machine, passes, motion, conditions, |sample: &Sample| {

@@ -3,6 +3,7 @@
 use super::{Displacement, Part, Placement};
 use glam::{DQuat, DVec2};
 use seamwright_document::{Direction, Document, DocumentError, Finite, NonNegative, Point, Positive, SchemaVersion};
+use seamwright_message::{Message, Unit};
 use serde::Deserialize;
 use std::f64::consts::TAU;
 
@@ -134,6 +135,9 @@ struct HeatFile {
     behind_mm: Positive,
 }
 
+/// Keys of a displacement.
+const DISPLACEMENTS: &str = "shift, step, ramp, wave, out_of_round, bend, sag, gap, heat";
+
 /// Differences between a part and its plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distortion(DistortionFile);
@@ -147,8 +151,8 @@ impl Distortion {
         let document = Document::<DistortionFile>::read(file, text)?;
         let DistortionFile { displacement, tacks_mm, placement, .. } = &document.value;
         let ends = |at: String, from: f64, to: f64| {
-            let allowed = "`to` greater than `from`";
-            (from >= to).then(|| document.error_at(&at, format!("from {from} to {to} mm is no way"), allowed))
+            let range = Message::new("cell-empty-range").value("from", from, Unit::Mm).value("to", to, Unit::Mm);
+            (from >= to).then(|| document.error_at(&at, range, Message::new("cell-allowed-range")))
         };
         for (i, one) in displacement.iter().enumerate() {
             let ramp = one.ramp.as_ref().map(|r| ("ramp", r.from_mm.get(), r.to_mm.get()));
@@ -159,11 +163,16 @@ impl Distortion {
                 }
             }
             if one.head.is_some_and(|head| !(1..=2).contains(&head)) {
-                return Err(document.error_at(&format!("displacement[{i}].head"), "there is no such head", "1 or 2"));
+                let allowed = Message::new("cell-allowed-heads");
+                return Err(document.error_at(
+                    &format!("displacement[{i}].head"),
+                    Message::new("cell-no-head"),
+                    allowed,
+                ));
             }
             if one.parts(100.0, 0).is_empty() {
-                let allowed = "shift, step, ramp, wave, out_of_round, bend, sag, gap or heat";
-                return Err(document.error_at(&format!("displacement[{i}]"), "it displaces nothing", allowed));
+                let message = Message::new("cell-empty-displacement");
+                return Err(document.error_at(&format!("displacement[{i}]"), message, DISPLACEMENTS));
             }
         }
         for (i, [from, to]) in tacks_mm.iter().enumerate() {
@@ -172,8 +181,8 @@ impl Distortion {
             }
         }
         if placement.angle_deg.get() != 0.0 && placement.turn.is_none() {
-            let allowed = "turn = [x, y, z], the axis";
-            return Err(document.error_at("placement.angle_deg", "an angle about no axis", allowed));
+            let allowed = Message::new("cell-allowed-turn");
+            return Err(document.error_at("placement.angle_deg", Message::new("cell-turn-missing"), allowed));
         }
         Ok(Self(document.value))
     }
@@ -285,7 +294,7 @@ mod tests {
     fn what_cannot_be_is_refused() {
         let bad = [
             ("[[displacement]]\nramp = { from_mm = 5, to_mm = 5, by = {} }", "displacement[0].ramp"),
-            ("[[displacement]]\nhead = 1", "displaces nothing"),
+            ("[[displacement]]\nhead = 1", "out_of_round"),
             ("[[displacement]]\nhead = 3\nshift = {}", "head"),
             ("[[displacement]]\nshfit = {}", "shift"),
             ("tacks_mm = [[5, 1]]", "tacks_mm[0]"),

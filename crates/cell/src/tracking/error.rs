@@ -1,11 +1,12 @@
+use crate::foreign;
+use seamwright_message::{Message, Unit, display_by_message};
+
 /// Reason why a weld cannot be tracked in simulation.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Error {
     /// Error of the machine's drives.
-    #[error(transparent)]
     Cell(Box<crate::Error>),
     /// A head has no cross slide for corrections.
-    #[error("head {head} of machine {machine} has no cross slide: two linear axes of its own")]
     NoSlide {
         /// Name of the machine.
         machine: String,
@@ -13,10 +14,6 @@ pub enum Error {
         head: usize,
     },
     /// The machine has no sensor that sees the joint ahead of a head.
-    #[error(
-        "machine {machine} has no stripe sensor for head {head}: tracking needs one ahead of the torch; \
-         allowed is [sensors.<name>] with kind = \"stripe\" in the machine file"
-    )]
     NoSensor {
         /// Name of the machine.
         machine: String,
@@ -24,11 +21,6 @@ pub enum Error {
         head: usize,
     },
     /// The best sensor of a head does not lead it along the whole pass.
-    #[error(
-        "sensor {sensor} of {machine} does not lead head {head} along this pass: it is {:.1} to {:.1} mm ahead; allowed is a lead \
-         that stays the same within a tenth, as of a sensor that turns with the seam",
-        ahead_mm[0], ahead_mm[1]
-    )]
     NotLeading {
         /// Name of the machine.
         machine: String,
@@ -40,21 +32,13 @@ pub enum Error {
         ahead_mm: [f64; 2],
     },
     /// The torch does not follow the seam's line.
-    #[error(
-        "pass `{pass}` {what}: a part that lies elsewhere is simulated only where the torch goes along the seam's line; \
-         allowed is a pass without blended corners, woven by one torch if at all, or no distortion file"
-    )]
     OffLine {
         /// Name of the pass.
         pass: String,
         /// Motion of the torch off the line.
-        what: &'static str,
+        what: OffLine,
     },
     /// The slides of a head do not span the plane square to its seam.
-    #[error(
-        "the cross slides of head {head} of machine {machine} cannot move the torch to all sides of this seam; allowed are \
-         two [[heads.steps]] whose `move` lies across the seam, in different directions"
-    )]
     SlidesAside {
         /// Name of the machine.
         machine: String,
@@ -62,38 +46,80 @@ pub enum Error {
         head: usize,
     },
     /// Invalid distortion file.
-    #[error("{0}")]
-    Distortion(String),
+    Distortion(Message),
     /// Invalid settings, such as a lead too short for the speed.
-    #[error(transparent)]
-    Settings(#[from] seamwright_tracking::lead::Error),
+    Settings(seamwright_tracking::lead::Error),
     /// Invalid settings of beam mode.
-    #[error(transparent)]
-    Beam(#[from] seamwright_tracking::beam::Error),
+    Beam(seamwright_tracking::beam::Error),
     /// The machine has no camera that looks through the beam.
-    #[error(
-        "machine {machine} has no camera through which its beam looks; allowed is [sensors.<name>] with kind = \"camera\" in the \
-         machine file"
-    )]
     NoEye {
         /// Name of the machine.
         machine: String,
     },
     /// Stored deviations on a machine without a beam to correct with.
-    #[error(
-        "machine {machine} cannot replay stored deviations: it has no beam that is deflected; allowed are machines whose file has \
-         torch.deflection"
-    )]
     NoReplay {
         /// Name of the machine.
         machine: String,
     },
     /// The axes cannot carry the gun aside.
-    #[error("the axes cannot carry the gun aside: {0}")]
-    Carried(String),
+    Carried(Message),
     /// A frame or record is not available.
-    #[error("{0}")]
-    Frame(String),
+    Frame(Message),
+}
+
+/// Motion of a torch off the seam's line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OffLine {
+    /// Two torches weave.
+    TwoTorches,
+    /// A beam weaves.
+    Beam,
+    /// Corners are blended.
+    Blends,
+}
+
+impl Error {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        let of = |code, machine: &str| Message::new(code).text("machine", machine);
+        match self {
+            Self::Cell(error) => error.message(),
+            Self::NoSlide { machine, head } => of("cell-no-cross-slide", machine).pass("head", *head),
+            Self::NoSensor { machine, head } => of("cell-no-stripe-sensor", machine).pass("head", *head),
+            Self::NotLeading { machine, sensor, head, ahead_mm: [from, to] } => of("cell-sensor-not-leading", machine)
+                .text("sensor", sensor)
+                .pass("head", *head)
+                .quantity("min", *from, Unit::Mm, 1)
+                .quantity("max", *to, Unit::Mm, 1),
+            Self::OffLine { pass, what } => Message::new(match what {
+                OffLine::TwoTorches => "cell-off-line-two-torches",
+                OffLine::Beam => "cell-off-line-beam",
+                OffLine::Blends => "cell-off-line-blends",
+            })
+            .text("pass", pass),
+            Self::SlidesAside { machine, head } => of("cell-slides-aside", machine).pass("head", *head),
+            Self::Distortion(message) | Self::Frame(message) => message.clone(),
+            Self::Settings(error) => foreign::error(error),
+            Self::Beam(error) => foreign::error(error),
+            Self::NoEye { machine } => of("cell-no-beam-camera", machine),
+            Self::NoReplay { machine } => of("cell-no-replay", machine),
+            Self::Carried(why) => Message::new("cell-gun-not-carried").message("why", why.clone()),
+        }
+    }
+}
+
+display_by_message!(Error);
+
+impl From<seamwright_tracking::lead::Error> for Error {
+    fn from(error: seamwright_tracking::lead::Error) -> Self {
+        Self::Settings(error)
+    }
+}
+
+impl From<seamwright_tracking::beam::Error> for Error {
+    fn from(error: seamwright_tracking::beam::Error) -> Self {
+        Self::Beam(error)
+    }
 }
 
 impl From<crate::Error> for Error {

@@ -3,14 +3,17 @@ use super::leading::Leading;
 use super::live_beam::{BeamSample, BeamSummary, LiveBeam};
 use super::scenario::Seam;
 use crate::executive::{Seen, Tracked};
+use crate::foreign;
 use arrayvec::ArrayVec;
 use glam::{DVec2, DVec3};
 use seamwright_machine::{Joints, Machine};
+use seamwright_message::{Language, Message};
 use seamwright_program::TorchPath;
 use seamwright_tracking::actuator::{Alarm, Cause};
 use seamwright_tracking::beam::{Beam, DeviationRecord, Misfit};
 use seamwright_tracking::lead::{Estimate, SeamFrame, Sight};
-use serde::Serialize;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 
 /// State of one head at one instant, lateral and height in the torch's frame, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,22 +31,45 @@ pub struct HeadSample {
 }
 
 /// An alarm of tracking, at its first occurrence.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+///
+/// As JSON, `alarm` and `cause` are English text, and `code` and `arguments` are the alarm as data.
+#[derive(Debug, Clone, PartialEq)]
 pub struct AlarmAt {
     /// Path length of the torch, mm.
     pub at_mm: f64,
-    /// Text of the alarm.
-    pub alarm: &'static str,
+    /// The alarm.
+    pub alarm: Message,
     /// Cause, if known: of a blind sensor, or of stored deviations that do not fit.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub cause: Option<String>,
+    pub cause: Option<Message>,
 }
 
 impl AlarmAt {
-    /// Returns the text of the alarm with its cause.
+    /// Returns the words of [`AlarmAt::message`].
     #[must_use]
     pub fn text(&self) -> String {
-        self.cause.as_ref().map_or_else(|| self.alarm.to_owned(), |cause| format!("{}: {cause}", self.alarm))
+        self.message().to_string()
+    }
+
+    /// Returns the alarm with its cause.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        let Some(cause) = &self.cause else { return self.alarm.clone() };
+        Message::new("cell-alarm-with-cause").message("alarm", self.alarm.clone()).message("cause", cause.clone())
+    }
+}
+
+impl Serialize for AlarmAt {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { at_mm, alarm, cause } = self;
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("at_mm", at_mm)?;
+        map.serialize_entry("alarm", &alarm.in_language(Language::English))?;
+        if let Some(cause) = cause {
+            map.serialize_entry("cause", &cause.in_language(Language::English))?;
+        }
+        map.serialize_entry("code", &alarm.code)?;
+        map.serialize_entry("arguments", &alarm.named_arguments())?;
+        map.end()
     }
 }
 
@@ -103,15 +129,11 @@ pub(super) enum Why {
 }
 
 impl Why {
-    fn text(&self) -> String {
+    fn message(&self) -> Message {
         match self {
-            Self::Sensor(cause) => cause.name().to_owned(),
-            Self::NotSeen => "it was not seen before the weld".to_owned(),
-            Self::Misfit(misfit) => {
-                // The text before the colon is the alarm's own name.
-                let text = misfit.to_string();
-                text.split_once(": ").map_or(text.clone(), |(_, rest)| rest.to_owned())
-            }
+            Self::Sensor(cause) => foreign::cause(*cause),
+            Self::NotSeen => Message::new("cell-joint-not-seen"),
+            Self::Misfit(misfit) => foreign::error(misfit),
         }
     }
 }
@@ -308,8 +330,8 @@ impl<'a> LiveHead<'a> {
         };
         let told = self.alarms.iter().map(|(at_mm, alarm, why)| AlarmAt {
             at_mm: *at_mm,
-            alarm: alarm.name(),
-            cause: why.map(|why| why.text()),
+            alarm: foreign::alarm(*alarm),
+            cause: why.map(|why| why.message()),
         });
         HeadReport { used, stopped_mm: self.stopped_mm, alarms: told.collect(), beam, found: self.found() }
     }

@@ -37,7 +37,7 @@ use seamwright_program::{Pass, TorchPath};
 pub use cross_talk::cross_talk;
 pub use displacement::{Displacement, Part};
 pub use distortion::Distortion;
-pub use error::Error;
+pub use error::{Error, OffLine};
 pub use guide::Tracking;
 pub(crate) use head_truth::HeadTruth;
 pub use live_beam::{BeamFit, BeamSample, BeamSummary};

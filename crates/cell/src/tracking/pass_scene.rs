@@ -1,5 +1,6 @@
 use super::beam::BeamHead;
 use super::carrier::Carrier;
+use super::error::OffLine;
 use super::eyes::Eyes;
 use super::head_truth::HeadTruth;
 use super::leading::Leading;
@@ -143,9 +144,9 @@ impl<'a> PassScene<'a> {
     /// torches or a beam.
     fn check_plain(&self, machine: &Machine, planned: &PassMotion) -> Result<(), Error> {
         let what = if self.path.swing(0.0).is_some() && (self.seams.len() > 1 || machine.deflection.is_some()) {
-            if self.seams.len() > 1 { "weaves with two torches" } else { "weaves with a beam" }
+            if self.seams.len() > 1 { OffLine::TwoTorches } else { OffLine::Beam }
         } else if !planned.path.blends().is_empty() {
-            "goes round corners in blends"
+            OffLine::Blends
         } else {
             return Ok(());
         };

@@ -1,7 +1,9 @@
 //! Distance that a torch can go back before a pass so that its sensors see the start.
 
+use crate::foreign;
 use seamwright_clearance::Limits;
 use seamwright_machine::{Course, Joints, MAX_AXES, Surroundings};
+use seamwright_message::Message;
 
 /// Distance between checked positions of the way, mm.
 pub(super) const STEP_MM: f64 = 0.5;
@@ -20,7 +22,7 @@ impl Sighting {
     }
 
     /// Returns the length of the way without collisions, mm, and the pair that comes too near beyond it.
-    pub(super) fn clear_mm(&self, around: &Surroundings<'_>) -> (f64, Option<String>) {
+    pub(super) fn clear_mm(&self, around: &Surroundings<'_>) -> (f64, Option<Message>) {
         let whole = self.way_mm();
         if around.is_empty() || whole <= 0.0 {
             return (whole, None);
@@ -30,13 +32,13 @@ impl Sighting {
         let stretches = match around.along(self, self.places.len(), &limits) {
             Ok(profile) => profile.stretches,
             // A failed check counts as not clear.
-            Err(error) => return (0.0, Some(error.to_string())),
+            Err(error) => return (0.0, Some(foreign::error(&error))),
         };
         let first = stretches.into_iter().min_by(|a, b| a.from.total_cmp(&b.from));
         first.map_or((whole, None), |stretch| {
             let (a, b) =
                 around.solids_described(stretch.watch, &stretch.nearest).unwrap_or_else(|| around.names(stretch.watch));
-            (stretch.from.max(0.0), Some(format!("{a} and {b} come too near")))
+            (stretch.from.max(0.0), Some(Message::new("cell-too-close").text("a", a).text("b", b)))
         })
     }
 

@@ -6,8 +6,10 @@ use super::off_path::OffPath;
 use super::sighting::{STEP_MM, Sighting};
 use super::{Correction, LiveHead};
 use crate::executive::{Guided, Planned, SeamOrders, Seen, Tracked, Trouble};
+use crate::foreign;
 use arrayvec::ArrayVec;
 use seamwright_machine::{Joints, Machine, Surroundings};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::PassMotion;
 use seamwright_tracking::actuator::{Alarm, OverAxes, Slide, SlideLimits};
 
@@ -29,7 +31,7 @@ pub(super) struct TrackedPass<'a> {
     off: OffPath,
     look: Look<'a>,
     /// Reason why the move to see the start is cut short, if it is.
-    cut: Option<String>,
+    cut: Option<Message>,
     /// Start of the pass, mm.
     from_mm: f64,
     /// Last path length of the heads, and whether they wove there.
@@ -153,8 +155,9 @@ impl<'a> TrackedPass<'a> {
         let reach = sighting.way_mm();
         let (clear, near) = around.map_or((reach, None), |around| sighting.clear_mm(around));
         if clear < way - 1e-9 {
-            let why = near.unwrap_or_else(|| "the axes reach no farther".to_owned());
-            self.cut = Some(format!("{clear:.1} of {way:.1} mm, {why}"));
+            let why = near.unwrap_or_else(|| Message::new("cell-end-of-reach"));
+            let cut = Message::new("cell-sighting-length").quantity("clear", clear, Unit::Mm, 1);
+            self.cut = Some(cut.quantity("wanted", way, Unit::Mm, 1).message("why", why));
         }
         clear
     }
@@ -300,7 +303,7 @@ impl<'a> TrackedPass<'a> {
     pub(super) fn reports(&self) -> Vec<HeadReport> {
         let cut = self.cut.as_ref().map(|cause| super::AlarmAt {
             at_mm: self.from_mm,
-            alarm: CUT_SHORT,
+            alarm: Message::new("cell-sighting-cut-short"),
             cause: Some(cause.clone()),
         });
         let report = |head: &LiveHead<'_>| {
@@ -312,9 +315,6 @@ impl<'a> TrackedPass<'a> {
     }
 }
 
-/// Alarm of a pass whose start may not be seen.
-const CUT_SHORT: &str = "the move to see the start is cut short";
-
 /// Number of alarm codes reserved per head.
 const ROOM: u8 = 16;
 
@@ -323,9 +323,13 @@ fn detail(head: usize, alarm: Alarm) -> u8 {
     ROOM * head as u8 + alarm as u8
 }
 
-/// Decodes the number of an alarm no. 24 ([`crate::executive::Alarm::Tracking`]): its text, and its head, from 0.
+/// Returns the message of the number of an alarm no. 24 ([`crate::executive::Alarm::Tracking`]), with the head if it is
+/// not the first.
 #[must_use]
-pub fn trouble(detail: u8) -> Option<(&'static str, usize)> {
+pub fn trouble(detail: u8) -> Option<Message> {
     let alarm = Alarm::ALL.into_iter().find(|alarm| *alarm as u8 == detail % ROOM)?;
-    Some((alarm.name(), usize::from(detail / ROOM)))
+    Some(match usize::from(detail / ROOM) {
+        0 => foreign::alarm(alarm),
+        head => Message::new("cell-alarm-of-head").message("alarm", foreign::alarm(alarm)).pass("head", head + 1),
+    })
 }

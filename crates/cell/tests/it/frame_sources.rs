@@ -1,7 +1,8 @@
 //! Conformance of every source of frames, and its refusals.
 
 use seamwright_cell::frames::{
-    FrameError, FrameSource, FrameStream, HEADER_BYTES, LIST, Recorded, Recorder, TimedFrame, decode, write_frame,
+    Field, FrameError, FrameSource, FrameStream, HEADER_BYTES, LIST, Recorded, Recorder, TimedFrame, decode,
+    write_frame,
 };
 use seamwright_vision::Image;
 use std::io::Write;
@@ -121,15 +122,15 @@ fn streams_that_are_none_are_refused() {
             e => panic!("{e}"),
         }
     };
-    assert_eq!(with(0, b"PNG!"), "the first bytes");
-    assert_eq!(with(4, &9u16.to_le_bytes()), "version");
-    assert_eq!(with(6, &12u16.to_le_bytes()), "depth");
-    assert_eq!(with(8, &u32::MAX.to_le_bytes()), "width");
-    assert_eq!(with(12, &0u32.to_le_bytes()), "height");
-    assert_eq!(with(16, &u16::MAX.to_le_bytes()), "number of axes");
-    assert_eq!(with(18, &[1]), "bytes 18 to 23");
-    assert_eq!(with(32, &f64::INFINITY.to_le_bytes()), "the work's height");
-    assert_eq!(with(40, &f64::NAN.to_le_bytes()), "position");
+    assert_eq!(with(0, b"PNG!"), Field::Magic);
+    assert_eq!(with(4, &9u16.to_le_bytes()), Field::Version);
+    assert_eq!(with(6, &12u16.to_le_bytes()), Field::Depth);
+    assert_eq!(with(8, &u32::MAX.to_le_bytes()), Field::Width);
+    assert_eq!(with(12, &0u32.to_le_bytes()), Field::Height);
+    assert_eq!(with(16, &u16::MAX.to_le_bytes()), Field::Axes);
+    assert_eq!(with(18, &[1]), Field::Reserved);
+    assert_eq!(with(32, &f64::INFINITY.to_le_bytes()), Field::WorkHeight);
+    assert_eq!(with(40, &f64::NAN.to_le_bytes()), Field::Position);
     let mut late = good.clone();
     late[24..32].copy_from_slice(&1e9f64.to_le_bytes());
     assert!(matches!(refused(&late), FrameError::Time { frame: 1, .. }));

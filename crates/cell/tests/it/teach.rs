@@ -6,6 +6,7 @@ use seamwright_cell::frames::FrameError;
 use seamwright_cell::teach::{Carrier, JointFollower, NoOperator, Operator, SimulatedRig, TaughtRun, Truth, truth};
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
+use seamwright_message::Message;
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath as _;
 use seamwright_tracking::teach::{
@@ -276,7 +277,7 @@ struct Helper<'a> {
 }
 
 impl Operator for Helper<'_> {
-    fn answer(&mut self, _why: &str, crawl: &Crawl) -> Answer {
+    fn answer(&mut self, _why: &Message, crawl: &Crawl) -> Answer {
         self.asked += 1;
         if self.asked > 1 {
             return Answer::End;
@@ -332,7 +333,7 @@ fn the_end_is_found_by_sight() {
     let half = SeamLine::through(whole.stations()[..300].to_vec(), false);
     let taught = teach_actual(&bench, half, (&[], 4), &mut no_one());
     assert_eq!(taught.run.end, Some(End::Operator));
-    assert!(taught.run.asked[0].contains("it ends here") && taught.truth.end <= 0.3, "{:?}", taught.truth);
+    assert!(taught.run.asked[0].to_string().contains("it ends here") && taught.truth.end <= 0.3, "{:?}", taught.truth);
 }
 
 #[test]

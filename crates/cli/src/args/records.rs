@@ -1,6 +1,7 @@
 //! Arguments of `seamwright records`, and those with which a weld is recorded.
 
 use clap::{Args, Subcommand};
+use seamwright_record::InvalidMoment;
 use seamwright_record::Moment;
 use seamwright_record::library::WeldResult;
 use std::path::PathBuf;
@@ -125,7 +126,7 @@ pub(crate) struct RecoverArgs {
 }
 
 /// The end of what a date names: the next day, or the next minute.
-fn end(text: &str) -> Result<Moment, String> {
+fn end(text: &str) -> Result<Moment, InvalidMoment> {
     let moment: Moment = text.parse()?;
     Ok(if text.contains(':') { Moment(moment.0 + 60_000) } else { moment.next_day() })
 }

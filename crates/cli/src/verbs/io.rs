@@ -53,6 +53,7 @@ fn row(rows: &mut Rows, t: f64, device: &str, looked: &Looked<'_>, lost: Option<
     let number = |value: Option<f64>| value.map_or(Cell::Empty, Cell::Number);
     let register = looked.register;
     let place = register.place.to_string();
+    let trouble = looked.trouble.map(ToString::to_string);
     let age = Some(looked.age_s).filter(|age| age.is_finite());
     rows.row(&[
         Cell::Number(t),
@@ -63,6 +64,6 @@ fn row(rows: &mut Rows, t: f64, device: &str, looked: &Looked<'_>, lost: Option<
         number(looked.value),
         Cell::Text(&register.unit),
         number(age),
-        lost.or(looked.trouble).map_or(Cell::Empty, Cell::Text),
+        lost.or(trouble.as_deref()).map_or(Cell::Empty, Cell::Text),
     ])
 }

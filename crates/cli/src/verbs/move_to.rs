@@ -80,7 +80,7 @@ fn clearance(machine: &Machine, file: &str, plan: &PointToPoint) -> Result<Strin
     let found = plan.clearance(&around).map_err(|e| wrong(&e))?;
     if found.too_near.is_empty() {
         return Ok(match found.nearest {
-            Some((mm, t, who)) => format!("least distance {mm:.2} mm at {t:.3} s: {who}"),
+            Some((mm, t, [first, second])) => format!("least distance {mm:.2} mm at {t:.3} s: {first} and {second}"),
             None => format!("nothing comes nearer than {} mm", found.cutoff_mm),
         });
     }

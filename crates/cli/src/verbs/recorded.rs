@@ -4,6 +4,7 @@ use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::Loaded;
+use seamwright_message::Message;
 use seamwright_motion::WeldMotion;
 use seamwright_project::recording::{Header, Who, most_rows, record_plan};
 use seamwright_record::journal::Journal;
@@ -100,7 +101,7 @@ impl Rows {
         let json = serde_json::to_string_pretty(report).map_err(|e| Failure::environment(e.to_string()))?;
         files.push(("report.json".to_owned(), json + "\n"));
         let result = if stopped { WeldResult::Stopped } else { result(report) };
-        self.keep("simulate", &Outcome { result, note: String::new(), files }, happened, output)
+        self.keep("simulate", &Outcome { result, note: Message::default(), files }, happened, output)
     }
 
     /// Ends the weld with this outcome; adds its trace to `output`, and all of it to the library.
@@ -135,7 +136,7 @@ impl Rows {
     }
 
     /// Number of the weld in the library, and why rows of it could not be written, if some could not.
-    pub(super) fn weld(&self) -> Option<(i64, Option<&str>)> {
+    pub(super) fn weld(&self) -> Option<(i64, Option<&Message>)> {
         match self {
             Self::Trace(_) => None,
             Self::Weld(weld) => Some((weld.0.id(), weld.0.trouble())),

@@ -26,7 +26,7 @@ fn a_half_ring_with_a_cosmetic_pass() {
         assert!(head["miss_p99_mm"].as_f64().unwrap() <= 0.05 && head["beam"]["replayed"] == replayed, "{head}");
     }
     let page = fs::read_to_string(out.join("report.html")).unwrap();
-    for words in ["what the beam saw", "stored deviations", "a beam has no height", "gun carried by the axes"] {
+    for words in ["measurement by the beam", "stored deviations", "a beam has no height", "gun carried by the axes"] {
         assert!(page.contains(words), "{words}");
     }
     assert!(!out.join("deviations-pass-2.csv").exists());

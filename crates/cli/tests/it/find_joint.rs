@@ -172,11 +172,11 @@ fn bad_input_is_named() {
     let of = |image: &str| bad(2, &[&["find-joint", image], &place[..]].concat());
     let photograph = std::fs::read(root().join("tests/data/images/x3.jpg")).unwrap();
     for (name, bytes, says) in [
-        ("head.jpg", &photograph[..300], "cannot be read"),
+        ("head.jpg", &photograph[..300], "unreadable image"),
         ("half.jpg", &photograph[..photograph.len() / 2], "ends before its picture"),
-        ("half.pgm", &std::fs::read(&image).unwrap()[..999], "cannot be read"),
-        ("text.png", &b"not an image"[..], "not an image"),
-        ("empty.png", &b""[..], "not an image"),
+        ("half.pgm", &std::fs::read(&image).unwrap()[..999], "unreadable image"),
+        ("text.png", &b"not an image"[..], "unknown image format"),
+        ("empty.png", &b""[..], "unknown image format"),
     ] {
         let told = of(&file(name, bytes));
         assert!(told.contains(name) && told.contains(says) && told.contains("allowed:"), "{told}");

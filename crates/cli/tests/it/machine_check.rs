@@ -31,7 +31,7 @@ fn shipped_machines_pass_and_are_drawn() {
             assert!(count >= 4, "{name} {axis}: {count}");
             assert!(page.contains(&format!("<td>{axis}</td>")), "{name} {axis}");
         }
-        assert!(page.contains("In order") && page.contains("Singular places"));
+        assert!(page.contains("In order") && page.contains("Singular configurations"));
     }
 }
 

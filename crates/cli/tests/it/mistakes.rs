@@ -194,7 +194,7 @@ fn what_cannot_be_welded_lists_every_finding() {
     for word in [
         "finding (speed)",
         "axis theta cannot keep 200",
-        "its speed limit of 30.000 deg/s",
+        "its speed limit of 30.000 °/s",
         "where: pass 1, s = ",
         "cure: ",
     ] {
@@ -235,7 +235,14 @@ fn axes_that_cannot_be_held() {
     for (hold, words) in [
         ("tilt = 90", ["spare_axes.hold.tilt", "there is no axis tilt", "allowed: x, y, z, v, q, u, w"]),
         ("u = 88, v = 0, w = 0", ["spare_axes.hold.u", "with u, v, w held", "allowed: up to 2 axes, or others"]),
-        ("u = 106", ["spare_axes.hold.u = 106", "axis u does not go there", "allowed: -15.000 to 105.000 deg"]),
+        (
+            "u = 106",
+            [
+                "spare_axes.hold.u = 106",
+                "axis u would be held at 106°, outside its range",
+                "allowed: -15.000° to 105.000°",
+            ],
+        ),
         ("u = nan", ["spare_axes.hold.u", "nan", "allowed: a finite number"]),
     ] {
         let (code, text) = plan(hold);
@@ -247,7 +254,7 @@ fn axes_that_cannot_be_held() {
     // On a machine without redundant axes wishes have no effect, but there is no axis to hold.
     let spare = |table: &str| ("[torch]", format!("[spare_axes]\n{table}\n[torch]"));
     let (from, to) = spare("hold = { s = 1 }");
-    refused(from, &to, &["spare_axes.hold.s = 1", "axis s cannot be held: a torch pose decides all axes here"]);
+    refused(from, &to, &["spare_axes.hold.s = 1", "axis s is not redundant: a torch pose determines all axes here"]);
     let (from, to) = spare("position = \"up\"");
     refused(from, &to, &["spare_axes.position", "allowed: flat, any"]);
     let (from, to) = spare("weights = { motion = -1 }");

@@ -73,11 +73,11 @@ fn each_kind_of_window_is_watched() {
     says(
         &[("[8, 12]", "[4, 6]")],
         &[],
-        &["finding (procedure): the speed of the tip is 10 mm/s", "allows (pass 1) 4 to 6"],
+        &["finding (procedure): the speed of the tip is 10 mm/s", "allows (pass 1) 4 mm/s to 6 mm/s"],
     );
     says(&[("[0.4, 0.65]", "[0.6, 0.9]")], &[], &["the heat input is 0.5184 kJ/mm", "weld slower or with more power"]);
-    says(&[("\"PB\", ", "")], &[], &["in position PB", "rotation 45.0 to 54.1 degrees", "allows (pass 1) PA, PC"]);
-    says(&[("[-20, 20]", "[-3, 3]")], &[], &["travel angle", "allows", "-3 to 3"]);
+    says(&[("\"PB\", ", "")], &[], &["in position PB", "rotation 45.0° to 54.1°", "allows (pass 1) PA, PC"]);
+    says(&[("[-20, 20]", "[-3, 3]")], &[], &["travel angle", "allows", "-3° to 3°"]);
     says(&[("process = 135 ", "process = 52 ")], &[], &["does not give laser_w"]);
     says(&[("passes = \"1\"", "name = \"root\"")], &[], &["no run of WPS 135-01 is for pass 1"]);
     says(&[], &[("wire_feed_m_min = 8", "wire_feed_m_min = 9.5")], &["wire_feed_m_min is 9.5", "7 to 9"]);

@@ -162,7 +162,7 @@ fn a_plan_comes_with_its_part_programs() {
         assert!(fs::read_to_string(folder.join(file)).unwrap().contains("proven by reading back"));
     }
     let page = fs::read_to_string(folder.join("report.html")).unwrap();
-    assert!(page.contains("Part programs") && page.contains("Greatest deviations of sinumerik.mpf"));
+    assert!(page.contains("Part programs") && page.contains("Maximum deviations of sinumerik.mpf"));
 
     let file = dir.path().join("poly.mpf");
     let path = file.to_str().unwrap();

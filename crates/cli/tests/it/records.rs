@@ -146,20 +146,20 @@ fn bad_input() {
         assert!(!Path::new(&out).exists() && !Path::new(&nowhere).exists(), "{arguments:?}");
     };
     ended(2, &["records", "list", "--data", &data, "--since", "yesterday"], &["yesterday", "2026-11-21"]);
-    ended(2, &["records", "list", "--data", &data, "--until", "2026-02-30"], &["2026-02-30", "no such date"]);
+    ended(2, &["records", "list", "--data", &data, "--until", "2026-02-30"], &["2026-02-30", "invalid date"]);
     ended(2, &["records", "list", "--data", &data, "--result", "bad"], &["good, deviating, stopped"]);
     for verb in ["show", "export"] {
         let more: &[&str] = if verb == "export" { &["-o", &out] } else { &[] };
         let with = |id: &str, data: &str, code: i32, words: &[&str]| {
             ended(code, &[&["records", verb, id, "--data", data], more].concat(), words);
         };
-        with("7", &data, 2, &["there is no weld 7", "allowed: 1 to 1"]);
+        with("7", &data, 2, &["weld 7 does not exist", "allowed: 1 to 1"]);
         with("first", &data, 2, &["first"]);
-        with("1", &nowhere, 2, &["there is no library", "--data"]);
+        with("1", &nowhere, 2, &["the library is missing", "--data"]);
         with("1", &foreign, 3, &["library.sqlite", "damaged", "move it away"]);
     }
     for verb in ["list", "verify", "recover"] {
-        ended(2, &["records", verb, "--data", &nowhere], &["there is no library", "allowed: "]);
+        ended(2, &["records", verb, "--data", &nowhere], &["the library is missing", "allowed: "]);
         ended(3, &["records", verb, "--data", &foreign], &["damaged"]);
         ended(2, &["records", verb, "--dta", &data], &["--data"]);
     }

@@ -22,7 +22,7 @@ fn the_torchs_angles_are_drawn_and_listed() {
         (table(&rows), std::fs::read_to_string(svg).unwrap())
     });
     assert_ne!(upright.1, leaning.1, "the same drawing");
-    assert!(leaning.1.contains("torch: work angle 40 deg, travel angle 8 deg"));
+    assert!(leaning.1.contains("torch: work angle 40°, travel angle 8°"));
     let [a, b] = [&upright.0, &leaning.0].map(|rows| column(rows, "torch_work_angle_deg"));
     let bead = column(&upright.0, "work_angle_deg");
     assert!(a.len() > 50);

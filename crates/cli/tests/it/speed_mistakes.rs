@@ -128,7 +128,7 @@ fn the_procedure_s_least_speed() {
     assert_eq!(forbidding.len(), 5);
     for (f, axis) in forbidding.iter().zip(["x", "y", "x", "y", "x"]) {
         let text = f["message"].as_str().unwrap();
-        assert!(text.contains("50.000 mm/s") && text.contains(&format!("axis {axis} with its speed limit")), "{text}");
+        assert!(text.contains("50.000 mm/s") && text.contains(&format!("the speed limit of axis {axis}")), "{text}");
         assert!(f["cure"].as_str().unwrap().contains("least_speed_mm_s"));
     }
     // At the start and at the end of the second stretch the tip has that speed.
@@ -170,6 +170,6 @@ fn welds_too_short_for_the_least_speed() {
     let (_folder, path) = changed("ellipse", "ellipse-xy", &fast, &weak);
     let (code, found) = findings_of("least_speed", &path);
     assert_eq!(code, 1);
-    let told = |f: &Value| f["allowed"] == false && f["message"].as_str().unwrap().contains("least speed is 45.000");
+    let told = |f: &Value| f["allowed"] == false && f["message"].as_str().unwrap().contains("minimum speed is 45.000");
     assert!(found.iter().any(told), "{found:#?}");
 }

@@ -197,7 +197,7 @@ fn bad_input_is_named() {
     assert!(told.contains("fillet, v, lap, butt, u, j"), "{told}");
     let bytes = std::fs::read(&path).unwrap();
     let cut = file("cut.pgm", &bytes[..bytes.len() / 2]);
-    assert!(bad(2, &["stripe", &cut, "--joint", "v"]).contains("cut.pgm: the image cannot be read"));
+    assert!(bad(2, &["stripe", &cut, "--joint", "v"]).contains("cut.pgm: unreadable image"));
     let absurd = file("absurd.pgm", b"P5\n99999999 99999999\n255\n0");
     assert!(bad(2, &["stripe", &absurd, "--joint", "v"]).contains("absurd.pgm"));
     assert!(bad(2, &["stripe", &file("bytes.bin", &[0xff, 0xfe, 0, 1]), "--joint", "v"]).contains("neither an image"));

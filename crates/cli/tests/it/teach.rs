@@ -281,7 +281,7 @@ fn taught_from_frames_that_are_sent() {
         }
     });
     let garbage = bad(2, &["teach", &job, "--frames", &address, "-o", &sent]);
-    assert!(garbage.contains("frame 0: the first bytes") && garbage.contains("SWFR"), "{garbage}");
+    assert!(garbage.contains("frame 0: invalid first bytes") && garbage.contains("SWFR"), "{garbage}");
     thread.join().unwrap();
     assert_eq!(run(&["teach", &job, "--frames", &address, "-o", &sent]).status.code(), Some(3));
     // A frame of another machine in the middle: the frames before it can be played.
@@ -290,7 +290,7 @@ fn taught_from_frames_that_are_sent() {
     let (address, thread) = sender(spoiled, false);
     let some = path(folder, "some");
     let wrong = bad(2, &["teach", &job, "--frames", &address, "--record", &some, "-o", &sent]);
-    assert!(wrong.contains("frame 3: number of axes 1") && wrong.contains("allowed: 7"), "{wrong}");
+    assert!(wrong.contains("frame 3: invalid number of axes: 1") && wrong.contains("allowed: 7"), "{wrong}");
     thread.join().unwrap();
     assert_eq!(frames(&some), all[..3]);
 }

@@ -82,7 +82,7 @@ fn each_pass_has_its_row_and_none_stands_for_the_weld() {
     let folder = tempfile::tempdir().unwrap();
     let (_, report, page) = planned(folder.path());
     let passes = report["passes"].as_array().unwrap();
-    let rows = table(&page, "What each pass is welded with");
+    let rows = table(&page, "Values of each pass");
     let column = |name: &str| rows[0].iter().position(|head| head == name).unwrap_or_else(|| panic!("{:?}", rows[0]));
     let (feed, current) = (column("Wire feed, m/min"), column("Current, A"));
     // Passes that are alike share a row.
@@ -102,7 +102,7 @@ fn each_pass_has_its_row_and_none_stands_for_the_weld() {
     let wire: f64 = last[column("Wire, m")].parse().unwrap();
     assert!((wire / number(&report["totals"]["wire_m"]) - 1.0).abs() < 1e-3);
     // The job's table has no values of a single pass.
-    assert!(!table(&page, "Job data").iter().flatten().any(|cell| cell == "current_a"));
+    assert!(!table(&page, "Job data").iter().flatten().any(|cell| cell == "Current"));
 }
 
 #[test]

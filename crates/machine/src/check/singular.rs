@@ -64,8 +64,8 @@ pub struct SingularPlace {
 }
 
 impl SingularPlace {
-    /// Describes the configuration with its positions; `unit` gives the symbol of an axis' unit.
-    pub fn sentence(&self, unit: impl Fn(&str) -> &'static str) -> Message {
+    /// Describes the configuration with its positions; `unit` gives the unit of an axis.
+    pub fn description(&self, unit: impl Fn(&str) -> Unit) -> Message {
         let mut what = self.what.clone();
         if !self.following.is_empty() {
             let axes = self.following.iter().cloned().map(Argument::Axis);
@@ -76,9 +76,8 @@ impl SingularPlace {
         }
         let rounded = |v: &f64| (v * 1e3).round() / 1e3 + 0.0;
         let position = |(axis, v): &(String, f64)| {
-            let unit = Unit::from_symbol(unit(axis)).unwrap_or(Unit::One);
             let values = std::iter::once(v).chain(&self.also).map(rounded);
-            let values = values.map(|v| Argument::Quantity(Quantity::exact(v, unit)));
+            let values = values.map(|v| Argument::Quantity(Quantity::exact(v, unit(axis))));
             Message::new("machine-singular-position").axis("axis", axis).list("values", values)
         };
         let code = if self.family { "machine-singular-for-example" } else { "machine-singular-at" };

@@ -1,3 +1,4 @@
-//! Catalogues: parsed without errors, complete in every language, with the same arguments.
+//! Catalogues: parsed without errors, complete in every language, with the same arguments, and named by the sources.
 
 mod catalogues;
+mod sources;

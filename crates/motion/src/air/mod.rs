@@ -3,7 +3,10 @@
 mod leg;
 mod rest_to_rest;
 mod route;
+mod too_near;
 
 pub use leg::{AirMove, Leg};
-pub use route::{Blocked, route};
-pub(crate) use route::{obstacle, route_within, too_near};
+pub use route::{Blocked, MoveEnd, route};
+pub(crate) use route::{obstacle, route_within};
+pub use too_near::names_nearest;
+pub(crate) use too_near::too_near;

@@ -1,27 +1,54 @@
-use super::Leg;
+use super::{Leg, too_near};
 use crate::effort::{Effort, SearchStage};
-use seamwright_clearance::{Evaluation, Limits};
+use seamwright_clearance::Limits;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings};
-use thiserror::Error;
+use seamwright_message::Message;
 
 /// Reason why no transfer move exists.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Blocked {
     /// One end of the move is not clear.
-    #[error("{which} is not clear: {what}")]
     End {
-        /// Its start, its end, the retract or the approach.
-        which: &'static str,
+        /// The part of the move that is not clear.
+        which: MoveEnd,
         /// The two solids that are too near, and their distance.
-        what: String,
+        obstacle: Message,
     },
     /// No detour was found.
-    #[error("no clear way was found; straight ahead {what}")]
     NoWay {
-        /// Description of the obstacle on the straight move.
-        what: String,
+        /// The obstacle on the straight move.
+        obstacle: Message,
     },
 }
+
+/// Part of a transfer move that has no detour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MoveEnd {
+    /// Its first position.
+    Start,
+    /// Its last position.
+    End,
+    /// The move of the torch away from the weld, along itself.
+    Retract,
+    /// The move of the torch to the weld, along itself.
+    Approach,
+}
+
+impl Blocked {
+    /// Describes the reason.
+    pub fn message(&self) -> Message {
+        let (code, obstacle) = match self {
+            Self::End { which: MoveEnd::Start, obstacle } => ("motion-transfer-start", obstacle),
+            Self::End { which: MoveEnd::End, obstacle } => ("motion-transfer-end", obstacle),
+            Self::End { which: MoveEnd::Retract, obstacle } => ("motion-transfer-retract", obstacle),
+            Self::End { which: MoveEnd::Approach, obstacle } => ("motion-transfer-approach", obstacle),
+            Self::NoWay { obstacle } => ("motion-transfer-none", obstacle),
+        };
+        Message::new(code).message("obstacle", obstacle.clone())
+    }
+}
+
+seamwright_message::display_by_message!(Blocked);
 
 /// Maximum number of nodes of both trees together; the search then gives up.
 const MAX_NODES: usize = 4000;
@@ -61,36 +88,25 @@ pub(crate) fn route_within(
     held: AxisSet,
 ) -> Result<Vec<Joints>, Blocked> {
     effort.begin(SearchStage::Transfer);
-    for (which, q) in [("its start", from), ("its end", to)] {
+    for (which, q) in [(MoveEnd::Start, from), (MoveEnd::End, to)] {
         if !around.is_clear(q) {
             let found = around.nearest(q, LIMITS.cutoff_mm);
-            let what = found.map_or_else(String::new, |(watch, e)| too_near(around, watch, &e));
-            return Err(Blocked::End { which, what });
+            let obstacle = found.map_or_else(Message::default, |(watch, e)| too_near(around, watch, &e));
+            return Err(Blocked::End { which, obstacle });
         }
     }
     let search = Search { effort, machine, around, held, turns: turns(machine, from, to) };
     let Some(obstacle) = search.obstacle(from, to) else { return Ok(vec![*from, *to]) };
-    let way = search.grow(from, to).ok_or(Blocked::NoWay { what: obstacle })?;
+    let way = search.grow(from, to).ok_or(Blocked::NoWay { obstacle })?;
     Ok(search.cut_short(&way))
 }
 
-/// Describes the two solids that are too near, and their distance.
-pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) -> String {
-    let (a, b) = around.solids_described(watch, found).unwrap_or_else(|| around.names(watch));
-    let least = around.scene().watches()[watch].least_mm();
-    if found.distance > 0.005 {
-        format!("{a} comes within {:.2} mm of {b} (at least {least} mm)", found.distance)
-    } else {
-        format!("{a} collides with {b} (at least {least} mm)")
-    }
-}
-
 /// Describes the first obstacle of a leg, if any.
-pub(crate) fn obstacle(around: &Surroundings, leg: &Leg) -> Option<String> {
+pub(crate) fn obstacle(around: &Surroundings, leg: &Leg) -> Option<Message> {
     match around.along(leg, 1, &LIMITS) {
         Ok(profile) => profile.stretches.first().map(|stretch| too_near(around, stretch.watch, &stretch.nearest)),
         // An unchecked leg counts as not clear.
-        Err(e) => Some(e.to_string()),
+        Err(e) => Some(e.message()),
     }
 }
 
@@ -132,11 +148,11 @@ fn turns(machine: &Machine, from: &Joints, to: &Joints) -> Joints {
 
 impl Search<'_> {
     /// Describes the obstacle on the straight move, if any.
-    fn obstacle(&self, from: &Joints, to: &Joints) -> Option<String> {
+    fn obstacle(&self, from: &Joints, to: &Joints) -> Option<Message> {
         let part = self.effort.progress().part;
         // A leg costs as much as many poses; a stopped search tries no more legs.
         if !self.effort.spend(LEG_WORK, part) {
-            return Some(String::new());
+            return Some(Message::default());
         }
         obstacle(self.around, &Leg::new(self.machine, from, to))
     }

@@ -2,14 +2,15 @@ use super::PointToPoint;
 use crate::air::too_near;
 use seamwright_clearance::{ClearanceError, Limits};
 use seamwright_machine::{Course, Joints, Surroundings};
+use seamwright_message::Message;
 
 /// Clearance along a point-to-point motion; times in s from its start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionClearance {
     /// Minimum distance found (mm), its time, and the two solids; none if all distances exceed the cut-off.
-    pub nearest: Option<(f64, f64, String)>,
+    pub nearest: Option<(f64, f64, [Message; 2])>,
     /// Time intervals in which a watch fails or cannot be proved: start, end, and the solids that are too near.
-    pub too_near: Vec<(f64, f64, String)>,
+    pub too_near: Vec<(f64, f64, Message)>,
     /// Maximum distance that is reported, mm.
     pub cutoff_mm: f64,
 }
@@ -52,8 +53,7 @@ impl PointToPoint {
         let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance));
         let nearest = nearest.map(|(watch, trace)| {
             let (t, found) = trace.nearest;
-            let (a, b) = around.solids_described(watch, &found).unwrap_or_else(|| around.names(watch));
-            (found.distance, t, format!("{a} and {b}"))
+            (found.distance, t, around.nearest_bodies(watch, &found).into())
         });
         let stretches = profile.stretches.iter();
         let too_near = stretches.map(|s| (s.from, s.to, too_near(around, s.watch, &s.nearest))).collect();

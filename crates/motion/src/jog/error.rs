@@ -1,14 +1,13 @@
 use arrayvec::ArrayString;
-use thiserror::Error;
+use seamwright_message::{Message, Unit};
 
 /// Name of an axis, truncated to fit: commands are refused within the cycle, which must not allocate.
 pub type AxisName = ArrayString<32>;
 
 /// Error of a refused command; the axes are unchanged. Positions in the units of files.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum JogError {
     /// A target or start beyond the end of an axis.
-    #[error("axis {axis} cannot be at {value} {unit}: its range is {low} to {high} {unit}")]
     Range {
         /// Name of the axis.
         axis: AxisName,
@@ -18,32 +17,26 @@ pub enum JogError {
         low: f64,
         /// Highest position.
         high: f64,
-        /// mm or deg.
-        unit: &'static str,
+        /// mm or degrees.
+        unit: Unit,
     },
     /// A value of an axis is NaN or infinite.
-    #[error("the {what} of axis {axis} is not a finite number")]
     NotFinite {
-        /// Name of the value.
-        what: &'static str,
+        /// The value.
+        what: AxisValue,
         /// Name of the axis.
         axis: AxisName,
     },
     /// The requested velocity of the tip is not finite.
-    #[error("the velocity of the tip is not a finite number")]
     TipNotFinite,
     /// A period, time or override is invalid.
-    #[error("{what} is {value}; it must be {allowed}")]
     Setting {
-        /// Name of the value.
-        what: &'static str,
+        /// The setting.
+        what: JogSetting,
         /// Its value.
         value: f64,
-        /// Allowed range.
-        allowed: &'static str,
     },
     /// No such axis.
-    #[error("the machine has {axes} axes, and no axis {axis}")]
     NoSuchAxis {
         /// The requested index.
         axis: usize,
@@ -51,21 +44,79 @@ pub enum JogError {
         axes: usize,
     },
     /// The start position is not clear.
-    #[error("at the start {first} and {second} are {distance_mm:.3} mm apart, and {least_mm:.3} mm are asked for")]
     NotClear {
-        /// Name of the one.
-        first: String,
-        /// Name of the other.
-        second: String,
+        /// The one.
+        first: Message,
+        /// The other.
+        second: Message,
         /// Their distance, mm.
         distance_mm: f64,
         /// Required minimum distance, mm.
         least_mm: f64,
     },
     /// The jog has halted, and the halt has not been acknowledged by commanding rest.
-    #[error("the jog has halted: command rest before anything else")]
     Halted,
     /// No motion was found from the present state to the target.
-    #[error("no motion within the limits was found from the present state to the target")]
     NoMotion,
 }
+
+/// Value of an axis in a command.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AxisValue {
+    /// Position.
+    Position,
+    /// Speed.
+    Speed,
+}
+
+/// Setting of a jog.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum JogSetting {
+    /// Period of the set-points, s.
+    Period,
+    /// Time without a signal after which the motion stops, s.
+    Silence,
+    /// Override.
+    Override,
+}
+
+impl JogError {
+    /// Describes the error. Allocates: not for the control cycle.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Range { axis, value, low, high, unit } => Message::new("motion-jog-range")
+                .axis("axis", axis.as_str())
+                .value("value", *value, *unit)
+                .value("min", *low, *unit)
+                .value("max", *high, *unit),
+            Self::NotFinite { what: AxisValue::Position, axis } => {
+                Message::new("motion-jog-position").axis("axis", axis.as_str())
+            }
+            Self::NotFinite { what: AxisValue::Speed, axis } => {
+                Message::new("motion-jog-speed").axis("axis", axis.as_str())
+            }
+            Self::TipNotFinite => Message::new("motion-jog-tip"),
+            Self::Setting { what: JogSetting::Period, value } => {
+                Message::new("motion-jog-period").value("value", *value, Unit::S)
+            }
+            Self::Setting { what: JogSetting::Silence, value } => {
+                Message::new("motion-jog-silence").value("value", *value, Unit::S)
+            }
+            Self::Setting { what: JogSetting::Override, value } => {
+                Message::new("motion-jog-override").value("value", *value, Unit::One)
+            }
+            Self::NoSuchAxis { axis, axes } => {
+                Message::new("motion-jog-axis").number("axis", *axis as f64, 0).count("axes", *axes)
+            }
+            Self::NotClear { first, second, distance_mm, least_mm } => Message::new("motion-jog-not-clear")
+                .message("first", first.clone())
+                .message("second", second.clone())
+                .quantity("distance", *distance_mm, Unit::Mm, 3)
+                .quantity("minimum", *least_mm, Unit::Mm, 3),
+            Self::Halted => Message::new("motion-jog-halted"),
+            Self::NoMotion => Message::new("motion-jog-no-motion"),
+        }
+    }
+}
+
+seamwright_message::display_by_message!(JogError);

@@ -1,7 +1,8 @@
 use super::point_to_point::Goal;
 use super::stop::{Commitment, Stop};
 use super::tip::{TipLine, same_way};
-use super::{AxisName, JogError, PointToPoint, State, TipFrame};
+use super::{AxisName, AxisValue, JogError, JogSetting, PointToPoint, State, TipFrame};
+use crate::limit_kind::position_unit;
 use glam::DVec3;
 use rsruckig::prelude::Synchronization;
 use seamwright_machine::{Joints, Keeper, MAX_AXES, Machine, RangeViolation, Surroundings};
@@ -135,7 +136,7 @@ impl<'a> Jog<'a> {
             && let Some(around) = surroundings
             && let Some((watch, found)) = around.nearest(start, around.greatest_least_mm() + 1.0)
         {
-            let ((first, second), least_mm) = (around.names(watch), around.scene().watches()[watch].least_mm());
+            let ((first, second), least_mm) = (around.bodies(watch), around.scene().watches()[watch].least_mm());
             return Err(JogError::NotClear { first, second, distance_mm: found.distance, least_mm });
         }
         Ok(jog)
@@ -150,9 +151,9 @@ impl<'a> Jog<'a> {
         surroundings: Option<&'a Surroundings<'a>>,
         settings: JogSettings,
     ) -> Result<Self, JogError> {
-        for (what, value) in [("the period", settings.period_s), ("the time of silence", settings.silence_s)] {
+        for (what, value) in [(JogSetting::Period, settings.period_s), (JogSetting::Silence, settings.silence_s)] {
             if !(value > 0.0 && value <= 1.0) {
-                return Err(JogError::Setting { what, value, allowed: "greater than 0 and at most 1 s" });
+                return Err(JogError::Setting { what, value });
             }
         }
         let home = machine.home();
@@ -207,7 +208,7 @@ impl<'a> Jog<'a> {
     /// Other values; the override is then unchanged.
     pub fn set_override(&mut self, share: f64) -> Result<(), JogError> {
         if !(share > 0.0 && share <= 1.0) {
-            return Err(JogError::Setting { what: "the override", value: share, allowed: "above 0 and at most 1" });
+            return Err(JogError::Setting { what: JogSetting::Override, value: share });
         }
         if (share - self.override_share).abs() > 0.0 {
             (self.override_share, self.planned_for) = (share, None);
@@ -254,7 +255,7 @@ impl<'a> Jog<'a> {
         let mut checked = Joints::default();
         for (i, axis) in self.machine.axes.iter().enumerate() {
             if !speeds[i].is_finite() {
-                return Err(JogError::NotFinite { what: "speed", axis: short(&axis.name) });
+                return Err(JogError::NotFinite { what: AxisValue::Speed, axis: short(&axis.name) });
             }
             checked[i] = speeds[i].clamp(-axis.max_speed, axis.max_speed);
         }
@@ -431,7 +432,7 @@ fn short(name: &str) -> AxisName {
 /// Checks that positions are finite and within the ranges.
 fn check_positions(machine: &Machine, q: &Joints) -> Result<(), JogError> {
     if let Some(axis) = machine.axes.iter().zip(q).find(|(_, q)| !q.is_finite()).map(|(axis, _)| axis) {
-        return Err(JogError::NotFinite { what: "position", axis: short(&axis.name) });
+        return Err(JogError::NotFinite { what: AxisValue::Position, axis: short(&axis.name) });
     }
     match machine.outside(q) {
         None => Ok(()),
@@ -439,7 +440,7 @@ fn check_positions(machine: &Machine, q: &Joints) -> Result<(), JogError> {
             let axis = &machine.axes[axis];
             let (low, high) = axis.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
             let [value, low, high] = [value, low, high].map(|v| axis.to_file(v));
-            Err(JogError::Range { axis: short(&axis.name), value, low, high, unit: axis.unit() })
+            Err(JogError::Range { axis: short(&axis.name), value, low, high, unit: position_unit(axis.kind) })
         }
     }
 }

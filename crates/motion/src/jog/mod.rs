@@ -16,7 +16,7 @@ mod stop;
 mod tip;
 
 pub use clearance::MotionClearance;
-pub use error::{AxisName, JogError};
+pub use error::{AxisName, AxisValue, JogError, JogSetting};
 pub use jogging::{Command, Halt, Jog, JogPoint, JogSettings, Signals};
 pub use limits::AxisLimits;
 pub use point_to_point::PointToPoint;

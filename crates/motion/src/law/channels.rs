@@ -1,4 +1,5 @@
 use super::error::LawError;
+use crate::LimitKind;
 
 /// Input of a speed profile: the motion of everything with limits by the path's parameter `u`.
 ///
@@ -69,9 +70,11 @@ pub(crate) fn ends(path: &dyn Channels) -> Result<Vec<f64>, LawError> {
         return Err(LawError::Range { from, to });
     }
     for (channel, l) in path.limits().iter().enumerate() {
-        for (what, value) in [("speed", l.speed), ("acceleration", l.acceleration), ("jerk", l.jerk)] {
-            if !(value > 0.0 && (value.is_finite() || what == "jerk")) {
-                return Err(LawError::Limit { channel, what, value });
+        for (kind, value) in
+            [(LimitKind::Speed, l.speed), (LimitKind::Acceleration, l.acceleration), (LimitKind::Jerk, l.jerk)]
+        {
+            if !(value > 0.0 && (value.is_finite() || kind == LimitKind::Jerk)) {
+                return Err(LawError::Limit { channel, kind, value });
             }
         }
     }

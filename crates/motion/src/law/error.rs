@@ -1,20 +1,19 @@
+use crate::LimitKind;
+use seamwright_message::{Message, Unit};
+
 /// Error of a path without a speed profile.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LawError {
     /// A limit is not a positive number.
-    #[error(
-        "the {what} limit of channel {channel} is {value}: it must be a finite number above zero (a jerk may be infinite)"
-    )]
     Limit {
         /// The channel's number, from 0.
         channel: usize,
-        /// `speed`, `acceleration` or `jerk`.
-        what: &'static str,
+        /// Kind of the limit.
+        kind: LimitKind,
         /// The limit.
         value: f64,
     },
     /// The requested speed is not a positive number.
-    #[error("the speed asked for at {at} is {value}: it must be above zero")]
     Asked {
         /// The path's parameter.
         at: f64,
@@ -22,7 +21,6 @@ pub enum LawError {
         value: f64,
     },
     /// The path has no length.
-    #[error("the path goes from {from} to {to}: its end must be a finite number beyond its start")]
     Range {
         /// First parameter.
         from: f64,
@@ -30,7 +28,6 @@ pub enum LawError {
         to: f64,
     },
     /// A derivative is not a finite number.
-    #[error("channel {channel} has a derivative at {at} that is not a finite number: the path is not smooth there")]
     NotSmooth {
         /// The channel's number, from 0.
         channel: usize,
@@ -38,7 +35,6 @@ pub enum LawError {
         at: f64,
     },
     /// No channel moves between two stops.
-    #[error("nothing moves between {from} and {to}: no limit bounds the speed there")]
     Still {
         /// First parameter of the piece.
         from: f64,
@@ -46,3 +42,29 @@ pub enum LawError {
         to: f64,
     },
 }
+
+impl LawError {
+    /// Describes the error.
+    pub fn message(&self) -> Message {
+        match *self {
+            Self::Limit { channel, kind, value } => Message::new("motion-profile-limit")
+                .number("channel", channel as f64, 0)
+                .message("limit", kind.message())
+                .value("value", value, Unit::One),
+            Self::Asked { at, value } => {
+                Message::new("motion-profile-asked").value("at", at, Unit::One).value("value", value, Unit::MmPerS)
+            }
+            Self::Range { from, to } => {
+                Message::new("motion-profile-range").value("from", from, Unit::One).value("to", to, Unit::One)
+            }
+            Self::NotSmooth { channel, at } => Message::new("motion-profile-not-smooth")
+                .number("channel", channel as f64, 0)
+                .value("at", at, Unit::One),
+            Self::Still { from, to } => {
+                Message::new("motion-profile-still").value("from", from, Unit::One).value("to", to, Unit::One)
+            }
+        }
+    }
+}
+
+seamwright_message::display_by_message!(LawError);

@@ -1,11 +1,10 @@
-use thiserror::Error;
+use crate::LimitKind;
+use seamwright_message::{Message, Unit};
 
 /// Error of a refused command or value. The state is then unchanged.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum PaceError {
     /// The override is out of range.
-    #[error("the override must be between 0 and {greatest}, not {value}{}", if *.greatest < 1.5 {
-        " (up to 1.5 with a law planned for that speed)" } else { "" })]
     Override {
         /// The value given.
         value: f64,
@@ -13,17 +12,15 @@ pub enum PaceError {
         greatest: f64,
     },
     /// A limit of an axis is invalid.
-    #[error("the {what} limit of axis {axis} must be greater than 0, not {value}")]
     Limit {
         /// Number of the axis, from 0.
         axis: usize,
-        /// "speed", "acceleration" or "jerk".
-        what: &'static str,
+        /// Kind of the limit.
+        kind: LimitKind,
         /// The value given.
         value: f64,
     },
     /// More axes than a machine may have.
-    #[error("at most {most} axes are allowed, not {axes}")]
     TooManyAxes {
         /// Axes given.
         axes: usize,
@@ -31,13 +28,11 @@ pub enum PaceError {
         most: usize,
     },
     /// The period of the set-points.
-    #[error("the period must be between 0.00025 and 0.004 s, not {value}")]
     Period {
         /// The value given, s.
         value: f64,
     },
     /// A path length outside the path.
-    #[error("the path length must be between 0 and {length} mm, not {value}")]
     Place {
         /// The value given, mm.
         value: f64,
@@ -45,13 +40,11 @@ pub enum PaceError {
         length: f64,
     },
     /// The factor of the faster profile is out of range.
-    #[error("the faster law must be planned for more than 1 and at most 1.5 times the speed, not {value}")]
     Faster {
         /// The value given.
         value: f64,
     },
     /// A step to a path length that is welded already, or off the path.
-    #[error("a step must end beyond {welded} mm, where the seam is welded to, and at most at {length} mm, not {value}")]
     StepTo {
         /// The value given, mm.
         value: f64,
@@ -61,12 +54,45 @@ pub enum PaceError {
         length: f64,
     },
     /// An order to move with an override of 0.
-    #[error("the override is 0: set one above 0 before going on")]
     Zero,
     /// The motion is stuck: the profile's rates are not finite there, or exceed the limits.
-    #[error("the motion cannot go on at {s} mm: what the law asks for there is not within the axes' limits")]
     Stuck {
         /// Path length at which it is stuck, mm.
         s: f64,
     },
 }
+
+impl PaceError {
+    /// Describes the error.
+    pub fn message(&self) -> Message {
+        match *self {
+            // A faster profile raises the maximum.
+            Self::Override { value, greatest } if greatest < 1.5 => {
+                Message::new("motion-override").value("value", value, Unit::One).value("max", greatest, Unit::One)
+            }
+            Self::Override { value, greatest } => Message::new("motion-override-faster")
+                .value("value", value, Unit::One)
+                .value("max", greatest, Unit::One),
+            Self::Limit { axis, kind, value } => Message::new("motion-axis-limit")
+                .number("axis", axis as f64, 0)
+                .message("limit", kind.message())
+                .value("value", value, Unit::One),
+            Self::TooManyAxes { axes, most } => {
+                Message::new("motion-too-many-axes").number("axes", axes as f64, 0).number("max", most as f64, 0)
+            }
+            Self::Period { value } => Message::new("motion-period").value("value", value, Unit::S),
+            Self::Place { value, length } => {
+                Message::new("motion-path-length").value("value", value, Unit::Mm).value("length", length, Unit::Mm)
+            }
+            Self::Faster { value } => Message::new("motion-faster-profile").value("value", value, Unit::One),
+            Self::StepTo { value, welded, length } => Message::new("motion-step-end")
+                .value("value", value, Unit::Mm)
+                .value("welded", welded, Unit::Mm)
+                .value("length", length, Unit::Mm),
+            Self::Zero => Message::new("motion-override-zero"),
+            Self::Stuck { s } => Message::new("motion-stuck").value("s", s, Unit::Mm),
+        }
+    }
+}
+
+seamwright_message::display_by_message!(PaceError);

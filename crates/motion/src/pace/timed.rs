@@ -1,4 +1,5 @@
 use super::PaceError;
+use crate::LimitKind;
 pub use crate::law::Limits as AxisLimits;
 use crate::pass_channels::limits;
 use crate::tip_channels::{self, TipChannels};
@@ -102,11 +103,11 @@ impl Limits {
         }
         let mut limits = ArrayVec::new();
         for (axis, l) in axes.iter().enumerate() {
-            for (what, value, finite) in
-                [("speed", l.speed, true), ("acceleration", l.acceleration, true), ("jerk", l.jerk, false)]
+            for (kind, value) in
+                [(LimitKind::Speed, l.speed), (LimitKind::Acceleration, l.acceleration), (LimitKind::Jerk, l.jerk)]
             {
-                if value.is_nan() || value <= 0.0 || (finite && value.is_infinite()) {
-                    return Err(PaceError::Limit { axis, what, value });
+                if value.is_nan() || value <= 0.0 || (value.is_infinite() && kind != LimitKind::Jerk) {
+                    return Err(PaceError::Limit { axis, kind, value });
                 }
             }
             limits.push(*l);

@@ -1,10 +1,11 @@
 //! Findings for a plan outside its procedure.
 
 use super::{PassProcedure, Quantity};
-use seamwright_program::{Finding, Outside, Pass, PositionStretch, Procedure, Run, WeldingPosition, Window};
+use seamwright_message::{Argument, Message, Unit};
+use seamwright_program::{Finding, Outside, Pass, PositionStretch, Procedure, Run, WeldingPosition};
 
-/// Cure that applies to all of them.
-const OTHERWISE: &str = "or use a procedure that is qualified for it";
+/// Temperatures are measured before welding, not planned.
+const MEASURED: [&str; 2] = ["preheat_c", "interpass_c"];
 
 /// The findings of a pass under `procedure`.
 pub(super) fn findings(
@@ -13,131 +14,146 @@ pub(super) fn findings(
     run: Option<&Run>,
     (pass, number): (&Pass, usize),
 ) -> Vec<Finding> {
-    let finding = |(from_mm, to_mm): (f64, f64), message: String, cure: &str| Finding {
+    let finding = |(from_mm, to_mm): (f64, f64), message: Message, cure: Message| Finding {
         kind: "procedure",
-        message: message.into(),
+        message: message.text("procedure", procedure.number.as_str()),
         pass: number,
         from_mm,
         to_mm,
-        cure: Some(format!("{cure}; {OTHERWISE}").into()),
+        cure: Some(cure),
         allowed: false,
     };
     let whole = (0.0, pass.length());
     let Some(run) = run else {
-        let message = format!("no run of {} is for pass {number} ({})", procedure.number, pass.name);
-        let cure = "add [[runs]] with the pass's name or number to the procedure file, or rename the pass";
-        return vec![finding(whole, message, cure)];
+        let message = Message::new("motion-procedure-no-run").pass("pass", number).text("name", pass.name.as_str());
+        return vec![finding(whole, message, Message::new("motion-cure-procedure-run"))];
     };
-    let allows = format!("{} allows ({})", procedure.number, run.label());
+    let of_run = |message: Message| message.message("run", label(run));
     let mut all = Vec::new();
     for quantity in &held.quantities {
         let Some(allowed) = quantity.allowed else { continue };
+        let (least, greatest) = allowed.ends();
+        let unit = unit(&quantity.key);
+        let within =
+            |message: Message| of_run(message).value("min", rounded(least), unit).value("max", rounded(greatest), unit);
         match quantity.found {
-            None if !["preheat_c", "interpass_c"].contains(&quantity.key.as_str()) => {
-                let (why, cure) = unknown(&quantity.key, procedure, pass);
-                let message = format!("{why}: {allows} {} of {}", range(allowed), named(&quantity.key));
-                all.push(finding(whole, message, &cure));
+            None if !MEASURED.contains(&quantity.key.as_str()) => {
+                let (message, cure) = unknown(&quantity.key, procedure, pass);
+                all.push(finding(whole, within(message), cure));
             }
             _ => all.extend(quantity.outside.iter().map(|stretch| {
-                let message = format!("{}; {allows} {}", value(quantity, stretch), range(allowed));
-                finding((stretch.from_mm, stretch.to_mm), message, &cure(&quantity.key, stretch.above))
+                let message = within(value(quantity, stretch));
+                finding((stretch.from_mm, stretch.to_mm), message, cure(&quantity.key, stretch.above))
             })),
         }
     }
     if let Some(allowed) = &run.positions {
-        let names: Vec<String> = allowed.iter().map(WeldingPosition::to_string).collect();
         for stretch in held.positions.iter().filter(|stretch| !allowed.contains(&stretch.position)) {
-            let message = format!("{}; {allows} {}", position(held, stretch), names.join(", "));
-            let cure = "turn or tilt the part otherwise (placement, work offset, spare_axes), or weld the other way round \
-                        where that makes uphill of downhill";
+            let names = allowed.iter().map(WeldingPosition::to_string).map(Argument::Text);
+            let message = of_run(position(held, stretch)).list("positions", names);
+            let cure = Message::new("motion-cure-procedure-position");
             all.push(finding((stretch.from_mm, stretch.to_mm), message, cure));
         }
     }
     all
 }
 
-/// Name and unit of a quantity.
-fn parts(key: &str) -> (&str, &str) {
+/// Names the passes that `run` is for.
+pub(super) fn label(run: &Run) -> Message {
+    match (&run.name, &run.passes) {
+        (Some(role), _) => Message::verbatim(role.name()),
+        (None, Some(passes)) => {
+            let passes = passes.to_string();
+            let several = passes.contains(['-', ',']);
+            Message::new(if several { "motion-run-passes" } else { "motion-run-pass" }).text("passes", passes)
+        }
+        (None, None) => Message::default(),
+    }
+}
+
+/// Unit of a quantity; the keys of process values end in theirs.
+fn unit(key: &str) -> Unit {
     match key {
-        "speed_mm_s" => ("speed of the tip", "mm/s"),
-        "heat_input_kj_mm" => ("heat input", "kJ/mm"),
-        "travel_angle_deg" => ("travel angle", "degrees"),
-        "work_angle_deg" => ("work angle", "degrees"),
-        _ => (key, ""),
+        "speed_mm_s" => Unit::MmPerS,
+        "heat_input_kj_mm" => Unit::KiloJPerMm,
+        "travel_angle_deg" | "work_angle_deg" => Unit::Deg,
+        _ => Unit::One,
     }
 }
 
-fn named(key: &str) -> &str {
-    parts(key).0
+/// Name of a quantity.
+fn name(key: &str) -> Argument {
+    let code = match key {
+        "speed_mm_s" => "motion-quantity-speed",
+        "heat_input_kj_mm" => "motion-quantity-heat-input",
+        "travel_angle_deg" => "motion-quantity-travel-angle",
+        "work_angle_deg" => "motion-quantity-work-angle",
+        _ => return Argument::Key(key.to_owned()),
+    };
+    Argument::Message(Box::new(Message::new(code)))
 }
 
-fn range(window: Window) -> String {
-    let (least, greatest) = window.ends();
-    format!("{} to {}", number(least), number(greatest))
+/// Rounds to four decimals.
+fn rounded(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
-/// Formats a number with at most four decimals.
-fn number(value: f64) -> String {
-    let text = format!("{value:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+fn value(quantity: &Quantity, stretch: &Outside) -> Message {
+    let message = match stretch.found.is_infinite() {
+        true => Message::new("motion-procedure-unbounded"),
+        false => {
+            let found = rounded(stretch.found);
+            Message::new("motion-procedure-outside").value("found", found, unit(&quantity.key))
+        }
+    };
+    message.with("quantity", name(&quantity.key)).quantity("at", stretch.at_mm, Unit::Mm, 3)
 }
 
-fn value(quantity: &Quantity, stretch: &Outside) -> String {
-    let (name, unit) = parts(&quantity.key);
-    if stretch.found.is_infinite() {
-        return format!("the {name} has no bound: the torch stops at s = {:.3} mm with the arc on", stretch.at_mm);
-    }
-    let (found, at) = (number(stretch.found), stretch.at_mm);
-    match unit {
-        "" => format!("{name} is {found} at s = {at:.3} mm"),
-        unit => format!("the {name} is {found} {unit} at s = {at:.3} mm"),
-    }
-}
-
-/// Reason for a value that is missing in the plan but has a window, and the cure.
-fn unknown(key: &str, procedure: &Procedure, pass: &Pass) -> (String, String) {
+/// Message for a value that is missing in the plan but has a window, and the operator action.
+fn unknown(key: &str, procedure: &Procedure, pass: &Pass) -> (Message, Message) {
     let has = |name: &str| pass.spans.first().is_some_and(|span| span.process.contains_key(name));
     match key {
         "heat_input_kj_mm" => {
-            let lacking: Vec<&str> = procedure.power_names().filter(|name| !has(name)).collect();
-            let lacking = lacking.join(" and ");
+            let missing = procedure.power_names().filter(|name| !has(name));
+            let missing: Vec<Argument> = missing.map(|name| Argument::Key(name.to_owned())).collect();
             (
-                format!("the pass does not give {lacking}, so its heat input is not known"),
-                format!(
-                    "give {lacking} in weld.process, or set `power` in the procedure to the values that make the power"
-                ),
+                Message::new("motion-procedure-no-power").list("keys", missing.clone()),
+                Message::new("motion-cure-procedure-power").list("keys", missing),
             )
         }
-        "work_angle_deg" => (
-            "the faces of the joint are not known, so there is no work angle".to_owned(),
-            "take work_angle_deg out of the run".to_owned(),
-        ),
-        _ => (
-            format!("the pass does not give {key}"),
-            format!("give {key} in weld.process, or take it out of [runs.ranges]"),
-        ),
-    }
-}
-
-fn cure(key: &str, above: bool) -> String {
-    match (key, above) {
-        ("speed_mm_s", true) => "ask for less speed there".to_owned(),
-        ("speed_mm_s", false) => "ask for more speed there, or place the work so that the axes can keep it".to_owned(),
-        ("heat_input_kj_mm", true) => "weld faster or with less power there".to_owned(),
-        ("heat_input_kj_mm", false) => "weld slower or with more power there".to_owned(),
-        ("travel_angle_deg" | "work_angle_deg", _) => {
-            "change the torch angles there, or use a machine with axes enough for them".to_owned()
+        "work_angle_deg" => {
+            (Message::new("motion-procedure-no-faces"), Message::new("motion-cure-procedure-work-angle"))
         }
-        (_, true) => format!("lower {key} there (weld.process of the job, or spans of the program)"),
-        (_, false) => format!("raise {key} there (weld.process of the job, or spans of the program)"),
+        _ => (
+            Message::new("motion-procedure-missing").key("key", key),
+            Message::new("motion-cure-procedure-missing").key("key", key),
+        ),
     }
 }
 
-/// Words a position and the weld's inclination in it.
-fn position(held: &PassProcedure, stretch: &PositionStretch) -> String {
-    let degrees = |(low, high): (f64, f64)| format!("{:.1} to {:.1}", low.to_degrees(), high.to_degrees());
-    let lie = held.inclination_in(stretch).map_or(String::new(), |(slope, rotation)| {
-        format!(" (slope {} degrees, rotation {} degrees)", degrees(slope), degrees(rotation))
-    });
-    format!("the weld is in position {}{lie}", stretch.position)
+fn cure(key: &str, above: bool) -> Message {
+    match (key, above) {
+        ("speed_mm_s", true) => Message::new("motion-cure-procedure-slower"),
+        ("speed_mm_s", false) => Message::new("motion-cure-procedure-faster"),
+        ("heat_input_kj_mm", true) => Message::new("motion-cure-procedure-less-heat"),
+        ("heat_input_kj_mm", false) => Message::new("motion-cure-procedure-more-heat"),
+        ("travel_angle_deg" | "work_angle_deg", _) => Message::new("motion-cure-procedure-angles"),
+        (_, true) => Message::new("motion-cure-procedure-lower").key("key", key),
+        (_, false) => Message::new("motion-cure-procedure-raise").key("key", key),
+    }
+}
+
+/// Reports a position and the weld's inclination in it.
+fn position(held: &PassProcedure, stretch: &PositionStretch) -> Message {
+    let position = |code| Message::new(code).text("position", stretch.position.to_string());
+    match held.inclination_in(stretch) {
+        None => position("motion-procedure-position"),
+        Some((slope, rotation)) => {
+            let degrees = |message: Message, min, max, (low, high): (f64, f64)| {
+                message.quantity(min, low.to_degrees(), Unit::Deg, 1).quantity(max, high.to_degrees(), Unit::Deg, 1)
+            };
+            let message = degrees(position("motion-procedure-inclination"), "min_slope", "max_slope", slope);
+            degrees(message, "min_rotation", "max_rotation", rotation)
+        }
+    }
 }

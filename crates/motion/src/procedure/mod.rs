@@ -11,6 +11,7 @@ mod windows;
 
 use crate::PassMotion;
 use seamwright_machine::Machine;
+use seamwright_message::Message;
 use seamwright_program::{
     FilletOrButt, Finding, Inclination, Outside, Pass, PositionStretch, Procedure, TorchPath, Window,
 };
@@ -18,8 +19,8 @@ use seamwright_program::{
 /// Values of a planned pass, and the windows of its procedure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PassProcedure {
-    /// The procedure's run of the pass, in words; none if no run matches.
-    pub run: Option<String>,
+    /// Passes of the procedure's run for this pass; none if no run matches.
+    pub run: Option<Message>,
     /// Kind of weld, which determines the limits of positions.
     pub joint: FilletOrButt,
     /// Values along the pass with their windows.
@@ -64,7 +65,7 @@ impl PassProcedure {
         let at = |s: f64| lie::at(machine, path, motion, s).inclination;
         let heat_input = windows::heat_input(procedure, machine, (pass, motion));
         let mut held = Self {
-            run: run.map(seamwright_program::Run::label),
+            run: run.map(findings::label),
             joint,
             quantities: windows::quantities(procedure, run, machine, (path, pass, motion), &lies),
             heat_input,

@@ -27,6 +27,8 @@ mod lines;
 mod timing;
 mod train;
 
+use seamwright_message::{Message, Unit};
+
 pub use choice::{Bound, Microstepping};
 pub use generator::Generator;
 pub use lines::{Edge, Event, Lines};
@@ -34,10 +36,9 @@ pub use timing::Timing;
 pub use train::Train;
 
 /// Error of pulse generation. The generator is left unchanged.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Error {
     /// The period has more pulses than the driver accepts.
-    #[error("{asked} pulses are asked for in a period, at most {most} can be made")]
     TooFast {
         /// Steps of the period, fractions included.
         asked: f64,
@@ -45,21 +46,36 @@ pub enum Error {
         most: f64,
     },
     /// The pulses do not fit beside the change of direction, or beside pulses that waited for one.
-    #[error("{pulses} pulses do not fit between the change of direction and the end of the period")]
     Crowded {
         /// Pulses of the period.
         pulses: u64,
     },
     /// The position is NaN or too many steps from zero.
-    #[error("the position {steps} steps cannot be counted; allowed: up to 1e11 from zero")]
     Position {
         /// The position.
         steps: f64,
     },
     /// The period has 0 ticks, or too many.
-    #[error("a period of {ticks} ticks of the timer; allowed: 1 to 2.7e11")]
     Period {
         /// Ticks of the period.
         ticks: u64,
     },
 }
+
+impl Error {
+    /// Describes the error.
+    pub fn message(&self) -> Message {
+        match *self {
+            Self::TooFast { asked, most } => {
+                Message::new("motion-pulses-too-fast").value("asked", asked, Unit::One).value("max", most, Unit::One)
+            }
+            Self::Crowded { pulses } => {
+                Message::new("motion-pulses-crowded").count("pulses", usize::try_from(pulses).unwrap_or(usize::MAX))
+            }
+            Self::Position { steps } => Message::new("motion-pulses-position").text("steps", format!("{steps}")),
+            Self::Period { ticks } => Message::new("motion-pulses-period").text("ticks", ticks.to_string()),
+        }
+    }
+}
+
+seamwright_message::display_by_message!(Error);

@@ -1,22 +1,27 @@
 use super::graph::Graph;
 use super::{HoldError, Task};
+use crate::limit_kind::position_unit;
 use crate::limits::Runs;
 use seamwright_machine::{AxisKind, Joints};
+use seamwright_message::{Message, Unit};
 use seamwright_program::Finding;
 use std::f64::consts::TAU;
 
 /// Number of samples of the free axes used to find the reason for an inverse without closed form.
 const NUMERIC_SAMPLES: usize = 4;
+/// Key in [`Runs`] of a station that is out of reach for another reason than the range of an axis; axis `i` has the key
+/// `i + 1`.
+const NO_AXIS: usize = 0;
 
 /// Finding for an invalid hold of an axis.
 pub(crate) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
     Finding {
         kind: "hold",
-        message: error.to_string().into(),
+        message: error.message(),
         pass,
         from_mm: 0.0,
         to_mm: length,
-        cure: Some(format!("allowed: {}", error.allowed()).into()),
+        cure: Some(Message::new("document-allowed").message("allowed", error.allowed())),
         allowed: false,
     }
 }
@@ -33,12 +38,14 @@ pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
         runs.add(place.s, why);
     }
     let unreachable = runs.findings(|run| Finding {
-        kind: if run.message.starts_with("axis") { "range" } else { "reach" },
-        message: format!("{}: wherever its axes to spare stand, {}", task.machine.name, run.message).into(),
+        kind: if run.key == NO_AXIS { "reach" } else { "range" },
+        message: Message::new("motion-unreachable-redundant")
+            .text("machine", task.machine.name.as_str())
+            .message("reason", run.message.clone()),
         pass,
         from_mm: run.from,
         to_mm: run.to,
-        cure: Some("change the placement of the work, the torch angles or the axes held".into()),
+        cure: Some(Message::new("motion-cure-unreachable-redundant")),
         allowed: false,
     });
     if unreachable.is_empty() {
@@ -51,23 +58,20 @@ pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
 fn not_smooth(task: &Task, pass: usize) -> Finding {
     Finding {
         kind: "singular",
-        message: format!(
-            "wherever the axes to spare of {} stand, the others cannot follow the torch smoothly: it passes a singular attitude or leaves their reach",
-            task.machine.name
-        ).into(),
+        message: Message::new("motion-not-smooth-redundant").text("machine", task.machine.name.as_str()),
         pass,
         from_mm: 0.0,
         to_mm: task.path.length(),
-        cure: Some("not tried: other torch angles or another placement of the work may help".into()),
+        cure: Some(Message::new("motion-cure-not-tried")),
         allowed: false,
     }
 }
 
 /// Sample of the free axes that comes nearest to reaching path length `s`: the axis out of range and its excess, as a
 /// complaint for [`Runs`].
-fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, String) {
+fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, Message) {
     let place = task.place(s);
-    let (mut least, mut reason) = (f64::INFINITY, (0, 0.0, "no axis positions reach it".to_owned()));
+    let (mut least, mut reason) = (f64::INFINITY, (NO_AXIS, 0.0, Message::new("motion-no-positions")));
     for q in samples {
         if !task.effort.spend(1, task.effort.progress().part) {
             break;
@@ -78,14 +82,19 @@ fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, String)
                     let (axis, by, part) = worst(task, &task.machine.turned_into_range(&branch.joints));
                     if part < least {
                         let a = &task.machine.axes[axis];
-                        let (by, unit) = (a.to_file(by), a.unit());
+                        let by = a.to_file(by);
                         least = part;
-                        let message = format!("axis {} would have to go {by:.3} {unit} beyond its range", a.name);
+                        let message = Message::new("motion-axis-beyond").axis("axis", a.name.as_str()).quantity(
+                            "by",
+                            by,
+                            position_unit(a.kind),
+                            3,
+                        );
                         reason = (axis + 1, by, message);
                     }
                 }
             }
-            Err(error) if least.is_infinite() => reason = (0, 0.0, error.to_string()),
+            Err(error) if least.is_infinite() => reason = (NO_AXIS, 0.0, error.message()),
             Err(_) => {}
         }
     }
@@ -131,16 +140,15 @@ fn jump(task: &Task, graph: &Graph, pass: usize) -> Option<Finding> {
     let (from_mm, to_mm) = (graph.places[k - 1].s, graph.places[k].s);
     Some(Finding {
         kind: "jump",
-        message: format!(
-            "each place can be reached, but not one after the other: between s = {from_mm:.1} and {to_mm:.1} mm axis {} would have to jump by {:.1} {}",
-            axis.name,
-            axis.to_file(by),
-            axis.unit()
-        ).into(),
+        message: Message::new("motion-jump")
+            .quantity("from", from_mm, Unit::Mm, 1)
+            .quantity("to", to_mm, Unit::Mm, 1)
+            .axis("axis", axis.name.as_str())
+            .quantity("by", axis.to_file(by), position_unit(axis.kind), 1),
         pass,
         from_mm,
         to_mm,
-        cure: Some("not tried: welding the seam in parts (start.end_phi_deg), another start or another placement of the work may help".into()),
+        cure: Some(Message::new("motion-cure-jump")),
         allowed: false,
     })
 }

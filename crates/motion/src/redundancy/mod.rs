@@ -19,16 +19,17 @@ mod graph;
 mod refine;
 
 use crate::effort::Effort;
+use crate::limit_kind::position_unit;
 pub(crate) use cost::AllowedPositions;
 use cost::Cost;
 pub(crate) use explain::hold as hold_finding;
 pub use free_axes::FreeAxes;
 use glam::DVec3;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Target};
+use seamwright_message::{Argument, Message, Unit};
 use seamwright_program::{Finding, SpareAxes, TorchPath};
 use std::borrow::Cow;
 use std::f64::consts::TAU;
-use thiserror::Error;
 
 /// Stations of the graph's first level and samples of the free axes there: a quick search, then a thorough one.
 const EFFORTS: [(usize, usize); 2] = [(24, 216), (48, 800)];
@@ -52,39 +53,39 @@ pub struct Clearance<'a> {
 }
 
 /// Error of an invalid hold of an axis.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum HoldError {
     /// The machine has no such axis, or it does not carry the torch.
-    #[error("there is no axis {axis} between the work and the torch")]
     Unknown {
         /// Requested name.
         axis: String,
         /// Names of the axes that carry the torch.
-        axes: String,
+        axes: Vec<String>,
     },
     /// A torch pose needs every axis.
-    #[error("axis {axis} cannot be held: a torch pose decides all axes here")]
     Decided {
         /// Requested name.
         axis: String,
     },
     /// The other axes cannot reach every torch pose.
-    #[error("with {held} held the other axes cannot give every torch pose")]
     TooFew {
         /// The first of the axes to hold.
         axis: String,
         /// All axes to hold.
-        held: String,
+        held: Vec<String>,
         /// Number of axes that can be held.
         redundant: usize,
     },
     /// The position lies outside the axis' range.
-    #[error("axis {axis} does not go there")]
     Range {
         /// Requested name.
         axis: String,
+        /// The position, in the file's unit.
+        value: f64,
         /// The range, in the file's unit.
-        range: String,
+        range: (f64, f64),
+        /// The file's unit.
+        unit: Unit,
     },
 }
 
@@ -99,17 +100,34 @@ impl HoldError {
         }
     }
 
-    /// Allowed axes, number or range.
-    pub fn allowed(&self) -> String {
+    /// Describes the error.
+    pub fn message(&self) -> Message {
         match self {
-            Self::Unknown { axes, .. } => axes.clone(),
-            Self::Decided { .. } => "no axis".to_owned(),
-            Self::TooFew { redundant: 1, .. } => "one axis, or another one".to_owned(),
-            Self::TooFew { redundant, .. } => format!("up to {redundant} axes, or others"),
-            Self::Range { range, .. } => range.clone(),
+            Self::Unknown { axis, .. } => Message::new("motion-hold-unknown").axis("axis", axis.as_str()),
+            Self::Decided { axis } => Message::new("motion-hold-decided").axis("axis", axis.as_str()),
+            Self::TooFew { held, .. } => {
+                Message::new("motion-hold-too-few").list("held", held.iter().cloned().map(Argument::Axis))
+            }
+            Self::Range { axis, value, unit, .. } => {
+                Message::new("motion-hold-range").axis("axis", axis.as_str()).value("value", *value, *unit)
+            }
+        }
+    }
+
+    /// Allowed axes, number or range.
+    pub fn allowed(&self) -> Message {
+        match self {
+            Self::Unknown { axes, .. } => Message::verbatim(axes.join(", ")),
+            Self::Decided { .. } => Message::new("motion-hold-allowed-none"),
+            Self::TooFew { redundant, .. } => Message::new("motion-hold-allowed-count").count("axes", *redundant),
+            Self::Range { range: (low, high), unit, .. } => {
+                Message::new("document-between").quantity("min", *low, *unit, 3).quantity("max", *high, *unit, 3)
+            }
         }
     }
 }
+
+seamwright_message::display_by_message!(HoldError);
 
 /// The machine with the axes held by `wishes` free of the torch's pose: `machine` itself if they are already free, else
 /// the one of [`Machine::freeing`].
@@ -122,14 +140,14 @@ pub fn holding<'m>(machine: &'m Machine, wishes: &SpareAxes) -> Result<Cow<'m, M
     if wanted.both(machine.free()) == wanted {
         return Ok(Cow::Borrowed(machine));
     }
-    let names: Vec<&str> = held.iter().map(|(axis, _)| machine.axes[*axis].name.as_str()).collect();
-    let axis = names.first().copied().unwrap_or_default().to_owned();
+    let held: Vec<String> = held.iter().map(|(axis, _)| machine.axes[*axis].name.clone()).collect();
+    let axis = held.first().cloned().unwrap_or_default();
     let redundant = machine.free().iter().count();
     if redundant == 0 {
         return Err(HoldError::Decided { axis });
     }
     let freed = machine.freeing(wanted);
-    freed.map(Cow::Owned).ok_or_else(|| HoldError::TooFew { axis, held: names.join(", "), redundant })
+    freed.map(Cow::Owned).ok_or_else(|| HoldError::TooFew { axis, held, redundant })
 }
 
 /// The axes held by `wishes`, with their positions in mm or rad.
@@ -139,14 +157,15 @@ fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, Hold
     for (name, position) in &wishes.hold {
         let axis = machine.axis(name).filter(|&i| chain.has(i)).ok_or_else(|| HoldError::Unknown {
             axis: name.clone(),
-            axes: chain.iter().map(|i| machine.axes[i].name.as_str()).collect::<Vec<_>>().join(", "),
+            axes: chain.iter().map(|i| machine.axes[i].name.clone()).collect(),
         })?;
         let value = machine.axes[axis].from_file(position.get());
         if machine.axes[axis].outside(value).is_some() {
             let a = &machine.axes[axis];
             let (low, high) = a.range.unwrap_or_default();
-            let range = format!("{:.3} to {:.3} {}", a.to_file(low), a.to_file(high), a.unit());
-            return Err(HoldError::Range { axis: name.clone(), range });
+            let range = (a.to_file(low), a.to_file(high));
+            let unit = position_unit(a.kind);
+            return Err(HoldError::Range { axis: name.clone(), value: position.get(), range, unit });
         }
         held.push((axis, value));
     }

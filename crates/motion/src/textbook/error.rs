@@ -1,32 +1,26 @@
-use thiserror::Error;
+use seamwright_message::{Message, Unit};
 
 /// Error of an invalid interpolation request, found before any computation.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Error {
     /// A size, speed, period or pulse must be finite and greater than zero.
-    #[error("{what} must be a finite number greater than 0, not {value}")]
     NotPositive {
-        /// Name of the value.
-        what: &'static str,
-        /// The value given.
+        /// The value.
+        what: RequestValue,
+        /// Its value.
         value: f64,
     },
     /// A coordinate or an angle is not finite.
-    #[error("{what} must be a finite number, not {value}")]
     NotFinite {
-        /// Name of the value.
-        what: &'static str,
-        /// The value given.
+        /// The value.
+        what: RequestValue,
+        /// Its value.
         value: f64,
     },
     /// A start or end point does not lie on the ellipse.
-    #[error(
-        "the {which} point ({x_mm}, {y_mm}) lies {distance_mm} mm off the ellipse; at most {tolerance_mm} mm is \
-         accepted, the nearest point on it is ({near_x_mm}, {near_y_mm})"
-    )]
     OffEllipse {
-        /// "start" or "end".
-        which: &'static str,
+        /// The point.
+        which: EndPoint,
         /// Given x, mm.
         x_mm: f64,
         /// Given y, mm.
@@ -41,7 +35,6 @@ pub enum Error {
         near_y_mm: f64,
     },
     /// The nozzle does not fit the shell: the seam is not one closed curve around the nozzle.
-    #[error("the nozzle radius {nozzle_mm} mm must be smaller than the shell radius {shell_mm} mm")]
     NozzleTooLarge {
         /// Nozzle radius, mm.
         nozzle_mm: f64,
@@ -49,7 +42,6 @@ pub enum Error {
         shell_mm: f64,
     },
     /// The sweep is zero or has too many turns.
-    #[error("the sweep must be other than 0 and at most {limit_rad} rad either way, not {sweep_rad}")]
     Sweep {
         /// Sweep given, rad.
         sweep_rad: f64,
@@ -57,10 +49,6 @@ pub enum Error {
         limit_rad: f64,
     },
     /// The step is not small against the path.
-    #[error(
-        "a step of {step_mm} mm (speed times period) is too long for this path: at most {limit_mm} mm (the path's \
-         length, or an eighth of a full turn's)"
-    )]
     StepTooLong {
         /// Speed times period, mm.
         step_mm: f64,
@@ -68,7 +56,6 @@ pub enum Error {
         limit_mm: f64,
     },
     /// The pulse is not small against the shape.
-    #[error("a pulse of {pulse_mm} mm is too large for this shape: at most {limit_mm} mm")]
     PulseTooLarge {
         /// Pulse equivalent, mm.
         pulse_mm: f64,
@@ -76,7 +63,6 @@ pub enum Error {
         limit_mm: f64,
     },
     /// The number of steps or pulses exceeds the limit.
-    #[error("this needs about {steps:.3e} steps or pulses; the limit is {limit:.0e}")]
     TooManySteps {
         /// Estimate of the number of steps.
         steps: f64,
@@ -84,16 +70,123 @@ pub enum Error {
         limit: f64,
     },
     /// The curve itself cannot be constructed or measured.
-    #[error(transparent)]
-    Geometry(#[from] seamwright_geometry::Error),
+    Geometry(seamwright_geometry::Error),
+}
+
+/// An end of an arc of an ellipse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EndPoint {
+    /// Its first point.
+    Start,
+    /// Its last point.
+    End,
+}
+
+/// A value of an interpolation request.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RequestValue {
+    /// Semi-axis a of the ellipse, mm.
+    SemiAxisA,
+    /// Semi-axis b of the ellipse, mm.
+    SemiAxisB,
+    /// x of a point, mm.
+    X,
+    /// y of a point, mm.
+    Y,
+    /// Radius of the nozzle, mm.
+    NozzleRadius,
+    /// Radius of the shell, mm.
+    ShellRadius,
+    /// Angle of the start, rad.
+    StartAngle,
+    /// Sweep, rad.
+    Sweep,
+    /// Speed, mm/s.
+    Speed,
+    /// Period, s.
+    Period,
+    /// Speed times period, mm.
+    Step,
+    /// Pulse equivalent, mm.
+    Pulse,
+}
+
+impl RequestValue {
+    fn message(self) -> Message {
+        Message::new(match self {
+            Self::SemiAxisA => "motion-value-semi-axis-a",
+            Self::SemiAxisB => "motion-value-semi-axis-b",
+            Self::X => "motion-value-x",
+            Self::Y => "motion-value-y",
+            Self::NozzleRadius => "motion-value-nozzle-radius",
+            Self::ShellRadius => "motion-value-shell-radius",
+            Self::StartAngle => "motion-value-start-angle",
+            Self::Sweep => "motion-value-sweep",
+            Self::Speed => "motion-value-speed",
+            Self::Period => "motion-value-period",
+            Self::Step => "motion-value-step",
+            Self::Pulse => "motion-value-pulse",
+        })
+    }
+}
+
+impl Error {
+    /// Describes the error.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::NotPositive { what, value } => Message::new("motion-value-not-positive")
+                .message("what", what.message())
+                .value("value", *value, Unit::One),
+            Self::NotFinite { what, value } => Message::new("motion-value-not-finite")
+                .message("what", what.message())
+                .value("value", *value, Unit::One),
+            Self::OffEllipse { which, x_mm, y_mm, distance_mm, tolerance_mm, near_x_mm, near_y_mm } => {
+                let code = match which {
+                    EndPoint::Start => "motion-start-off-ellipse",
+                    EndPoint::End => "motion-end-off-ellipse",
+                };
+                Message::new(code)
+                    .value("x", *x_mm, Unit::One)
+                    .value("y", *y_mm, Unit::One)
+                    .value("distance", *distance_mm, Unit::Mm)
+                    .value("tolerance", *tolerance_mm, Unit::Mm)
+                    .value("near_x", *near_x_mm, Unit::One)
+                    .value("near_y", *near_y_mm, Unit::One)
+            }
+            Self::NozzleTooLarge { nozzle_mm, shell_mm } => Message::new("motion-nozzle-too-large")
+                .value("nozzle", *nozzle_mm, Unit::Mm)
+                .value("shell", *shell_mm, Unit::Mm),
+            Self::Sweep { sweep_rad, limit_rad } => {
+                Message::new("motion-sweep").value("sweep", *sweep_rad, Unit::Rad).value("limit", *limit_rad, Unit::Rad)
+            }
+            Self::StepTooLong { step_mm, limit_mm } => {
+                Message::new("motion-step-too-long").value("step", *step_mm, Unit::Mm).value("max", *limit_mm, Unit::Mm)
+            }
+            Self::PulseTooLarge { pulse_mm, limit_mm } => Message::new("motion-pulse-too-large")
+                .value("pulse", *pulse_mm, Unit::Mm)
+                .value("max", *limit_mm, Unit::Mm),
+            Self::TooManySteps { steps, limit } => Message::new("motion-too-many-steps")
+                .text("steps", format!("{steps:.3e}"))
+                .text("max", format!("{limit:.0e}")),
+            Self::Geometry(error) => error.message(),
+        }
+    }
+}
+
+seamwright_message::display_by_message!(Error);
+
+impl From<seamwright_geometry::Error> for Error {
+    fn from(error: seamwright_geometry::Error) -> Self {
+        Self::Geometry(error)
+    }
 }
 
 /// Checks that a value is finite and greater than zero.
-pub(super) fn positive(what: &'static str, value: f64) -> Result<f64, Error> {
+pub(super) fn positive(what: RequestValue, value: f64) -> Result<f64, Error> {
     if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::NotPositive { what, value }) }
 }
 
 /// Checks that a value is finite.
-pub(super) fn finite(what: &'static str, value: f64) -> Result<f64, Error> {
+pub(super) fn finite(what: RequestValue, value: f64) -> Result<f64, Error> {
     if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { what, value }) }
 }

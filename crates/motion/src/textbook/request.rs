@@ -1,7 +1,7 @@
 use super::comparison_integral::ComparisonIntegral;
 use super::dda::Dda;
 use super::eccentric_angle::EccentricAngle;
-use super::error::{Error, positive};
+use super::error::{Error, RequestValue, positive};
 use super::exact::Exact;
 use super::grid::Grid;
 use super::interpolation::Interpolation;
@@ -108,9 +108,9 @@ impl Request {
     }
 
     fn check(&self, path: &Path, length: f64) -> Result<(), Error> {
-        positive("the speed", self.speed_mm_s)?;
-        positive("the period", self.period_s)?;
-        let step = positive("speed times period", self.step_mm())?;
+        positive(RequestValue::Speed, self.speed_mm_s)?;
+        positive(RequestValue::Period, self.period_s)?;
+        let step = positive(RequestValue::Step, self.step_mm())?;
         let turn = length * (TAU / path.span_rad());
         let limit = length.min(turn / 8.0);
         if step > limit {
@@ -118,7 +118,7 @@ impl Request {
         }
         let mut steps = length / step;
         if self.method.is_pulse() {
-            let pulse = positive("the pulse", self.pulse_mm)?;
+            let pulse = positive(RequestValue::Pulse, self.pulse_mm)?;
             let (a, b) = path.plan_axes();
             let limit = (a.min(b) / 4.0).min(length);
             if pulse > limit {
@@ -162,9 +162,9 @@ mod tests {
     #[test]
     fn refuses_what_cannot_be() {
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(error(|r| r.speed_mm_s = bad), Error::NotPositive { what: "the speed", .. }));
-            assert!(matches!(error(|r| r.period_s = bad), Error::NotPositive { what: "the period", .. }));
-            assert!(matches!(error(|r| r.pulse_mm = bad), Error::NotPositive { what: "the pulse", .. }));
+            assert!(matches!(error(|r| r.speed_mm_s = bad), Error::NotPositive { what: RequestValue::Speed, .. }));
+            assert!(matches!(error(|r| r.period_s = bad), Error::NotPositive { what: RequestValue::Period, .. }));
+            assert!(matches!(error(|r| r.pulse_mm = bad), Error::NotPositive { what: RequestValue::Pulse, .. }));
         }
         assert!(matches!(error(|r| r.speed_mm_s = 1e5), Error::StepTooLong { .. }));
         assert!(matches!(error(|r| r.speed_mm_s = 1e-7), Error::TooManySteps { .. }));

@@ -1,4 +1,4 @@
-use super::error::{Error, finite, positive};
+use super::error::{EndPoint, Error, RequestValue, finite, positive};
 use super::path::{Base, Path};
 use glam::{DVec2, DVec3};
 use seamwright_geometry::{Ellipse, Quadric, Tube, TubeIntersection};
@@ -75,16 +75,16 @@ impl Shape {
 }
 
 fn ellipse(a: f64, b: f64, start: DVec2, end: Option<DVec2>, clockwise: bool) -> Result<Path, Error> {
-    positive("semi-axis a", a)?;
-    positive("semi-axis b", b)?;
+    positive(RequestValue::SemiAxisA, a)?;
+    positive(RequestValue::SemiAxisB, b)?;
     let curve = Ellipse::new(DVec3::ZERO, DVec3::Z, DVec3::X, a, b)?;
     let direction = if clockwise { -1.0 } else { 1.0 };
     let whole = Path::new(Base::Ellipse { curve, a, b }, 0.0, direction, TAU);
-    let from = angle_of(&whole, "start", start)?;
+    let from = angle_of(&whole, EndPoint::Start, start)?;
     let span = match end {
         None => TAU,
         Some(end) => {
-            let span = (direction * (angle_of(&whole, "end", end)? - from)).rem_euclid(TAU);
+            let span = (direction * (angle_of(&whole, EndPoint::End, end)? - from)).rem_euclid(TAU);
             if !(SAME_POINT_RAD..=TAU - SAME_POINT_RAD).contains(&span) { TAU } else { span }
         }
     };
@@ -92,9 +92,9 @@ fn ellipse(a: f64, b: f64, start: DVec2, end: Option<DVec2>, clockwise: bool) ->
 }
 
 /// Eccentric angle of a point that should lie on the ellipse, in (-pi, pi].
-fn angle_of(path: &Path, which: &'static str, p: DVec2) -> Result<f64, Error> {
-    finite("a point's x", p.x)?;
-    finite("a point's y", p.y)?;
+fn angle_of(path: &Path, which: EndPoint, p: DVec2) -> Result<f64, Error> {
+    finite(RequestValue::X, p.x)?;
+    finite(RequestValue::Y, p.y)?;
     let near = path.nearest(p.extend(0.0));
     // This form of the comparison rejects NaN from an overflow.
     if near.distance_mm <= ON_ELLIPSE_TOLERANCE_MM {
@@ -113,10 +113,10 @@ fn angle_of(path: &Path, which: &'static str, p: DVec2) -> Result<f64, Error> {
 }
 
 fn saddle(nozzle: f64, shell: f64, start: f64, sweep: f64) -> Result<Path, Error> {
-    positive("the nozzle radius", nozzle)?;
-    positive("the shell radius", shell)?;
-    finite("the start angle", start)?;
-    finite("the sweep", sweep)?;
+    positive(RequestValue::NozzleRadius, nozzle)?;
+    positive(RequestValue::ShellRadius, shell)?;
+    finite(RequestValue::StartAngle, start)?;
+    finite(RequestValue::Sweep, sweep)?;
     if nozzle >= shell {
         return Err(Error::NozzleTooLarge { nozzle_mm: nozzle, shell_mm: shell });
     }
@@ -166,11 +166,13 @@ mod tests {
         let rounded = (on * 1e3).round() / 1e3;
         assert!((arc(rounded, None, true).unwrap().start_rad() - 0.7).abs() < 1e-4);
         match arc(DVec2::new(0.0, 16.5), None, true) {
-            Err(Error::OffEllipse { which: "start", distance_mm, .. }) => assert!((distance_mm - 0.5).abs() < 1e-12),
+            Err(Error::OffEllipse { which: EndPoint::Start, distance_mm, .. }) => {
+                assert!((distance_mm - 0.5).abs() < 1e-12)
+            }
             other => panic!("{other:?}"),
         }
         let end = arc(on, Some(DVec2::new(1.0, 1.0)), true);
-        assert!(matches!(end, Err(Error::OffEllipse { which: "end", .. })));
+        assert!(matches!(end, Err(Error::OffEllipse { which: EndPoint::End, .. })));
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Every example job as motion: all set-points within all limits, equal steps along the seam, honest findings.
 
+use crate::number;
 use proptest::prelude::*;
 use seamwright_machine::{AxisKind, Joints, Machine, shipped};
 use seamwright_motion::{PassMotion, Phase, SetPoint};
@@ -192,7 +193,7 @@ fn a_short_bend_is_refused_and_the_cure_cures() {
     // It brakes before the bend and gains speed after it.
     assert!(findings.iter().all(|f| f.kind == "speed" && f.from_mm > 699.0 && f.to_mm < 705.0), "{findings:#?}");
     assert!(findings[0].message.to_string().contains("jerk"), "{findings:#?}");
-    let cure = findings[0].cure_text().split_whitespace().nth(2).unwrap().parse().unwrap();
+    let cure = number(findings[0].cure.as_ref().unwrap(), "speed");
     let motion = Case::new("bend", &leaning(cure)).motion().unwrap();
     assert!(motion.law.report().least >= cure * (1.0 - 1e-9) && cure > 8.0, "{:?}", motion.law.report());
 }
@@ -204,7 +205,7 @@ fn too_short_to_reach_the_speed_is_said() {
     let findings = Case::new("short", &short).motion().unwrap_err();
     assert!(findings[0].message.to_string().contains("too short"), "{findings:#?}");
     // Four parts of constant jerk j over 5 mm reach j t^2 with 2 j t^3 = 5 mm; 397 mm/s^2 are no limit then.
-    let reached: f64 = findings[0].message.to_string().split_whitespace().nth(11).unwrap().parse().unwrap();
+    let reached = number(&findings[0].message, "reached");
     let most = 5000.0 * (5.0 / 1e4f64).powf(2.0 / 3.0);
     assert!(reached < most && reached > 0.98 * most, "{reached} {most}");
 }

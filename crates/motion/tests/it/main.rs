@@ -1,6 +1,8 @@
 //! All tests in one program, which is compiled and linked once. Tests that count the resources of a process are
 //! separate programs.
 
+use seamwright_message::{Argument, Message};
+
 mod air;
 mod arc_limits;
 mod asked_speed;
@@ -24,3 +26,19 @@ mod taught;
 mod tip_limits;
 mod weave;
 mod weld_motion;
+
+/// Value of the argument `name`, a quantity.
+fn number(message: &Message, name: &str) -> f64 {
+    match message.argument(name) {
+        Some(Argument::Quantity(quantity)) => quantity.value,
+        other => panic!("{name} of {}: {other:?}", message.as_data()),
+    }
+}
+
+/// The argument `name`, a message.
+fn inner<'m>(message: &'m Message, name: &str) -> &'m Message {
+    match message.argument(name) {
+        Some(Argument::Message(inner)) => inner,
+        other => panic!("{name} of {}: {other:?}", message.as_data()),
+    }
+}

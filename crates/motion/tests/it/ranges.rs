@@ -1,7 +1,9 @@
 //! Findings for axes beyond their ranges, and the effect of their cures.
 
+use crate::{inner, number};
 use glam::DVec3;
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_message::Message;
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Finding, Pass, Program, TorchPath};
 use seamwright_weld::Welding;
@@ -25,34 +27,38 @@ fn a_range_finding_is_that_of_the_branch_that_lacks_least() {
     println!("{found:#?}");
     assert_eq!(found.len(), 4);
     assert!(
-        found.iter().all(|f| f.kind == "range" && f.message.to_string().contains("0.100 deg beyond its limit")),
+        found.iter().all(|f| f.kind == "range" && f.message.to_string().contains("0.100° beyond its limit")),
         "{found:#?}"
     );
     assert!(found.iter().map(|f| f.to_mm - f.from_mm).sum::<f64>() < 100.0);
 }
 
+fn code(cure: &Option<Message>) -> &str {
+    cure.as_ref().map_or("", |cure| &cure.code)
+}
+
 /// The job after applying a finding's cure.
-fn cured(job: &str, cure: &str) -> Option<String> {
+fn cured(job: &str, cure: &Message) -> String {
     let mut table: Welding = Welding::read("job.toml", job).unwrap();
     let program: &mut Program = &mut table.program.value;
-    if let Some(rest) = cure.strip_prefix("move the work by ") {
-        let numbers = rest.split(" mm").next()?;
-        let by: Vec<f64> = numbers.split(", ").map(|n| n.parse().unwrap()).collect();
+    let change = inner(cure, "change");
+    if change.code == "motion-change-move" {
         let placement = &mut program.placement;
-        let moved = placement.move_mm.get() + DVec3::new(by[0], by[1], by[2]);
+        let moved = placement.move_mm.get() + DVec3::from_array(["x", "y", "z"].map(|axis| number(change, axis)));
         placement.move_mm = seamwright_document::Point::new(moved).unwrap();
     } else {
-        let by: f64 = cure.strip_prefix("change torch.work_angle_deg by ")?.split(' ').next()?.parse().unwrap();
+        assert_eq!(change.code, "motion-change-work-angle");
         let torch = &mut program.passes[0].torch;
-        torch.work_angle_deg = seamwright_document::Finite::new(torch.work_angle_deg.get() + by).unwrap();
+        let angle = torch.work_angle_deg.get() + number(change, "by");
+        torch.work_angle_deg = seamwright_document::Finite::new(angle).unwrap();
     }
-    Some(program.to_toml().unwrap())
+    program.to_toml().unwrap()
 }
 
 #[test]
 fn a_cure_that_is_offered_cures() {
     let found = planned(CIRCLE).unwrap_err();
-    let job = cured(CIRCLE, &found[0].cure_text()).unwrap_or_else(|| panic!("{}", found[0].cure_text()));
+    let job = cured(CIRCLE, found[0].cure.as_ref().unwrap());
     planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure_text()));
     // A line beyond one end of a slide.
     let line = "schema = 1\ntitle = \"t\"\nmachine = \"torch-5axis\"\n[seam.line]\nstart_mm = [700, 0, 100]\n\
@@ -61,7 +67,7 @@ fn a_cure_that_is_offered_cures() {
     let found = planned(line).unwrap_err();
     println!("{found:#?}");
     assert!(found.iter().any(|f| f.kind == "range" && f.message.to_string().contains("axis x")), "{found:#?}");
-    let job = cured(line, &found[0].cure_text()).unwrap_or_else(|| panic!("{}", found[0].cure_text()));
+    let job = cured(line, found[0].cure.as_ref().unwrap());
     planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure_text()));
 }
 
@@ -73,7 +79,10 @@ fn no_cure_is_offered_where_none_helps() {
     let found = planned(&wide).unwrap_err();
     println!("{found:#?}");
     let range: Vec<_> = found.iter().filter(|f| f.kind == "range").collect();
-    assert!(!range.is_empty() && range.iter().all(|f| f.cure_text().starts_with("none was found")), "{found:#?}");
+    assert!(
+        !range.is_empty() && range.iter().all(|f| code(&f.cure).starts_with("motion-cure-range-none")),
+        "{found:#?}"
+    );
 }
 
 /// Passes continue turning within the range: forty thousand degrees are a hundred turns.
@@ -114,7 +123,7 @@ fn line(from: f64, to: f64) -> Welding {
 }
 
 /// The cure that is offered for the ranges of pass 1 of a weld with these passes.
-fn cure_of_first(weld: &[Welding]) -> String {
+fn cure_of_first(weld: &[Welding]) -> Message {
     let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
     let clamped = Clamped::default();
     let around = Surroundings::new(&machine, &clamped).unwrap();
@@ -122,26 +131,27 @@ fn cure_of_first(weld: &[Welding]) -> String {
     let passes: Vec<(&dyn TorchPath, &Pass)> =
         paths.iter().zip(weld).map(|(path, w)| (path as &dyn TorchPath, &w.program.value.passes[0])).collect();
     let found = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap_err();
-    found.into_iter().find(|f| f.kind == "range" && f.pass == 1).unwrap().cure_text()
+    found.into_iter().find(|f| f.kind == "range" && f.pass == 1).unwrap().cure.unwrap()
 }
 
 /// The work is moved with all its passes: a cure of one pass must not take another one out of its range.
 #[test]
 fn no_cure_of_one_pass_takes_another_out_of_its_range() {
     let alone = cure_of_first(&[line(700.0, 850.0)]);
-    assert!(alone.starts_with("move the work by -50.") && alone.contains(": tried, every axis"), "{alone}");
+    let moves = |cure: &Message| (-51.0..=-50.0).contains(&number(inner(cure, "change"), "x"));
+    assert!(alone.code == "motion-cure-range-weld" && moves(&alone), "{alone}");
     let both = cure_of_first(&[line(700.0, 850.0), line(-100.0, 100.0)]);
     assert_eq!(both, alone);
     let opposed = cure_of_first(&[line(700.0, 850.0), line(-790.0, -700.0)]);
-    assert!(!opposed.starts_with("move the work"), "{opposed}");
+    assert!(opposed.code.starts_with("motion-cure-range-none"), "{opposed}");
     // Another pass with the same excess before and after leaves the cure valid for this pass alone.
     let outside = cure_of_first(&[line(700.0, 850.0), line(-990.0, -900.0)]);
-    assert!(outside.starts_with("move the work by -50.") && outside.contains("tried for this pass"), "{outside}");
+    assert!(outside.code == "motion-cure-range-pass" && moves(&outside), "{outside}");
     // Without a known weld the cure covers this pass only.
     let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
     let single = line(700.0, 850.0);
     let found = PassMotion::plan(&machine, &single.path(0), &single.program.value.passes[0], 1).unwrap_err();
-    assert!(found[0].cure_text().contains("tried for this pass"), "{}", found[0].cure_text());
+    assert_eq!(code(&found[0].cure), "motion-cure-range-pass");
 }
 
 #[test]
@@ -150,7 +160,7 @@ fn a_reason_names_only_changes_that_were_tried() {
     let steep = CIRCLE.replace("work_angle_deg = -35.1", "work_angle_deg = -70").replace("0, 0, 200", "0, 0, 500");
     let found = planned(&steep).unwrap_err();
     let range = found.iter().find(|f| f.kind == "range").unwrap_or_else(|| panic!("{found:#?}"));
-    assert_eq!(range.cure_text(), "none was found: changing the work angle was tried");
+    assert_eq!(code(&range.cure), "motion-cure-range-none-angle");
     // Out of reach: no shift of the work can be derived.
     let far = Welding::read(
         "job.toml",
@@ -161,18 +171,16 @@ fn a_reason_names_only_changes_that_were_tried() {
     .unwrap_or_else(|e| panic!("{e}"));
     let machine = Machine::read("m.toml", SCARA).unwrap();
     let found = PassMotion::plan(&machine, &far.path(0), &far.program.value.passes[0], 1).unwrap_err();
-    assert_eq!(
-        (found[0].kind, found[0].cure_text().as_str()),
-        ("reach", "none was found: changing the work angle was tried")
-    );
+    assert_eq!((found[0].kind, code(&found[0].cure)), ("reach", "motion-cure-range-none-angle"));
 }
 
 #[test]
 fn a_cure_names_the_key_that_the_pass_has() {
     let [first, second] = [0, 600].map(|s| format!("[[torch.at]]\ns_mm = {s}\nwork_angle_deg = -35.1\n"));
     let job = CIRCLE.replace("[torch]\nwork_angle_deg = -35.1\n", &(first + &second));
-    let cure = planned(&job).unwrap_err()[0].cure_text().clone();
-    let by = cure.strip_prefix("change work_angle_deg of every [[torch.at]] by ").unwrap_or_else(|| panic!("{cure}"));
-    let by: f64 = by.split(' ').next().unwrap().parse().unwrap();
+    let cure = planned(&job).unwrap_err()[0].cure.clone().unwrap();
+    let change = inner(&cure, "change");
+    assert_eq!(change.code, "motion-change-work-angles");
+    let by = number(change, "by");
     planned(&job.replace("-35.1", &format!("{}", by - 35.1))).unwrap_or_else(|f| panic!("{cure}: {f:#?}"));
 }

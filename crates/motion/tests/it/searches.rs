@@ -1,10 +1,12 @@
 //! Searches end: their number of trials is bounded, and a watch can stop them.
 
+use crate::inner;
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_document::Finite;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_message::Argument;
 use seamwright_motion::redundancy::holding;
 use seamwright_motion::{PassMotion, SearchProgress, SearchStage, Stop, Terms, Watch, WeldMotion};
 use seamwright_program::{Finding, Pass, TorchPath};
@@ -84,7 +86,8 @@ fn a_search_that_is_stopped_says_how_far_it_came() {
         let (planned, _, _) = plan(ARM_JOB, ARM, most);
         let findings = planned.unwrap_err();
         assert!(findings.len() == 1 && findings[0].kind == "search" && !findings[0].allowed, "{findings:#?}");
-        assert!(findings[0].message.to_string().contains("tried positions"), "{}", findings[0].message);
+        assert_eq!(findings[0].message.code, "motion-search-out-of-time");
+        assert!(inner(&findings[0].message, "progress").argument("positions").is_some(), "{}", findings[0].message);
     }
 }
 
@@ -146,24 +149,21 @@ fn cures_that_are_cut_off_say_how_many_changes_were_tried() {
     let wide = SADDLE.replace("radius_mm = 250 ", "radius_mm = 700 ").replace("radius_mm = 800 ", "radius_mm = 2500 ");
     let ranges = |part: f64| {
         let found = plan_on_shipped(&wide, Vec::new(), &StopsIn::new(SearchStage::Cure, 1, part)).unwrap_err();
-        found.into_iter().find(|f| f.kind == "range").unwrap().cure_text()
+        found.into_iter().find(|f| f.kind == "range").unwrap().cure.unwrap()
     };
-    assert_eq!(ranges(0.0), "no change was tried in the time that is allowed");
-    let some = ranges(0.5);
-    assert!(
-        some.starts_with("none was found in the time that is allowed: ") && some.contains(" changes were"),
-        "{some}"
-    );
+    assert_eq!(ranges(0.0).code, "motion-cure-range-no-time");
+    assert_eq!(ranges(0.5).code, "motion-cure-range-stopped");
 
     let clearance = |part: f64| {
         let watch = StopsIn::new(SearchStage::Cure, 1, part);
         let found = plan_on_shipped(HEAD_NOZZLE, ball_on_torch(HEAD_NOZZLE, 100.0), &watch).unwrap_err();
-        found.into_iter().find(|f| f.kind == "clearance").unwrap().cure_text()
+        found.into_iter().find(|f| f.kind == "clearance").unwrap().cure.unwrap()
     };
     let some = clearance(0.4);
-    assert!(some.contains("in the time that is allowed: 3 of 6 work angles were tried"), "{some}");
-    let all = clearance(2.0);
-    assert!(all.contains("work angles up to 15 degrees"), "{all}");
+    assert_eq!(some.code, "motion-cure-clearance-stopped");
+    let counts = ["tried", "angles"].map(|name| some.argument(name).cloned());
+    assert_eq!(counts, [3, 6].map(|count| Some(Argument::Count(count))));
+    assert_eq!(clearance(2.0).code, "motion-cure-clearance-none");
 }
 
 /// A change that cures the ranges may cause other findings.
@@ -171,7 +171,8 @@ fn cures_that_are_cut_off_say_how_many_changes_were_tried() {
 fn a_cure_is_planned_as_a_whole_before_it_is_offered() {
     let watch = StopsIn::new(SearchStage::Cure, usize::MAX, 0.0);
     let found = plan_on_shipped(CIRCLE, Vec::new(), &watch).unwrap_err();
-    assert!(found[0].cure_text().contains("tried, every axis then stays in its range"), "{found:#?}");
+    let cure = found[0].cure.as_ref().unwrap();
+    assert!(["motion-cure-range-weld", "motion-cure-range-pass"].contains(&&*cure.code), "{found:#?}");
     let seen = watch.seen.borrow();
     let trials = seen.iter().skip_while(|seen| seen.stage != SearchStage::Cure);
     assert!(trials.filter(|seen| seen.stage == SearchStage::Speed && seen.begins).count() > 0);
@@ -193,7 +194,7 @@ fn a_search_for_a_clear_way_that_is_cut_off_is_a_finding() {
 fn the_search_for_a_weave_shows_progress_and_is_stopped() {
     let all = StopsIn::new(SearchStage::Weave, usize::MAX, 0.0);
     let found = plan_on_shipped(FAST_WEAVE, Vec::new(), &all).unwrap_err();
-    assert!(found.iter().any(|f| f.message.to_string().contains("the weave is too fast")), "{found:#?}");
+    assert!(found.iter().any(|f| f.message.code == "motion-weave-frequency"), "{found:#?}");
     let seen = all.seen.borrow();
     let parts: Vec<f64> = seen.iter().filter(|seen| seen.stage == SearchStage::Weave).map(|seen| seen.part).collect();
     assert!(parts.len() > 50 && parts.windows(2).all(|w| w[0] <= w[1]) && parts[parts.len() - 1] > 0.3, "{parts:?}");

@@ -4,7 +4,7 @@
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine, TipLimits, shipped};
 use seamwright_motion::pace::{Command, Limits, Pace};
-use seamwright_motion::{Binding, PassMotion};
+use seamwright_motion::{Binding, LimitKind, PassMotion};
 use seamwright_weld::Welding;
 
 const TIP: TipLimits = TipLimits { speed: 25.0, acceleration: 40.0, jerk: 300.0 };
@@ -47,7 +47,9 @@ fn a_weld_keeps_them_and_says_so() {
     assert!(parts.iter().all(|u| *u <= 1.0 + 2e-3), "{parts:?}");
     assert!(parts[0] > 0.99 && parts[2] > 0.8, "{parts:?}");
     let bindings = motion.certificate.intervals.iter().filter_map(|i| Binding::new(&machine, i.bound));
-    assert!(bindings.into_iter().any(|b| b.axis.is_none() && b.what == "speed" && (b.value - 25.0).abs() < 1e-12));
+    assert!(
+        bindings.into_iter().any(|b| b.axis.is_none() && b.kind == LimitKind::Speed && (b.value - 25.0).abs() < 1e-12)
+    );
     let told: Vec<String> = motion.findings.iter().map(|f| f.message.to_string()).collect();
     assert!(told.iter().any(|m| m.contains("the torch tip cannot keep 30.000 mm/s: its speed limit of 25.000 mm/s")));
 }

@@ -1,6 +1,7 @@
 //! Woven passes as motion: limits by differences, the speed of the centre line, the weave's frequency in time, and its
 //! maximum.
 
+use crate::number;
 use proptest::prelude::*;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Machine, shipped};
@@ -135,13 +136,8 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
         let keys = |hz: f64| format!("figure = \"{figure}\"\nwidth_mm = {width}\nfrequency_hz = {hz}\n");
         let findings = plan(&text(false, &keys(3.0))).1.unwrap_err();
         let [finding] = &findings[..] else { panic!("{findings:#?}") };
-        assert!(
-            finding.kind == "speed" && finding.message.to_string().starts_with("the weave is too fast"),
-            "{finding:?}"
-        );
-        let cure = finding.cure_text();
-        let told = cure.split("frequency_hz of ").nth(1).unwrap().split([',', ' ']).next().unwrap();
-        let told: f64 = told.parse().unwrap();
+        assert!(finding.kind == "speed" && finding.message.code == "motion-weave-frequency", "{finding:?}");
+        let told = number(finding.cure.as_ref().unwrap(), "frequency");
         println!("{figure}: {told} Hz");
         assert!(plan(&text(false, &keys(0.97 * told))).1.is_ok(), "{figure}");
         assert!(plan(&text(false, &keys(1.05 * told))).1.is_err(), "{figure}");
@@ -153,13 +149,11 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
     }
     // For a pitch the minimum is reported; a weld that is too fast without any weave is reported as such.
     let findings = plan(&text(false, "width_mm = 8\npitch_mm = 0.8\n")).1.unwrap_err();
-    let cure = findings[0].cure_text();
-    let told = cure.split("pitch_mm of ").nth(1).unwrap().split(',').next().unwrap();
-    let told: f64 = told.parse().unwrap();
+    let told = number(findings[0].cure.as_ref().unwrap(), "pitch");
     assert!(plan(&text(false, &format!("width_mm = 8\npitch_mm = {}\n", told / 0.97))).1.is_ok());
     let fast = text(false, "width_mm = 8\npitch_mm = 50\n").replace("speed_mm_s = 2.5", "speed_mm_s = 150");
     let findings = plan(&fast).1.unwrap_err();
-    assert!(findings.iter().all(|f| !f.message.to_string().contains("the weave")), "{findings:#?}");
+    assert!(findings.iter().all(|f| !f.message.code.starts_with("motion-weave")), "{findings:#?}");
 }
 
 /// A torch path that counts the evaluations of its pose, also those of its slower weaves.
@@ -225,11 +219,10 @@ fn the_highest_frequency_costs_about_a_plan() {
     };
     let (findings, refused) = planned(8.0);
     let [finding] = &findings[..] else { panic!("{findings:#?}") };
-    assert!(finding.message.to_string().starts_with("the weave is too fast"), "{finding:?}");
-    let cure = finding.cure_text();
-    let told = cure.split("frequency_hz of ").nth(1).unwrap().split([',', ' ']).next().unwrap();
-    let (left, possible) = planned(told.parse().unwrap());
+    assert_eq!(finding.message.code, "motion-weave-frequency");
+    let told = number(finding.cure.as_ref().unwrap(), "frequency");
+    let (left, possible) = planned(told);
     assert!(left.iter().all(|f| f.allowed), "{told} Hz: {left:#?}");
     assert!(refused < 2 * possible, "{refused} poses to refuse it, {possible} to plan it at {told} Hz");
-    assert!(planned(1.03 * told.parse::<f64>().unwrap()).0.iter().any(|f| f.kind == "speed"), "{told} Hz");
+    assert!(planned(1.03 * told).0.iter().any(|f| f.kind == "speed"), "{told} Hz");
 }

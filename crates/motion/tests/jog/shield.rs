@@ -217,9 +217,11 @@ fn steps_overrides_holds_and_mistakes() {
     let mut far = machine.home();
     far[x] = 1e4;
     let told = jog.command(&Command::To(far)).unwrap_err().to_string();
-    assert!(told.starts_with("axis x cannot be at 10000 mm: its range is "), "{told}");
+    assert!(told.starts_with("axis x cannot go to 10000 mm: its range is "), "{told}");
     far[x] = f64::NAN;
-    assert!(jog.command(&Command::To(far)).unwrap_err().to_string().contains("axis x is not a finite number"));
+    assert!(
+        jog.command(&Command::To(far)).unwrap_err().to_string().contains("position of axis x is not a finite number")
+    );
     let step = Command::Step { axis: 9, by: 0.1 };
     assert_eq!(jog.command(&step), Err(JogError::NoSuchAxis { axis: 9, axes: 5 }));
     assert!(jog.halt().is_none() && jog.state().speed[x] > 19.0);

@@ -37,7 +37,7 @@ impl Reduce {
         };
         if let Err(error) = points.reduce(columns, tolerances) {
             let allowed = Message::new("program-positions-within").value("max", 1e9, Unit::Mm);
-            return Err(draft.wrong_in(self.pass, error.to_string(), allowed));
+            return Err(draft.wrong_in(self.pass, error.message(), allowed));
         }
         let after = draft.points(self.pass)?.count();
         let words = Message::new("program-edit-reduced").pass("pass", self.pass);

@@ -98,19 +98,6 @@ const OWN_KEYS: [&str; 6] =
     ["speed_mm_s", "heat_input_kj_mm", "travel_angle_deg", "work_angle_deg", "preheat_c", "interpass_c"];
 
 impl Run {
-    /// Describes the passes that it is for.
-    pub fn label(&self) -> String {
-        match (&self.name, &self.passes) {
-            (Some(role), _) => role.name().to_owned(),
-            (None, Some(passes)) => {
-                let text = passes.to_string();
-                let several = if text.contains(['-', ',']) { "es" } else { "" };
-                format!("pass{several} {text}")
-            }
-            (None, None) => String::new(),
-        }
-    }
-
     /// True if it is for `pass`, the program's `number`th.
     fn is_for(&self, number: usize, pass: &Pass) -> bool {
         self.passes.as_ref().is_some_and(|p| p.has(number)) || (self.name.is_some() && self.name == pass.known_role())

@@ -61,18 +61,18 @@ impl WeldingProcess {
     /// Number and name.
     pub fn message(&self) -> Message {
         let name = match self.number {
-            111 => "program-process-111",
-            114 => "program-process-114",
-            121 => "program-process-121",
-            131 => "program-process-131",
-            135 => "program-process-135",
-            136 => "program-process-136",
-            138 => "program-process-138",
-            141 => "program-process-141",
-            142 => "program-process-142",
-            15 => "program-process-15",
-            51 => "program-process-51",
-            _ => "program-process-52",
+            111 => "process-111",
+            114 => "process-114",
+            121 => "process-121",
+            131 => "process-131",
+            135 => "process-135",
+            136 => "process-136",
+            138 => "process-138",
+            141 => "process-141",
+            142 => "process-142",
+            15 => "process-15",
+            51 => "process-51",
+            _ => "process-52",
         };
         Message::new("program-process").text("number", self.number.to_string()).message("name", Message::new(name))
     }

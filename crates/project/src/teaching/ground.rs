@@ -1,4 +1,4 @@
-use crate::failure::{Failure, foreign};
+use crate::failure::Failure;
 use crate::load::Loaded;
 use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
@@ -21,7 +21,7 @@ impl<'a> Ground<'a> {
     pub fn new(loaded: &'a Loaded, nominal: &'a SeamLine) -> Result<Self, Failure> {
         let pass = &loaded.welding.program.value.passes[0];
         let planned = PassMotion::plan(&loaded.machine, &loaded.welding.path(0), pass, 1).map_err(Failure::Findings)?;
-        let around = Surroundings::new(&loaded.machine, &loaded.clamped).map_err(|e| Failure::Input(foreign(&e)))?;
+        let around = Surroundings::new(&loaded.machine, &loaded.clamped).map_err(|e| Failure::Input(e.message()))?;
         Ok(Self { nominal, planned, around })
     }
 

@@ -58,7 +58,7 @@ pub fn settings(nominal: &SeamLine, step_mm: f64) -> Settings {
 pub fn follower(table: &HeightTable, longest_tack_mm: f64) -> Result<JointFollower, Failure> {
     let (low, high) = table.range();
     let middle = if low.is_finite() { 0.5 * (low + high) } else { 0.0 };
-    let map = table.at(middle).map_err(|e| Failure::Input(foreign(&e)))?;
+    let map = table.at(middle).map_err(|e| Failure::Input(e.message()))?;
     let scale = map.scale_at(map.parameters().centre_px).unwrap_or(1.0);
     Ok(JointFollower::new(longest_tack_mm / scale))
 }
@@ -89,7 +89,7 @@ pub fn reduced(
     let torch = torch(loaded, nominal, line)?;
     let like = &loaded.welding.program.value;
     let reduced = to_program((line, &torch), like, (tolerance, attitude), kind)
-        .map_err(|e| Failure::Input(Message::new("project-no-taught-program").message("why", foreign(&e))))?;
+        .map_err(|e| Failure::Input(Message::new("project-no-taught-program").message("why", e.message())))?;
     let written = reduced.program.to_toml().map_err(|e| Failure::Environment(foreign(&e)))?;
     Program::read(name, &written)?;
     Ok((reduced, written))

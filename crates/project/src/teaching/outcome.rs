@@ -51,7 +51,7 @@ impl Outcome {
             smooth: smooth(&line, run.end.as_ref()),
             line,
             notes: crawl.notes().to_vec(),
-            asked: run.asked.iter().cloned().map(Message::from).collect(),
+            asked: run.asked.clone(),
             seconds: run.seconds,
             ended,
             gap_mm,
@@ -65,13 +65,11 @@ impl Outcome {
 fn unfinished(run: &TaughtRun, said_end: bool) -> Option<Message> {
     match &run.end {
         Some(End::Closed { .. } | End::JointEnd) => None,
-        Some(End::Limit(why)) => {
-            Some(Message::new("project-teach-machine-limit").message("why", Message::from(why.clone())))
-        }
+        Some(End::Limit(why)) => Some(Message::new("project-teach-machine-limit").message("why", why.clone())),
         Some(End::TooLong) => Some(Message::new("project-teach-joint-too-long")),
         Some(End::Operator) if said_end => None,
         Some(End::Operator) => {
-            Some(run.asked.last().cloned().map_or(Message::new("project-teach-joint-lost"), Message::from))
+            Some(run.asked.last().cloned().unwrap_or_else(|| Message::new("project-teach-joint-lost")))
         }
         None => Some(Message::new("project-teach-no-more-frames")),
     }

@@ -1,6 +1,6 @@
 //! The last frame with the joint found in it, as in Fig. 4 of EBW-2004.
 
-use crate::failure::{Failure, foreign};
+use crate::failure::Failure;
 use crate::overlay::{COASTED, CROSS, MOTION, Overlay, ZONE, sureness};
 use glam::{DVec2, DVec3};
 use seamwright_cell::teach::Look;
@@ -51,7 +51,7 @@ impl Picture {
     /// # Errors
     /// An invalid frame.
     pub fn png(&self) -> Result<Vec<u8>, Failure> {
-        let frame = self.image.frame().map_err(|e| Failure::Input(foreign(&e)))?;
+        let frame = self.image.frame().map_err(|e| Failure::Input(e.message()))?;
         let mut picture = Overlay::of(&frame);
         let least = Settings::default().confidence;
         for pair in self.rows.windows(2) {

@@ -1,7 +1,7 @@
 use super::Library;
-use crate::{Error, Moment};
+use crate::{Error, Moment, stored};
 use rusqlite::{Row, params};
-use seamwright_message::{Argument, Language, Message};
+use seamwright_message::{Language, Message};
 use serde::Serialize;
 
 /// Position and time in a weld.
@@ -18,10 +18,12 @@ pub struct Place {
 /// An alarm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Alarm {
-    /// Its name in the catalogue.
-    pub name: String,
-    /// Cause, in words.
-    pub cause: String,
+    /// Its title in the catalogue, with what it is about.
+    #[serde(flatten, serialize_with = "stored::name")]
+    pub name: Message,
+    /// Cause.
+    #[serde(serialize_with = "stored::english")]
+    pub cause: Message,
     /// Where.
     #[serde(flatten)]
     pub place: Place,
@@ -45,30 +47,12 @@ pub struct Event {
     /// When.
     #[serde(serialize_with = "crate::moment::written")]
     pub at: Moment,
-    /// Description; as JSON its English words.
-    #[serde(serialize_with = "in_english")]
+    /// What.
+    #[serde(flatten, serialize_with = "stored::text")]
     pub text: Message,
     /// Where.
     #[serde(flatten)]
     pub place: Place,
-}
-
-fn in_english<S: serde::Serializer>(message: &Message, out: S) -> Result<S::Ok, S::Error> {
-    out.serialize_str(&message.in_language(Language::English))
-}
-
-/// Text of a column for `message`: JSON, or text without a code as it is.
-fn column(message: &Message) -> String {
-    match message.argument("text") {
-        Some(Argument::Text(text)) if message.code == "text" && !text.starts_with('{') => text.clone(),
-        // A message is names and numbers: writing it as JSON cannot fail.
-        _ => serde_json::to_string(message).unwrap_or_else(|_| message.as_data()),
-    }
-}
-
-/// Message of a column; text that is not a message is from before events had messages.
-fn from_column(text: String) -> Message {
-    serde_json::from_str(&text).unwrap_or_else(|_| Message::verbatim(text))
 }
 
 const SELECT: &str = "SELECT name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged FROM alarm";
@@ -77,8 +61,8 @@ fn alarm(row: &Row<'_>) -> rusqlite::Result<Alarm> {
     let by: Option<String> = row.get(7)?;
     let at: Option<i64> = row.get(8)?;
     Ok(Alarm {
-        name: row.get(0)?,
-        cause: row.get(1)?,
+        name: stored::column(row, 0)?,
+        cause: stored::column(row, 1)?,
         place: Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? },
         raised: Moment(row.get(5)?),
         first_out: row.get(6)?,
@@ -97,7 +81,18 @@ impl Library {
         self.run(
             "INSERT INTO alarm (weld, name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged)
              VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)",
-            params![weld, alarm.name, alarm.cause, pass, s_mm, t_s, alarm.raised.0, alarm.first_out, by, at],
+            params![
+                weld,
+                stored::written(&alarm.name),
+                stored::written(&alarm.cause),
+                pass,
+                s_mm,
+                t_s,
+                alarm.raised.0,
+                alarm.first_out,
+                by,
+                at
+            ],
         )?;
         Ok(self.db.last_insert_rowid())
     }
@@ -110,7 +105,10 @@ impl Library {
         let sql = "UPDATE alarm SET acknowledged_by = coalesce(acknowledged_by, ?2),
             acknowledged = coalesce(acknowledged, ?3) WHERE id = ?1";
         match self.run(sql, params![alarm, by, at.0])? {
-            0 => Err(Error::wrong(format!("there is no alarm {alarm}"), "a number that the library has")),
+            0 => Err(Error::wrong(
+                Message::new("record-no-alarm").number("id", alarm as f64, 0),
+                Message::new("record-known-number"),
+            )),
             _ => Ok(()),
         }
     }
@@ -133,14 +131,15 @@ impl Library {
         self.run(sql, params![by, at.0])
     }
 
-    /// Acknowledges the alarms of this name on the panel's list. Returns their number.
+    /// Acknowledges the alarms of this name on the panel's list, also those with the sentence of an older version.
+    /// Returns their number.
     ///
     /// # Errors
     /// If the library cannot be written.
-    pub fn acknowledge_named(&self, name: &str, by: &str, at: Moment) -> Result<usize, Error> {
+    pub fn acknowledge_named(&self, name: &Message, by: &str, at: Moment) -> Result<usize, Error> {
         let sql = "UPDATE alarm SET listed = 0, acknowledged_by = coalesce(acknowledged_by, ?1),
-            acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1 AND name = ?3";
-        self.run(sql, params![by, at.0, name])
+            acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1 AND name IN (?3, ?4)";
+        self.run(sql, params![by, at.0, stored::written(name), name.in_language(Language::English)])
     }
 
     /// Alarms on the panel's list, in the order in which they came.
@@ -166,7 +165,7 @@ impl Library {
     pub fn add_event(&self, weld: Option<i64>, event: &Event) -> Result<(), Error> {
         let Place { pass, s_mm, t_s } = event.place;
         let sql = "INSERT INTO event (weld, at, text, pass, s_mm, t_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
-        self.run(sql, params![weld, event.at.0, column(&event.text), pass, s_mm, t_s]).map(drop)
+        self.run(sql, params![weld, event.at.0, stored::written(&event.text), pass, s_mm, t_s]).map(drop)
     }
 
     /// Events of a weld, in the order in which they came.
@@ -177,7 +176,7 @@ impl Library {
         let sql = "SELECT at, text, pass, s_mm, t_s FROM event WHERE weld = ?1 ORDER BY id";
         self.all(sql, [weld], |row| {
             let place = Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? };
-            Ok(Event { at: Moment(row.get(0)?), text: from_column(row.get(1)?), place })
+            Ok(Event { at: Moment(row.get(0)?), text: stored::column(row, 1)?, place })
         })
     }
 }

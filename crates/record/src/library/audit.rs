@@ -2,6 +2,7 @@ use super::Library;
 use super::find::pattern;
 use crate::{Error, Moment, sha256};
 use rusqlite::{TransactionBehavior, params};
+use seamwright_message::Message;
 
 /// A command with its user and station.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,7 +42,7 @@ pub struct AuditCheck {
     /// Entries up to the first that does not hold.
     pub entries: u64,
     /// Number of the first entry that does not hold, and why.
-    pub broken: Option<(i64, String)>,
+    pub broken: Option<(i64, Message)>,
 }
 
 /// The hash before the first entry.
@@ -136,11 +137,11 @@ impl Library {
             let read = || rusqlite::Result::Ok((numbered(row)?, row.get::<_, String>(8)?));
             let ((id, entry), hash) = read().map_err(|e| self.failed(e))?;
             if id != next {
-                broken = Some((next, "it is missing".to_owned()));
+                broken = Some((next, Message::new("record-audit-missing")));
                 break;
             }
             if entry.hash(id, &before) != hash {
-                broken = Some((id, "its hash does not fit what it says, or the entry before it".to_owned()));
+                broken = Some((id, Message::new("record-audit-hash")));
                 break;
             }
             (before, entries, next) = (hash, entries + 1, next + 1);
@@ -148,7 +149,7 @@ impl Library {
         let counted =
             self.row("SELECT seq FROM sqlite_sequence WHERE name = 'audit'", (), |row| row.get::<_, i64>(0))?;
         if broken.is_none() && counted.unwrap_or(0) >= next {
-            broken = Some((next, "it is missing, and all after it".to_owned()));
+            broken = Some((next, Message::new("record-audit-cut-off")));
         }
         Ok(AuditCheck { entries, broken })
     }

@@ -1,6 +1,7 @@
 use super::Library;
 use crate::{Error, Moment, sha256};
 use rusqlite::{Row, params};
+use seamwright_message::Message;
 
 /// Kind of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,7 +75,12 @@ impl Library {
     /// If it is missing.
     pub fn document(&self, id: i64) -> Result<Document, Error> {
         let found = self.row(&format!("{SELECT} WHERE id = ?1"), [id], document)?;
-        found.ok_or_else(|| Error::wrong(format!("there is no document {id}"), "a number that the library has"))
+        found.ok_or_else(|| {
+            Error::wrong(
+                Message::new("record-no-document").number("id", id as f64, 0),
+                Message::new("record-known-number"),
+            )
+        })
     }
 }
 

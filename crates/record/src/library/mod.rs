@@ -15,10 +15,11 @@ pub use alarm::{Alarm, Event, Place};
 pub use audit::{AuditCheck, AuditEntry, AuditQuery};
 pub use document::{Document, DocumentKind};
 pub use find::Query;
-pub use weld::{NewWeld, WeldDetail, WeldEnd, WeldFile, WeldRecord, WeldResult};
+pub use weld::{InvalidResult, NewWeld, WeldDetail, WeldEnd, WeldFile, WeldRecord, WeldResult};
 
 use crate::{Error, private};
 use rusqlite::{Connection, OpenFlags, Params, Row};
+use seamwright_message::Message;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -63,11 +64,8 @@ impl Library {
     /// If it is missing, damaged, or of another version.
     pub fn open_to_read(path: &Path) -> Result<Self, Error> {
         if !path.is_file() {
-            let what = format!("{}: there is no library", path.display());
-            return Err(Error::wrong(
-                what,
-                "a data folder with recorded welds: simulate JOB -o DIR --data DIR begins one",
-            ));
+            let what = Message::new("record-library-missing").text("path", path.display().to_string());
+            return Err(Error::wrong(what, Message::new("record-begin-library")));
         }
         let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let library = match Self::connect(path, flags) {
@@ -83,8 +81,12 @@ impl Library {
             v if v == schema::MIGRATIONS.len() as i64 => Ok(library),
             v => Err(Error::damaged(
                 path,
-                format!("its schema is of version {v}, this program reads {}", schema::MIGRATIONS.len()),
-                "any command that writes to it brings it up to date: records recover",
+                Message::new("record-schema-version").number("found", v as f64, 0).number(
+                    "known",
+                    schema::MIGRATIONS.len() as f64,
+                    0,
+                ),
+                Message::new("record-migrate"),
             )),
         }
     }
@@ -98,7 +100,7 @@ impl Library {
         let version = library.version()?;
         let empty = library.one::<i64>("SELECT count(*) FROM sqlite_schema", ())? == 0;
         if found != schema::APPLICATION && !empty {
-            return Err(Error::damaged(path, "a database, but no library of Seamwright", "another data folder"));
+            return Err(Error::damaged(path, Message::new("record-no-library"), Message::new("record-other-folder")));
         }
         let known = schema::MIGRATIONS.len() as i64;
         if version > known {
@@ -157,11 +159,11 @@ impl Library {
     ///
     /// # Errors
     /// If the file cannot be read.
-    pub fn integrity(&self) -> Result<Vec<String>, Error> {
-        let mut found: Vec<String> = self.all("PRAGMA integrity_check", (), |row| row.get(0))?;
-        found.retain(|text| text != "ok");
+    pub fn integrity(&self) -> Result<Vec<Message>, Error> {
+        let found: Vec<String> = self.all("PRAGMA integrity_check", (), |row| row.get(0))?;
+        let mut found: Vec<Message> = found.into_iter().filter(|text| text != "ok").map(Message::verbatim).collect();
         let loose = self.all("PRAGMA foreign_key_check", (), |row| {
-            Ok(format!("a row of table {} names what is not there", row.get::<_, String>(0)?))
+            Ok(Message::new("record-loose-row").text("table", row.get::<_, String>(0)?))
         })?;
         found.extend(loose);
         Ok(found)

@@ -3,6 +3,7 @@
 use super::{Library, schema};
 use crate::Error;
 use rusqlite::{Connection, OpenFlags};
+use seamwright_message::Message;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -31,20 +32,20 @@ impl Library {
     ///
     /// # Errors
     /// If the library cannot be read.
-    pub fn foreign_schema(&self) -> Result<Vec<String>, Error> {
+    pub fn foreign_schema(&self) -> Result<Vec<Message>, Error> {
         let version = self.version()?;
         let expected = Connection::open_in_memory().and_then(|db| objects(&empty(db, version)?));
         let (expected, found) = (expected.map_err(|e| self.failed(e))?, objects(&self.db).map_err(|e| self.failed(e))?);
         let mut problems = Vec::new();
         for ((kind, name), sql) in &found {
             match expected.get(&(kind.clone(), name.clone())) {
-                None => problems.push(format!("the library has a {kind} `{name}` that is not of Seamwright")),
-                Some(ours) if ours != sql => problems.push(format!("the library's {kind} `{name}` was changed")),
+                None => problems.push(schema_problem("record-schema-foreign", kind, name)),
+                Some(ours) if ours != sql => problems.push(schema_problem("record-schema-changed", kind, name)),
                 Some(_) => {}
             }
         }
         let missing = expected.keys().filter(|key| !found.contains_key(*key));
-        problems.extend(missing.map(|(kind, name)| format!("the library's {kind} `{name}` is missing")));
+        problems.extend(missing.map(|(kind, name)| schema_problem("record-schema-missing", kind, name)));
         Ok(problems)
     }
 
@@ -58,12 +59,10 @@ impl Library {
         let source = Self::connect(from, flags)?;
         let version = source.version()?;
         if version < 1 {
-            return Err(Error::damaged(from, "no library of Seamwright", "an archive of `records backup`"));
+            return Err(Error::damaged(from, Message::new("record-no-library"), Message::new("record-own-archive")));
         }
         if let Some(problem) = source.foreign_schema()?.first() {
-            let allowed =
-                "an archive of a library that only Seamwright has changed; remove what is foreign with sqlite3 first";
-            return Err(Error::damaged(from, problem.clone(), allowed));
+            return Err(Error::damaged(from, problem.clone(), Message::new("record-own-schema")));
         }
         let has_manifests = source.has_manifests()?;
         drop(source);
@@ -72,6 +71,10 @@ impl Library {
         copy(&db, from).map_err(failed)?;
         Ok(has_manifests)
     }
+}
+
+fn schema_problem(code: &'static str, kind: &str, name: &str) -> Message {
+    Message::new(code).text("kind", kind).text("name", name)
 }
 
 /// Copies the rows of all tables.
@@ -133,7 +136,7 @@ mod tests {
     fn rows_are_copied_and_the_chain_goes_on() {
         let folder = tempfile::tempdir().unwrap();
         let (from, to) = (library(folder.path()), folder.path().join("to.sqlite"));
-        assert_eq!(Library::open_to_read(&from).unwrap().foreign_schema().unwrap(), [] as [String; 0]);
+        assert_eq!(Library::open_to_read(&from).unwrap().foreign_schema().unwrap(), []);
         Library::rebuild(&from, &to).unwrap();
         let mut back = Library::open(&to).unwrap();
         assert_eq!(back.documents(DocumentKind::Job, "job.toml").unwrap().len(), 1);
@@ -162,7 +165,7 @@ mod tests {
             let (from, to) = (library(folder.path()), folder.path().join("to.sqlite"));
             Connection::open(&from).unwrap().execute_batch(sql).unwrap();
             let found = Library::open_to_read(&from).unwrap().foreign_schema().unwrap();
-            assert!(found.iter().any(|problem| problem.contains(said)), "{sql}: {found:?}");
+            assert!(found.iter().any(|problem| problem.to_string().contains(said)), "{sql}: {found:?}");
             let refused = Library::rebuild(&from, &to).unwrap_err().to_string();
             assert!(refused.contains('`') && !to.exists(), "{sql}: {refused}");
         }

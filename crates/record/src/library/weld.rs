@@ -1,7 +1,8 @@
 use super::{Alarm, Document, Event, Library};
 use crate::figures::{Basis, Value};
-use crate::{Error, Moment};
+use crate::{Error, Moment, stored};
 use rusqlite::{Row, params};
+use seamwright_message::{Message, display_by_message};
 use serde::Serialize;
 use std::fmt;
 use std::str::FromStr;
@@ -44,13 +45,26 @@ impl fmt::Display for WeldResult {
 }
 
 impl FromStr for WeldResult {
-    type Err = String;
+    type Err = InvalidResult;
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        let names = Self::ALL.map(Self::name).join(", ");
-        Self::ALL.into_iter().find(|r| r.name() == text).ok_or(format!("allowed: {names}"))
+    fn from_str(text: &str) -> Result<Self, InvalidResult> {
+        Self::ALL.into_iter().find(|r| r.name() == text).ok_or(InvalidResult)
     }
 }
+
+/// A text is not the name of a [`WeldResult`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct InvalidResult;
+
+impl InvalidResult {
+    /// Returns its message: the names.
+    pub fn message(&self) -> Message {
+        let names = Message::verbatim(WeldResult::ALL.map(WeldResult::name).join(", "));
+        Message::new("document-allowed").message("allowed", names)
+    }
+}
+
+display_by_message!(InvalidResult);
 
 /// A weld at its start. Documents by their numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,7 +90,7 @@ pub struct NewWeld {
     /// Inputs of the figures.
     pub basis: Basis,
     /// Note made at the start of the weld.
-    pub note: String,
+    pub note: Message,
 }
 
 /// A file in the weld's folder.
@@ -100,7 +114,7 @@ pub struct WeldEnd {
     /// Result of the weld.
     pub result: WeldResult,
     /// Further remarks, for example on missing parts of the record; may be empty.
-    pub note: String,
+    pub note: Message,
     /// Minimum, mean and maximum heat input, kJ/mm.
     pub heat_input_kj_mm: Option<[f64; 3]>,
     /// Maximum distance of the torch tip from the seam (mm), and its position (mm).
@@ -131,8 +145,9 @@ pub struct WeldRecord {
     /// Result of the weld.
     #[serde(serialize_with = "written_result")]
     pub result: WeldResult,
-    /// Further remarks.
-    pub note: String,
+    /// Further remarks; empty without any.
+    #[serde(serialize_with = "stored::english")]
+    pub note: Message,
     /// Name and version of the job.
     pub job: Option<(String, i64)>,
     /// Name, version and SHA-256 of the program.
@@ -178,12 +193,13 @@ impl Library {
         if let Some(name) = &weld.welder {
             self.run("INSERT INTO welder (name) VALUES (?1) ON CONFLICT DO NOTHING", [name])?;
         }
-        let basis = serde_json::to_string(&weld.basis).map_err(|e| Error::wrong(e.to_string(), "finite numbers"))?;
+        let basis = serde_json::to_string(&weld.basis)
+            .map_err(|e| Error::wrong(Message::verbatim(e.to_string()), Message::new("record-finite-numbers")))?;
         let NewWeld { part, title, simulated, job, program, machine, procedure, welder, begun, note, .. } = weld;
         self.run(
             "INSERT INTO weld (id, part, title, simulated, job, program, machine, procedure, welder, begun, result, basis, note)
              VALUES (1 + max(?12, coalesce((SELECT seq FROM sqlite_sequence WHERE name = 'weld'), 0)), ?1, ?2, ?3, ?4, ?5, ?6, ?7, (SELECT id FROM welder WHERE name = ?8), ?9, 'running', ?10, ?11)",
-            params![part, title, simulated, job, program, machine, procedure, welder, begun.0, basis, note, after],
+            params![part, title, simulated, job, program, machine, procedure, welder, begun.0, basis, stored::written(note), after],
         )?;
         Ok(self.db.last_insert_rowid())
     }
@@ -209,7 +225,17 @@ impl Library {
         let sql = "UPDATE weld SET ended = ?2, result = ?3, note = ?4, heat_input_min_kj_mm = ?5,
             heat_input_mean_kj_mm = ?6, heat_input_max_kj_mm = ?7, worst_deviation_mm = ?8, worst_deviation_at_mm = ?9
             WHERE id = ?1";
-        let row = params![id, end.ended.0, end.result.name(), end.note, least, mean, greatest, worst, worst_at];
+        let row = params![
+            id,
+            end.ended.0,
+            end.result.name(),
+            stored::written(&end.note),
+            least,
+            mean,
+            greatest,
+            worst,
+            worst_at
+        ];
         change.execute(sql, row).map_err(failed)?;
         for file in &end.files {
             let sql = "INSERT OR REPLACE INTO weld_file (weld, name, sha256, bytes, rows) VALUES (?1, ?2, ?3, ?4, ?5)";
@@ -247,8 +273,11 @@ impl Library {
         let found = self.row(&format!("{SELECT} WHERE weld.id = ?1"), [id], weld_record)?;
         found.ok_or_else(|| {
             let most = self.one::<Option<i64>>("SELECT max(id) FROM weld", ()).ok().flatten();
-            let allowed = most.map_or("nothing yet: no weld is recorded".to_owned(), |n| format!("1 to {n}"));
-            Error::wrong(format!("{}: there is no weld {id}", self.path.display()), allowed)
+            let allowed = most.map_or(Message::new("record-no-welds-yet"), |n| {
+                Message::new("document-between").number("min", 1.0, 0).number("max", n as f64, 0)
+            });
+            let what = Message::new("record-no-weld").text("path", self.path.display().to_string());
+            Error::wrong(what.number("id", id as f64, 0), allowed)
         })
     }
 
@@ -272,8 +301,10 @@ impl Library {
     /// If no weld has that number.
     pub fn basis(&self, id: i64) -> Result<Basis, Error> {
         let text: String = self.one("SELECT basis FROM weld WHERE id = ?1", [id])?;
-        serde_json::from_str(&text)
-            .map_err(|e| Error::damaged(&self.path, format!("weld {id}: {e}"), "a whole library"))
+        serde_json::from_str(&text).map_err(|e| {
+            let why = Message::new("record-weld-damaged").number("id", id as f64, 0).text("why", e.to_string());
+            Error::damaged(&self.path, why, Message::new("record-whole-library"))
+        })
     }
 
     /// The program of a weld, at the time of welding.
@@ -301,8 +332,8 @@ impl Library {
         let inside = |name: &str| !matches!(name, "" | "." | "..") && !name.contains(['/', '\\']);
         match files.iter().find(|file| !inside(&file.name)) {
             Some(file) => {
-                let why = format!("it names `{}` for weld {weld}, which is no file of it", file.name);
-                Err(Error::damaged(&self.path, why, "names of files in the weld's folder"))
+                let why = Message::new("record-foreign-file").text("name", &file.name).number("id", weld as f64, 0);
+                Err(Error::damaged(&self.path, why, Message::new("record-own-files")))
             }
             None => Ok(files),
         }
@@ -354,7 +385,7 @@ pub(super) fn weld_record(row: &Row) -> rusqlite::Result<WeldRecord> {
         ended: row.get::<_, Option<i64>>(5)?.map(Moment),
         // The table has no others.
         result: result.parse().unwrap_or(WeldResult::Running),
-        note: row.get(7)?,
+        note: stored::column(row, 7)?,
         job: named(8)?,
         program: (row.get(10)?, row.get(11)?, row.get(12)?),
         machine: (row.get(13)?, row.get(14)?),

@@ -2,7 +2,7 @@
 
 use super::raw::{Header, RawReader};
 use super::{Column, Kind};
-use crate::{Error, whole_file};
+use crate::{Doing, Error, whole_file};
 use parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as PhysicalType};
 use parquet::data_type::{DoubleType, FloatType, Int32Type};
 use parquet::errors::ParquetError;
@@ -72,7 +72,7 @@ pub(super) fn write(raw: &mut RawReader, path: &Path) -> Result<u64, Error> {
     if waiting > 0 {
         write_group(&mut writer, &mut columns).map_err(failed)?;
     }
-    writer.into_inner().map_err(failed)?.flush().map_err(|e| Error::io(path, "cannot be written", e))?;
+    writer.into_inner().map_err(failed)?.flush().map_err(|e| Error::io(path, Doing::Write, e))?;
     whole_file::finish(file, path)?;
     Ok(rows)
 }

@@ -1,7 +1,8 @@
 //! The raw file, written block by block and read up to where it is whole.
 
 use super::Column;
-use crate::{Error, private};
+use crate::{Doing, Error, private};
+use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, TryLockError};
 use std::io::{BufReader, Read, Seek, SeekFrom, Write};
@@ -52,13 +53,11 @@ pub(super) struct RawWriter {
 impl RawWriter {
     /// A new file with its header on the disk.
     pub(super) fn create(path: &Path, header: &Header) -> Result<Self, Error> {
-        let failed = |e| Error::io(path, "cannot be written", e);
+        let failed = |e| Error::io(path, Doing::Write, e);
         let file = private::options().write(true).create_new(true).open(path).map_err(|e| match e.kind() {
-            std::io::ErrorKind::AlreadyExists => Error::damaged(
-                path,
-                "a crash left this trace here, or it is being written",
-                "recover it first: seamwright records recover",
-            ),
+            std::io::ErrorKind::AlreadyExists => {
+                Error::damaged(path, Message::new("record-trace-left"), Message::new("record-recover-first"))
+            }
             _ => failed(e),
         })?;
         file.lock().map_err(failed)?;
@@ -66,7 +65,7 @@ impl RawWriter {
     }
 
     fn on(mut file: File, path: &Path, header: &Header) -> Result<Self, Error> {
-        let failed = |e| Error::io(path, "cannot be written", e);
+        let failed = |e| Error::io(path, Doing::Write, e);
         let text = serde_json::to_vec(header).map_err(|e| failed(e.into()))?;
         let mut head = FILE_MARK.to_vec();
         head.extend_from_slice(&(text.len() as u32).to_le_bytes());
@@ -100,8 +99,9 @@ impl RawWriter {
         }
         if count != self.columns.len() {
             self.block.truncate(begin);
-            let what = format!("{}: a row of {count} values", self.path.display());
-            return Err(Error::wrong(what, format!("{}, one a column", self.columns.len())));
+            let what = Message::new("record-row-length").text("path", self.path.display().to_string());
+            let allowed = Message::new("record-value-per-column").count("n", self.columns.len());
+            return Err(Error::wrong(what.count("n", count), allowed));
         }
         self.in_block += 1;
         if self.synced.elapsed() >= SYNC_EVERY {
@@ -114,7 +114,7 @@ impl RawWriter {
     pub(super) fn flush(&mut self) -> Result<(), Error> {
         self.write_block()?;
         self.synced = Instant::now();
-        self.file.sync_data().map_err(|e| Error::io(&self.path, "cannot be written", e))?;
+        self.file.sync_data().map_err(|e| Error::io(&self.path, Doing::Write, e))?;
         self.check_there()
     }
 
@@ -124,10 +124,10 @@ impl RawWriter {
             Ok(true) => return Ok(()),
             Ok(false) => {}
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => {}
-            Err(e) => return Err(Error::io(&self.path, "cannot be looked at", e)),
+            Err(e) => return Err(Error::io(&self.path, Doing::Read, e)),
         }
-        let why = "it was removed or replaced while it was written: its rows are lost";
-        Err(Error::damaged(&self.path, why, "the folder as it was, until the weld has ended"))
+        let why = Message::new("record-trace-replaced");
+        Err(Error::damaged(&self.path, why, Message::new("record-folder-untouched")))
     }
 
     fn write_block(&mut self) -> Result<(), Error> {
@@ -150,7 +150,7 @@ impl RawWriter {
             }
         }
         self.block.truncate(BLOCK_HEAD);
-        written.map_err(|e| Error::io(&self.path, "cannot be written", e))
+        written.map_err(|e| Error::io(&self.path, Doing::Write, e))
     }
 }
 
@@ -192,7 +192,7 @@ pub(super) struct RawReader {
 impl RawReader {
     /// Opens a file that is not being written; `None` if it is.
     pub(super) fn open(path: &Path) -> Result<Option<Self>, Error> {
-        let failed = |e| Error::io(path, "cannot be read", e);
+        let failed = |e| Error::io(path, Doing::Read, e);
         let file = File::open(path).map_err(failed)?;
         match file.try_lock_shared() {
             Ok(()) => {}
@@ -201,7 +201,8 @@ impl RawReader {
         }
         let length = file.metadata().map_err(failed)?.len();
         let mut file = BufReader::with_capacity(1 << 16, file);
-        let damaged = || Error::damaged(path, "not a raw trace, or cut off in its header", "a file that a trace began");
+        let damaged =
+            || Error::damaged(path, Message::new("record-no-raw-trace"), Message::new("record-own-raw-trace"));
         let mut fixed = [0; 12];
         file.read_exact(&mut fixed).map_err(|_| damaged())?;
         let [.., a, b, c, d] = fixed;
@@ -227,7 +228,7 @@ impl RawReader {
         if self.ahead == 0 {
             return Ok(None);
         }
-        let failed = |e| Error::io(&self.path, "cannot be read", e);
+        let failed = |e| Error::io(&self.path, Doing::Read, e);
         self.left = self.ahead;
         if self.ahead < (BLOCK_HEAD + 4) as u64 {
             return Ok(None);

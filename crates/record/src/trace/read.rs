@@ -1,9 +1,10 @@
 use super::{Column, Kind};
-use crate::Error;
+use crate::{Doing, Error};
 use parquet::basic::{LogicalType, Type as PhysicalType};
 use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
+use seamwright_message::Message;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
@@ -21,7 +22,7 @@ impl Trace {
     /// # Errors
     /// If the file cannot be read or is not a trace.
     pub fn open(path: &Path) -> Result<Self, Error> {
-        let file = File::open(path).map_err(|e| Error::io(path, "cannot be read", e))?;
+        let file = File::open(path).map_err(|e| Error::io(path, Doing::Read, e))?;
         let reader = SerializedFileReader::new(file).map_err(|e| Error::parquet(path, &e))?;
         let metadata = reader.metadata().file_metadata();
         let pairs = metadata.key_value_metadata().into_iter().flatten();
@@ -34,8 +35,10 @@ impl Trace {
                 (PhysicalType::INT32, Some(LogicalType::Integer(integer))) if integer.bit_width == 8 => Kind::U8,
                 (PhysicalType::INT32, _) => Kind::U32,
                 (other, _) => {
-                    let why = format!("column {} holds {other}", column.name());
-                    return Err(Error::damaged(path, why, "a trace that Seamwright wrote"));
+                    let why = Message::new("record-column-kind")
+                        .text("column", column.name())
+                        .text("kind", other.to_string());
+                    return Err(Error::damaged(path, why, Message::new("record-own-trace")));
                 }
             };
             let key = format!("unit:{}", column.name());
@@ -69,7 +72,8 @@ impl Trace {
         let place = |name: &&str| {
             self.columns.iter().position(|c| c.name == *name).ok_or_else(|| {
                 let all: Vec<&str> = self.columns.iter().map(|c| c.name.as_str()).collect();
-                Error::wrong(format!("{}: there is no column {name}", self.path.display()), all.join(", "))
+                let what = Message::new("record-no-column").text("path", self.path.display().to_string());
+                Error::wrong(what.text("column", *name), Message::verbatim(all.join(", ")))
             })
         };
         let places = names.iter().map(place).collect::<Result<Vec<usize>, _>>()?;

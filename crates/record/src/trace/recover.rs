@@ -1,6 +1,6 @@
 use super::parquet_file;
 use super::raw::RawReader;
-use crate::Error;
+use crate::{Doing, Error};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -25,7 +25,7 @@ const TORN: u64 = 1 << 18;
 /// If the folder cannot be read or written. A raw file without a whole header has no rows; it is moved away under the
 /// name `.damaged` and counts as a part of no rows.
 pub fn recover(folder: &Path) -> Result<Vec<RecoveredPart>, Error> {
-    let unreadable = |e| Error::io(folder, "cannot be read", e);
+    let unreadable = |e| Error::io(folder, Doing::Read, e);
     let mut raws = Vec::new();
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
@@ -55,13 +55,13 @@ fn recover_part(raw: &Path) -> Result<Option<RecoveredPart>, Error> {
     if unread_bytes > TORN {
         move_away(raw)?;
     } else {
-        fs::remove_file(raw).map_err(|e| Error::io(raw, "cannot be removed", e))?;
+        fs::remove_file(raw).map_err(|e| Error::io(raw, Doing::Remove, e))?;
     }
     Ok(Some(RecoveredPart { path, rows, unread_bytes }))
 }
 
 fn move_away(raw: &Path) -> Result<(), Error> {
-    fs::rename(raw, raw.with_extension("raw.damaged")).map_err(|e| Error::io(raw, "cannot be renamed", e))
+    fs::rename(raw, raw.with_extension("raw.damaged")).map_err(|e| Error::io(raw, Doing::Move, e))
 }
 
 /// True if a raw file in `folder` is being written.

@@ -1,6 +1,7 @@
 use super::raw::{Header, RawReader, RawWriter};
 use super::{Column, parquet_file};
-use crate::Error;
+use crate::{Doing, Error};
+use seamwright_message::{Message, Unit};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread::JoinHandle;
@@ -152,10 +153,10 @@ fn finished(raw: &Path) -> Result<Part, Error> {
     let Some(mut reader) = RawReader::open(raw)? else { return Err(Error::Busy { path: raw.to_owned() }) };
     let rows = parquet_file::write(&mut reader, &path)?;
     if reader.left > 0 {
-        let why = format!("{} bytes at its end are no whole rows", reader.left);
-        return Err(Error::damaged(raw, why, "seamwright records recover, which keeps what is whole"));
+        let why = Message::new("record-incomplete-rows").quantity("size", reader.left as f64, Unit::Byte, 0);
+        return Err(Error::damaged(raw, why, Message::new("record-recover-whole-rows")));
     }
-    fs::remove_file(raw).map_err(|e| Error::io(raw, "cannot be removed", e))?;
+    fs::remove_file(raw).map_err(|e| Error::io(raw, Doing::Remove, e))?;
     Ok(Part { path, rows })
 }
 

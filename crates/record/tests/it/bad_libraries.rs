@@ -49,7 +49,7 @@ fn no_database_at_all() {
     assert!(matches!(error, Error::Damaged { .. }) && !error.is_input(), "{error}");
     assert!(error.to_string().contains("damaged") && error.to_string().contains("move it away"), "{error}");
     let told = DataFolder::open_to_read(Path::new("/nowhere/at/all")).unwrap_err().to_string();
-    assert!(told.contains("there is no library"), "{told}");
+    assert!(told.contains("the library is missing"), "{told}");
 }
 
 #[test]
@@ -118,7 +118,7 @@ fn a_read_only_folder() {
     // Even for root, a library opened to be read refuses to be written.
     let data = DataFolder::open_to_read(path).unwrap();
     let error = data.library().add_document(DocumentKind::Job, "job", "text").unwrap_err();
-    assert!(matches!(error, Error::ReadOnly { .. }) && error.to_string().contains("cannot be written"), "{error}");
+    assert!(matches!(error, Error::ReadOnly { .. }) && error.to_string().contains("not writable"), "{error}");
     // A file where the folder should be.
     let error = DataFolder::open(&path.join("library.sqlite")).unwrap_err();
     assert!(error.is_input() && error.to_string().contains("library.sqlite"), "{error}");
@@ -147,7 +147,7 @@ fn a_disk_that_runs_full() {
 fn on_a_small_disk(small: &Path) {
     use seamwright_record::trace::{TraceWriter, recover};
     let told = DataFolder::open(small).unwrap().begin(&plan("P-1")).unwrap_err().to_string();
-    assert!(told.contains("MB are free, the weld's record needs"), "{told}");
+    assert!(told.contains("MiB are free, the record of the weld needs"), "{told}");
     let path = small.join("trace.parquet");
     let mut writer = TraceWriter::create(&path, &plan("P-1").columns, &[], u64::MAX).unwrap();
     let ballast = small.join("ballast");

@@ -31,7 +31,8 @@ fn weld_for_ever(folder: &Path) {
             println!("position {i}");
         }
         if i.is_multiple_of(500) {
-            let event = Event { at: Moment::now(), text: format!("row {i}").into(), place: Place::default() };
+            let event =
+                Event { at: Moment::now(), text: Message::verbatim(format!("row {i}")), place: Place::default() };
             data.library().add_event(Some(recording.id()), &event).unwrap();
             println!("event {i}");
         }
@@ -65,7 +66,7 @@ fn kill_at(after: Duration) -> bool {
         return false;
     }
     let mut data = DataFolder::open(folder.path()).unwrap();
-    assert_eq!(data.library().integrity().unwrap(), [] as [String; 0]);
+    assert_eq!(data.library().integrity().unwrap(), []);
     let last = data.journal().unwrap().last();
     if let Some(i) = said(&lines, "position") {
         let s = last.unwrap().s;

@@ -1,6 +1,7 @@
 //! Welds recorded, found, verified and recovered.
 
 use crate::common::{self, WeldResult, outcome, plan, row};
+use seamwright_message::Message;
 use seamwright_record::figures::Figures;
 use seamwright_record::library::{Alarm, AuditEntry, DocumentKind, Event, Place, Query};
 use seamwright_record::trace::{Column, Kind, Trace};
@@ -18,8 +19,8 @@ fn weld(data: &mut DataFolder, plan: &Plan, result: WeldResult) -> i64 {
 
 fn alarm(name: &str) -> Alarm {
     let place = Place { pass: Some(1), s_mm: Some(30.0), t_s: Some(4.0) };
-    let (cause, raised) = ("the wire slips".to_owned(), Moment::now());
-    Alarm { name: name.to_owned(), cause, place, raised, first_out: true, acknowledged: None }
+    let (cause, raised) = (Message::verbatim("the wire slips"), Moment::now());
+    Alarm { name: Message::verbatim(name), cause, place, raised, first_out: true, acknowledged: None }
 }
 
 #[test]
@@ -37,9 +38,14 @@ fn figures_are_those_of_the_rows() {
     assert!((worst - 0.2).abs() < 1e-6 && (at - 30.0).abs() < 1e-9, "{worst} {at}");
     // Welded to its end, but not as its procedure was qualified: 4 mm with more heat than the window has.
     assert_eq!(
-        (record.result, record.note.as_str()),
-        (WeldResult::Deviating, "heat input outside of the procedure over 4 mm")
+        (record.result, record.note.to_string().as_str()),
+        (WeldResult::Deviating, "heat input outside the procedure over 4 mm")
     );
+    // Words of the note are found in every language, and its code is none of them.
+    for (text, found) in [("OUTSIDE the procedure", 1), ("wärmeeinbringung auf 4 mm", 1), ("record-heat", 0)] {
+        let query = Query { text: Some(text.to_owned()), ..Query::default() };
+        assert_eq!(data.library().find(&query).unwrap().len(), found, "{text}");
+    }
     let mut wider = plan("P-2");
     wider.basis.judged[1].allowed = Some((0.4, 0.6));
     let within = weld(&mut data, &wider, WeldResult::Good);
@@ -136,7 +142,7 @@ fn welds_are_found() {
     assert_eq!(found(Query { text: text("a. welder"), ..Query::default() }).len(), 3);
     assert_eq!(found(Query { text: text("'; DROP TABLE weld; --"), ..Query::default() }), [0i64; 0]);
     let told = data.library().weld(9).unwrap_err().to_string();
-    assert!(told.contains("there is no weld 9") && told.contains("1 to 3"), "{told}");
+    assert!(told.contains("weld 9 does not exist") && told.contains("1 to 3"), "{told}");
 }
 
 #[test]
@@ -169,7 +175,7 @@ fn alarms_and_events_come_back() {
     data.library().acknowledge(number, "somebody else", Moment(at.0 + 1)).unwrap();
     assert_eq!(data.library().alarms(id).unwrap()[0].acknowledged, Some(("A. Welder".to_owned(), at)));
     assert!(data.library().acknowledge(99, "A. Welder", at).is_err());
-    let event = Event { at, text: "hold".into(), place: Place::default() };
+    let event = Event { at, text: Message::new("cell-ask-hold"), place: Place::default() };
     data.library().add_event(Some(id), &event).unwrap();
     assert_eq!(data.library().events(id).unwrap(), [event]);
     // A weld that is not there has no alarms.
@@ -190,7 +196,7 @@ fn alarms_on_the_list_wait_for_somebody() {
     drop(data);
     let data = DataFolder::open(folder.path()).unwrap();
     let names: Vec<_> = data.library().listed_alarms().unwrap().into_iter().map(|a| a.name).collect();
-    assert_eq!(names, ["arc lost", "following error (x)"]);
+    assert_eq!(names, ["arc lost", "following error (x)"].map(Message::verbatim));
     let at = Moment(1_800_000_000_000);
     assert_eq!(data.library().acknowledge_listed("A. Welder", at).unwrap(), 2);
     assert_eq!(data.library().acknowledge_listed("somebody else", at).unwrap(), 0);
@@ -310,8 +316,14 @@ fn changed_and_missing_files_are_found() {
     fs::remove_file(data.weld_folder(b).join("report.json")).unwrap();
     let verified = data.verify().unwrap();
     assert_eq!(verified.files, 2);
-    assert!(verified.problems.iter().any(|p| p.contains("000001") && p.contains("changed")), "{verified:?}");
-    assert!(verified.problems.iter().any(|p| p.contains("000002") && p.contains("report.json")), "{verified:?}");
+    assert!(
+        verified.problems.iter().any(|p| p.code == "record-problem-changed" && p.to_string().contains("000001")),
+        "{verified:?}"
+    );
+    assert!(
+        verified.problems.iter().any(|p| p.to_string().contains("000002") && p.to_string().contains("report.json")),
+        "{verified:?}"
+    );
 }
 
 #[test]
@@ -324,13 +336,13 @@ fn a_crashed_weld_is_recovered() {
     let id = recording.id();
     assert!(data.recover().unwrap().is_empty(), "it runs");
     drop(recording);
-    assert!(data.verify().unwrap().problems[0].contains("records recover"));
+    assert!(data.verify().unwrap().problems[0].to_string().contains("records recover"));
     let recovered = data.recover().unwrap();
     assert_eq!((recovered.len(), recovered[0].rows), (1, 8000));
     let record = data.library().weld(id).unwrap();
     assert_eq!(record.result, WeldResult::Interrupted);
-    assert!(record.note.contains("recovered") && record.heat_input_kj_mm.is_some() && record.ended.is_some());
-    assert_eq!(data.verify().unwrap().problems, [] as [String; 0]);
+    assert!(record.note.code == "record-recovered" && record.heat_input_kj_mm.is_some() && record.ended.is_some());
+    assert_eq!(data.verify().unwrap().problems, []);
     assert!(data.recover().unwrap().is_empty());
 }
 
@@ -339,7 +351,7 @@ fn no_room_no_weld() {
     let folder = tempfile::tempdir().unwrap();
     let mut data = DataFolder::open(folder.path()).unwrap();
     let error = data.begin(&Plan { rows: u64::MAX / 1000, ..plan("P-1") }).unwrap_err();
-    assert!(matches!(error, Error::Full { .. }) && error.to_string().contains("MB are free"), "{error}");
+    assert!(matches!(error, Error::Full { .. }) && error.to_string().contains("MiB are free"), "{error}");
     assert!(data.library().find(&Query::default()).unwrap().is_empty());
 }
 
@@ -367,7 +379,7 @@ fn a_weld_that_the_library_has_lost_is_told_and_kept() {
     let mut data = DataFolder::open(folder.path()).unwrap();
     assert_eq!(data.lost_welds().unwrap(), [lost]);
     let problems = data.verify().unwrap().problems;
-    assert!(problems.len() == 1 && problems[0].contains(&format!("weld {lost}:")), "{problems:?}");
+    assert!(problems.len() == 1 && problems[0].to_string().contains(&format!("weld {lost}:")), "{problems:?}");
     let next = weld(&mut data, &plan("P-3"), WeldResult::Good);
     assert!(next > lost, "{next}");
     assert_eq!(fs::read(&trace).unwrap(), rows);
@@ -386,7 +398,7 @@ fn a_folder_that_is_removed_in_a_weld_is_told() {
     fs::remove_dir_all(&path).unwrap();
     (100..200).for_each(|i| recording.row(row(i)));
     recording.flush();
-    let trouble = recording.trouble().unwrap();
+    let trouble = recording.trouble().unwrap().to_string();
     assert!(trouble.contains("removed") && trouble.contains("trace.raw"), "{trouble}");
 }
 

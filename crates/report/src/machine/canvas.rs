@@ -2,6 +2,7 @@
 
 use super::drawing::{DrawnAxis, MachineDrawing, along};
 use super::glyph::{self, Point, Seen};
+use crate::Words as _;
 use crate::layout::Map;
 use crate::place;
 use crate::svg::{Anchor, Rect, Svg};
@@ -192,14 +193,16 @@ impl<'a> Canvas<'a> {
     fn origins(&mut self, drawing: &MachineDrawing) {
         let (base, work) = (self.map.px([0.0; 3]), self.map.px(drawing.work));
         let together = distance(base, work) < 6.0;
+        let [base_name, work_name] =
+            ["report-machine-base", "report-machine-work"].map(|code| drawing.language.words(code));
         let marks = match together {
-            true => vec![("base, work", base)],
-            false => vec![("base", base), ("work", work)],
+            true => vec![(format!("{base_name}, {work_name}"), base)],
+            false => vec![(base_name, base), (work_name, work)],
         };
         for (name, p) in marks {
             self.svg.path("origin", &glyph::polyline(&[(p.0 - 5.0, p.1), (p.0 + 5.0, p.1)]));
             self.svg.path("origin", &glyph::polyline(&[(p.0, p.1 - 5.0), (p.0, p.1 + 5.0)]));
-            self.labels.push((name.to_owned(), p, 0));
+            self.labels.push((name, p, 0));
         }
     }
 
@@ -217,7 +220,7 @@ impl<'a> Canvas<'a> {
         for (direction, name) in [([1.0, 0.0, 0.0], "x"), ([0.0, 1.0, 0.0], "y"), ([0.0, 0.0, 1.0], "z")] {
             self.compass(frame, direction, name);
         }
-        self.compass(up, drawing.up, "up");
+        self.compass(up, drawing.up, &drawing.language.words("report-machine-up"));
         self.taken.extend([square(frame, 34.0), square(up, 30.0)]);
     }
 

@@ -1,6 +1,7 @@
 use super::canvas::Canvas;
 use super::outlines::outlines;
 use crate::Language;
+use crate::Words as _;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::projection::Projection::Pictorial;
@@ -9,11 +10,14 @@ use crate::text::{fit, width};
 use crate::views::first_angle;
 use seamwright_machine::check::Side;
 use seamwright_machine::{AxisKind, Machine};
+use seamwright_message::Message;
 
 /// A machine at home in its base frame, with position and positive sense of every axis. It has three views in
 /// first-angle projection and a small pictorial one.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MachineDrawing {
+    /// Language of built-in texts.
+    pub language: Language,
     /// Heading; may be empty.
     pub title: String,
     /// Outlines of shapes: further polylines in the base frame, mm, drawn thin below everything else.
@@ -60,8 +64,8 @@ pub(super) fn along(at: [f64; 3], direction: [f64; 3], by: f64) -> [f64; 3] {
 }
 
 impl MachineDrawing {
-    /// Draws the machine with its axes at home.
-    pub fn new(machine: &Machine) -> Self {
+    /// Draws the machine with its axes at home, with texts in this language.
+    pub fn new(machine: &Machine, language: Language) -> Self {
         let home = machine.home();
         let skeleton = machine.skeleton(&home);
         let drawn = skeleton.axes.iter().map(|place| {
@@ -81,7 +85,8 @@ impl MachineDrawing {
             }
         });
         Self {
-            title: format!("{}: axes at home, in the base frame", machine.title),
+            language,
+            title: Message::new("report-machine-title").text("machine", &machine.title).in_language(language),
             outlines: outlines(machine),
             axes: drawn.collect(),
             links: skeleton.links.iter().map(|l| l.iter().copied().map(Into::into).collect()).collect(),
@@ -96,7 +101,7 @@ impl MachineDrawing {
     }
 
     fn label(&self) -> String {
-        if self.title.is_empty() { "machine".into() } else { self.title.clone() }
+        if self.title.is_empty() { self.language.words("report-machine") } else { self.title.clone() }
     }
 
     fn structure(&self) -> impl Iterator<Item = [f64; 3]> {
@@ -152,7 +157,7 @@ impl MachineDrawing {
         let legend = Legend::new(self.entries(), f64::INFINITY, WIDTH);
         legend.draw(&mut svg, 0.0, top + 12.0 - ROW);
         top += legend.height();
-        symbols(&mut svg, top + 12.0);
+        symbols(&mut svg, top + 12.0, self.language);
         top += ROW + 8.0 + HEAD;
         let extent = self.extent();
         let [low, high] = Self::with_room(extent);
@@ -160,14 +165,14 @@ impl MachineDrawing {
             move || (0..8).map(move |k| std::array::from_fn(|i| if k >> i & 1 == 1 { high[i] } else { low[i] }));
         let layout = Layout::new(corners(), top);
         for (view, frame) in layout.frames() {
-            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, view.name());
+            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, &self.language.words(view.name()));
             svg.rect("area", frame);
             let map = match view {
                 Pictorial => Map::fitting(view, self.seen_in(extent), frame.inset(52.0)),
                 _ => layout.map(view, frame),
             };
             if view != Pictorial {
-                layout.draw_axes(&mut svg, view, (frame, &map), Language::English);
+                layout.draw_axes(&mut svg, view, (frame, &map), self.language);
             }
             svg.rect("edge", frame);
             svg.open_clip(frame);
@@ -185,39 +190,41 @@ impl MachineDrawing {
     }
 
     fn entries(&self) -> Vec<Entry> {
-        let curve = |class: &str, name: &str| Entry::Curve { class: class.into(), dots: false, name: name.into() };
+        let curve =
+            |class: &str, code| Entry::Curve { class: class.into(), dots: false, name: self.language.words(code) };
         let mut entries = Vec::new();
         if self.axes.iter().any(|a| !a.moves_work) {
-            entries.push(curve("line fat c1", "positive moves the torch"));
+            entries.push(curve("line fat c1", "report-machine-moves-torch"));
         }
         if self.axes.iter().any(|a| a.moves_work) {
-            entries.push(curve("line fat c2", "positive moves the work"));
+            entries.push(curve("line fat c2", "report-machine-moves-work"));
         }
-        entries.push(curve("line fat c3", "beam or wire, ending at the tip"));
-        entries.push(curve("line outline", "links and shapes"));
+        entries.push(curve("line fat c3", "report-machine-beam"));
+        entries.push(curve("line outline", "report-machine-links"));
         entries
     }
 }
 
 /// Draws the legend of the symbols.
-fn symbols(svg: &mut Svg, baseline: f64) {
+fn symbols(svg: &mut Svg, baseline: f64, language: Language) {
     let y = baseline - 4.5;
     let mut x = 0.0;
-    let mut entry = |svg: &mut Svg, lead: f64, text: &str| {
-        svg.text("quiet", x + lead, baseline, Anchor::Start, text);
-        x += lead + width(text, 12.0) + 18.0;
+    let mut entry = |svg: &mut Svg, lead: f64, code| {
+        let text = language.words(code);
+        svg.text("quiet", x + lead, baseline, Anchor::Start, &text);
+        x += lead + width(&text, 12.0) + 18.0;
         x
     };
     svg.circle("symbol", 7.0, y, 5.5);
     svg.circle("symbol-dot", 7.0, y, 1.8);
-    let next = entry(svg, 20.0, "positive towards you");
+    let next = entry(svg, 20.0, "report-machine-towards");
     svg.circle("symbol", next + 7.0, y, 5.5);
     svg.path("symbol", &super::glyph::cross(next + 7.0, y, 3.9));
-    let next = entry(svg, 20.0, "positive away from you");
+    let next = entry(svg, 20.0, "report-machine-away");
     svg.line("bar symbol-bar", next, y, next + 26.0, y);
-    let next = entry(svg, 34.0, "stroke, its arrow at the highest position");
+    let next = entry(svg, 34.0, "report-machine-stroke");
     svg.path("symbol", &super::glyph::zigzag((next + 8.0, y), (1.0, 0.0)));
-    let next = entry(svg, 20.0, "goes on");
+    let next = entry(svg, 20.0, "report-machine-cut");
     svg.circle("mark", next + 4.0, y, 2.8);
-    entry(svg, 13.0, "home");
+    entry(svg, 13.0, "report-machine-home");
 }

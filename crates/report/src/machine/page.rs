@@ -1,99 +1,116 @@
 use super::MachineDrawing;
-use super::tables::{axes, measure, number, reach, results, singular, small, structure, unit};
-use crate::{Block, Finding, Language, Page, Severity, Tile, Verdict, format_number};
+use super::tables::{axes, measure, reach, results, singular, small, structure};
+use crate::Words as _;
+use crate::number::{Significant as _, significant};
+use crate::{Block, Finding, Language, Page, Severity, Tile, Verdict};
 use seamwright_machine::check::{Check, HeadCheck, Remark};
+use seamwright_message::{Message, Unit};
 
-/// Renders the check of a machine file as one self-contained HTML page; `file` is its name, `source` its text, `date`
-/// that of the page.
-pub fn check_page(check: &Check, drawing: &MachineDrawing, file: &str, source: &str, date: &str) -> String {
-    let mut blocks = vec![Block::Tiles(tiles(check))];
+/// Renders the check of a machine file as one self-contained HTML page in this language; `file` is its name, `source`
+/// its text, `date` that of the page.
+pub fn check_page(
+    check: &Check,
+    drawing: &MachineDrawing,
+    file: &str,
+    source: &str,
+    date: &str,
+    language: Language,
+) -> String {
+    let heading = |code| Block::Heading(language.words(code));
+    let mut blocks = vec![Block::Tiles(tiles(check, language))];
     if !check.failures.is_empty() {
-        blocks.push(Block::Heading("Failed tests".to_owned()));
-        blocks.push(Block::Findings(check.failures.iter().map(|f| failure(f.to_string())).collect()));
+        blocks.push(heading("report-check-heading-failed"));
+        blocks.push(Block::Findings(failures(check, language).into_iter().map(failure).collect()));
     }
-    blocks.push(Block::Heading("Axes".to_owned()));
-    blocks.push(Block::Figure {
-        svg: drawing.to_svg(),
-        caption: "The machine at home, seen in its base frame, in first-angle projection. Arrows show the positive sense of what each axis moves: of the torch on the tool side, of the work on the work side; turns follow the right hand. Symbols that would cover each other stand side by side.".to_owned(),
-    });
-    blocks.push(Block::Table(axes(check)));
-    blocks.push(Block::Heading("Remarks".to_owned()));
+    blocks.push(heading("report-heading-axes"));
+    blocks.push(Block::Figure { svg: drawing.to_svg(), caption: language.words("report-check-caption-machine") });
+    blocks.push(Block::Table(axes(check, language)));
+    blocks.push(heading("report-check-remarks"));
     blocks.push(match check.remarks.is_empty() {
-        true => Block::Paragraph("None: limits, ranges and drives are of a usual size and fit together.".to_owned()),
-        false => Block::Findings(check.remarks.iter().map(|r| remark(r, file)).collect()),
+        true => Block::Paragraph(language.words("report-check-no-remarks")),
+        false => Block::Findings(check.remarks.iter().map(|r| remark(r, file, language)).collect()),
     });
-    blocks.push(Block::Heading("Kinematics".to_owned()));
-    blocks.push(Block::Table(structure(check)));
-    blocks.push(Block::Table(results(check)));
-    blocks.push(Block::Heading("Singular places".to_owned()));
+    blocks.push(heading("report-check-heading-kinematics"));
+    blocks.push(Block::Table(structure(check, language)));
+    blocks.push(Block::Table(results(check, language)));
+    blocks.push(heading("report-check-singular"));
     for head in &check.heads {
-        blocks.extend(singular_blocks(check, head));
+        blocks.extend(singular_blocks(check, head, language));
     }
-    blocks.push(Block::Heading("Reach".to_owned()));
-    blocks.push(Block::Table(reach(check)));
-    blocks.extend(check.heads.iter().map(|h| Block::Paragraph(reach_words(h))));
-    blocks.push(Block::Heading("Machine file".to_owned()));
+    blocks.push(heading("report-check-heading-reach"));
+    blocks.push(Block::Table(reach(check, language)));
+    blocks.extend(check.heads.iter().map(|h| Block::Paragraph(reach_words(h, language))));
+    blocks.push(heading("report-check-heading-file"));
     blocks.push(Block::Code { caption: file.to_owned(), text: source.to_owned() });
+    let made_by = Message::new("report-check-made-by")
+        .text("version", env!("CARGO_PKG_VERSION"))
+        .text("seed", check.seed.to_string())
+        .in_language(language);
     Page {
-        language: Language::English,
+        language,
         title: check.title.clone(),
-        subtitle: "Check of the machine file".to_owned(),
+        subtitle: language.words("report-check-subtitle"),
         meta: vec![
-            ("Machine".to_owned(), check.name.clone()),
-            ("File".to_owned(), file.to_owned()),
-            ("Date".to_owned(), date.to_owned()),
-            ("Made by".to_owned(), format!("Seamwright {}, seed {}", env!("CARGO_PKG_VERSION"), check.seed)),
+            (language.words("report-meta-machine"), check.name.clone()),
+            (language.words("report-column-file"), file.to_owned()),
+            (language.words("report-column-date"), date.to_owned()),
+            (language.words("report-meta-made-by"), made_by),
         ],
-        verdict: Some(Verdict { ok: check.passed, text: verdict(check) }),
+        verdict: Some(Verdict { ok: check.passed, text: verdict(check, language) }),
         blocks,
     }
     .render()
 }
 
-fn verdict(check: &Check) -> String {
-    let remarks = match check.remarks.len() {
-        0 => "no remarks".to_owned(),
-        1 => "1 remark".to_owned(),
-        n => format!("{n} remarks"),
-    };
-    match check.passed {
-        true => format!(
-            "Every pose comes back from its own positions, and the Jacobian agrees with differences; {remarks}."
-        ),
-        false => {
-            format!("{}; {remarks}.", check.failures.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))
-        }
-    }
+fn failures(check: &Check, language: Language) -> Vec<String> {
+    check.failures.iter().map(|failure| failure.in_language(language)).collect()
 }
 
-fn tiles(check: &Check) -> Vec<Tile> {
-    let tile = |label: &str, value: String, unit: &str, note: String| Tile {
-        label: label.to_owned(),
+fn verdict(check: &Check, language: Language) -> String {
+    let message = match check.passed {
+        true => Message::new("report-check-passed"),
+        false => Message::new("report-check-failed").text("failures", failures(check, language).join("; ")),
+    };
+    let remarks = Message::new("report-check-remark-count").count("n", check.remarks.len());
+    message.message("remarks", remarks).in_language(language)
+}
+
+fn tiles(check: &Check, language: Language) -> Vec<Tile> {
+    let tile = |label, value: String, unit, note: Message| Tile {
+        label: language.words(label),
         value,
-        unit: unit.to_owned(),
-        note,
+        unit: language.symbol(unit),
+        note: note.in_language(language),
         ..Tile::default()
     };
     let worst = |f: fn(&HeadCheck) -> f64| check.heads.iter().map(f).fold(0.0, f64::max);
     let rotary = check.axes.iter().filter(|a| a.kind == "rotary").count();
     let places: usize = check.heads.iter().map(|h| h.singular.places.len()).sum();
-    let mut remarks = tile("Remarks", check.remarks.len().to_string(), "", "values that are not usual".to_owned());
+    let poses = check.heads.first().map_or(0, |h| h.round_trip.poses);
+    let count = |count: usize| count.to_string();
+    let mut remarks =
+        tile("report-check-remarks", count(check.remarks.len()), Unit::One, Message::new("report-check-remarks-note"));
     remarks.severity = (!check.remarks.is_empty()).then_some(Severity::Warning);
     vec![
         tile(
-            "Axes",
-            check.axes.len().to_string(),
-            "",
-            format!("{rotary} rotary, {} linear", check.axes.len() - rotary),
+            "report-heading-axes",
+            count(check.axes.len()),
+            Unit::One,
+            Message::new("report-check-axis-count").count("rotary", rotary).count("linear", check.axes.len() - rotary),
         ),
         tile(
-            "Round trip, tip",
-            small(worst(|h| h.round_trip.point_mm)),
-            "mm",
-            format!("worst of {} random poses a head", check.heads.first().map_or(0, |h| h.round_trip.poses)),
+            "report-check-tip-error",
+            small(worst(|h| h.round_trip.point_mm), language),
+            Unit::Mm,
+            Message::new("report-check-tip-error-note").count("n", poses as usize),
         ),
-        tile("Jacobian", small(worst(|h| h.jacobian.relative)), "", "worst difference, as a part".to_owned()),
-        tile("Singular places", places.to_string(), "", "inside the ranges".to_owned()),
+        tile(
+            "report-check-jacobian",
+            small(worst(|h| h.jacobian.relative), language),
+            Unit::One,
+            Message::new("report-check-jacobian-note"),
+        ),
+        tile("report-check-singular", count(places), Unit::One, Message::new("report-check-singular-note")),
         remarks,
     ]
 }
@@ -102,122 +119,163 @@ fn failure(text: String) -> Finding {
     Finding { severity: Severity::Error, text, place: String::new(), cure: String::new() }
 }
 
-fn remark(r: &Remark, file: &str) -> Finding {
-    let value = if r.value.is_empty() { String::new() } else { format!(" = {}", r.value) };
+/// Describes a remark with its key and value.
+fn remark_text(r: &Remark, language: Language) -> String {
+    let message = match r.value.is_empty() {
+        true => Message::new("report-check-remark").key("key", &r.key),
+        false => Message::new("report-check-remark-value").key("key", &r.key).text("value", &r.value),
+    };
+    message.message("why", r.why.clone()).in_language(language)
+}
+
+fn remark(r: &Remark, file: &str, language: Language) -> Finding {
+    let line = || Message::new("report-check-line").text("file", file).text("line", r.line.to_string());
     Finding {
         severity: Severity::Warning,
-        text: format!("{}{value}: {}", r.key, r.why),
-        place: if r.line > 0 { format!("{file}, line {}", r.line) } else { file.to_owned() },
-        cure: r.cure.to_string(),
+        text: remark_text(r, language),
+        place: if r.line > 0 { line().in_language(language) } else { file.to_owned() },
+        cure: r.cure.in_language(language),
     }
 }
 
-fn singular_blocks(check: &Check, head: &HeadCheck) -> Vec<Block> {
+fn singular_blocks(check: &Check, head: &HeadCheck, language: Language) -> Vec<Block> {
     let s = &head.singular;
-    let typical = format!(
-        "A typical weld is {} mm/s round a bend of {} mm, in which the torch turns by {} deg/s.",
-        number(s.typical.0),
-        number(s.typical.1),
-        format_number((s.typical.0 / s.typical.1).to_degrees(), 3)
-    );
+    let rate = (s.typical.0 / s.typical.1).to_degrees();
+    let typical = Message::new("report-check-typical")
+        .significant("speed", s.typical.0, Unit::MmPerS, 5)
+        .significant("radius", s.typical.1, Unit::Mm, 5)
+        .significant("rate", rate, Unit::DegPerS, 3)
+        .in_language(language);
     let fast = match s.too_fast > 0.0 {
-        true => format!(
-            " In {} % of the ranges some typical weld asks more of a rotary axis than it can do.",
-            format_number(100.0 * s.too_fast, 2)
-        ),
-        false => " Every typical weld is within the speed of the rotary axes, all over the ranges.".to_owned(),
+        true => Message::new("report-check-too-fast").significant("part", 100.0 * s.too_fast, Unit::Percent, 2),
+        false => Message::new("report-check-fast-enough"),
     };
+    let fast = fast.in_language(language);
     if !s.places.is_empty() {
-        return vec![Block::Table(singular(check, head)), Block::Paragraph(typical + &fast)];
+        let text = language.sentences(&[typical, fast]);
+        return vec![Block::Table(singular(check, head, language)), Block::Paragraph(text)];
     }
-    let at = check.axes.iter().zip(&s.worst_at).map(|(a, v)| format!("{} {} {}", a.name, format_number(*v, 4), a.unit));
-    let text = format!(
-        "Head {}: none inside the ranges. The least well conditioned place is {} (conditioning {}; {} at the best place). {typical}{fast}",
-        head.name,
-        at.collect::<Vec<_>>().join(", "),
-        format_number(s.conditioning.1, 2),
-        format_number(s.conditioning.0, 2)
-    );
-    vec![Block::Paragraph(text)]
+    let at = check.axes.iter().zip(&s.worst_at).map(|(a, v)| {
+        let unit = Unit::from_symbol(a.unit).unwrap_or(Unit::One);
+        let position = Message::new("report-check-position").axis("axis", &a.name);
+        position.significant("position", *v, unit, 4).in_language(language)
+    });
+    let text = Message::new("report-check-no-singular")
+        .text("head", &head.name)
+        .text("position", at.collect::<Vec<_>>().join(", "))
+        .text("worst", significant(s.conditioning.1, 2, language))
+        .text("best", significant(s.conditioning.0, 2, language))
+        .in_language(language);
+    vec![Block::Paragraph(language.sentences(&[text, typical, fast]))]
 }
 
-fn reach_words(h: &HeadCheck) -> String {
-    let what = match h.reach.volume.dimensions {
+fn reach_words(h: &HeadCheck, language: Language) -> String {
+    let kind = match h.reach.volume.dimensions {
         3 => "volume",
         2 => "area",
         _ => "length",
     };
-    let part = format_number(100.0 * h.reach.volume.part_of_box, 3);
-    format!(
-        "Head {}: {what} reached by the tip in the work frame: {}, {part} % of its box. The torch stands up to {} degrees off where it points at home, seen from the work.",
-        h.name,
-        measure(h),
-        format_number(h.reach.tilt_deg, 4)
-    )
+    Message::new("report-check-reach")
+        .text("head", &h.name)
+        .text("kind", kind)
+        .message("size", measure(h))
+        .significant("part", 100.0 * h.reach.volume.part_of_box, Unit::Percent, 3)
+        .significant("tilt", h.reach.tilt_deg, Unit::Deg, 4)
+        .in_language(language)
 }
 
-/// Renders the check as plain text.
-pub fn check_text(check: &Check) -> String {
-    use std::fmt::Write;
-    let mut text = format!("{}\n", check.title);
-    // Writing to a String cannot fail.
-    let mut line = |name: &str, what: String| {
-        let _ = writeln!(text, "  {name:<12} {what}");
-    };
-    line("result", if check.passed { "passed".to_owned() } else { "FAILED".to_owned() });
-    check.failures.iter().for_each(|f| line("failed", f.to_string()));
-    for h in &check.heads {
-        let r = &h.round_trip;
-        line("head", h.name.clone());
-        line("  inverse", h.structure.to_string());
-        line(
-            "  round trip",
-            format!(
-                "{} poses: tip {} mm, direction {} deg, axes {} mm or deg; {} near singular",
-                r.poses,
-                small(r.point_mm),
-                small(r.direction_deg),
-                small(r.axes_mm_or_deg),
-                r.near_singular
-            ),
-        );
-        line("  Jacobian", format!("{} of a column from differences", small(h.jacobian.relative)));
-        for p in &h.singular.places {
-            let margin = p.margin.as_ref().map_or_else(String::new, |(by, axis)| {
-                let unit = p.at.first().map_or("", |a| unit(check, &a.0));
-                let (speed, radius) = h.singular.typical;
-                format!(
-                    "; nearer than {} {unit} {axis} is too slow for {speed} mm/s on {radius} mm",
-                    format_number(*by, 3)
-                )
-            });
-            line("  singular", p.sentence(|name| unit(check, name)).to_string() + &margin);
-        }
-        if h.singular.places.is_empty() {
-            line("  singular", "no place inside the ranges".to_owned());
-        }
-        let [low, high] = h.reach.work_box_mm;
-        let side = |i: usize| format!("{:.0} to {:.0}", low[i] + 0.0, high[i] + 0.0);
-        line("  reach", format!("x {}, y {}, z {} mm in the work frame", side(0), side(1), side(2)));
-        line("", format!("{}; up to {} deg from home", measure(h), format_number(h.reach.tilt_deg, 4)));
+/// Lines of text: a label and a description.
+struct Lines {
+    text: String,
+    language: Language,
+}
+
+impl Lines {
+    fn line(&mut self, indent: &str, label: &'static str, what: &str) {
+        let label = format!("{indent}{}", self.language.words(label));
+        self.text += &format!("  {label:<12} {what}\n");
     }
+
+    fn message(&mut self, indent: &str, label: &'static str, what: &Message) {
+        let what = what.in_language(self.language);
+        self.line(indent, label, &what);
+    }
+}
+
+/// Renders the check as plain text in this language.
+pub fn check_text(check: &Check, language: Language) -> String {
+    let mut lines = Lines { text: format!("{}\n", check.title), language };
+    let result = if check.passed { "report-check-result-passed" } else { "report-check-result-failed" };
+    lines.message("", "report-check-text-result", &Message::new(result));
+    failures(check, language).iter().for_each(|f| lines.line("", "report-check-text-failure", f));
+    check.heads.iter().for_each(|head| head_lines(check, head, &mut lines));
     if let Some(r) = &check.pair {
-        line(
-            "both heads",
-            format!(
-                "{} poses: tips {} mm, directions {} deg; {} with slides off centre have no way",
-                r.poses,
-                small(r.point_mm),
-                small(r.direction_deg),
-                r.off_centre
-            ),
-        );
+        let pair = Message::new("report-check-text-pair")
+            .count("n", r.poses as usize)
+            .text("tip", small_in(r.point_mm, Unit::Mm, language))
+            .text("direction", small_in(r.direction_deg, Unit::Deg, language))
+            .count("off", r.off_centre as usize);
+        lines.message("", "report-check-both-heads", &pair);
     }
     for r in &check.remarks {
-        let value = if r.value.is_empty() { String::new() } else { format!(" = {}", r.value) };
-        let place = if r.line > 0 { format!("line {}: ", r.line) } else { String::new() };
-        line("remark", format!("{place}{}{value}: {}", r.key, r.why));
-        line("", format!("cure: {}", r.cure));
+        let text = remark_text(r, language);
+        let line = || Message::new("report-check-text-line").text("line", r.line.to_string()).text("remark", &text);
+        let text = if r.line > 0 { line().in_language(language) } else { text };
+        lines.line("", "report-check-text-remark", &text);
+        let cure = Message::new("report-check-text-cure").message("cure", r.cure.clone());
+        lines.message("", "", &cure);
     }
-    text
+    lines.text
+}
+
+fn small_in(value: f64, unit: Unit, language: Language) -> String {
+    format!("{} {}", small(value, language), language.symbol(unit))
+}
+
+fn head_lines(check: &Check, h: &HeadCheck, lines: &mut Lines) {
+    let language = lines.language;
+    let r = &h.round_trip;
+    lines.line("", "report-check-text-head", &h.name);
+    lines.line("  ", "report-check-text-inverse", &h.structure.in_language(language));
+    let errors = Message::new("report-check-text-errors")
+        .count("n", r.poses as usize)
+        .text("tip", small_in(r.point_mm, Unit::Mm, language))
+        .text("direction", small_in(r.direction_deg, Unit::Deg, language))
+        .text("axes", small(r.axes_mm_or_deg, language))
+        .count("near", r.near_singular as usize);
+    lines.message("  ", "report-check-text-round-trip", &errors);
+    let jacobian = Message::new("report-check-text-jacobian").text("difference", small(h.jacobian.relative, language));
+    lines.message("  ", "report-check-jacobian", &jacobian);
+    for p in &h.singular.places {
+        let place = super::tables::place(check, p, language);
+        let text = match &p.margin {
+            Some((by, axis)) => {
+                let (speed, radius) = h.singular.typical;
+                let unit = p.at.first().map_or(Unit::One, |a| check.unit_of(&a.0));
+                Message::new("report-check-text-margin")
+                    .text("place", place)
+                    .significant("distance", *by, unit, 3)
+                    .axis("axis", axis)
+                    .value("speed", speed, Unit::MmPerS)
+                    .value("radius", radius, Unit::Mm)
+                    .in_language(language)
+            }
+            None => place,
+        };
+        lines.line("  ", "report-check-text-singular", &text);
+    }
+    if h.singular.places.is_empty() {
+        lines.message("  ", "report-check-text-singular", &Message::new("report-check-text-no-singular"));
+    }
+    let [low, high] = h.reach.work_box_mm;
+    let side = |i: usize| Message::new("report-range").number("from", low[i], 0).number("to", high[i], 0);
+    let sides = Message::new("report-check-text-box").message("x", side(0)).message("y", side(1)).message("z", side(2));
+    lines.message("  ", "report-check-text-reach", &sides);
+    let tilt = Message::new("report-check-text-tilt").message("size", measure(h)).significant(
+        "tilt",
+        h.reach.tilt_deg,
+        Unit::Deg,
+        4,
+    );
+    lines.message("", "", &tilt);
 }

@@ -1,86 +1,118 @@
-use crate::Phrases as _;
-use crate::said;
+use crate::Words as _;
+use crate::names;
+use crate::number::{from_to, significant};
 use crate::weld::table;
-use crate::{Block, Language, format_number};
+use crate::{Block, Language};
+use seamwright_message::Message;
 use seamwright_record::figures::Value;
 use seamwright_record::library::{Alarm, Event, Place, WeldFile, WeldRecord};
 
-fn number(value: f64) -> String {
-    format_number(value, 5)
+fn number(value: f64, language: Language) -> String {
+    significant(value, 5, language)
 }
 
 /// Returns the actual values against the allowed ones.
 pub(super) fn values(values: &[Value], language: Language) -> Block {
     if values.is_empty() {
-        return Block::Paragraph(language.say("Nothing of it is known.").to_owned());
+        return Block::Paragraph(language.words("report-no-values"));
     }
+    let number = |value| number(value, language);
     let rows = values.iter().map(|v| {
         let allowed = match v.allowed {
-            Some((least, greatest)) => language.fill("{0} to {1}", &[&number(least), &number(greatest)]),
-            None => language.say("not limited").to_owned(),
+            Some((least, greatest)) => from_to(number(least), number(greatest), language),
+            None => language.words("report-not-limited"),
         };
         let verdict = match v.allowed {
             None => "",
-            Some(_) if v.outside_s > 0.0 => "outside",
-            Some(_) => "within",
+            Some(_) if v.outside_s > 0.0 => "report-outside",
+            Some(_) => "report-within",
         };
         let outside = |value: f64| if v.allowed.is_some() { number(value) } else { "–".to_owned() };
         let numbers = [v.least, v.mean, v.greatest].map(number);
         [
-            vec![v.pass.to_string(), said::value(language, &v.name)],
+            vec![v.pass.to_string(), names::value(language, &v.name)],
             numbers.to_vec(),
-            vec![allowed, outside(v.outside_s), outside(v.outside_mm), language.say(verdict).to_owned()],
+            vec![allowed, outside(v.outside_s), outside(v.outside_mm), language.words(verdict)],
         ]
         .concat()
     });
-    let head = ["pass", "Value", "least", "mean", "greatest", "allowed", "Outside, s", "Outside, mm", ""];
-    let caption =
-        "Actual values while the pass was travelled, without holds, starts and ends, against the procedure's windows";
-    table(language.say(caption), &head.map(|head| language.say(head)), rows.collect(), 2..5)
+    let head = [
+        "report-column-pass",
+        "report-column-value",
+        "report-column-min",
+        "report-column-mean",
+        "report-column-max",
+        "report-column-allowed",
+        "report-column-outside-s",
+        "report-column-outside-mm",
+        "",
+    ];
+    let caption = "report-caption-actual-values";
+    table(&language.words(caption), &head.map(|head| language.words(head)), rows.collect(), 2..5)
 }
 
-fn place(place: &Place) -> [String; 3] {
-    let some = |value: Option<f64>| value.map_or(String::new(), number);
+fn place(place: &Place, language: Language) -> [String; 3] {
+    let some = |value: Option<f64>| value.map_or_else(String::new, |value| number(value, language));
     [place.pass.map_or(String::new(), |p| p.to_string()), some(place.s_mm), some(place.t_s)]
 }
 
 pub(super) fn alarms(alarms: &[Alarm], language: Language) -> Block {
     if alarms.is_empty() {
-        return Block::Paragraph(language.say("None.").to_owned());
+        return Block::Paragraph(language.words("report-no-alarms"));
     }
     let rows = alarms.iter().map(|a| {
-        let [pass, s, t] = place(&a.place);
-        let seen = a.acknowledged.as_ref().map_or(language.say("no").to_owned(), |(by, at)| format!("{by}, {at}"));
-        let first = language.say(if a.first_out { "first" } else { "" }).to_owned();
-        vec![said::alarm(language, &a.name), said::cause(language, a), pass, s, t, first, seen]
+        let [pass, s, t] = place(&a.place, language);
+        let seen =
+            a.acknowledged.as_ref().map_or_else(|| language.words("report-no"), |(by, at)| format!("{by}, {at}"));
+        let first = language.words(if a.first_out { "report-first-out" } else { "" });
+        vec![a.name.in_language(language), a.cause.in_language(language), pass, s, t, first, seen]
     });
-    let head = ["alarm", "alarm.cause", "pass", "s, mm", "t, s", "First-out", "Acknowledged"];
-    let head = head.map(|head| language.say(head));
-    table(language.say("Alarms in the order in which they came"), &head, rows.collect(), 2..5)
+    let head = [
+        "report-column-alarm",
+        "report-column-cause",
+        "report-column-pass",
+        "report-column-position-mm",
+        "report-column-time-s",
+        "report-column-first-out",
+        "report-column-acknowledged",
+    ];
+    let head = head.map(|head| language.words(head));
+    table(&language.words("report-caption-alarms"), &head, rows.collect(), 2..5)
 }
 
 pub(super) fn events(events: &[Event], language: Language) -> Block {
     let rows = events.iter().map(|e| {
-        let [pass, s, t] = place(&e.place);
-        vec![e.at.to_string(), said::event(language, &e.text.to_string()), pass, s, t]
+        let [pass, s, t] = place(&e.place, language);
+        vec![e.at.to_string(), e.text.in_language(language), pass, s, t]
     });
-    let head = ["event.time", "event.text", "pass", "s, mm", "t, s"].map(|head| language.say(head));
-    table(language.say("Events in the order in which they came"), &head, rows.collect(), 2..5)
+    let head = [
+        "report-column-time",
+        "report-column-event",
+        "report-column-pass",
+        "report-column-position-mm",
+        "report-column-time-s",
+    ]
+    .map(|head| language.words(head));
+    table(&language.words("report-caption-events"), &head, rows.collect(), 2..5)
 }
 
 /// Returns the source texts of the weld with their versions.
 pub(super) fn made_from(weld: &WeldRecord, language: Language) -> Block {
     let mut rows = Vec::new();
     let mut row = |kind, name: &str, version: i64| {
-        rows.push(vec![language.say(kind).to_owned(), name.to_owned(), version.to_string()]);
+        rows.push(vec![language.words(kind), name.to_owned(), version.to_string()]);
     };
-    weld.job.iter().for_each(|(name, version)| row("job.head", name, *version));
-    row("program", &weld.program.0, weld.program.1);
-    row("record.machine", &weld.machine.0, weld.machine.1);
-    weld.procedure.iter().for_each(|(name, version)| row("record.procedure", name, *version));
-    let caption = "Made from these texts, which the library keeps; SHA-256 of the program {0}";
-    let head = ["", "Text", "Version"].map(|head| language.say(head));
-    table(&language.fill(caption, &[&weld.program.2]), &head, rows, 2..3)
+    weld.job.iter().for_each(|(name, version)| row("report-heading-job", name, *version));
+    row("report-heading-program", &weld.program.0, weld.program.1);
+    row("report-meta-machine", &weld.machine.0, weld.machine.1);
+    weld.procedure.iter().for_each(|(name, version)| row("report-meta-procedure", name, *version));
+    let head = ["", "report-column-text", "report-column-version"].map(|head| language.words(head));
+    table(
+        &Message::new("report-caption-sources").text("sha256", &weld.program.2).in_language(language),
+        &head,
+        rows,
+        2..3,
+    )
 }
 
 pub(super) fn files(files: &[WeldFile], language: Language) -> Block {
@@ -88,6 +120,7 @@ pub(super) fn files(files: &[WeldFile], language: Language) -> Block {
         let rows = f.rows.map_or(String::new(), |n| n.to_string());
         vec![f.name.clone(), rows, f.bytes.to_string(), f.sha256.clone()]
     });
-    let [file, rows_, bytes] = ["File", "Rows", "Bytes"].map(|head| language.say(head));
-    table(language.say("Files of the record"), &[file, rows_, bytes, "SHA-256"], rows.collect(), 1..3)
+    let [file, rows_, bytes] =
+        ["report-column-file", "report-column-rows", "report-column-bytes"].map(|head| language.words(head));
+    table(&language.words("report-caption-files"), &[file, rows_, bytes, "SHA-256".to_owned()], rows.collect(), 1..3)
 }

@@ -146,10 +146,10 @@ impl IntervalFigures {
             least_at_mm: i.least_at,
             greatest_speed_mm_s: i.speed.1,
             between: i.between,
-            bound: binding.as_ref().map_or("asked", |b| b.what),
+            bound: binding.as_ref().map_or("asked", |b| b.kind.name()),
             axis: binding.as_ref().map(|b| b.axis.clone().unwrap_or_else(|| TIP.to_owned())),
             limit: binding.as_ref().map(|b| b.value),
-            unit: binding.map(|b| b.unit),
+            unit: binding.map(|b| b.unit.to_string()),
         }
     }
 }

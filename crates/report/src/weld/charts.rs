@@ -4,11 +4,12 @@ use super::procedure::ProcedurePlots;
 use super::samples::Sample;
 use super::taught::{TaughtPlot, taught};
 use super::{CertificateFigures, SimulationCurves, cut, order, sections, woven};
-use crate::Phrases as _;
+use crate::Words as _;
 use crate::{
-    Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, said,
+    Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, names,
 };
 use seamwright_machine::Machine;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::{Leg, PassClearance, PassMotion};
 use seamwright_program::{Pass, Span, TorchPath, is_beyond};
 use seamwright_weld::{SeamCurve, Welding};
@@ -85,14 +86,14 @@ impl Plots {
             deviation: curves.map(|c| deviation(machine, motion, c, language)),
             following: curves.map(|c| following(machine, c, language)),
             path_error: curves.map(|c| {
-                let errors = vec![line(language, "normal to the seam", c.path_error())];
-                let title = "Distance of the true torch tip from the seam";
-                chart(language, title, ("path error", "mm"), errors)
+                let errors = vec![line(language, "report-curve-normal-to-seam", c.path_error())];
+                let title = "report-chart-path-error";
+                chart(language, title, ("report-label-path-error", Unit::Mm), errors)
             }),
             attitude: curves.map(|c| {
-                let errors = vec![line(language, "attitude error", c.attitude())];
-                let title = "Deviation of the true torch direction from the one asked for";
-                chart(language, title, ("attitude error", "deg"), errors)
+                let errors = vec![line(language, "report-label-attitude-error", c.attitude())];
+                let title = "report-chart-attitude";
+                chart(language, title, ("report-label-attitude-error", Unit::Deg), errors)
             }),
             cut: welding.cut.as_ref().filter(|_| pass == 0).map(|cut| cut::template(cut, language)),
             sections: welding
@@ -144,26 +145,26 @@ fn gallery(welding: &Welding, seam: &SeamCurve, language: Language) -> Gallery {
     sections(welding, &places, language)
 }
 
-pub(super) fn axis(language: Language, label: &'static str, unit: &str) -> Axis {
-    Axis::new(language.say(label), language.unit(unit))
+pub(super) fn axis(language: Language, label: &'static str, unit: Unit) -> Axis {
+    Axis::new(language.words(label), language.symbol(unit))
 }
 
 pub(super) fn along(language: Language) -> Axis {
-    axis(language, "path length s", "mm")
+    axis(language, "report-label-path-length", Unit::Mm)
 }
 
 pub(super) fn line(language: Language, name: &'static str, points: Vec<(f64, f64)>) -> Series {
-    Series::line(language.say(name), points)
+    Series::line(language.words(name), points)
 }
 
 /// Creates a chart over path length.
 pub(super) fn chart(
     language: Language,
     title: &'static str,
-    (label, unit): (&'static str, &str),
+    (label, unit): (&'static str, Unit),
     series: Vec<Series>,
 ) -> Chart {
-    let title = language.say(title).to_owned();
+    let title = language.words(title);
     Chart { language, title, x: along(language), y: axis(language, label, unit), series, ..Chart::default() }
 }
 
@@ -186,21 +187,24 @@ fn views(welding: &Welding, pass: usize, language: Language) -> ThreeViews {
         let (tip, axis) = torch(drawn * f64::from(i) / f64::from(VECTORS));
         (tip.to_array(), (tip + vector * axis).to_array())
     });
-    let mark = |label, s| Mark { label: language.say(label).to_owned(), at: at(s) };
+    let mark = |label, s| Mark { label: language.words(label), at: at(s) };
     let path_name = match seam {
-        Some(path) if path.bead.is_some() => "bead",
-        Some(_) => "seam",
-        None => "path",
+        Some(path) if path.bead.is_some() => "report-curve-bead",
+        Some(_) => "report-curve-seam",
+        None => "report-curve-path",
     };
     ThreeViews {
         language,
-        title: language.say("Seam and torch").to_owned(),
+        title: language.words("report-heading-seam"),
         path: (0..=720).map(|i| at(drawn * f64::from(i) / 720.0)).collect(),
         closed: false,
-        path_name: language.say(path_name).to_owned(),
+        path_name: language.words(path_name),
         vectors: vectors.collect(),
-        vectors_name: language.say("torch axis").to_owned(),
-        marks: vec![mark("start", 0.0), mark(if is_beyond(length, turn) { "end of overlap" } else { "end" }, length)],
+        vectors_name: language.words("report-curve-torch-axis"),
+        marks: vec![
+            mark("report-mark-start", 0.0),
+            mark(if is_beyond(length, turn) { "report-mark-end-of-overlap" } else { "report-mark-end" }, length),
+        ],
         ..ThreeViews::default()
     }
 }
@@ -209,14 +213,11 @@ fn clearance_chart(clearance: &PassClearance, language: Language) -> Chart {
     let first = clearance.at_least.first().map(|c| (0.0, c.1));
     let proven = first.into_iter().chain(clearance.at_least.iter().copied()).collect();
     let series = vec![
-        line(language, "least distance", clearance.found.clone()),
-        line(language, "proven between the places looked at", proven).styled(Style::Dashed),
+        line(language, "report-curve-clearance", clearance.found.clone()),
+        line(language, "report-curve-clearance-bound", proven).styled(Style::Dashed),
     ];
-    let title = "Least distance of anything watched (told up to {0} mm)";
-    Chart {
-        title: language.fill(title, &[&clearance.cutoff_mm.to_string()]),
-        ..chart(language, "", ("distance", "mm"), series)
-    }
+    let title = Message::new("report-chart-clearance").value("limit", clearance.cutoff_mm, Unit::Mm);
+    Chart { title: title.in_language(language), ..chart(language, "", ("report-label-distance", Unit::Mm), series) }
 }
 
 fn torch(samples: &[Sample], language: Language) -> Option<Chart> {
@@ -225,11 +226,11 @@ fn torch(samples: &[Sample], language: Language) -> Option<Chart> {
     };
     samples.first()?.angles?;
     let series = vec![
-        line(language, "work angle (offset from bisector)", curve(|angles| angles.0)),
-        line(language, "travel angle (+ drag, − push)", curve(|angles| angles.1)),
-        line(language, "half the dihedral angle", curve(|angles| 0.5 * angles.2)),
+        line(language, "report-curve-work-angle", curve(|angles| angles.0)),
+        line(language, "report-curve-travel-angle", curve(|angles| angles.1)),
+        line(language, "report-curve-half-dihedral", curve(|angles| 0.5 * angles.2)),
     ];
-    Some(chart(language, "Torch angles and groove", ("angle", "deg"), series))
+    Some(chart(language, "report-chart-torch-angles", ("report-label-angle", Unit::Deg), series))
 }
 
 /// Returns charts of the process values that change along the pass; `None` if all are constant.
@@ -245,42 +246,42 @@ fn process(pass: &Pass, language: Language) -> Option<ChartGrid> {
     let curves = names.map(|name| (name, ends(name)));
     let changing = curves.filter(|(_, curve)| curve.iter().any(|p| (p.1 - curve[0].1).abs() > 0.0));
     let chart = |(name, curve): (&String, Vec<(f64, f64)>)| {
-        let name = said::named_value(language, name);
+        let name = names::value(language, name);
         Chart {
             title: name.clone(),
             y: Axis::new(name.as_str(), ""),
             series: vec![Series::line(name, curve)],
-            ..chart(language, "", ("", ""), Vec::new())
+            ..chart(language, "", ("", Unit::One), Vec::new())
         }
     };
     let charts: Vec<Chart> = changing.map(chart).collect();
-    let title = language.say("Process values as asked").to_owned();
+    let title = language.words("report-chart-process-values");
     (!charts.is_empty()).then_some(ChartGrid { title, columns: 2, charts })
 }
 
 fn axes(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid {
     let mut charts = Vec::new();
     for (i, axis) in machine.axes.iter().enumerate() {
-        let unit = axis.unit();
         let range = axis.range.map_or(Vec::new(), |(l, h)| vec![axis.to_file(l), axis.to_file(h)]);
+        let [unit, per_s, per_s2, _] = units(axis.unit());
         let rows = [
-            ("position", unit.to_owned(), range),
-            ("speed", format!("{unit}/s"), both_ways(axis.to_file(axis.max_speed))),
-            ("acceleration", format!("{unit}/s²"), both_ways(axis.to_file(axis.max_acceleration))),
+            ("report-label-position", unit, range),
+            ("report-label-speed", per_s, both_ways(axis.to_file(axis.max_speed))),
+            ("report-label-acceleration", per_s2, both_ways(axis.to_file(axis.max_acceleration))),
         ];
         for (order, (what, unit, limits)) in rows.into_iter().enumerate() {
-            charts.push(axis_chart(&axis.name, (what, &unit), (curve(samples, i, order), limits), language));
+            charts.push(axis_chart(&axis.name, (what, unit), (curve(samples, i, order), limits), language));
         }
     }
-    ChartGrid { title: language.say("Axes against their limits").to_owned(), columns: 3, charts }
+    ChartGrid { title: language.words("report-chart-axes"), columns: 3, charts }
 }
 
 fn jerks(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid {
     let charts = machine.axes.iter().enumerate().map(|(i, axis)| {
-        let (unit, limits) = (format!("{}/s³", axis.unit()), both_ways(axis.to_file(axis.jerk())));
-        axis_chart(&axis.name, ("jerk", &unit), (curve(samples, i, 3), limits), language)
+        let ([.., per_s3], limits) = (units(axis.unit()), both_ways(axis.to_file(axis.jerk())));
+        axis_chart(&axis.name, ("report-label-jerk", per_s3), (curve(samples, i, 3), limits), language)
     });
-    let title = language.say("Jerk of the axes against its limits").to_owned();
+    let title = language.words("report-chart-jerks");
     ChartGrid { title, columns: 3, charts: charts.collect() }
 }
 
@@ -289,20 +290,28 @@ fn curve(samples: &[Sample], i: usize, order: usize) -> Vec<(f64, f64)> {
     samples.iter().map(|s| (s.s, s.axes[i][order])).collect()
 }
 
+/// Returns the units of position, speed, acceleration and jerk of an axis whose positions are in `unit`.
+pub(super) fn units(unit: &str) -> [Unit; 4] {
+    match unit {
+        "deg" => [Unit::Deg, Unit::DegPerS, Unit::DegPerS2, Unit::DegPerS3],
+        _ => [Unit::Mm, Unit::MmPerS, Unit::MmPerS2, Unit::MmPerS3],
+    }
+}
+
 fn both_ways(limit: f64) -> Vec<f64> {
     vec![-limit, limit]
 }
 
 fn axis_chart(
     name: &str,
-    (what, unit): (&'static str, &str),
+    (what, unit): (&'static str, Unit),
     (points, limits): (Vec<(f64, f64)>, Vec<f64>),
     language: Language,
 ) -> Chart {
-    let limit = language.say("limit");
+    let limit = language.words("report-limit");
     Chart {
-        title: format!("{name} {}", language.say(what)),
-        limits: limits.into_iter().map(|v| LimitLine::new(limit, v)).collect(),
+        title: format!("{name} {}", language.words(what)),
+        limits: limits.into_iter().map(|v| LimitLine::new(&limit, v)).collect(),
         ..chart(language, "", (what, unit), vec![Series::line(name, points)])
     }
 }
@@ -332,18 +341,23 @@ fn speed(
 ) -> Chart {
     let mut series = Vec::new();
     if let Some(c) = curves {
-        series.push(line(language, "true tip, simulated", c.tip_speed()));
+        series.push(line(language, "report-curve-tip-simulated", c.tip_speed()));
     }
-    series.push(line(language, "planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
-    let band = |label, from, to| Band { label: language.say(label).to_owned(), from, to };
-    let ends = |leg: &Leg| [band("run-up", leg.from, leg.run_up_end), band("run-down", leg.run_down_start, leg.to)];
+    series.push(line(language, "report-curve-planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
+    let band = |label, from, to| Band { label: language.words(label), from, to };
+    let ends = |leg: &Leg| {
+        [
+            band("report-acceleration-phase", leg.from, leg.run_up_end),
+            band("report-deceleration-phase", leg.run_down_start, leg.to),
+        ]
+    };
     let mut bands: Vec<Band> = motion.law.legs().iter().flat_map(ends).collect();
     bands.extend(slowed(certificate, language));
     // Omits narrow bands, whose names would only cover the curve.
     let wide = 0.01 * motion.path.length();
     Chart {
         bands: bands.into_iter().filter(|b| b.to - b.from > wide).collect(),
-        ..chart(language, "Speed of the torch tip along the seam", ("speed", "mm/s"), series)
+        ..chart(language, "report-chart-speed", ("report-label-speed", Unit::MmPerS), series)
     }
 }
 
@@ -354,8 +368,8 @@ fn deviation(machine: &Machine, motion: &PassMotion, curves: &SimulationCurves, 
     let planned = |s: f64| motion.law.speed(s) * motion.path.tip_rate(machine, s);
     let percent = |(s, v): (f64, f64)| (s, 100.0 * (v / planned(s) - 1.0));
     let points = curves.tip_speed().into_iter().filter(|p| steady(p.0)).map(percent).collect();
-    let series = vec![line(language, "deviation", points)];
-    chart(language, "Speed of the true tip against the planned speed", ("deviation", "%"), series)
+    let series = vec![line(language, "report-label-deviation", points)];
+    chart(language, "report-chart-deviation", ("report-label-deviation", Unit::Percent), series)
 }
 
 fn following(machine: &Machine, curves: &SimulationCurves, language: Language) -> ChartGrid {
@@ -364,10 +378,10 @@ fn following(machine: &Machine, curves: &SimulationCurves, language: Language) -
         ..chart(
             language,
             "",
-            ("following error", axis.unit()),
+            ("report-label-following-error", units(axis.unit())[0]),
             vec![Series::line(axis.name.as_str(), curves.following(i))],
         )
     });
-    let title = language.say("Following error of each axis").to_owned();
+    let title = language.words("report-chart-following");
     ChartGrid { title, columns: 2, charts: charts.collect() }
 }

@@ -1,8 +1,9 @@
 //! Template of a tube's cut end, unrolled at true size, to wrap around the tube.
 
 use crate::Language;
-use crate::Phrases as _;
+use crate::Words as _;
 use crate::text::escape;
+use seamwright_message::{Message, Unit};
 use seamwright_weld::{Cut, Unrolled};
 use std::fmt::Write;
 
@@ -11,8 +12,8 @@ const MARGIN_MM: f64 = 12.0;
 /// Distance of the template's square edge above the cut's highest point, mm.
 const ABOVE_MM: f64 = 20.0;
 /// Caption of each side.
-const OUTSIDE: &str = "outside: radius {0} mm, once around {1} mm, cut {2} to {3} mm along the axis, edge at {4} mm";
-const INSIDE: &str = "inside: radius {0} mm, once around {1} mm, cut {2} to {3} mm along the axis, edge at {4} mm";
+const OUTSIDE: &str = "report-cut-outside";
+const INSIDE: &str = "report-cut-inside";
 /// Spacing of the upright lines, degrees.
 const EVERY_DEG: u32 = 30;
 
@@ -22,21 +23,21 @@ pub(crate) fn template(cut: &Cut, language: Language) -> String {
     let sides = [Some((OUTSIDE, &cut.outside)), cut.inside.as_ref().map(|inside| (INSIDE, inside))];
     let mut body = String::new();
     let (mut width, mut y) = (0.0f64, MARGIN_MM);
-    for (said, side) in sides.into_iter().flatten() {
+    for (caption, side) in sides.into_iter().flatten() {
         width = width.max(side.points.last().map_or(0.0, |p| p.around));
-        y = draw(&mut body, &|of| language.fill(said, of), side, y) + MARGIN_MM;
+        y = draw(&mut body, Message::new(caption), side, (y, language)) + MARGIN_MM;
     }
     let (w, h) = (mm(width + 2.0 * MARGIN_MM), mm(y));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}mm\" height=\"{h}mm\" \
          class=\"plot\" role=\"img\" aria-label=\"{}\">\n\
          <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{body}</svg>\n",
-        escape(language.say("Template of the cut"))
+        escape(&language.words("report-chart-cut"))
     )
 }
 
-/// Draws one side from `top` on, below the caption `said` of its lengths; returns its lower end.
-fn draw(body: &mut String, said: &dyn Fn(&[&str]) -> String, side: &Unrolled, top: f64) -> f64 {
+/// Draws one side from `top` on, below its caption with its lengths; returns its lower end.
+fn draw(body: &mut String, caption: Message, side: &Unrolled, (top, language): (f64, Language)) -> f64 {
     let heights = side.points.iter().map(|p| p.height);
     let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
     let length = side.points.last().map_or(0.0, |p| p.around);
@@ -58,8 +59,12 @@ fn draw(body: &mut String, said: &dyn Fn(&[&str]) -> String, side: &Unrolled, to
             p.phi.to_degrees()
         );
     }
-    let [around, low_, high_, edge_] = [length, low, high, edge].map(|mm| format!("{mm:.2}"));
-    let lengths = [side.radius.to_string(), around, low_, high_, edge_];
+    let caption = caption
+        .value("radius", side.radius, Unit::Mm)
+        .quantity("around", length, Unit::Mm, 2)
+        .number("from", low, 2)
+        .quantity("to", high, Unit::Mm, 2)
+        .quantity("edge", edge, Unit::Mm, 2);
     let _ = writeln!(
         body,
         "<text x=\"{}\" y=\"{}\" style=\"font:3.2px sans-serif;fill:#000\">{}</text>\n\
@@ -67,7 +72,7 @@ fn draw(body: &mut String, said: &dyn Fn(&[&str]) -> String, side: &Unrolled, to
          <path d=\"{outline} Z\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.25\"/>",
         mm(left),
         mm(top),
-        escape(&said(&lengths.each_ref().map(String::as_str))),
+        escape(&caption.in_language(language)),
         upright.trim_end()
     );
     head + edge - low

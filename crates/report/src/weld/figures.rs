@@ -7,6 +7,7 @@ use super::{Plots, PostFigures, SimulationCurves, tracking};
 use crate::Language;
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
+use seamwright_message::Message;
 use seamwright_motion::{PassClearance, WeldMotion};
 use seamwright_program::{Finding, Pass, Role, Seam};
 use seamwright_weld::{SeamCurve, Welding};
@@ -129,6 +130,12 @@ pub struct ClearanceFigures {
     pub between: Option<String>,
     /// All checked objects.
     pub watched: Vec<String>,
+    /// Both objects, for the page.
+    #[serde(skip)]
+    pub(super) nearest: Option<[Message; 2]>,
+    /// All checked objects, for the page.
+    #[serde(skip)]
+    pub(super) objects: Vec<Message>,
 }
 
 impl WeldReport {
@@ -218,9 +225,17 @@ fn process_range(pass: &Pass) -> BTreeMap<String, (f64, f64)> {
 }
 
 fn clearance(c: &PassClearance) -> ClearanceFigures {
-    let (nearest_mm, at_mm, between) = match &c.nearest {
-        Some((mm, s, between)) => (*mm, Some(*s), Some(between.clone())),
+    let english = |message: &Message| message.in_language(Language::English);
+    let (nearest_mm, at_mm, nearest) = match &c.nearest {
+        Some((mm, s, nearest)) => (*mm, Some(*s), Some(nearest.clone())),
         None => (c.cutoff_mm, None, None),
     };
-    ClearanceFigures { nearest_mm, at_mm, between, watched: c.watched.clone() }
+    ClearanceFigures {
+        nearest_mm,
+        at_mm,
+        between: nearest.as_ref().map(|both| both.each_ref().map(english).join(" and ")),
+        watched: c.watched.iter().map(english).collect(),
+        nearest,
+        objects: c.watched.clone(),
+    }
 }

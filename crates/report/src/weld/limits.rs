@@ -2,25 +2,35 @@
 
 use super::CertificateFigures;
 use super::certificate::{IntervalFigures, TIP, UseFigures};
+use super::charts::units;
 use super::page::{number, table};
 use super::plan::AxisFigures;
-use crate::Phrases as _;
+use crate::Words as _;
+use crate::number::{Significant as _, from_to, significant};
 use crate::{Block, Language, format_number};
+use seamwright_message::{Message, Unit};
 
 /// Maximum number of listed stretches, for a readable report; report.json has all of them.
 const LISTED: usize = 24;
 
 /// Describes requested and planned speed of the pass in one paragraph.
 pub(super) fn speed_text(c: &CertificateFigures, language: Language) -> String {
-    let (low, high) = c.asked_speed_mm_s;
-    let range = |least: &str, greatest: &str| language.fill("{0} to {1}", &[least, greatest]);
-    let asked = if high > low { range(&number(low), &number(high)) } else { number(low) };
-    let (least, greatest) = (number(c.least_speed_mm_s), number(c.greatest_speed_mm_s));
-    let reached = if least == greatest { least } else { range(&least, &greatest) };
-    language.fill(
-        "Asked: {0} mm/s. Reached between run-up and run-down: {1} mm/s. As fast as asked over {2} % of the length.",
-        &[&asked, &reached, &percent(c.at_asked_percent)],
-    )
+    let (requested, reached) = (c.asked_speed_mm_s, (c.least_speed_mm_s, c.greatest_speed_mm_s));
+    Message::new("report-speed-reached")
+        .message("requested", speeds(requested))
+        .message("reached", speeds(reached))
+        .significant("part", without_noise(c.at_asked_percent), Unit::Percent, 3)
+        .in_language(language)
+}
+
+/// Returns a speed, or a range of speeds that are printed differently.
+fn speeds((low, high): (f64, f64)) -> Message {
+    match format_number(low, 5) == format_number(high, 5) {
+        true => Message::new("quantity").significant("value", high, Unit::MmPerS, 5),
+        false => {
+            Message::new("report-range").significant("from", low, Unit::One, 5).significant("to", high, Unit::MmPerS, 5)
+        }
+    }
 }
 
 /// Returns the bounds of the speed, stretch by stretch.
@@ -28,23 +38,28 @@ pub(super) fn bounds_table(c: &CertificateFigures, language: Language) -> Block 
     let last = c.intervals.len();
     let rows = c.intervals.iter().take(LISTED).enumerate().map(|(i, interval)| {
         let part = match interval.between {
-            true => "weld",
-            false if i + 1 == last || interval.from_mm >= c.run_down_start_mm => "run-down",
-            false => "run-up",
+            true => "report-section-weld",
+            false if i + 1 == last || interval.from_mm >= c.run_down_start_mm => "report-deceleration-phase",
+            false => "report-acceleration-phase",
         };
-        let (from, to) = (number(interval.from_mm), number(interval.to_mm));
-        let (least, greatest) = (number(interval.least_speed_mm_s), number(interval.greatest_speed_mm_s));
-        vec![from, to, language.say(part).to_owned(), least, greatest, what_binds(interval, language)]
+        let speeds = [interval.least_speed_mm_s, interval.greatest_speed_mm_s];
+        let [from, to] = [interval.from_mm, interval.to_mm].map(|value| number(value, language));
+        let [least, greatest] = speeds.map(|value| number(value, language));
+        vec![from, to, language.words(part), least, greatest, what_binds(interval, language)]
     });
     let caption = match last.saturating_sub(LISTED) {
-        0 => language.say("What bounds the speed (mm, mm/s)").to_owned(),
-        more => language.fill(
-            "What bounds the speed (mm, mm/s): the first {0} stretches, {1} more in report.json",
-            &[&LISTED.to_string(), &more.to_string()],
-        ),
+        0 => Message::new("report-caption-binding"),
+        more => Message::new("report-caption-binding-first").count("n", LISTED).count("more", more),
     };
-    let head = ["From", "To", "Part", "Least speed", "Greatest speed", "What binds"];
-    let mut block = table(&caption, &head.map(|head| language.say(head)), rows.collect(), 0..5);
+    let head = [
+        "report-column-from",
+        "report-column-to",
+        "report-column-section",
+        "report-column-min-speed",
+        "report-column-max-speed",
+        "report-column-binding",
+    ];
+    let mut block = table(&caption.in_language(language), &head.map(|head| language.words(head)), rows.collect(), 0..5);
     if let Block::Table(table) = &mut block {
         table.numeric[2] = false;
     }
@@ -52,63 +67,90 @@ pub(super) fn bounds_table(c: &CertificateFigures, language: Language) -> Block 
 }
 
 fn what_binds(interval: &IntervalFigures, language: Language) -> String {
-    match (&interval.axis, interval.limit, &interval.unit) {
-        (Some(axis), Some(limit), Some(unit)) => {
-            let unit = unit.replace("^2", "²").replace("^3", "³");
-            let of = [language.say(interval.bound), &whose(axis, language), &number(limit), language.unit(&unit)];
-            language.fill("the {0} of {1}, {2} {3}", &of)
-        }
-        _ => language.say("nothing: it is as fast as asked").to_owned(),
-    }
+    let message = match (&interval.axis, interval.limit, &interval.unit) {
+        (Some(axis), Some(limit), Some(unit)) => Message::new("report-binding")
+            .message("what", bound(interval.bound))
+            .message("owner", owner(axis))
+            .significant("limit", limit, Unit::from_symbol(unit).unwrap_or(Unit::One), 5),
+        _ => Message::new("report-no-binding"),
+    };
+    message.in_language(language)
 }
 
 /// Returns the name of the binding axis, or of the torch tip.
-fn whose(axis: &str, language: Language) -> String {
-    if axis == TIP { language.say("the torch tip").to_owned() } else { language.fill("axis {0}", &[axis]) }
+fn owner(axis: &str) -> Message {
+    if axis == TIP { Message::new("report-torch-tip") } else { Message::new("report-axis").axis("axis", axis) }
+}
+
+/// Returns the name of a bound.
+fn bound(bound: &str) -> Message {
+    Message::new(match bound {
+        "speed" => "report-label-speed",
+        "acceleration" => "report-label-acceleration",
+        "jerk" => "report-label-jerk",
+        _ => "report-requested-speed",
+    })
 }
 
 /// Names the bound in short form: `axis c, jerk`.
 pub(super) fn binds(interval: &IntervalFigures, language: Language) -> String {
+    let bound = bound(interval.bound).in_language(language);
     match &interval.axis {
-        Some(axis) => format!("{}, {}", whose(axis, language), language.say(interval.bound)),
-        None => language.say("asked speed").to_owned(),
+        Some(axis) => format!("{}, {bound}", owner(axis).in_language(language)),
+        None => bound,
     }
 }
 
 /// Returns the maximum use of each axis' limits.
 pub(super) fn uses_table(uses: &[UseFigures], language: Language) -> Block {
     let rows = uses.iter().map(|u| {
+        let [_, per_s, per_s2, per_s3] = units(u.unit);
         let limit =
-            |value: f64, per: &str| format!("{} {}", number(value), language.unit(&format!("{}/s{per}", u.unit)));
+            |value: f64, unit| Message::new("quantity").significant("value", value, unit, 5).in_language(language);
         vec![
             u.axis.clone(),
-            percent(u.speed_percent),
-            limit(u.max_speed, ""),
-            percent(u.acceleration_percent),
-            limit(u.max_acceleration, "²"),
-            percent(u.jerk_percent),
-            limit(u.max_jerk, "³"),
+            percent(u.speed_percent, language),
+            limit(u.max_speed, per_s),
+            percent(u.acceleration_percent, language),
+            limit(u.max_acceleration, per_s2),
+            percent(u.jerk_percent, language),
+            limit(u.max_jerk, per_s3),
         ]
     });
-    let head = ["Axis", "Speed, %", "of", "Acceleration, %", "of", "Jerk, %", "of"];
-    let head = head.map(|head| language.say(head));
-    table(language.say("Greatest use of each axis' limits"), &head, rows.collect(), 1..7)
+    let head = [
+        "report-column-axis",
+        "report-column-speed-used",
+        "report-column-of",
+        "report-column-acceleration-used",
+        "report-column-of",
+        "report-column-jerk-used",
+        "report-column-of",
+    ];
+    let head = head.map(|head| language.words(head));
+    table(&language.words("report-caption-uses"), &head, rows.collect(), 1..7)
 }
 
 /// Returns the positions of each axis against its range.
 pub(super) fn axes_table(axes: &[AxisFigures], language: Language) -> Block {
     let rows = axes.iter().map(|a| {
         let range = match a.range {
-            Some((least, greatest)) => language.fill("{0} to {1}", &[&number(least), &number(greatest)]),
-            None => language.say("continuous").to_owned(),
+            Some((least, greatest)) => from_to(number(least, language), number(greatest, language), language),
+            None => language.words("report-continuous"),
         };
-        vec![a.axis.clone(), language.unit(a.unit).to_owned(), number(a.min), number(a.max), range]
+        let [least, greatest] = [a.min, a.max].map(|value| number(value, language));
+        vec![a.axis.clone(), language.symbol(units(a.unit)[0]), least, greatest, range]
     });
-    let head = ["Axis", "Unit", "least", "greatest", "Range"].map(|head| language.say(head));
-    table(language.say("Positions of the axes against their ranges"), &head, rows.collect(), 2..5)
+    let head =
+        ["report-column-axis", "report-column-unit", "report-column-min", "report-column-max", "report-column-range"]
+            .map(|head| language.words(head));
+    table(&language.words("report-caption-ranges"), &head, rows.collect(), 2..5)
 }
 
 /// Formats a percentage of a limit; rounding noise becomes 0.
-fn percent(value: f64) -> String {
-    if value < 1e-4 { "0".to_owned() } else { format_number(value, 3) }
+fn percent(value: f64, language: Language) -> String {
+    significant(without_noise(value), 3, language)
+}
+
+fn without_noise(percent: f64) -> f64 {
+    if percent < 1e-4 { 0.0 } else { percent }
 }

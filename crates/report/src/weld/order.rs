@@ -1,8 +1,9 @@
 use super::WeldReport;
 use super::page::{number, table};
-use crate::Phrases as _;
+use crate::Words as _;
 use crate::{Block, Language, OrderDrawing, OrderedLine};
 use glam::DVec3;
+use seamwright_message::Message;
 use seamwright_program::{Pass, Role, TorchPath};
 use seamwright_weld::Welding;
 
@@ -11,12 +12,12 @@ const PLACES: i32 = 96;
 
 /// Directions towards the viewer from which the order may be drawn.
 const VIEWS: [(DVec3, &str); 6] = [
-    (DVec3::Z, "seen from above"),
-    (DVec3::NEG_Z, "seen from below"),
-    (DVec3::X, "seen from +x"),
-    (DVec3::NEG_X, "seen from -x"),
-    (DVec3::Y, "seen from +y"),
-    (DVec3::NEG_Y, "seen from -y"),
+    (DVec3::Z, "report-seen-from-above"),
+    (DVec3::NEG_Z, "report-seen-from-below"),
+    (DVec3::X, "report-seen-from-plus-x"),
+    (DVec3::NEG_X, "report-seen-from-minus-x"),
+    (DVec3::Y, "report-seen-from-plus-y"),
+    (DVec3::NEG_Y, "report-seen-from-minus-y"),
 ];
 
 /// Draws the passes of a weld in their order, without weaves, from the side that most faces look to. Returns `None` for
@@ -51,10 +52,9 @@ pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawin
         flat(welding.program.value.copy_in_work(copy).transform_point3(middle))
     };
     let tack = |pass: &Pass| pass.role == Some(Role::Tack);
-    let mut key =
-        language.say("Dot: start. Arrow: direction of welding. Dashed: torch in the air, drawn straight.").to_owned();
+    let mut key = vec![language.words("report-order-key")];
     if passes.iter().any(tack) {
-        key = [&key, language.say("Orange, numbers outside: tacks.")].join(language.between_sentences());
+        key.push(language.words("report-order-key-tacks"));
     }
     let line = |(pass, tips): (&Pass, &Vec<DVec3>)| OrderedLine {
         points: tips.iter().map(|p| flat(*p)).collect(),
@@ -62,10 +62,11 @@ pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawin
         outside: tack(pass),
         colour: if tack(pass) { 2 } else { 1 },
     };
+    let title = Message::new("report-chart-order").count("n", passes.len()).message("view", Message::new(view));
     Some(OrderDrawing {
         language,
-        title: language.fill("Order of welding: {0} passes, {1}", &[&passes.len().to_string(), language.say(view)]),
-        key,
+        title: title.in_language(language),
+        key: language.sentences(&key),
         lines: passes.iter().zip(&tips).map(line).collect(),
     })
 }
@@ -80,27 +81,35 @@ impl WeldReport {
             let row = vec![
                 (i + 1).to_string(),
                 pass.name.clone(),
-                number(pass.air_before_s),
-                number(begun),
-                number(p.weld_s),
-                number(p.arc_on_s),
-                number(p.total_s),
+                number(pass.air_before_s, language),
+                number(begun, language),
+                number(p.weld_s, language),
+                number(p.arc_on_s, language),
+                number(p.total_s, language),
             ];
             begun += p.total_s;
             row
         });
         let mut rows: Vec<Vec<String>> = rows.collect();
-        let sum = |f: fn(&super::figures::PassFigures) -> f64| number(self.passes.iter().map(f).sum());
+        let sum = |f: fn(&super::figures::PassFigures) -> f64| number(self.passes.iter().map(f).sum(), language);
         rows.push(vec![
             String::new(),
-            language.say("all, home to home").to_owned(),
-            number(self.air_s),
+            language.words("report-all-from-home"),
+            number(self.air_s, language),
             String::new(),
             sum(|p| p.plan.weld_s),
             sum(|p| p.plan.arc_on_s),
-            number(self.total_s),
+            number(self.total_s, language),
         ]);
-        let head = ["", "pass", "Air move before, s", "Begins at, s", "Travel, s", "Arc on, s", "In all, s"];
-        table(language.say("Passes in the order of welding"), &head.map(|head| language.say(head)), rows, 2..7)
+        let head = [
+            "",
+            "report-column-pass",
+            "report-column-transfer-before-s",
+            "report-column-start-s",
+            "report-column-travel-s",
+            "report-column-arc-on-s",
+            "report-column-total-s",
+        ];
+        table(&language.words("report-caption-order-table"), &head.map(|head| language.words(head)), rows, 2..7)
     }
 }

@@ -10,9 +10,11 @@ use super::page::{figure, number, paragraph, seam, small};
 use super::plan::AxisFigures;
 use super::simulated::simulation_text;
 use super::tracking;
-use crate::Phrases as _;
-use crate::{Block, Chart, ChartGrid, Language, Table, format_number, said};
+use crate::Words as _;
+use crate::number::{Significant as _, from_to, significant};
+use crate::{Block, Chart, ChartGrid, Language, Table, names};
 use seamwright_cell::tracking::HeadSummary;
+use seamwright_message::{Message, Unit};
 
 /// A column of a table by pass: its heading and its cell for a pass.
 type Column<'a> = (String, Box<dyn Fn(&PassFigures) -> String + 'a>);
@@ -23,21 +25,21 @@ const NONE: &str = "–";
 impl WeldReport {
     /// Returns the sections about all passes, before the job.
     pub(super) fn all_passes(&self, plots: &[Plots], language: Language) -> Vec<Block> {
-        let heading = |text| Block::Heading(language.say(text).to_owned());
-        let mut blocks = vec![heading("Passes"), self.passes_table(language)];
+        let heading = |text| Block::Heading(language.words(text));
+        let mut blocks = vec![heading("report-heading-passes"), self.passes_table(language)];
         let first = plots.first();
-        blocks.push(heading("Order of welding"));
+        blocks.push(heading("report-heading-order"));
         blocks.extend(first.and_then(|plots| plots.order.as_ref()).map(|order| {
-            let caption = "Passes numbered in the order of welding. Dashed: the torch in the air, drawn straight from end to start.";
+            let caption = "report-caption-order";
             figure(order.to_svg(), caption, language)
         }));
         blocks.push(self.order_table(language));
         if let Some(sections) = first.and_then(|plots| plots.sections.as_ref()) {
-            blocks.push(heading("Joint"));
+            blocks.push(heading("report-heading-joint"));
             blocks.push(figure(sections.to_svg(), super::page::SECTIONS, language));
         }
         blocks.extend(self.procedure_of_all(language));
-        blocks.push(heading("Checks"));
+        blocks.push(heading("report-heading-checks"));
         blocks.push(self.checks_table(language));
         blocks.push(axes_table(&self.axes_of_all(), language));
         blocks.push(uses_table(&self.uses_of_all(), language));
@@ -47,18 +49,12 @@ impl WeldReport {
 
     /// Returns the curves of one pass of each kind.
     pub(super) fn curves(&self, plots: &[Plots], language: Language) -> Vec<Block> {
-        let mut blocks = vec![
-            Block::Heading(language.say("Curves").to_owned()),
-            paragraph(
-                "Curves of one pass of each kind: one with a finding against it, or else the longest. Planning at the command line writes those of every pass.",
-                language,
-            ),
-        ];
+        let mut blocks =
+            vec![Block::Heading(language.words("report-heading-curves")), paragraph("report-about-curves", language)];
         for i in self.typical_passes() {
             let (pass, Some(plots)) = (&self.passes[i], plots.get(i)) else { continue };
-            let number = (i + 1).to_string();
-            let what = language.say("Curves");
-            blocks.push(Block::Heading(language.fill("Pass {0} ({1}): {2}", &[&number, &pass.name, what])));
+            let heading = Message::new("report-heading-pass-curves").pass("pass", i + 1).text("name", &pass.name);
+            blocks.push(Block::Heading(heading.in_language(language)));
             blocks.extend(pass_curves(pass, plots, language));
         }
         blocks
@@ -87,33 +83,36 @@ impl WeldReport {
     /// Returns process values and results of each pass, with equal passes in one row. Times of arc and gas are in the
     /// table of the order, because the table would be wider than a page.
     fn passes_table(&self, language: Language) -> Block {
-        let say = |text: &'static str| language.say(text).to_owned();
+        let say = |code: &'static str| language.words(code);
         let mut names: Vec<&String> = self.passes.iter().flat_map(|pass| pass.process_range.keys()).collect();
         names.sort_unstable();
         names.dedup();
         let mut columns: Vec<Column<'_>> = Vec::new();
         for name in names {
             let value = move |pass: &PassFigures| optional(pass.process_range.get(name).map(|r| range(*r, language)));
-            columns.push((said::value(language, name), Box::new(value)));
+            columns.push((names::value(language, name), Box::new(value)));
         }
         let speed =
             |pass: &PassFigures| short_range((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s), language);
-        columns.push((say("Speed, mm/s"), Box::new(speed)));
+        columns.push((say("report-column-speed-mm-s"), Box::new(speed)));
         if self.passes.iter().any(|pass| pass.plan.arc_energy_kj_mm.is_some()) {
             let energy = |pass: &PassFigures| optional(pass.plan.arc_energy_kj_mm.map(|e| short_range(e, language)));
-            columns.push((say("Arc energy, kJ/mm"), Box::new(energy)));
+            columns.push((say("report-column-arc-energy"), Box::new(energy)));
         }
         if self.passes.iter().any(|pass| pass.heat_input_kj_mm().is_some()) {
             let heat = |pass: &PassFigures| optional(pass.heat_input_kj_mm().map(|h| short_range(h, language)));
-            columns.push((say("Heat input, kJ/mm"), Box::new(heat)));
+            columns.push((say("report-column-heat-input"), Box::new(heat)));
         }
-        columns.push((say("Length, mm"), Box::new(|pass| number(pass.plan.length_mm))));
-        columns.push((say("Travel, s"), Box::new(|pass| number(pass.plan.weld_s))));
+        columns.push((say("report-column-length-mm"), Box::new(|pass| number(pass.plan.length_mm, language))));
+        columns.push((say("report-column-travel-s"), Box::new(|pass| number(pass.plan.weld_s, language))));
         if self.totals.wire_m.is_some_and(|wire| wire > 0.0) {
-            columns.push((say("Wire, m"), Box::new(|pass| optional(pass.wire_m.map(|m| format_number(m, 3))))));
+            columns.push((
+                say("report-column-wire-m"),
+                Box::new(|pass| optional(pass.wire_m.map(|m| significant(m, 3, language)))),
+            ));
         }
-        let caption = language.say("What each pass is welded with, of the plan");
-        let mut by_pass = by_pass(&self.passes, &columns, caption, language);
+        let caption = language.words("report-caption-passes");
+        let mut by_pass = by_pass(&self.passes, &columns, &caption, language);
         by_pass.rows.push(self.sums(&by_pass, columns.len(), language));
         Block::Table(by_pass)
     }
@@ -121,37 +120,46 @@ impl WeldReport {
     /// Returns the last row of the table of passes: sums of the columns that have one.
     fn sums(&self, table: &Table, columns: usize, language: Language) -> Vec<String> {
         let totals = &self.totals;
-        let sums =
-            [("Length, mm", Some(totals.length_mm)), ("Travel, s", Some(totals.weld_s)), ("Wire, m", totals.wire_m)];
+        let sums = [
+            ("report-column-length-mm", Some(totals.length_mm)),
+            ("report-column-travel-s", Some(totals.weld_s)),
+            ("report-column-wire-m", totals.wire_m),
+        ];
         let sum = |head: &String| {
-            let found = sums.iter().find(|(name, _)| language.say(name) == head);
-            found.and_then(|(_, value)| *value).map_or_else(String::new, number)
+            let found = sums.iter().find(|(name, _)| language.words(name) == *head);
+            found.and_then(|(_, value)| *value).map_or_else(String::new, |value| number(value, language))
         };
-        let all = [String::new(), language.say("all passes").to_owned()];
+        let all = [String::new(), language.words("report-all-passes")];
         all.into_iter().chain(table.head[2..columns + 2].iter().map(sum)).collect()
     }
 
     /// Returns the checks of each pass.
     fn checks_table(&self, language: Language) -> Block {
-        let say = |text: &'static str| language.say(text).to_owned();
+        let say = |code: &'static str| language.words(code);
         let mut columns: Vec<Column<'_>> = vec![
             (
-                say("As fast as asked, %"),
-                Box::new(|pass: &PassFigures| format_number(pass.certificate.at_asked_percent, 3)),
+                say("report-column-at-requested-speed"),
+                Box::new(|pass: &PassFigures| significant(pass.certificate.at_asked_percent, 3, language)),
             ),
-            (say("Attitude error, deg"), Box::new(|pass: &PassFigures| small(pass.plan.attitude_error_deg))),
+            (
+                say("report-column-attitude-error"),
+                Box::new(|pass: &PassFigures| small(pass.plan.attitude_error_deg, language)),
+            ),
         ];
         if self.passes.iter().any(|pass| pass.clearance.is_some()) {
             let nearest = |pass: &PassFigures| match &pass.clearance {
-                Some(c) if c.between.is_some() => number(c.nearest_mm),
-                Some(c) => language.fill("more than {0}", &[&number(c.nearest_mm)]),
+                Some(c) if c.between.is_some() => number(c.nearest_mm, language),
+                Some(c) => {
+                    let message = Message::new("report-more-than").significant("value", c.nearest_mm, Unit::One, 5);
+                    message.in_language(language)
+                }
                 None => NONE.to_owned(),
             };
-            columns.push((say("Nearest, mm"), Box::new(nearest)));
+            columns.push((say("report-column-clearance"), Box::new(nearest)));
             let between = |pass: &PassFigures| optional(pass.clearance.as_ref().and_then(|c| c.between_text(language)));
-            columns.push((say("between"), Box::new(between)));
+            columns.push((say("report-column-between"), Box::new(between)));
         }
-        let mut by_pass = by_pass(&self.passes, &columns, language.say("Checks of each pass"), language);
+        let mut by_pass = by_pass(&self.passes, &columns, &language.words("report-caption-checks"), language);
         if let Some(last) = by_pass.numeric.get_mut(5) {
             *last = false;
         }
@@ -187,25 +195,25 @@ impl WeldReport {
     /// Returns the results of the simulated passes, if they were simulated.
     fn simulated_of_all(&self, language: Language) -> Vec<Block> {
         let Some((_, worst)) = self.worst_simulated() else { return Vec::new() };
-        let heading = |text| Block::Heading(language.say(text).to_owned());
-        let say = |text: &'static str| language.say(text).to_owned();
+        let heading = |text| Block::Heading(language.words(text));
+        let say = |code: &'static str| language.words(code);
         let simulated = |of: fn(&seamwright_cell::Summary) -> Option<f64>| -> Box<dyn Fn(&PassFigures) -> String> {
-            Box::new(move |pass| optional(pass.simulation.as_ref().and_then(of).map(small)))
+            Box::new(move |pass| optional(pass.simulation.as_ref().and_then(of).map(|value| small(value, language))))
         };
         let columns: [Column<'_>; 3] = [
-            (say("Path error, mm"), simulated(|s| s.welded.then_some(s.path_error_mm.max))),
-            (say("RMS, mm"), simulated(|s| s.welded.then_some(s.path_error_mm.rms))),
-            (say("Speed ripple, %"), simulated(|s| s.speed_ripple.map(|ripple| 100.0 * ripple))),
+            (say("report-column-path-error-mm"), simulated(|s| s.welded.then_some(s.path_error_mm.max))),
+            (say("report-column-rms-mm"), simulated(|s| s.welded.then_some(s.path_error_mm.rms))),
+            (say("report-column-speed-ripple"), simulated(|s| s.speed_ripple.map(|ripple| 100.0 * ripple))),
         ];
-        let caption = language.say("What each simulated pass did");
+        let caption = language.words("report-caption-simulated-passes");
         let mut blocks = vec![
-            heading("Simulated weld"),
+            heading("report-heading-simulated"),
             Block::Paragraph(simulation_text(worst, &self.machine.assumed_drives, language)),
-            Block::Table(by_pass(&self.passes, &columns, caption, language)),
+            Block::Table(by_pass(&self.passes, &columns, &caption, language)),
         ];
         let heads = |pass: &PassFigures| pass.simulation.as_ref().map_or(0, |s| s.heads.len());
         if self.passes.iter().any(|pass| heads(pass) > 0) {
-            blocks.push(heading("Tracking"));
+            blocks.push(heading("report-heading-tracking"));
             blocks.extend(self.tracked_of_all(language));
         }
         blocks
@@ -244,7 +252,7 @@ fn joined(tables: impl Iterator<Item = (usize, Table)>, language: Language) -> O
         all.rows.extend(table.rows);
         all
     })?;
-    all.head.insert(0, language.say("Pass").to_owned());
+    all.head.insert(0, language.words("report-column-pass"));
     all.numeric.insert(0, false);
     Some(all)
 }
@@ -263,13 +271,13 @@ fn by_pass(passes: &[PassFigures], columns: &[Column<'_>], caption: &str, langua
         let (numbers, names) = match first == last {
             true => ((first + 1).to_string(), passes[first].name.clone()),
             false => (
-                language.fill("{0} to {1}", &[&(first + 1).to_string(), &(last + 1).to_string()]),
+                from_to((first + 1).to_string(), (last + 1).to_string(), language),
                 format!("{} … {}", passes[first].name, passes[last].name),
             ),
         };
         [numbers, names].into_iter().chain(cells).collect()
     };
-    let head = [language.say("Pass"), language.say("Name")].map(str::to_owned);
+    let head = [language.words("report-column-pass"), language.words("report-column-name")];
     Table {
         caption: caption.to_owned(),
         numeric: (0..columns.len() + 2).map(|column| column > 1).collect(),
@@ -284,8 +292,8 @@ fn optional(text: Option<String>) -> String {
 
 /// Formats a range to three digits.
 fn short_range((low, high): (f64, f64), language: Language) -> String {
-    let ends = [low, high].map(|value| format_number(value, 3));
-    if ends[0] == ends[1] { ends[0].clone() } else { language.fill("{0} to {1}", &ends.each_ref().map(String::as_str)) }
+    let [low, high] = [low, high].map(|value| significant(value, 3, language));
+    if low == high { low } else { from_to(low, high, language) }
 }
 
 /// Returns the drawings of one pass.

@@ -1,8 +1,10 @@
 //! Verification of each part program written with the plan.
 
 use super::page::{number, table};
-use crate::Phrases as _;
-use crate::{Block, Language, said};
+use crate::Words as _;
+use crate::number::{Significant as _, fixed};
+use crate::{Block, Language, names};
+use seamwright_message::{Message, Unit};
 use seamwright_post::{Dialect, Verification};
 use serde::Serialize;
 
@@ -27,38 +29,53 @@ impl PostFigures {
 
     /// Returns text and table for the page.
     pub(super) fn blocks(&self, language: Language) -> [Block; 2] {
-        let text = language.fill(
-            "{0} for {1}: {2} moves, read back, played by the control's own rules for interpolation and feeds, taken \
-             through the machine's forward kinematics and compared with the plan; {3} mm are allowed.",
-            &[&self.file, self.dialect, &self.proof.moves.to_string(), &number(self.tolerance_mm)],
-        );
-        let worst = |worst: &Option<(f64, String)>, unit: &str| match worst {
-            Some((off, name)) => format!("{name} {} {}", small(*off), language.unit(unit)),
+        let text = Message::new("report-program")
+            .text("file", &self.file)
+            .text("dialect", self.dialect)
+            .count("n", self.proof.moves)
+            .significant("tolerance", self.tolerance_mm, Unit::Mm, 5)
+            .in_language(language);
+        let worst = |worst: &Option<(f64, String)>, unit| match worst {
+            Some((off, name)) => format!("{name} {}", quantity(*off, unit, 5).in_language(language)),
             None => "–".to_owned(),
         };
-        let process = |(off, name): &(f64, String)| (*off, said::value_title(language, name));
+        let process = |(off, name): &(f64, String)| (*off, names::value_title(language, name));
         let rows = self.proof.passes.iter().map(|pass| {
             if pass.as_it_stands {
-                let none = || language.say("as in the program").to_owned();
-                return vec![pass.name.clone(), none(), none(), none(), none(), number(pass.arc_s), none()];
+                let none = || language.words("report-as-in-program");
+                return vec![pass.name.clone(), none(), none(), none(), none(), number(pass.arc_s, language), none()];
             }
             vec![
                 pass.name.clone(),
-                small(pass.tip_mm),
-                worst(&pass.linear, "mm"),
-                worst(&pass.rotary, "deg"),
-                format!("{:.2} %", pass.speed_percent.max(pass.speed_inside_percent)),
-                format!("{} ({:+.4} %)", number(pass.arc_s), pass.time_percent),
-                worst(&pass.process.as_ref().map(process), "%"),
+                fixed(pass.tip_mm, 5, language),
+                worst(&pass.linear, Unit::Mm),
+                worst(&pass.rotary, Unit::Deg),
+                quantity(pass.speed_percent.max(pass.speed_inside_percent), Unit::Percent, 2).in_language(language),
+                format!("{} ({})", number(pass.arc_s, language), signed_percent(pass.time_percent, language)),
+                worst(&pass.process.as_ref().map(process), Unit::Percent),
             ]
         });
-        let head = ["pass", "Tip, mm", "Linear axis", "Rotary axis", "Tip speed", "Arc on, s", "Process value"];
-        let caption = language.fill("Greatest deviations of {0}", &[&self.file]);
-        let table = table(&caption, &head.map(|head| language.say(head)), rows.collect(), 1..7);
+        let head = [
+            "report-column-pass",
+            "report-column-tip-mm",
+            "report-column-linear-axis",
+            "report-column-rotary-axis",
+            "report-column-tip-speed",
+            "report-column-arc-on-s",
+            "report-column-process-value",
+        ];
+        let caption = Message::new("report-caption-program").text("file", &self.file).in_language(language);
+        let table = table(&caption, &head.map(|head| language.words(head)), rows.collect(), 1..7);
         [Block::Paragraph(text), table]
     }
 }
 
-fn small(value: f64) -> String {
-    format!("{value:.5}")
+fn quantity(value: f64, unit: Unit, decimals: u8) -> Message {
+    Message::new("quantity").quantity("value", value, unit, decimals)
+}
+
+/// Formats a percentage with its sign, also of positive ones.
+fn signed_percent(percent: f64, language: Language) -> String {
+    let sign = if percent < 0.0 { "" } else { "+" };
+    format!("{sign}{}", quantity(percent, Unit::Percent, 4).in_language(language))
 }

@@ -2,8 +2,10 @@
 
 use super::charts::{chart, line};
 use super::page::{number, table};
-use crate::Phrases as _;
-use crate::{Band, Block, Chart, Language, LimitLine, Stretch, said};
+use crate::Words as _;
+use crate::number::{Significant as _, fixed, from_to};
+use crate::{Band, Block, Chart, Language, LimitLine, Stretch, names};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};
 use serde::Serialize;
@@ -40,6 +42,9 @@ impl ProcedureFigures {
 pub struct PassProcedureFigures {
     /// Run of the procedure for this pass; `None` if it has no matching run.
     pub run: Option<String>,
+    /// The same, for the page.
+    #[serde(skip)]
+    pub(super) run_label: Option<Message>,
     /// Kind of weld for the positions: `fillet` or `butt`.
     pub joint: FilletOrButt,
     /// Values along the pass.
@@ -105,7 +110,8 @@ impl PassProcedureFigures {
             outside: q.outside.clone(),
         });
         Self {
-            run: held.run.clone(),
+            run: held.run.as_ref().map(|run| run.in_language(Language::English)),
+            run_label: held.run.clone(),
             joint: held.joint,
             quantities: quantities.collect(),
             positions_allowed: run.and_then(|r| r.positions.clone()),
@@ -139,12 +145,15 @@ impl ProcedurePlots {
             held.inclinations.iter().map(|(s, at)| (*s, of(at).to_degrees())).collect()
         };
         let lie = vec![
-            line(language, "slope (+ uphill)", curve(|at| at.slope)),
-            line(language, "rotation of the face (0 up, 180 down)", curve(|at| at.rotation)),
+            line(language, "report-curve-slope", curve(|at| at.slope)),
+            line(language, "report-curve-rotation", curve(|at| at.rotation)),
         ];
         Self {
             heat_input: (!held.heat_input.is_empty()).then(|| heat_input(held, language)),
-            positions: Chart { strip: strip.collect(), ..chart(language, "Welding position", ("angle", "deg"), lie) },
+            positions: Chart {
+                strip: strip.collect(),
+                ..chart(language, "report-chart-positions", ("report-label-angle", Unit::Deg), lie)
+            },
         }
     }
 }
@@ -161,54 +170,55 @@ fn heat_input(held: &PassProcedure, language: Language) -> Chart {
     });
     let outside = quantity.into_iter().flat_map(|q| &q.outside);
     let bands = outside.map(|o| Band {
-        label: language.say(if o.above { "too high" } else { "too low" }).to_owned(),
+        label: language.words(if o.above { "report-too-high" } else { "report-too-low" }),
         from: o.from_mm,
         to: o.to_mm,
     });
-    let limit = |label, value| LimitLine::new(language.say(label), value);
-    let limits = window.into_iter().flat_map(|(low, high)| [limit("limit.least", low), limit("limit.greatest", high)]);
-    let series = vec![line(language, "heat input", held.heat_input.clone())];
+    let limit = |label, value| LimitLine::new(language.words(label), value);
+    let limits =
+        window.into_iter().flat_map(|(low, high)| [limit("report-limit-min", low), limit("report-limit-max", high)]);
+    let series = vec![line(language, "report-label-heat-input", held.heat_input.clone())];
     Chart {
         limits: limits.collect(),
         bands: bands.collect(),
         y_range,
         height: Some(170.0),
-        ..chart(language, "Heat input along the seam", ("heat input", "kJ/mm"), series)
+        ..chart(language, "report-chart-heat-input", ("report-label-heat-input", Unit::KiloJPerMm), series)
     }
 }
 
 /// Describes procedure, run and calculation of heat input.
 pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureFigures, language: Language) -> String {
-    let run = match &pass.run {
-        Some(run) => language.fill("run {0}", &[run]),
-        None => language.say("no run of it is for this pass").to_owned(),
+    let run = match &pass.run_label {
+        Some(run) => Message::new("report-run").message("run", run.clone()),
+        None => Message::new("report-no-run"),
     };
     let joint = match pass.joint {
         FilletOrButt::Fillet => "fillet",
         FilletOrButt::Butt => "butt",
     };
-    language.fill(
-        "{0} ({1}), {2}. Process {3}: {4}. Heat input is {5} times the power over the planned speed. Positions are those of a {6} weld.",
-        &[
-            &procedure.number,
-            &procedure.title,
-            &run,
-            &procedure.process.to_string(),
-            language.say(procedure.process_name),
-            &number(procedure.thermal_efficiency),
-            language.say(joint),
-        ],
-    )
+    let process = procedure.process.to_string();
+    let process_name = language.named("process", &process).unwrap_or_else(|| procedure.process_name.to_owned());
+    Message::new("report-procedure")
+        .text("number", &procedure.number)
+        .text("title", &procedure.title)
+        .message("run", run)
+        .text("process", process)
+        .text("process_name", process_name)
+        .significant("efficiency", procedure.thermal_efficiency, Unit::One, 5)
+        .text("joint", joint)
+        .in_language(language)
 }
 
 /// Returns the planned values against the allowed ones.
 pub(super) fn windows_table(figures: &PassProcedureFigures, language: Language) -> Block {
     let rows = figures.quantities.iter().map(|q| window_row(q, verdict(q, language), language));
-    windows(language.say("The plan against the procedure"), rows.collect(), language)
+    windows(&language.words("report-caption-plan-values"), rows.collect(), language)
 }
 
 pub(super) fn windows(caption: &str, rows: Vec<Vec<String>>, language: Language) -> Block {
-    let head = ["Value", "least", "greatest", "allowed", ""].map(|head| language.say(head));
+    let head = ["report-column-value", "report-column-min", "report-column-max", "report-column-allowed", ""]
+        .map(|head| language.words(head));
     table(caption, &head, rows, 1..3)
 }
 
@@ -218,34 +228,36 @@ pub(super) fn window_row(q: &QuantityFigures, verdict: String, language: Languag
         None => ("–".to_owned(), "–".to_owned()),
     };
     let allowed = match q.allowed {
-        Some((least, greatest)) => language.fill("{0} to {1}", &[&number(least), &number(greatest)]),
-        None => language.say("not limited").to_owned(),
+        Some((least, greatest)) => from_to(number(least, language), number(greatest, language), language),
+        None => language.words("report-not-limited"),
     };
-    vec![said::named_value(language, &q.key), least, greatest, allowed, verdict]
+    vec![names::value(language, &q.key), least, greatest, allowed, verdict]
 }
 
 /// Formats a value; rounding noise becomes zero.
 fn value(v: f64, language: Language) -> String {
     match v {
-        v if v.is_infinite() => language.say("no bound").to_owned(),
+        v if v.is_infinite() => language.words("report-unbounded"),
         v if v.abs() < 1e-6 => "0".to_owned(),
-        v => number(v),
+        v => number(v, language),
     }
 }
 
 pub(super) fn verdict(q: &QuantityFigures, language: Language) -> String {
-    let place = |o: &Outside| language.fill("{0} to {1}", &[&number(o.from_mm), &number(o.to_mm)]);
-    let say = |text| language.say(text).to_owned();
-    match (q.found, q.allowed, q.outside.as_slice()) {
-        (None, Some(_), _) if ["preheat_c", "interpass_c"].contains(&q.key.as_str()) => say("to be measured"),
-        (None, Some(_), _) => say("not known: see the findings"),
-        (_, None, _) => String::new(),
-        (_, _, []) => say("within"),
-        (_, _, [only]) => language.fill("outside: s = {0} mm", &[&place(only)]),
-        (_, _, [first, more @ ..]) => {
-            language.fill("outside: s = {0} mm and {1} more stretches", &[&place(first), &more.len().to_string()])
+    let at = |code, o: &Outside| {
+        Message::new(code).significant("from", o.from_mm, Unit::One, 5).significant("to", o.to_mm, Unit::Mm, 5)
+    };
+    let message = match (q.found, q.allowed, q.outside.as_slice()) {
+        (None, Some(_), _) if ["preheat_c", "interpass_c"].contains(&q.key.as_str()) => {
+            Message::new("report-to-be-measured")
         }
-    }
+        (None, Some(_), _) => Message::new("report-unknown-see-findings"),
+        (_, None, _) => return String::new(),
+        (_, _, []) => Message::new("report-within"),
+        (_, _, [only]) => at("report-outside-at", only),
+        (_, _, [first, more @ ..]) => at("report-outside-at-more", first).count("n", more.len()),
+    };
+    message.in_language(language)
 }
 
 /// Returns the positions in order along the pass.
@@ -253,28 +265,37 @@ pub(super) fn positions_table(figures: &PassProcedureFigures, language: Language
     let rows = figures.positions.iter().map(|p| {
         vec![
             p.position.to_string(),
-            number(p.from_mm),
-            number(p.to_mm),
+            number(p.from_mm, language),
+            number(p.to_mm, language),
             degrees(p.slope_deg, language),
             degrees(p.rotation_deg, language),
-            language.say(if p.allowed { "limit.allowed" } else { "not allowed" }).to_owned(),
+            language.words(if p.allowed { "report-allowed" } else { "report-not-allowed" }),
         ]
     });
-    let head = ["Position", "From", "To", "Slope", "Rotation", ""].map(|head| language.say(head));
+    let head = [
+        "report-column-position",
+        "report-column-from",
+        "report-column-to",
+        "report-column-slope",
+        "report-column-rotation",
+        "",
+    ]
+    .map(|head| language.words(head));
     table(&positions_caption(figures, language), &head, rows.collect(), 1..5)
 }
 
 pub(super) fn positions_caption(figures: &PassProcedureFigures, language: Language) -> String {
     match &figures.positions_allowed {
-        None => language.say("Welding positions (mm, degrees); the procedure allows any").to_owned(),
+        None => language.words("report-caption-positions-any"),
         Some(allowed) => {
             let names: Vec<String> = allowed.iter().map(WeldingPosition::to_string).collect();
-            language.fill("Welding positions (mm, degrees); the procedure allows {0}", &[&names.join(", ")])
+            let message = Message::new("report-caption-positions-allowed").text("positions", names.join(", "));
+            message.in_language(language)
         }
     }
 }
 
 pub(super) fn degrees(ends: Option<(f64, f64)>, language: Language) -> String {
-    let said = |(least, greatest)| language.fill("{0} to {1}", &[&format!("{least:.1}"), &format!("{greatest:.1}")]);
-    ends.map_or("–".to_owned(), said)
+    let range = |(least, greatest)| from_to(fixed(least, 1, language), fixed(greatest, 1, language), language);
+    ends.map_or_else(|| "–".to_owned(), range)
 }

@@ -5,8 +5,10 @@ use super::page::{number, table};
 use super::procedure::{
     PassProcedureFigures, QuantityFigures, degrees, positions_caption, procedure_text, verdict, window_row, windows,
 };
-use crate::Phrases as _;
+use crate::Words as _;
+use crate::number::from_to;
 use crate::{Block, Language};
+use seamwright_message::Message;
 use seamwright_program::WeldingPosition;
 
 /// The passes of one run.
@@ -38,7 +40,7 @@ impl WeldReport {
                 None => runs.push(RunPasses { passes: vec![pass] }),
             }
         }
-        let mut blocks = vec![Block::Heading(language.say("record.procedure").to_owned())];
+        let mut blocks = vec![Block::Heading(language.words("report-heading-procedure"))];
         for run in &runs {
             blocks.push(Block::Paragraph(procedure_text(procedure, run.first(), language)));
             blocks.push(run.windows_table(language));
@@ -58,13 +60,16 @@ impl<'a> RunPasses<'a> {
             let (all, outside) = self.quantity(q);
             let verdict = match outside.is_empty() {
                 true => verdict(&all, language),
-                false => language.fill("outside: pass {0}", &[&numbers(&outside, language)]),
+                false => {
+                    let passes = numbers(&outside, language);
+                    Message::new("report-outside-pass").text("passes", passes).in_language(language)
+                }
             };
             window_row(&all, verdict, language)
         });
         let passes: Vec<usize> = self.passes.iter().map(|(number, _)| *number).collect();
-        let caption = language.fill("The plan against the procedure, pass {0}", &[&numbers(&passes, language)]);
-        windows(&caption, rows.collect(), language)
+        let caption = Message::new("report-caption-plan-values-of").text("passes", numbers(&passes, language));
+        windows(&caption.in_language(language), rows.collect(), language)
     }
 
     /// Returns the quantity with the extremes of all passes, and the passes in which it is outside.
@@ -86,13 +91,21 @@ impl<'a> RunPasses<'a> {
             vec![
                 sum.position.to_string(),
                 numbers(&sum.passes, language),
-                number(sum.length_mm),
+                number(sum.length_mm, language),
                 degrees(sum.slope_deg, language),
                 degrees(sum.rotation_deg, language),
-                language.say(if sum.allowed { "limit.allowed" } else { "not allowed" }).to_owned(),
+                language.words(if sum.allowed { "report-allowed" } else { "report-not-allowed" }),
             ]
         });
-        let head = ["Position", "Pass", "Length, mm", "Slope", "Rotation", ""].map(|head| language.say(head));
+        let head = [
+            "report-column-position",
+            "report-column-pass",
+            "report-column-length-mm",
+            "report-column-slope",
+            "report-column-rotation",
+            "",
+        ]
+        .map(|head| language.words(head));
         table(&positions_caption(self.first(), language), &head, rows.collect(), 2..5)
     }
 
@@ -136,7 +149,7 @@ fn wider(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
 fn numbers(passes: &[usize], language: Language) -> String {
     let runs = passes.chunk_by(|a, b| *b == a + 1);
     let text = |run: &[usize]| match run {
-        [first, .., last] => language.fill("{0} to {1}", &[&first.to_string(), &last.to_string()]),
+        [first, .., last] => from_to(first.to_string(), last.to_string(), language),
         _ => run.iter().map(usize::to_string).collect(),
     };
     runs.map(text).collect::<Vec<_>>().join(", ")

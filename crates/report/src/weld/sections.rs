@@ -1,6 +1,7 @@
-use crate::Phrases as _;
-use crate::{Gallery, Language, SectionDrawing, format_number};
+use crate::number::Significant as _;
+use crate::{Gallery, Language, SectionDrawing};
 use glam::DVec2;
+use seamwright_message::{Message, Unit};
 use seamwright_program::Role;
 use seamwright_weld::{BeadAt, BeadPlan, Section, Welding};
 
@@ -36,8 +37,10 @@ fn torches(welding: &Welding, here: Option<&(&BeadPlan, Vec<BeadAt>)>, s: f64) -
 fn torch_note(welding: &Welding, s: f64, language: Language) -> Option<String> {
     let roles = [None, Some(Role::Root), Some(Role::Fill), Some(Role::Cap)];
     let (work, travel) = roles.into_iter().find_map(|role| welding.torch_angles(role, s))?;
-    let degrees = [work, travel].map(|angle| format_number(angle.to_degrees(), 3));
-    Some(language.fill("torch: work angle {0} deg, travel angle {1} deg", &[&degrees[0], &degrees[1]]))
+    let message = Message::new("report-section-torch")
+        .significant("work", work.to_degrees(), Unit::Deg, 3)
+        .significant("travel", travel.to_degrees(), Unit::Deg, 3);
+    Some(message.in_language(language))
 }
 
 fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawing> {
@@ -53,15 +56,28 @@ fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawi
         Role::Fill => 1,
         Role::Cap | Role::Cosmetic => 3,
     };
-    let number = |phi: f64| format_number(phi.to_degrees().rem_euclid(360.0), 4);
-    let angle = point.phi.map(|phi| format!(", {}", language.fill("{0} deg", &[&number(phi)])));
-    let cap = if section.cap > 0.0 { format!(" + {}", format_number(section.cap, 3)) } else { String::new() };
+    let at = Message::new("report-at").significant("s", s, Unit::Mm, 5);
+    let angle = |phi: f64| {
+        let degrees = phi.to_degrees().rem_euclid(360.0);
+        Message::new("quantity").significant("value", degrees, Unit::Deg, 4).in_language(language)
+    };
+    let note = Message::new("report-section-note").significant("dihedral", point.dihedral.to_degrees(), Unit::Deg, 4);
+    let area = |unit| Message::new("quantity").significant("value", section.area(), unit, 4);
+    let note = match section.cap > 0.0 {
+        true => {
+            let sum = Message::new("report-area-with-cap").message("groove", area(Unit::One)).significant(
+                "cap",
+                section.cap,
+                Unit::Mm2,
+                3,
+            );
+            note.message("area", sum)
+        }
+        false => note.message("area", area(Unit::Mm2)),
+    };
     Some(SectionDrawing {
-        title: language.fill("s = {0} mm", &[&format_number(s, 5)]) + &angle.unwrap_or_default(),
-        note: language.fill(
-            "dihedral {0} deg, area {1} mm²",
-            &[&format_number(point.dihedral.to_degrees(), 4), &(format_number(section.area(), 4) + &cap)],
-        ),
+        title: at.in_language(language) + &point.phi.map_or_else(String::new, |phi| format!(", {}", angle(phi))),
+        note: note.in_language(language),
         parts: joint.parts(&section).map(outline).to_vec(),
         groove: outline(section.first.iter().chain(section.second.iter().rev()).copied().collect()),
         beads: here

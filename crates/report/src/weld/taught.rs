@@ -1,9 +1,11 @@
 //! Charts of the taught spans of a seam.
 
 use super::charts::{chart, line};
-use crate::Phrases as _;
-use crate::{Band, Chart, ChartGrid, Language, Series, Style, format_number};
+use crate::Words as _;
+use crate::number::Significant as _;
+use crate::{Band, Chart, ChartGrid, Language, Series, Style};
 use seamwright_machine::Machine;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::PassMotion;
 use seamwright_weld::{SeamCurve, TaughtSpan};
 
@@ -48,7 +50,7 @@ impl Shown<'_> {
         let nominal_bend = |s: f64| 1e3 * self.seam.nominal().curvature(self.nominal_s(s)).length();
         let points = self.span.points.iter().map(|s| (*s, distance(*s))).collect();
         let chart = |title, y, series: Vec<Series>| Chart {
-            bands: vec![Band { label: language.say("taught").to_owned(), from, to }],
+            bands: vec![Band { label: language.words("report-taught"), from, to }],
             height: Some(96.0),
             ..chart(language, title, y, series)
         };
@@ -57,33 +59,37 @@ impl Shown<'_> {
         let fastest = speeds.iter().fold(0.0, |m: f64, p| m.max(p.1));
         let charts = vec![
             chart(
-                "Distance from the nominal seam",
-                ("distance", "mm"),
+                "report-chart-off-nominal",
+                ("report-label-distance", Unit::Mm),
                 vec![
-                    line("the seam as welded", curve(&distance)),
-                    line("nominal seam", curve(&|_| 0.0)).styled(Style::Dashed),
-                    line("taught points", points).styled(Style::Points),
+                    line("report-curve-as-welded", curve(&distance)),
+                    line("report-curve-nominal", curve(&|_| 0.0)).styled(Style::Dashed),
+                    line("report-curve-taught-points", points).styled(Style::Points),
                 ],
             ),
             chart(
-                "Direction against the nominal seam's",
-                ("angle", "deg"),
-                vec![line("the seam as welded", curve(&turn))],
+                "report-chart-direction-off-nominal",
+                ("report-label-angle", Unit::Deg),
+                vec![line("report-curve-as-welded", curve(&turn))],
             ),
             chart(
-                "Curvature",
-                ("curvature", "1/m"),
+                "report-chart-curvature",
+                ("report-label-curvature", Unit::PerM),
                 vec![
-                    line("the seam as welded", curve(&bend)),
-                    line("nominal seam", curve(&nominal_bend)).styled(Style::Dashed),
+                    line("report-curve-as-welded", curve(&bend)),
+                    line("report-curve-nominal", curve(&nominal_bend)).styled(Style::Dashed),
                 ],
             ),
             Chart {
                 y_range: Some((0.0, 1.2 * fastest)),
-                ..chart("Speed of the torch tip", ("speed", "mm/s"), vec![line("planned", speeds)])
+                ..chart(
+                    "report-chart-tip-speed",
+                    ("report-label-speed", Unit::MmPerS),
+                    vec![line("report-curve-planned", speeds)],
+                )
             },
         ];
-        let title = language.fill("Taught span {0}", &[&self.number.to_string()]);
+        let title = Message::new("report-chart-taught").pass("number", self.number).in_language(language);
         TaughtPlot { text: self.text(&places), charts: ChartGrid { title, columns: 1, charts } }
     }
 
@@ -116,19 +122,15 @@ impl Shown<'_> {
         let off = inside.map(|s| self.seam.off_nominal(self.span, *s));
         let (away, turn) = off.fold((0.0, 0.0), |(a, t): (f64, f64), o| (a.max(o.0), t.max(o.1)));
         let longer = (to - from) - (self.span.nominal.1 - self.span.nominal.0);
-        let of = [
-            self.number.to_string(),
-            format_number(from, 5),
-            format_number(to, 5),
-            format_number(longer.abs(), 3),
-            self.language.say(if longer < 0.0 { "shorter" } else { "longer" }).to_owned(),
-            self.span.points.len().to_string(),
-            format_number(away, 3),
-            format_number(turn.to_degrees(), 3),
-        ];
-        self.language.fill(
-            "Span {0}: s = {1} to {2} mm ({3} mm {4} than the nominal seam there), {5} taught points; up to {6} mm beside the nominal seam and {7} degrees off its direction.",
-            &of.each_ref().map(String::as_str),
-        )
+        Message::new("report-taught-span")
+            .pass("number", self.number)
+            .significant("from", from, Unit::One, 5)
+            .significant("to", to, Unit::Mm, 5)
+            .significant("length", longer.abs(), Unit::Mm, 3)
+            .message("change", Message::new(if longer < 0.0 { "report-shorter" } else { "report-longer" }))
+            .count("n", self.span.points.len())
+            .significant("distance", away, Unit::Mm, 3)
+            .significant("angle", turn.to_degrees(), Unit::Deg, 3)
+            .in_language(self.language)
     }
 }

@@ -2,9 +2,11 @@
 
 use super::charts::{chart, line};
 use super::curves::{Envelope, SimulationCurves};
-use crate::Phrases as _;
-use crate::{Chart, ChartGrid, Language, Series, Style, Table, format_number, said};
+use crate::Words as _;
+use crate::number::{Significant as _, fixed, significant};
+use crate::{Chart, ChartGrid, Language, Series, Style, Table};
 use seamwright_cell::tracking::{BeamFit, HeadSample, HeadSummary};
+use seamwright_message::{Message, Unit};
 
 /// One head's curves over path length, gathered sample by sample; mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,71 +46,71 @@ pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary], language:
     for (head, curves) in heads.iter().zip(&curves.heads) {
         let name = if heads.len() > 1 { format!("{}: ", head.head) } else { String::new() };
         let chart = |what: &'static str, series: Vec<Series>| Chart {
-            title: format!("{name}{}", language.say(what)),
+            title: format!("{name}{}", language.words(what)),
             height: Some(110.0),
-            ..chart(language, "", ("distance", "mm"), series)
+            ..chart(language, "", ("report-label-distance", Unit::Mm), series)
         };
         let line = |name, points| line(language, name, points);
         let pair = |of: &[Envelope; 2]| {
-            vec![line("lateral", of[0].points()), line("height", of[1].points()).styled(Style::Dashed)]
+            vec![
+                line("report-curve-lateral", of[0].points()),
+                line("report-curve-height", of[1].points()).styled(Style::Dashed),
+            ]
         };
-        charts.push(chart(
-            "the joint beside the planned path (a weld without tracking misses it by this)",
-            pair(&curves.seam),
-        ));
+        charts.push(chart("report-chart-joint", pair(&curves.seam)));
         let beside = match head.lateral_only {
-            true => vec![line("lateral", curves.miss[0].points())],
+            true => vec![line("report-curve-lateral", curves.miss[0].points())],
             false => pair(&curves.miss),
         };
-        charts.push(chart("the weld beside the joint", beside));
+        charts.push(chart("report-chart-weld", beside));
         let deflected = curves.beam[0].points();
         if !deflected.is_empty() {
-            let carried = line("gun carried by the axes", curves.beam[1].points()).styled(Style::Dashed);
-            let title = "what corrects it, lateral: the beam's deflection; dashed, the gun carried by the axes";
-            charts.push(chart(title, vec![line("deflection", deflected), carried]));
+            let carried = line("report-curve-gun", curves.beam[1].points()).styled(Style::Dashed);
+            let title = "report-chart-correction";
+            charts.push(chart(title, vec![line("report-curve-deflection", deflected), carried]));
         }
         let sigma = curves.sigma.points();
         if !sigma.is_empty() {
-            charts.push(chart("how well the joint is known (standard deviation)", vec![line("sigma", sigma)]));
+            charts.push(chart("report-chart-sigma", vec![line("report-curve-sigma", sigma)]));
         }
     }
-    (!charts.is_empty()).then(|| ChartGrid { title: language.say("Joint and weld").to_owned(), columns: 1, charts })
+    (!charts.is_empty()).then(|| ChartGrid { title: language.words("report-chart-tracking"), columns: 1, charts })
 }
 
 /// Returns the deviations of each head with and without tracking.
 pub(super) fn table(heads: &[HeadSummary], language: Language) -> Table {
     // A head that has not welded has no deviations.
-    let mm =
-        |value: f64| if value.is_finite() { format_number(value, 3) } else { language.say("none welded").to_owned() };
+    let mm = |value: f64| {
+        if value.is_finite() { significant(value, 3, language) } else { language.words("report-not-welded") }
+    };
     let row = |h: &HeadSummary| {
+        let percent = |value| Message::new("quantity").quantity("value", value, Unit::Percent, 0).in_language(language);
         let most = h.used.map(|used| used.into_iter().fold(0.0, f64::max));
         vec![
             h.head.clone(),
             mm(h.untracked_p99_mm),
             mm(h.untracked_most_mm),
-            if h.tracked { mm(h.miss_p99_mm) } else { language.say("not tracked").to_owned() },
+            if h.tracked { mm(h.miss_p99_mm) } else { language.words("report-not-tracked") },
             if h.tracked { mm(h.miss_most_mm) } else { String::new() },
-            most.map_or_else(String::new, |part| format!("{:.0} %", 100.0 * part)),
-            h.stopped_mm.map_or_else(String::new, |s| format!("{s:.1}")),
+            most.map_or_else(String::new, |part| percent(100.0 * part)),
+            h.stopped_mm.map_or_else(String::new, |s| fixed(s, 1, language)),
         ]
     };
     Table {
-        caption: language
-            .say(match heads.iter().any(|head| head.lateral_only) {
-                true => "Distance of the weld from the joint, lateral: a beam has no height",
-                false => "Distance of the weld from the joint, lateral and height together",
-            })
-            .to_owned(),
+        caption: language.words(match heads.iter().any(|head| head.lateral_only) {
+            true => "report-caption-tracked-lateral",
+            false => "report-caption-tracked",
+        }),
         head: [
-            "Head",
-            "untracked, 99 % (mm)",
-            "at most",
-            "tracked, 99 % (mm)",
-            "at most",
-            "of what corrections may do",
-            "stopped at (mm)",
+            "report-column-head",
+            "report-column-untracked",
+            "report-limit-at-most",
+            "report-column-tracked",
+            "report-limit-at-most",
+            "report-column-correction-used",
+            "report-column-stopped-at",
         ]
-        .map(|head| language.say(head).to_owned())
+        .map(|head| language.words(head))
         .into(),
         rows: heads.iter().map(row).collect(),
         numeric: (0..7).map(|column| column > 0).collect(),
@@ -117,14 +119,21 @@ pub(super) fn table(heads: &[HeadSummary], language: Language) -> Table {
 
 /// Returns the corrections of beams; `None` without a beam.
 pub(super) fn beam_table(heads: &[HeadSummary], language: Language) -> Option<Table> {
-    let number = format_number;
+    let number = |value, digits| significant(value, digits, language);
     let row = |h: &HeadSummary| {
         let beam = h.beam.as_ref()?;
-        let stored =
-            |fit: &BeamFit| language.fill("{0} ({1} points)", &[&number(fit.within_mm, 3), &fit.points.to_string()]);
+        let stored = |fit: &BeamFit| {
+            Message::new("report-stored-points")
+                .significant("value", fit.within_mm, Unit::One, 3)
+                .count("n", fit.points)
+                .in_language(language)
+        };
         Some(vec![
-            language.say(if beam.replayed { "stored deviations" } else { "what the beam saw" }).to_owned(),
-            language.fill("{0} of {1}", &[&number(beam.deflected_mm, 3), &number(beam.range_mm, 3)]),
+            language.words(if beam.replayed { "report-stored-deviations" } else { "report-seen-by-beam" }),
+            Message::new("report-part-of")
+                .significant("value", beam.deflected_mm, Unit::One, 3)
+                .significant("whole", beam.range_mm, Unit::One, 3)
+                .in_language(language),
             number(beam.carried_mm, 3),
             number(beam.away_percent, 3),
             number(beam.longest_away_ms, 3),
@@ -133,16 +142,16 @@ pub(super) fn beam_table(heads: &[HeadSummary], language: Language) -> Option<Ta
     };
     let rows: Vec<_> = heads.iter().filter_map(row).collect();
     (!rows.is_empty()).then(|| Table {
-        caption: language.say("The beam").to_owned(),
+        caption: language.words("report-caption-beam"),
         head: [
-            "corrected by",
-            "deflected by up to (mm)",
-            "gun carried by up to (mm)",
-            "away from the weld (% of its time)",
-            "longest (ms)",
-            "nine of ten points from what is stored (mm)",
+            "report-column-corrected-by",
+            "report-column-deflected",
+            "report-column-gun-carried",
+            "report-column-away",
+            "report-column-longest",
+            "report-column-stored-within",
         ]
-        .map(|head| language.say(head).to_owned())
+        .map(|head| language.words(head))
         .into(),
         rows,
         numeric: (0..6).map(|column| column > 0).collect(),
@@ -152,15 +161,19 @@ pub(super) fn beam_table(heads: &[HeadSummary], language: Language) -> Option<Ta
 /// Describes the alarms that the operator should check.
 pub(super) fn text(heads: &[HeadSummary], language: Language) -> String {
     let alarms = heads.iter().flat_map(|h| h.alarms.iter().map(move |a| (h, a)));
-    let told = alarms.map(|(h, a)| {
-        let of = [&h.head, &format!("{:.1}", a.at_mm), &said::sentence(language, &a.text())];
-        language.fill("{0} at {1} mm: {2}", &of.map(String::as_str))
-    });
-    let told: Vec<String> = told.collect();
-    let then = match told.is_empty() {
-        true if heads.iter().all(|h| h.tracked) => language.say("Tracking had nothing to tell.").to_owned(),
-        true => language.say("It was welded as planned.").to_owned(),
-        false => language.fill("To be looked at: {0}.", &[&told.join("; ")]),
+    let alarms: Vec<String> = alarms
+        .map(|(h, a)| {
+            Message::new("report-alarm-at")
+                .text("head", &h.head)
+                .quantity("s", a.at_mm, Unit::Mm, 1)
+                .message("alarm", a.message())
+                .in_language(language)
+        })
+        .collect();
+    let then = match alarms.is_empty() {
+        true if heads.iter().all(|h| h.tracked) => Message::new("report-tracking-without-alarms"),
+        true => Message::new("report-welded-as-planned"),
+        false => Message::new("report-to-be-checked").text("alarms", alarms.join("; ")),
     };
-    [language.say("The part lies elsewhere than planned."), &then].join(language.between_sentences())
+    language.sentences(&[language.words("report-part-displaced"), then.in_language(language)])
 }

@@ -1,6 +1,8 @@
 use super::charts::{axis, line};
-use crate::Phrases as _;
-use crate::{Chart, Language, LimitLine, format_number};
+use crate::Words as _;
+use crate::number::Significant as _;
+use crate::{Chart, Language, LimitLine};
+use seamwright_message::{Message, Unit};
 use seamwright_program::Pass;
 use seamwright_weld::PassPath;
 
@@ -29,12 +31,12 @@ pub(super) fn weave(pass: &Pass, path: &PassPath, language: Language) -> Option<
     let (wide, _) = weave.reach();
     Some(Chart {
         language,
-        title: language.fill("Woven path of the tip over the first {0} mm", &[&format_number(drawn, 3)]),
-        x: axis(language, "along the seam", "mm"),
-        y: axis(language, "across", "mm"),
-        series: vec![line(language, "tip", (0..=places as u32).map(place).collect())],
-        limits: [("first part", wide), ("second part", -wide)]
-            .map(|(name, y)| LimitLine::new(language.say(name), y))
+        title: Message::new("report-chart-weave").significant("length", drawn, Unit::Mm, 3).in_language(language),
+        x: axis(language, "report-label-along-seam", Unit::Mm),
+        y: axis(language, "report-label-across", Unit::Mm),
+        series: vec![line(language, "report-curve-tip", (0..=places as u32).map(place).collect())],
+        limits: [("report-first-part", wide), ("report-second-part", -wide)]
+            .map(|(name, y)| LimitLine::new(language.words(name), y))
             .to_vec(),
         equal_aspect: true,
         ..Chart::default()
@@ -53,13 +55,14 @@ pub(super) fn oscillation(pass: &Pass, language: Language) -> Option<Chart> {
     };
     Some(Chart {
         language,
-        title: language.fill(
-            "Path of the beam on the work over {0} periods: {1} mm a period at {2} mm/s",
-            &[&TURNS.to_string(), &format_number(oscillation.advance(speed), 4), &format_number(speed, 4)],
-        ),
-        x: axis(language, "along the seam", "mm"),
-        y: axis(language, "across", "mm"),
-        series: vec![line(language, "beam", (0..=places).map(place).collect())],
+        title: Message::new("report-chart-oscillation")
+            .count("n", TURNS as usize)
+            .significant("advance", oscillation.advance(speed), Unit::Mm, 4)
+            .significant("speed", speed, Unit::MmPerS, 4)
+            .in_language(language),
+        x: axis(language, "report-label-along-seam", Unit::Mm),
+        y: axis(language, "report-label-across", Unit::Mm),
+        series: vec![line(language, "report-curve-beam", (0..=places).map(place).collect())],
         equal_aspect: true,
         ..Chart::default()
     })

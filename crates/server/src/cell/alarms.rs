@@ -2,6 +2,7 @@ use super::names::{Names, shelvable};
 use crate::view::written;
 use crate::wire::{AlarmView, Shelving, WhoWhen};
 use seamwright_cell::executive::{Alarm, AlarmList, AlarmState, Ask, Note, Raised, Reaction};
+use seamwright_message::Message;
 use seamwright_record::{Moment, library};
 use std::time::{Duration, Instant};
 
@@ -14,6 +15,8 @@ pub(super) struct Mirror {
     /// Alarms of earlier runs, shown as returned: the executive raises active ones anew. Details count down from the
     /// maximum.
     before: Vec<AlarmView>,
+    /// Names of those in the library.
+    known: Vec<Message>,
     list: AlarmList,
     said: Vec<Said>,
     shelf: Vec<Shelved>,
@@ -39,9 +42,10 @@ fn key(view: &AlarmView) -> (u8, u8) {
 
 impl Mirror {
     pub(super) fn new(unknown: &[library::Alarm]) -> Self {
-        let mut before: Vec<AlarmView> = unknown.iter().filter_map(returned).collect();
+        let (mut before, known): (Vec<AlarmView>, Vec<Message>) =
+            unknown.iter().filter_map(|kept| Some((returned(kept)?, kept.name.clone()))).unzip();
         (0..=u8::MAX).rev().zip(&mut before).for_each(|(detail, view)| view.detail = detail);
-        Self { before, list: AlarmList::default(), said: Vec::new(), shelf: Vec::new() }
+        Self { before, known, list: AlarmList::default(), said: Vec::new(), shelf: Vec::new() }
     }
 
     /// Updates the list from a note. Returns true if it changed; `user` gave the command, if there is one.
@@ -79,7 +83,10 @@ impl Mirror {
     /// Acknowledges one alarm or all. Returns true if one of an earlier run was among them.
     fn acknowledged(&mut self, one: Option<(Alarm, u8)>, user: &str) -> bool {
         let before = self.before.len();
-        self.before.retain(|view| one.is_some_and(|(a, d)| (a.number() as u8, d) != key(view)));
+        let stays = |view: &AlarmView| one.is_some_and(|(a, d)| (a.number() as u8, d) != key(view));
+        let mut views = self.before.iter();
+        self.known.retain(|_| views.next().is_some_and(stays));
+        self.before.retain(stays);
         for raised in self.list.iter().filter(|r| r.state == AlarmState::Unacknowledged) {
             let its = (raised.alarm, raised.detail);
             if one.is_none_or(|one| one == its)
@@ -92,11 +99,10 @@ impl Mirror {
     }
 
     /// Returns the library's name of an alarm that is acknowledged individually.
-    pub(super) fn name(&self, names: &Names, (alarm, detail): (Alarm, u8)) -> String {
-        let views = self.before.iter().find(|view| key(view) == (alarm.number() as u8, detail));
-        let of = views.map_or_else(|| names.detail(alarm, detail), |view| view.of.clone());
-        let name = alarm.entry().name;
-        of.map_or_else(|| name.to_owned(), |of| format!("{name} ({of})"))
+    pub(super) fn name(&self, names: &Names, (alarm, detail): (Alarm, u8)) -> Message {
+        let before = self.before.iter().zip(&self.known);
+        let known = before.filter(|(view, _)| key(view) == (alarm.number() as u8, detail)).map(|(_, name)| name);
+        known.last().cloned().unwrap_or_else(|| alarm.title_of(names.about(alarm, detail)))
     }
 
     /// Shelves an alarm for a time, or unshelves it. Returns its name.
@@ -167,19 +173,17 @@ impl Mirror {
     }
 }
 
-/// Parses a library alarm, `NAME (OF)`; `None` if this version has no such alarm.
+/// Returns the view of a library alarm; `None` if this version has no such alarm.
 fn returned(kept: &library::Alarm) -> Option<AlarmView> {
-    let split = |text: &str| text.strip_suffix(')')?.split_once(" (").map(|(a, b)| (a.to_owned(), b.to_owned()));
-    let (name, of) = split(&kept.name).map_or_else(|| (kept.name.clone(), None), |(name, of)| (name, Some(of)));
-    let alarm = Alarm::ALL.into_iter().find(|alarm| alarm.entry().name == name)?;
+    let (alarm, of) = Alarm::from_title(&kept.name)?;
     let entry = alarm.entry();
     Some(AlarmView {
         number: alarm.number() as u8,
-        name,
-        of,
-        cause: entry.cause.to_owned(),
-        consequence: entry.consequence.to_owned(),
-        action: entry.action.to_owned(),
+        name: entry.name.to_owned(),
+        of: of.map(|of| of.to_string()),
+        cause: entry.cause.to_string(),
+        consequence: entry.consequence.to_string(),
+        action: entry.action.to_string(),
         reaction: entry.reaction.name().to_owned(),
         detail: 0,
         at: written(kept.raised),
@@ -203,10 +207,10 @@ mod tests {
     fn what_is_kept_is_found_in_the_catalogue() {
         for alarm in Alarm::ALL {
             for of in ["", " (theta)", " (door (left))"] {
-                let name = format!("{}{of}", alarm.entry().name);
+                let name = Message::verbatim(format!("{}{of}", alarm.name()));
                 let kept = library::Alarm {
                     name,
-                    cause: String::new(),
+                    cause: Message::default(),
                     place: library::Place::default(),
                     raised: Moment(0),
                     first_out: true,

@@ -4,6 +4,7 @@ use super::happening::happening;
 use super::hub::Hub;
 use super::refusals::Refusals;
 use crate::log;
+use seamwright_message::Message;
 use seamwright_record::library::{Alarm, AuditEntry};
 use seamwright_record::{DataFolder, Error, Moment};
 use std::collections::VecDeque;
@@ -59,7 +60,7 @@ enum Entry {
     Audit(AuditEntry),
     Alarm(Option<i64>, Box<Alarm>),
     /// The user, the time, and the name of the alarm; `None`: all alarms.
-    Acknowledge(String, Moment, Option<String>),
+    Acknowledge(String, Moment, Option<Message>),
 }
 
 /// Next step of the writer.
@@ -286,12 +287,12 @@ impl Archive {
 
     /// Adds an alarm, of a weld or of none. It stays listed until acknowledged.
     pub(crate) fn alarm(&self, weld: Option<i64>, alarm: Alarm) {
-        log::warning(&format!("alarm: {}", plain(&alarm.name)));
+        log::warning(&format!("alarm: {}", plain(&alarm.name.to_string())));
         self.add_alarm(Entry::Alarm(weld, Box::new(alarm)));
     }
 
     /// Acknowledges the listed alarm of this name, or all. Skipped if it repeats one since the last alarm.
-    pub(crate) fn acknowledge(&self, user: &str, name: Option<String>) {
+    pub(crate) fn acknowledge(&self, user: &str, name: Option<Message>) {
         let covers =
             |entry: &Entry| matches!(entry, Entry::Acknowledge(.., known) if known.is_none() || *known == name);
         let waiting = self.0.0.waiting();
@@ -317,7 +318,7 @@ mod tests {
 
     fn alarm(name: &str) -> Alarm {
         let place = seamwright_record::library::Place::default();
-        let (name, cause, raised) = (name.to_owned(), String::new(), Moment::now());
+        let (name, cause, raised) = (Message::verbatim(name), Message::default(), Moment::now());
         Alarm { name, cause, place, raised, first_out: false, acknowledged: None }
     }
 
@@ -360,7 +361,7 @@ mod tests {
                 archive.alarm(None, alarm(&format!("alarm {i}")));
                 archive.audit("ada", "panel 1", &format!("order {i}"), ("", ""), "taken");
             }
-            archive.acknowledge("eve", Some("alarm 0".to_owned()));
+            archive.acknowledge("eve", Some(Message::verbatim("alarm 0")));
             archive.acknowledge("eve", None);
             archive.repeatable("eve", "panel 2", "take control", "control taken");
         }
@@ -373,7 +374,7 @@ mod tests {
         assert!(!entries.iter().any(|e| e.result.contains("left out")), "{entries:?}");
         // All but the last were acknowledged after they were raised.
         let listed = data.library().listed_alarms().unwrap();
-        assert_eq!(listed.iter().map(|alarm| alarm.name.as_str()).collect::<Vec<_>>(), ["last"]);
+        assert_eq!(listed.iter().map(|alarm| alarm.name.to_string()).collect::<Vec<_>>(), ["last"]);
         assert!(entries.iter().any(|e| e.result.contains("control taken: 999 more")), "{entries:?}");
     }
 

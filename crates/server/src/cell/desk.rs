@@ -183,7 +183,7 @@ impl Desk {
             }
             if let Some(cause) = shutdown.cause() {
                 self.tell(happening("stopped_by", [cause.to_string()]));
-                self.recorder.stopped_by(&cause.to_string());
+                self.recorder.stopped_by(&cause.message());
             }
             self.recorder.close();
         }));

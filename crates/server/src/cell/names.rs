@@ -2,8 +2,8 @@ use super::stillness::Stillness;
 use crate::wire::{Ages, AlarmView, AxisStatus, LackView, LeftView, ProcessStatus, RealtimeView, Status};
 use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
 use seamwright_cell::realtime::{Footing, Shown};
-use seamwright_cell::tracking;
 use seamwright_machine::{AxisKind, Joints, Level, Machine};
+use seamwright_message::Message;
 
 /// The machine's names for the executive's indices, and its kinematic chain.
 pub(super) struct Names {
@@ -35,18 +35,12 @@ impl Names {
 
     /// Returns the axis or condition of an alarm, or the trouble that tracking reports.
     pub(super) fn detail(&self, alarm: Alarm, detail: u8) -> Option<String> {
-        let names = match alarm {
-            Alarm::Interlock => self.conditions(),
-            Alarm::DriveFault | Alarm::LimitSwitch | Alarm::FollowingError => self.axes(),
-            Alarm::Tracking => {
-                return tracking::trouble(detail).map(|(name, head)| match head {
-                    0 => name.to_owned(),
-                    _ => format!("{name}, head {}", head + 1),
-                });
-            }
-            _ => return None,
-        };
-        names.get(usize::from(detail)).map(|name| (*name).to_owned())
+        self.about(alarm, detail).map(|of| of.to_string())
+    }
+
+    /// Returns what an alarm is about, as data.
+    pub(super) fn about(&self, alarm: Alarm, detail: u8) -> Option<Message> {
+        alarm.about(detail, &self.axes(), &self.conditions())
     }
 
     pub(super) fn alarm(&self, raised: &Raised) -> AlarmView {
@@ -55,9 +49,9 @@ impl Names {
             number: raised.alarm.number() as u8,
             name: entry.name.to_owned(),
             of: self.detail(raised.alarm, raised.detail),
-            cause: entry.cause.to_owned(),
-            consequence: entry.consequence.to_owned(),
-            action: entry.action.to_owned(),
+            cause: entry.cause.to_string(),
+            consequence: entry.consequence.to_string(),
+            action: entry.action.to_string(),
             reaction: raised.reaction.name().to_owned(),
             state: match raised.state {
                 AlarmState::Unacknowledged => "unacknowledged",
@@ -79,7 +73,7 @@ impl Names {
 
     pub(super) fn lack(&self, missing: Missing) -> LackView {
         let (axes, conditions) = (self.axes(), self.conditions());
-        let text = missing.text(&axes, &conditions);
+        let text = missing.message(&axes, &conditions).to_string();
         let one = |names: &[&str], i: u8| names.get(usize::from(i)).map(|n| (*n).to_owned()).into_iter().collect();
         let (key, of): (_, Vec<String>) = match missing {
             Missing::Mode(refused) => ("mode", refused.allowed().map(mode).map(str::to_owned).collect()),
@@ -90,7 +84,7 @@ impl Names {
             }
             Missing::HomesFirst(i) => ("homes_first", one(&axes, i)),
             Missing::Power => ("power", vec![]),
-            Missing::Silent(device) => ("silent", vec![device.to_owned()]),
+            Missing::Silent(device) => ("silent", vec![device.name().to_owned()]),
             Missing::Condition(i) => ("condition", one(&conditions, i)),
             Missing::Alarm(alarm, i) => {
                 let mut of = vec![alarm.entry().name.to_owned()];

@@ -7,6 +7,7 @@ use super::progress::{Left, Progress};
 use crate::wire::{FromCell, LackView};
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Raised};
 use seamwright_cell::realtime::Footing;
+use seamwright_message::{Language, Message};
 
 impl Desk {
     pub(super) fn noted(&mut self, t: f64, note: Note) {
@@ -101,7 +102,7 @@ impl Desk {
         }
     }
 
-    fn taken(&mut self, command: Command, one: Option<String>) {
+    fn taken(&mut self, command: Command, one: Option<Message>) {
         let Origin { station, .. } = command.origin;
         if let Ask::Why(_) = command.ask {
             let lacks = self.lacks.remove(&(station, command.number)).unwrap_or_default();
@@ -123,7 +124,9 @@ impl Desk {
         let station = if station > 0 { format!("panel {station}") } else { String::from("panel") };
         let text = match command.ask {
             Ask::Override(part) => format!("override {:.0} %", part * 100.0),
-            Ask::AcknowledgeOne(..) => format!("acknowledge {}", one.unwrap_or_default()),
+            Ask::AcknowledgeOne(..) => {
+                format!("acknowledge {}", one.unwrap_or_default().in_language(Language::English))
+            }
             ask => ask.name().to_owned(),
         };
         let user = user.as_deref().unwrap_or("");
@@ -154,17 +157,11 @@ impl Desk {
 
     fn alarm(&mut self, t: f64, raised: &Raised) {
         let (alarm, reaction) = (raised.alarm.entry().name.to_owned(), raised.reaction.name().to_owned());
-        let name = match self.names.detail(raised.alarm, raised.detail) {
-            Some(of) => {
-                let name = format!("{alarm} ({of})");
-                self.tell(happening("alarm_of", [alarm, reaction, of]));
-                name
-            }
-            None => {
-                self.tell(happening("alarm", [alarm.clone(), reaction]));
-                alarm
-            }
-        };
-        self.recorder.alarm(t, raised, &name);
+        let about = self.names.about(raised.alarm, raised.detail);
+        self.tell(match &about {
+            Some(of) => happening("alarm_of", [alarm, reaction, of.to_string()]),
+            None => happening("alarm", [alarm, reaction]),
+        });
+        self.recorder.alarm(t, raised, &raised.alarm.title_of(about));
     }
 }

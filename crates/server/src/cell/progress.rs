@@ -239,7 +239,7 @@ mod tests {
             most_rows: 1,
             rows: 1,
             basis: Basis::default(),
-            note: String::new(),
+            note: seamwright_message::Message::default(),
         };
         ToWeld::new(plan, 3, Some(start))
     }

@@ -3,12 +3,13 @@ use super::happening::happening;
 use super::hub::Hub;
 use super::names::Names;
 use seamwright_cell::executive::{Mode, Note, Place, Raised, Reaction};
-use seamwright_cell::realtime::Shown;
+use seamwright_cell::realtime::{Footing, Shown};
+use seamwright_message::{Message, Unit};
 use seamwright_project::power_loss::{self, Places, Watch};
 use seamwright_project::run_rows;
 use seamwright_project::weld_events;
 use seamwright_record::library::{Alarm, AuditEntry, Event, Place as Recorded, WeldResult};
-use seamwright_record::{DataFolder, Error, Moment, Outcome, Plan, Recording};
+use seamwright_record::{DataFolder, Error, Moment, Outcome, Plan, Recording, joined};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::JoinHandle;
@@ -44,7 +45,7 @@ struct Open {
     /// Last position of the torch, and events.
     here: Place,
     events: Vec<Event>,
-    stopped: Option<String>,
+    stopped: Option<Message>,
     /// A cycle of this weld has arrived: earlier ones may still be in the queue when it starts.
     runs: bool,
     /// Time of the end of the program, s.
@@ -86,12 +87,8 @@ impl Recorder {
         let welder = welder.to_owned();
         let mut events = Vec::new();
         if !missing.is_empty() {
-            let text = format!("without real-time rights: {}", missing.join(", "));
-            events.push(Event {
-                at: Moment::now(),
-                text: text.into(),
-                place: Recorded { pass: None, s_mm: None, t_s: None },
-            });
+            let text = Footing::event(missing);
+            events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
         }
         self.open = Some(Open {
             recording,
@@ -143,7 +140,7 @@ impl Recorder {
         if let Some(position) = open.watch.position(shown, weld) {
             open.places.tell(position);
         }
-        let trouble = open.recording.trouble().map(str::to_owned);
+        let trouble = open.recording.trouble().map(ToString::to_string);
         match open.ended {
             None if !welds && shown.phase.is_none() => open.ended = Some(shown.t),
             Some(t) if shown.t - t > AFTER_S => self.end(),
@@ -163,9 +160,9 @@ impl Recorder {
     }
 
     /// Archives an alarm at once, with the weld that is recorded, if any.
-    pub(super) fn alarm(&mut self, t: f64, raised: &Raised, name: &str) {
+    pub(super) fn alarm(&mut self, t: f64, raised: &Raised, name: &Message) {
         if let Some(open) = self.open.as_mut().filter(|_| raised.reaction >= Reaction::Hold) {
-            open.stopped.get_or_insert_with(|| name.to_owned());
+            open.stopped.get_or_insert_with(|| name.clone());
         }
         self.archive.alarm(self.weld(), alarm(t, raised, name));
     }
@@ -189,15 +186,11 @@ impl Recorder {
     }
 
     /// Notes that the recorded weld was ended from outside.
-    pub(super) fn stopped_by(&mut self, cause: &str) {
+    pub(super) fn stopped_by(&mut self, cause: &Message) {
         let Some(open) = &mut self.open else { return };
-        let text = format!("stopped by: {cause}");
-        open.events.push(Event {
-            at: Moment::now(),
-            text: text.into(),
-            place: Recorded { pass: None, s_mm: None, t_s: None },
-        });
-        open.stopped.get_or_insert_with(|| cause.to_owned());
+        let text = Message::new("cell-note-stopped").message("cause", cause.clone());
+        open.events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
+        open.stopped.get_or_insert_with(|| cause.clone());
     }
 
     /// Ends the current record and waits until all records are on the disk, at most [`CLOSING`].
@@ -212,11 +205,11 @@ impl Recorder {
 }
 
 /// Converts an alarm for the library.
-fn alarm(t: f64, raised: &Raised, name: &str) -> Alarm {
+fn alarm(t: f64, raised: &Raised, name: &Message) -> Alarm {
     let in_pass = raised.place.pass > 0;
     Alarm {
-        name: name.to_owned(),
-        cause: raised.alarm.entry().cause.to_owned(),
+        name: name.clone(),
+        cause: raised.alarm.entry().cause,
         place: Recorded {
             pass: in_pass.then_some(raised.place.pass as u32),
             s_mm: in_pass.then_some(raised.place.s_mm),
@@ -250,14 +243,17 @@ fn settle(open: Open, folder: &Path) -> Result<WeldResult, Error> {
     };
     let mut note = Vec::new();
     if let Some(alarm) = &open.stopped {
-        note.push(format!("stopped by: {alarm}"));
+        note.push(Message::new("cell-note-stopped").message("cause", alarm.clone()));
     }
     match open.left {
-        Some(left) => note.push(format!("left in pass {}, welded up to {:.2} mm", left.pass, left.s_mm)),
-        None if !whole => note.push("not welded to its end".to_owned()),
+        Some(left) => {
+            let left_in = Message::new("cell-note-left").pass("pass", left.pass);
+            note.push(left_in.quantity("at", left.s_mm, Unit::Mm, 2));
+        }
+        None if !whole => note.push(Message::new("cell-note-not-finished")),
         None => {}
     }
-    let outcome = Outcome { result, note: note.join("; "), files: Vec::new() };
+    let outcome = Outcome { result, note: joined(note), files: Vec::new() };
     for event in &open.events {
         data.library().add_event(Some(id), event)?;
     }
@@ -298,7 +294,7 @@ mod tests {
             most_rows: 1000,
             rows: 1000,
             basis: Basis::default(),
-            note: String::new(),
+            note: Message::default(),
         }
     }
 

@@ -43,16 +43,16 @@ impl SafeOutputs {
     /// Reports the dropped devices of `to` that have not confirmed their safe outputs.
     fn judge(&self, to: &Connection) {
         for (name, line) in to.lines.iter() {
-            let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".to_owned()));
+            let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".into()));
             if let Err(why) = &safe {
                 eprintln!("error: device `{name}`: its outputs are not confirmed to be safe: {why}");
-                self.hub.event(0.0, happening("safe_unconfirmed", [name.clone(), why.clone()]));
+                self.hub.event(0.0, happening("safe_unconfirmed", [name.clone(), why.to_string()]));
             }
             let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
             match safe {
                 // A device that was reconnected and is safe now is removed.
                 Ok(()) => shared.unconfirmed.remove(name),
-                Err(why) => shared.unconfirmed.insert(name.clone(), why),
+                Err(why) => shared.unconfirmed.insert(name.clone(), why.to_string()),
             };
         }
     }

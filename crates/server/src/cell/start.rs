@@ -80,7 +80,7 @@ impl Cell {
             hub.event(0.0, happening("weld_lost", [weld.to_string()]));
         }
         for alarm in &unknown {
-            hub.event(0.0, happening("alarm_before", [alarm.name.clone(), alarm.raised.to_string()]));
+            hub.event(0.0, happening("alarm_before", [alarm.name.to_string(), alarm.raised.to_string()]));
         }
         let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;
         let (port, outside) = live(shutdown);

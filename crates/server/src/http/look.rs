@@ -59,9 +59,9 @@ pub(super) async fn catalogue() -> Answer<Vec<AlarmEntry>> {
         AlarmEntry {
             number: alarm.number() as u8,
             name: entry.name.to_owned(),
-            cause: entry.cause.to_owned(),
-            consequence: entry.consequence.to_owned(),
-            action: entry.action.to_owned(),
+            cause: entry.cause.to_string(),
+            consequence: entry.consequence.to_string(),
+            action: entry.action.to_string(),
             reaction: entry.reaction.name().to_owned(),
         }
     });

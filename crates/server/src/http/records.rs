@@ -8,6 +8,7 @@ use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
+use seamwright_record::InvalidMoment;
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
 use seamwright_record::trace::{Outline, Trace};
 use seamwright_record::{DataFolder, Moment};
@@ -42,7 +43,7 @@ impl Asked {
     fn query(self) -> Result<Find, Refused> {
         let some = |text: Option<String>| text.filter(|t| !t.is_empty());
         let moment = |name: &str, text: Option<String>| {
-            let wrong = |e: String| Refused::input(format!("{name}: {e}"));
+            let wrong = |e: InvalidMoment| Refused::input(format!("{name}: {e}"));
             some(text).map(|t| t.parse::<Moment>().map_err(wrong)).transpose()
         };
         Ok(Find {
@@ -69,7 +70,7 @@ fn row(weld: &WeldRecord) -> RecordRow {
         begun: written(weld.begun),
         ended: weld.ended.map(written),
         result: weld.result.name().to_owned(),
-        note: weld.note.clone(),
+        note: weld.note.to_string(),
         machine: weld.machine.0.clone(),
         procedure: weld.procedure.as_ref().map(|(number, _)| number.clone()),
         welder: weld.welder.clone(),
@@ -123,8 +124,8 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
                 .alarms
                 .iter()
                 .map(|a| RecordedAlarm {
-                    name: a.name.clone(),
-                    cause: a.cause.clone(),
+                    name: a.name.to_string(),
+                    cause: a.cause.to_string(),
                     pass: a.place.pass,
                     s_mm: a.place.s_mm,
                     t_s: a.place.t_s,

@@ -11,6 +11,7 @@ use seamwright_cell::frames::{FrameError, FrameSource as _, LiveFrames, TimedFra
 use seamwright_cell::teach::{Carrier, Operator, Rig};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{AxisSet, Joints, Sensor, Surroundings};
+use seamwright_message::Message;
 use seamwright_motion::air::route;
 use seamwright_project::teaching::Picture;
 use seamwright_tracking::teach::{Answer, Crawl, EyePose};
@@ -155,13 +156,13 @@ pub(super) struct CellRig<'s, 'a> {
 
 impl CellRig<'_, '_> {
     /// Tries once to reach a camera pose, by a path around obstacles.
-    fn once(&mut self, eye: &EyePose) -> Result<Came, String> {
+    fn once(&mut self, eye: &EyePose) -> Result<Came, Message> {
         let hand = &self.station.hand;
         let Some((set, ..)) = hand.axes() else { return Ok(Came::Interrupted) };
         self.carrier.stands(set);
         let target = self.carrier.positions(eye)?;
         let way = route(hand.machine, self.station.around, &set, &target, AxisSet::default());
-        for place in way.map_err(|e| e.to_string())?.iter().skip(1) {
+        for place in way.map_err(|e| Message::verbatim(e.to_string()))?.iter().skip(1) {
             match hand.go(place) {
                 Came::There => {}
                 other => return Ok(other),
@@ -172,12 +173,12 @@ impl CellRig<'_, '_> {
 }
 
 impl Rig for CellRig<'_, '_> {
-    fn go(&mut self, eye: &EyePose) -> Result<(), String> {
+    fn go(&mut self, eye: &EyePose) -> Result<(), Message> {
         while self.station.may_run() {
             match self.once(eye)? {
                 Came::There => return Ok(()),
                 Came::Interrupted => {}
-                Came::Blocked => return Err("the cell has stopped the axes on the way: see its alarms".to_owned()),
+                Came::Blocked => return Err("the cell has stopped the axes on the way: see its alarms".into()),
             }
         }
         // The session is stopped: no frame follows either.
@@ -200,11 +201,11 @@ pub(super) struct Asked<'s, 'a> {
 }
 
 impl Operator for Asked<'_, '_> {
-    fn answer(&mut self, why: &str, _crawl: &Crawl) -> Answer {
+    fn answer(&mut self, why: &Message, _crawl: &Crawl) -> Answer {
         let (teaching, hub) = (self.station.teaching(), self.station.hub());
         // The picture in which the joint was lost stays for a moment, with its detection.
         teaching.change(hub, |state| {
-            (state.view.phase, state.view.why) = (TeachPhase::Asks, Some(why.to_owned()));
+            (state.view.phase, state.view.why) = (TeachPhase::Asks, Some(why.to_string()));
         });
         let said = self.station.watch(Teaching::said);
         self.station.runs();

@@ -147,7 +147,7 @@ async fn a_shutdown_in_a_weld_leaves_the_device_safe_and_the_record_closed() {
         let data = DataFolder::open_to_read(folder.path()).unwrap();
         let welds = data.library().find(&Query::default()).unwrap();
         assert_eq!((welds.len(), welds[0].result), (1, WeldResult::Stopped), "{welds:?}");
-        assert!(welds[0].note.contains(&cause.to_string()), "{}", welds[0].note);
+        assert!(welds[0].note.to_string().contains(&cause.to_string()), "{}", welds[0].note);
     }
 }
 

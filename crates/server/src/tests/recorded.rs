@@ -28,7 +28,7 @@ fn record(bench: &Bench, at: u32) -> i64 {
         most_rows: u64::from(ROWS / 2),
         rows: u64::from(ROWS),
         basis: Basis::default(),
-        note: String::new(),
+        note: seamwright_message::Message::default(),
     };
     let mut recording = data.begin(&plan).unwrap();
     for i in 0..ROWS {
@@ -37,7 +37,7 @@ fn record(bench: &Bench, at: u32) -> i64 {
         let error = if i == at + 3 { -5.0 } else { 0.01 };
         recording.row([t, 1.0, 5.0 * t, 1.0, current, error]);
     }
-    let outcome = Outcome { result: WeldResult::Good, note: String::new(), files: Vec::new() };
+    let outcome = Outcome { result: WeldResult::Good, note: seamwright_message::Message::default(), files: Vec::new() };
     recording.finish(&mut data, &outcome).unwrap().id
 }
 

@@ -15,10 +15,10 @@ pub(super) fn certificate(machine: &Machine, pass: &Pass, planned: &PassMotion) 
             to_mm: i.to,
             least_speed_mm_s: i.speed.0,
             between: i.between,
-            what: binding.as_ref().map_or("asked", |b| b.what).to_owned(),
+            what: binding.as_ref().map_or("asked", |b| b.kind.name()).to_owned(),
             axis: binding.as_ref().and_then(|b| b.axis.clone()),
             limit: binding.as_ref().map(|b| b.value),
-            unit: binding.map(|b| b.unit),
+            unit: binding.map(|b| b.unit.to_string()),
         }
     });
     let finite = |limit: f64| limit.is_finite().then_some(limit);

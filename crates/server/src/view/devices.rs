@@ -139,6 +139,6 @@ fn traffic(traffic: &Traffic) -> TrafficView {
         connections: traffic.connections,
         away_s: traffic.away_s,
         round_us: [round.quantile_us(0.5), round.quantile_us(0.999), round.most_us()],
-        trouble: traffic.trouble.clone(),
+        trouble: traffic.trouble.as_ref().map(ToString::to_string),
     }
 }

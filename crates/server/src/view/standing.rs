@@ -4,6 +4,7 @@ use super::near::near;
 use crate::wire::NearView;
 use seamwright_machine::{Joints, Machine, Surroundings, Target};
 use seamwright_motion::WeldMotion;
+use seamwright_motion::air::names_nearest;
 use seamwright_program::{Finding, TorchPath};
 use seamwright_project::load::Loaded;
 
@@ -68,14 +69,10 @@ impl<'a> Standing<'a> {
             }
         }
         let branches = self.machine().inverse(target(s), &near_q).ok()?;
-        let collides = |q: &Joints| self.collides(q, &finding.message.to_string());
+        // A finding that names the nearest pair of a branch is about this branch.
+        let collides =
+            |q: &Joints| self.around.is_some_and(|around| names_nearest(&finding.message, around, q, NEAR_MM));
         let colliding = branches.iter().map(|found| found.joints).find(|q| collides(q));
         colliding.or_else(|| self.machine().inverse_near(target(s), &near_q).ok().map(|found| found.joints))
-    }
-
-    /// Returns true if the finding names the nearest pair at `q`: then the planner used this branch.
-    fn collides(&self, q: &Joints, message: &str) -> bool {
-        let pair = self.around.and_then(|around| near(around, q, NEAR_MM));
-        pair.is_some_and(|pair| pair.between.iter().all(|name| message.contains(name.as_str())))
     }
 }

@@ -8,7 +8,7 @@ pub(crate) fn tuning_view(axis: &Axis, period_s: f64) -> TuningView {
     let tuned = tune_axis(axis, period_s);
     let refused = match &tuned {
         Ok(_) => None,
-        Err(Error::Drive { reason, .. }) => Some(reason.clone()),
+        Err(Error::Drive { reason, .. }) => Some(reason.to_string()),
         Err(other) => Some(other.to_string()),
     };
     let tuned = tuned.ok();

@@ -3,6 +3,7 @@
 use super::LinuxCncError;
 use super::engine::{Engine, Link, Plan};
 use rtrb::{Consumer, Producer, RingBuffer};
+use seamwright_message::{Message, Unit};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{JoinHandle, park_timeout};
@@ -31,7 +32,7 @@ impl Attendant {
     ///
     /// # Errors
     /// The reason why HAL does not run.
-    pub(super) fn start(plan: Plan, tell: impl Fn(&str) + Send + 'static) -> Result<(Self, Link), LinuxCncError> {
+    pub(super) fn start(plan: Plan, tell: impl Fn(&Message) + Send + 'static) -> Result<(Self, Link), LinuxCncError> {
         let (engine, link) = Engine::start(&plan)?;
         let (to_cycle, started) = RingBuffer::new(LINKS);
         let (ended, from_cycle) = RingBuffer::new(LINKS);
@@ -63,9 +64,9 @@ struct Work {
 }
 
 impl Work {
-    fn attend(mut self, mut engine: Engine, tell: &dyn Fn(&str)) {
+    fn attend(mut self, mut engine: Engine, tell: &dyn Fn(&Message)) {
         while let Some(why) = self.watch(&mut engine) {
-            tell(&format!("LinuxCNC's HAL has ended: {why}; it is started again, without power"));
+            tell(&Message::new("cell-hal-ended").message("why", why));
             engine.end(false);
             match self.again(tell) {
                 Some(started) => engine = started,
@@ -76,7 +77,7 @@ impl Work {
     }
 
     /// Watches HAL until it ends; returns the reason, or `None` at shutdown.
-    fn watch(&mut self, engine: &mut Engine) -> Option<&'static str> {
+    fn watch(&mut self, engine: &mut Engine) -> Option<Message> {
         loop {
             while self.from_cycle.pop().is_ok() {}
             let why = engine.ended();
@@ -91,19 +92,20 @@ impl Work {
     }
 
     /// Starts HAL until it runs; `None` at shutdown.
-    fn again(&mut self, tell: &dyn Fn(&str)) -> Option<Engine> {
+    fn again(&mut self, tell: &dyn Fn(&Message)) -> Option<Engine> {
         let mut told = None;
         while !self.ends.load(Ordering::SeqCst) {
             match Engine::start(&self.plan) {
                 Ok((engine, link)) => {
-                    tell("LinuxCNC's HAL runs again: acknowledge, reset, switch on, home");
+                    tell(&Message::new("cell-hal-runs-again"));
                     // There is room: the cycle has taken the earlier link, or will skip it.
                     let _ = self.to_cycle.push(link);
                     return Some(engine);
                 }
                 Err(error) => {
                     if told.as_ref() != Some(&error) {
-                        tell(&format!("{error}\n   tried again every {} s", AGAIN.as_secs()));
+                        let again = Message::new("cell-hal-retried").message("error", error.message());
+                        tell(&again.value("time", AGAIN.as_secs_f64(), Unit::S));
                     }
                     told = Some(error);
                 }

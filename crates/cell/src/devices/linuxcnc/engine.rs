@@ -1,5 +1,6 @@
 //! Running HAL, with our streams and the hardware.
 
+use super::error::Symptom;
 use super::line::{self, Sample};
 use super::programs::{self, Commands, Keeper, Program, User};
 use super::{LinuxCncError, script};
@@ -7,6 +8,7 @@ use crate::realtime::Footing;
 use rtrb::{Consumer, Producer, RingBuffer};
 use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
 use seamwright_machine::{Axis, LinuxCnc, Machine};
+use seamwright_message::Message;
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{ChildStdin, ChildStdout};
@@ -109,7 +111,7 @@ impl Engine {
         // Line buffering: by default it holds its output back until there are 4 KB.
         let mut sampler = programs::start(user, "stdbuf", &["-oL", "halsampler"], true)?;
         let (Some(stream), Some(stdout)) = (streamer.stdin(), sampler.stdout()) else {
-            return Err(LinuxCncError::System("its streams have no pipes".to_owned()));
+            return Err(LinuxCncError::System(Message::new("cell-hal-no-pipes")));
         };
         fcntl_setfl(&stream, fcntl_getfl(&stream).map_err(std::io::Error::from)? | OFlags::NONBLOCK)
             .map_err(std::io::Error::from)?;
@@ -129,8 +131,9 @@ impl Engine {
         let begun = Instant::now();
         while samples.is_empty() {
             if samples.is_abandoned() || begun.elapsed() > FIRST {
-                let said = format!("{}; {}", self.sampler.said(), self.keeper.said());
-                return Err(LinuxCncError::Failed { what: "does not run: no sample comes", said });
+                let said = Message::new("cell-hal-output").message("sampler", self.sampler.said());
+                let said = said.message("keeper", self.keeper.said());
+                return Err(LinuxCncError::Failed { what: Symptom::NoSamples, said });
             }
             std::thread::sleep(Duration::from_millis(1));
         }
@@ -138,13 +141,13 @@ impl Engine {
     }
 
     /// Returns which part has ended, among those that axes need. Without its keeper HAL goes on.
-    pub(super) fn ended(&mut self) -> Option<&'static str> {
+    pub(super) fn ended(&mut self) -> Option<Message> {
         if self.streamer.has_ended() {
-            Some("halstreamer is no more")
+            Some(Message::new("cell-hal-program-ended").text("program", "halstreamer"))
         } else if self.sampler.has_ended() {
-            Some("halsampler is no more")
+            Some(Message::new("cell-hal-program-ended").text("program", "halsampler"))
         } else if self.heard.ago() > SILENT {
-            Some("its real-time program says nothing")
+            Some(Message::new("cell-hal-no-data"))
         } else {
             None
         }

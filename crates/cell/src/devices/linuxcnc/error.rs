@@ -1,41 +1,63 @@
-use thiserror::Error;
+use seamwright_message::{Message, display_by_message};
 
 /// Reasons why LinuxCNC's HAL does not run.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LinuxCncError {
     /// A required program is missing.
-    #[error(
-        "LinuxCNC is not installed: there is no program `{0}`\n   allowed: Debian's package linuxcnc-uspace (apt install linuxcnc-uspace)"
-    )]
     NotInstalled(String),
     /// Another HAL runs; a computer can run only one.
-    #[error(
-        "LinuxCNC's HAL runs already, {0}\n   allowed: one at a time; end the other, or clear it away with `halrun -U`"
-    )]
-    Running(String),
+    Running(Message),
     /// HAL rejected a file.
-    #[error("LinuxCNC does not take {file}: {said}")]
     Refused {
         /// The file, or our own commands.
-        file: String,
+        file: Message,
         /// HAL's message.
-        said: String,
+        said: Message,
     },
     /// HAL does not work.
-    #[error("LinuxCNC's HAL {what}: {said}")]
     Failed {
         /// The symptom.
-        what: &'static str,
+        what: Symptom,
         /// HAL's message.
-        said: String,
+        said: Message,
     },
     /// Any other failure.
-    #[error("LinuxCNC's HAL cannot be run: {0}")]
-    System(String),
+    System(Message),
 }
+
+/// Symptom of a HAL that does not work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Symptom {
+    /// It does not start.
+    NoStart,
+    /// It delivers no samples.
+    NoSamples,
+}
+
+impl LinuxCncError {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::NotInstalled(program) => Message::new("cell-hal-not-installed").text("program", program),
+            Self::Running(owner) => Message::new("cell-hal-running").message("owner", owner.clone()),
+            Self::Refused { file, said } => {
+                Message::new("cell-hal-refused").message("file", file.clone()).message("why", said.clone())
+            }
+            Self::Failed { what: Symptom::NoStart, said } => {
+                Message::new("cell-hal-no-start").message("why", said.clone())
+            }
+            Self::Failed { what: Symptom::NoSamples, said } => {
+                Message::new("cell-hal-no-samples").message("why", said.clone())
+            }
+            Self::System(why) => Message::new("cell-hal-not-run").message("why", why.clone()),
+        }
+    }
+}
+
+display_by_message!(LinuxCncError);
 
 impl From<std::io::Error> for LinuxCncError {
     fn from(error: std::io::Error) -> Self {
-        Self::System(error.to_string())
+        Self::System(Message::verbatim(error.to_string()))
     }
 }

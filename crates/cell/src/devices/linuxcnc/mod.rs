@@ -12,7 +12,7 @@ mod programs;
 mod script;
 mod store;
 
-pub use error::LinuxCncError;
+pub use error::{LinuxCncError, Symptom};
 
 use super::Drives;
 use crate::executive::{DriveReport, Orders, Slack};
@@ -22,6 +22,7 @@ use line::LONGEST;
 pub use line::Sample;
 use rtrb::{Consumer, Producer, RingBuffer};
 use seamwright_machine::{Axis, Joints, LinuxCnc, Machine};
+use seamwright_message::Message;
 use std::io::Write as _;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -83,7 +84,7 @@ impl LinuxCncDrives {
         machine: &Machine,
         device: &LinuxCnc,
         folder: &Path,
-        tell: impl Fn(&str) + Send + 'static,
+        tell: impl Fn(&Message) + Send + 'static,
     ) -> Result<Self, LinuxCncError> {
         let (attendant, link) = Attendant::start(Plan::new(machine, device, folder)?, tell)?;
         Ok(Self {

@@ -1,7 +1,9 @@
 //! LinuxCNC's programs: start, output, end.
 
 use super::LinuxCncError;
+use super::error::Symptom;
 use crate::realtime::Footing;
+use seamwright_message::{Message, Unit};
 use std::io::{BufRead as _, BufReader, ErrorKind, Read, Write as _};
 use std::os::unix::process::CommandExt as _;
 use std::path::{Path, PathBuf};
@@ -42,8 +44,7 @@ impl User {
             (name == "nobody").then_some((user, group))
         });
         let Some((user, group)) = nobody else {
-            let why = "it refuses root, and there is no user `nobody`: run this as another user";
-            return Err(LinuxCncError::System(why.to_owned()));
+            return Err(LinuxCncError::System(Message::new("cell-hal-refuses-root")));
         };
         let socket = std::env::temp_dir().join(format!("seamwright-rtapi-{}", std::process::id()));
         Ok(Self { other: Some((user, group, socket)) })
@@ -78,12 +79,15 @@ impl Said {
         });
     }
 
-    fn text(&self) -> String {
+    fn message(&self) -> Message {
         // Output written just before an end takes a moment to arrive.
         std::thread::sleep(Duration::from_millis(30));
         let said = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let said = said.trim_end();
-        if said.is_empty() { "it said nothing".to_owned() } else { said.replace('\n', "\n   ") }
+        match said {
+            "" => Message::new("cell-hal-no-output"),
+            said => Message::verbatim(said.replace('\n', "\n   ")),
+        }
     }
 }
 
@@ -114,7 +118,7 @@ fn spawn(mut command: Command, program: &str, urgent: bool) -> Result<Program, L
     });
     let mut child = started.map_err(|error| match error.kind() {
         ErrorKind::NotFound => LinuxCncError::NotInstalled(program.to_owned()),
-        _ => LinuxCncError::System(format!("{program}: {error}")),
+        _ => LinuxCncError::System(Message::verbatim(format!("{program}: {error}"))),
     })?;
     let said = Said::default();
     if let Some(stderr) = child.stderr.take() {
@@ -133,8 +137,8 @@ impl Program {
     }
 
     /// Returns its output on standard error.
-    pub(super) fn said(&self) -> String {
-        self.said.text()
+    pub(super) fn said(&self) -> Message {
+        self.said.message()
     }
 
     /// Waits for its end; returns whether it succeeded, or `None` if it takes longer.
@@ -196,14 +200,14 @@ impl Keeper {
             let _ = open.write_all(b"show thread\n");
         }
         if from.recv_timeout(BEGINS).is_err() {
-            return Err(LinuxCncError::Failed { what: "does not start", said: keeper.said() });
+            return Err(LinuxCncError::Failed { what: Symptom::NoStart, said: keeper.said() });
         }
         Ok(keeper)
     }
 
     /// Returns its output on standard error.
-    pub(super) fn said(&self) -> String {
-        self.program.said.text()
+    pub(super) fn said(&self) -> Message {
+        self.program.said.message()
     }
 
     /// Ends HAL.
@@ -231,12 +235,12 @@ fn is_in_path(program: &str) -> bool {
 /// Has HAL execute commands: our own, or those of a file in its folder.
 pub(super) fn take(user: &User, commands: Commands<'_>) -> Result<(), LinuxCncError> {
     let (mut command, file, text) = match commands {
-        Commands::Ours(text) => (user.command("halcmd", &["-f"]), "our own commands".to_owned(), text),
+        Commands::Ours(text) => (user.command("halcmd", &["-f"]), Message::new("cell-hal-own-commands"), text),
         Commands::File(path) => {
             let name = path.display().to_string();
             let mut command = user.command("halcmd", &["-f", &name]);
             command.current_dir(path.parent().unwrap_or(Path::new("/")));
-            (command, name, "")
+            (command, Message::verbatim(name), "")
         }
     };
     command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
@@ -249,7 +253,8 @@ pub(super) fn take(user: &User, commands: Commands<'_>) -> Result<(), LinuxCncEr
         Some(false) => Err(LinuxCncError::Refused { file, said: program.said() }),
         None => {
             program.end(Duration::ZERO);
-            let said = format!("it takes longer than {} s; {}", TAKES.as_secs(), program.said());
+            let said = Message::new("cell-hal-too-slow").value("time", TAKES.as_secs_f64(), Unit::S);
+            let said = said.message("said", program.said());
             Err(LinuxCncError::Refused { file, said })
         }
     }
@@ -281,7 +286,11 @@ pub(super) fn alone(user: &User) -> Result<(), LinuxCncError> {
         match owner {
             // The owner, another process of ours, still runs.
             Some(process) if process != std::process::id() && Path::new(&format!("/proc/{process}")).exists() => {
-                return Err(LinuxCncError::Running(format!("that of Seamwright, process {process}")));
+                return Err(LinuxCncError::Running(Message::new("cell-hal-of-seamwright").number(
+                    "process",
+                    f64::from(process),
+                    0,
+                )));
             }
             // Its keeper is clearing up, or has ended too.
             Some(_) if begun.elapsed() > BEGINS && !cleared => {
@@ -289,7 +298,7 @@ pub(super) fn alone(user: &User) -> Result<(), LinuxCncError> {
                 force_out(user);
             }
             _ if begun.elapsed() > 2 * BEGINS || (owner.is_none() && begun.elapsed() > BEGINS / 2) => {
-                return Err(LinuxCncError::Running("not one of Seamwright's".to_owned()));
+                return Err(LinuxCncError::Running(Message::new("cell-hal-foreign")));
             }
             _ => std::thread::sleep(10 * LOOK),
         }

@@ -8,6 +8,7 @@ use crate::devices::InputBits;
 use crate::executive::SourceReport;
 use crate::realtime::Footing;
 use seamwright_machine::ModbusDevice;
+use seamwright_message::Message;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64};
 use std::time::Instant;
@@ -73,7 +74,7 @@ impl Client {
             let read = reports.connect(link).await;
             read.map_err(|trouble| match trouble {
                 Trouble::Gone(why) if link.device.connections > 1 => {
-                    Trouble::Gone(format!("{why}, on a second connection; if it takes one only: connections = 1"))
+                    Trouble::Gone(Message::new("cell-modbus-second-connection").message("why", why))
                 }
                 other => other,
             })

@@ -2,6 +2,7 @@ use super::client::Life;
 use super::traffic::TrafficLog;
 use super::wire::{Trouble, Wire};
 use seamwright_machine::{ModbusDevice, Table};
+use seamwright_message::Message;
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -48,7 +49,7 @@ impl Link {
     pub(super) fn failed(&self, trouble: &Trouble) {
         self.traffic.change(|t| {
             t.failed += 1;
-            t.trouble = Some(trouble.to_string());
+            t.trouble = Some(trouble.message());
         });
     }
 
@@ -107,5 +108,5 @@ impl Line {
 }
 
 fn unconnected() -> Trouble {
-    Trouble::Gone("not connected".to_owned())
+    Trouble::Gone(Message::new("cell-modbus-not-connected"))
 }

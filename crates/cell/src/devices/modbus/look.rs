@@ -3,6 +3,7 @@ use super::batches::{Batch, batches};
 use super::coding;
 use super::wire::{Trouble, Wire, runtime};
 use seamwright_machine::{ModbusDevice, Register};
+use seamwright_message::Message;
 use std::time::Instant;
 use tokio::runtime::Runtime;
 
@@ -27,13 +28,13 @@ pub struct Looked<'a> {
     /// Time since it was read, s; infinite if never.
     pub age_s: f64,
     /// Reason why it was not read this time.
-    pub trouble: Option<&'a str>,
+    pub trouble: Option<&'a Message>,
 }
 
 #[derive(Debug, Clone, Default)]
 struct Seen {
     read: Option<(f64, f64, Instant)>,
-    trouble: Option<String>,
+    trouble: Option<Message>,
 }
 
 impl Looker {
@@ -55,7 +56,7 @@ impl Looker {
             ModbusError::Unreachable {
                 device: self.device.name.clone(),
                 address: self.device.address.clone(),
-                why: trouble.to_string(),
+                why: trouble.message(),
             }
         })
     }
@@ -79,7 +80,7 @@ impl Looker {
             raw: seen.read.map(|read| read.0),
             value: seen.read.map(|read| read.1),
             age_s: seen.read.map_or(f64::INFINITY, |read| read.2.elapsed().as_secs_f64()),
-            trouble: seen.trouble.as_deref(),
+            trouble: seen.trouble.as_ref(),
         })
     }
 }
@@ -101,7 +102,7 @@ async fn read(wire: &mut Wire, (device, batches): (&ModbusDevice, &[Batch]), see
                     let place = register.place;
                     match wire.read(place.table, place.at, place.cells(), &mut cells).await {
                         Ok(()) => seen[*i].take(register, &cells),
-                        Err(refused @ Trouble::Refused { .. }) => seen[*i].trouble = Some(refused.to_string()),
+                        Err(refused @ Trouble::Refused { .. }) => seen[*i].trouble = Some(refused.message()),
                         Err(gone) => return Err(gone),
                     }
                 }

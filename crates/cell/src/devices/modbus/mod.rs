@@ -26,6 +26,7 @@ use crate::executive::{ProcessOrders, SourceReport};
 use client::{Client, Ends, Life, Stamped};
 use image::Ordered;
 use seamwright_machine::{ModbusDevice, Role};
+use seamwright_message::{Message, display_by_message};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::thread::JoinHandle;
@@ -33,20 +34,18 @@ use traffic::TrafficLog;
 use triple_buffer::{Input, Output, triple_buffer};
 
 /// Reasons why a device cannot be used.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ModbusError {
     /// The device cannot be reached, or does not answer as its registers require.
-    #[error("device `{device}` at {address}: {why}")]
     Unreachable {
         /// Its name in the machine file.
         device: String,
         /// Host and port.
         address: String,
         /// The reason.
-        why: String,
+        why: Message,
     },
     /// A process value of the job has no register.
-    #[error("device `{device}` has no register that sets the job's process value `{value}`")]
     NoRegister {
         /// Its name in the machine file.
         device: String,
@@ -54,6 +53,23 @@ pub enum ModbusError {
         value: String,
     },
 }
+
+impl ModbusError {
+    /// Returns its message.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Unreachable { device, address, why } => Message::new("cell-modbus-unreachable")
+                .text("device", device)
+                .text("address", address)
+                .message("why", why.clone()),
+            Self::NoRegister { device, value } => {
+                Message::new("cell-modbus-no-register").text("device", device).text("value", value)
+            }
+        }
+    }
+}
+
+display_by_message!(ModbusError);
 
 /// A connected device, as parts of a cell.
 #[derive(Debug)]
@@ -122,11 +138,11 @@ pub fn connect(device: &ModbusDevice, values: &[String]) -> Result<ModbusParts, 
     let life = Arc::new(Life::default());
     let ends = Ends { orders, source, inputs, life: Arc::clone(&life), traffic: log };
     let unreachable =
-        |why: String| ModbusError::Unreachable { device: device.name.clone(), address: device.address.clone(), why };
-    let mut client = Client::new(device, values, ends).map_err(|trouble| unreachable(trouble.to_string()))?;
-    client.connect().map_err(|trouble| unreachable(trouble.to_string()))?;
+        |why: Message| ModbusError::Unreachable { device: device.name.clone(), address: device.address.clone(), why };
+    let mut client = Client::new(device, values, ends).map_err(|trouble| unreachable(trouble.message()))?;
+    client.connect().map_err(|trouble| unreachable(trouble.message()))?;
     let named = std::thread::Builder::new().name(format!("modbus {}", device.name));
-    let handle = named.spawn(move || client.run()).map_err(|e| unreachable(e.to_string()))?;
+    let handle = named.spawn(move || client.run()).map_err(|e| unreachable(Message::verbatim(e.to_string())))?;
     let thread = Arc::new(ClientThread { life, handle: Some(handle) });
     Ok(ModbusParts {
         source: is_source.then(|| ModbusSource {

@@ -2,7 +2,7 @@
 
 use super::image::{Image, Ordered};
 use super::link::{LOOK, Line, Link};
-use super::wire::Trouble;
+use super::wire::{Trouble, within};
 use seamwright_machine::ModbusDevice;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -151,9 +151,9 @@ impl OrderWriter {
     /// Sets all outputs to their safe states, if the device can be reached, and reports the result.
     pub(super) async fn end(&mut self, link: &Link) {
         let safe = tokio::time::timeout(END, self.make_safe(link)).await;
-        let safe = safe.unwrap_or_else(|_| Err(Trouble::Gone(format!("no answer within {} s", END.as_secs()))));
+        let safe = safe.unwrap_or_else(|_| Err(Trouble::Gone(within("cell-modbus-no-answer", END))));
         let refused = link.unordered.borrow().clone();
-        let safe = safe.and(refused.map_or(Ok(()), Err)).map_err(|trouble| trouble.to_string());
+        let safe = safe.and(refused.map_or(Ok(()), Err)).map_err(|trouble| trouble.message());
         link.traffic.change(|t| {
             if let Err(why) = &safe {
                 t.trouble = Some(why.clone());

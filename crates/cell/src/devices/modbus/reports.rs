@@ -9,6 +9,7 @@ use super::wire::Trouble;
 use crate::devices::InputBits;
 use crate::executive::{SourceReport, VALUES};
 use seamwright_machine::{ModbusDevice, Role};
+use seamwright_message::{Message, Unit};
 use std::time::{Duration, Instant};
 use tokio_modbus::ExceptionCode;
 use triple_buffer::Input;
@@ -123,7 +124,11 @@ impl ReportReader {
             self.heartbeat = Instant::now();
         }
         if beat.is_some() && self.heartbeat.elapsed().as_secs_f64() > link.device.heartbeat_s {
-            return Err(Trouble::Lifeless(format!("no heart-beat for {} s", link.device.heartbeat_s)));
+            return Err(Trouble::Lifeless(Message::new("cell-modbus-no-heartbeat").value(
+                "time",
+                link.device.heartbeat_s,
+                Unit::S,
+            )));
         }
         link.traffic.change(|t| {
             t.polls += 1;

@@ -1,4 +1,5 @@
 use crate::realtime::Latency;
+use seamwright_message::Message;
 use std::cell::RefCell;
 use std::sync::{Arc, Mutex, PoisonError};
 use triple_buffer::{Input, Output, triple_buffer};
@@ -19,9 +20,9 @@ pub struct Traffic {
     /// Duration of a poll, from its first request to its last answer.
     pub round: Latency,
     /// Last trouble.
-    pub trouble: Option<String>,
+    pub trouble: Option<Message>,
     /// At the end: whether the device has accepted the safe states of its outputs, or why not.
-    pub safe: Option<Result<(), String>>,
+    pub safe: Option<Result<(), Message>>,
 }
 
 /// A view of the traffic for threads other than the cycle. Readers lock among themselves; the client never waits.

@@ -1,5 +1,7 @@
 use seamwright_machine::{ModbusDevice, Table};
+use seamwright_message::{Message, Unit, display_by_message};
 use std::borrow::Cow;
+use std::fmt::Display;
 use std::time::Duration;
 use tokio::net::TcpStream;
 use tokio::runtime::{Builder, Runtime};
@@ -10,31 +12,51 @@ use tokio_modbus::{ExceptionCode, Request, Response, Slave};
 const CONNECT: Duration = Duration::from_secs(1);
 
 /// Reasons for a failed request.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Trouble {
     /// The device answers with a refusal; the connection stays open.
-    #[error("the device refuses {what} ({code})")]
     Refused {
         /// The device's reason.
         code: ExceptionCode,
         /// The affected registers.
-        what: String,
+        what: Message,
     },
     /// The device answers, but its heart-beat stands still.
-    #[error("{0}")]
-    Lifeless(String),
+    Lifeless(Message),
     /// The connection is lost.
-    #[error("{0}")]
-    Gone(String),
+    Gone(Message),
 }
 
 impl Trouble {
+    /// Returns its message.
+    pub(super) fn message(&self) -> Message {
+        match self {
+            Self::Refused { code, what } => {
+                Message::new("cell-modbus-refused").message("what", what.clone()).text("code", code.to_string())
+            }
+            Self::Lifeless(message) | Self::Gone(message) => message.clone(),
+        }
+    }
+
+    /// A connection lost by an error of the system.
+    fn gone(error: &impl Display) -> Self {
+        Self::Gone(Message::verbatim(error.to_string()))
+    }
+
     /// Adds the names of the affected registers to a refusal.
     pub(super) fn about(self, device: &ModbusDevice, registers: impl Iterator<Item = usize>) -> Self {
         let Self::Refused { code, what } = self else { return self };
         let names: Vec<&str> = registers.map(|i| device.registers[i].name.as_str()).collect();
-        Self::Refused { code, what: format!("{what}: {}", names.join(", ")) }
+        let what = Message::new("cell-modbus-named").message("registers", what).text("names", names.join(", "));
+        Self::Refused { code, what }
     }
+}
+
+display_by_message!(Trouble);
+
+/// Message with a time-out.
+pub(super) fn within(code: &'static str, time: Duration) -> Message {
+    Message::new(code).value("time", time.as_secs_f64(), Unit::S)
 }
 
 /// A connection to a device. Calls wait for the answer up to the device's time-out.
@@ -51,15 +73,15 @@ impl std::fmt::Debug for Wire {
 
 /// Creates the asynchronous runtime of one thread's connections.
 pub(super) fn runtime() -> Result<Runtime, Trouble> {
-    Builder::new_current_thread().enable_io().enable_time().build().map_err(|e| Trouble::Gone(e.to_string()))
+    Builder::new_current_thread().enable_io().enable_time().build().map_err(|e| Trouble::gone(&e))
 }
 
 impl Wire {
     /// Opens a connection.
     pub(super) async fn connect(device: &ModbusDevice) -> Result<Self, Trouble> {
-        let gone = |e: std::io::Error| Trouble::Gone(e.to_string());
+        let gone = |e: std::io::Error| Trouble::gone(&e);
         let stream = tokio::time::timeout(CONNECT, TcpStream::connect(device.address.as_str())).await;
-        let stream = stream.map_err(|_| Trouble::Gone("no connection within 1 s".to_owned()))?.map_err(gone)?;
+        let stream = stream.map_err(|_| Trouble::Gone(within("cell-modbus-no-connection", CONNECT)))?.map_err(gone)?;
         // Requests are small and sequential: send at once.
         stream.set_nodelay(true).map_err(gone)?;
         let context = tcp::attach_slave(stream, Slave(device.unit));
@@ -92,7 +114,8 @@ impl Wire {
         if cells.len() == usize::from(count) {
             return Ok(());
         }
-        Err(Trouble::Gone(format!("{} {at}: {count} cells asked for, {} answered", table.name(), cells.len())))
+        let message = Message::new("cell-modbus-cells").text("table", table.name()).number("at", f64::from(at), 0);
+        Err(Trouble::Gone(message.count("asked", count.into()).count("answered", cells.len())))
     }
 
     /// Writes `cells` starting at `at`.
@@ -114,13 +137,18 @@ impl Wire {
         let timeout = self.timeout;
         let answer = tokio::time::timeout(timeout, self.context.call(request)).await;
         match answer {
-            Err(_) => Err(Trouble::Gone(format!("no answer within {} ms", timeout.as_millis()))),
+            Err(_) => Err(Trouble::Gone(within("cell-modbus-no-answer", timeout))),
             // The library has no error of its own for a closed connection.
-            Ok(Err(e)) if e.to_string().contains("os error 0") => Err(Trouble::Gone("connection closed".to_owned())),
-            Ok(Err(e)) => Err(Trouble::Gone(e.to_string())),
+            Ok(Err(e)) if e.to_string().contains("os error 0") => {
+                Err(Trouble::Gone(Message::new("cell-modbus-closed")))
+            }
+            Ok(Err(e)) => Err(Trouble::gone(&e)),
             Ok(Ok(Err(code))) => Err(Trouble::Refused {
                 code,
-                what: format!("{} {at} to {}", table.name(), usize::from(at) + count - 1),
+                what: Message::new("cell-modbus-registers")
+                    .text("table", table.name())
+                    .number("from", f64::from(at), 0)
+                    .number("to", (usize::from(at) + count - 1) as f64, 0),
             }),
             Ok(Ok(Ok(response))) => Ok(response),
         }

@@ -9,9 +9,11 @@ use super::simulated::{Standing, UNKNOWN};
 use super::{Drives, LATE_PERIODS};
 use crate::Error;
 use crate::executive::{DriveReport, Orders, Slack};
+use crate::foreign;
 use rotor::Rotor;
 use rtrb::{Consumer, Producer, RingBuffer};
 use seamwright_machine::{Axis, Joints, Machine, Stepper, Steps};
+use seamwright_message::Message;
 use seamwright_motion::pulses::{Edge, Event, Lines, Timing};
 
 /// Pulse state of an axis.
@@ -52,18 +54,19 @@ impl StepDrives {
     /// # Errors
     /// Invalid motor values in the machine file.
     pub fn new(machine: &Machine, device: &Steps) -> Result<Self, Error> {
-        let bad = |axis: &Axis, reason: String| Error::Drive { axis: axis.name.clone(), reason };
+        let bad = |axis: &Axis, reason: Message| Error::Drive { axis: axis.name.clone(), reason };
         let (mut axes, mut lines) = (Vec::new(), Vec::new());
         let mut q = Joints::default();
         for (i, (axis, home)) in machine.axes.iter().zip(machine.home()).enumerate() {
-            let stepper = axis.stepper.as_ref().ok_or_else(|| bad(axis, "there is no stepper".to_owned()))?;
-            let timing = Timing::new(stepper, device.tick_s(), device.period).map_err(|e| bad(axis, e.to_string()))?;
+            let stepper = axis.stepper.as_ref().ok_or_else(|| bad(axis, Message::new("cell-no-stepper")))?;
+            let timing =
+                Timing::new(stepper, device.tick_s(), device.period).map_err(|e| bad(axis, foreign::error(&e)))?;
             let stepped = stepped(axis, stepper, &timing, home)?;
             lines.push((timing, (home * stepped.steps_per_unit).round()));
             q[i] = stepped.rotor.position();
             axes.push(stepped);
         }
-        let lines = Lines::new(&lines).map_err(|(i, e)| bad(&machine.axes[i], e.to_string()))?;
+        let lines = Lines::new(&lines).map_err(|(i, e)| bad(&machine.axes[i], foreign::error(&e)))?;
         Ok(Self {
             axes,
             lines,
@@ -117,13 +120,11 @@ impl StepDrives {
 
 /// Creates the pulse state of an axis at `home`.
 fn stepped(axis: &Axis, stepper: &Stepper, timing: &Timing, home: f64) -> Result<Stepped, Error> {
-    let bad = |reason: String| Error::Drive { axis: axis.name.clone(), reason };
-    let microsteps = stepper
-        .least_microsteps()
-        .ok_or_else(|| bad("the driver's finest setting does not meet the resolution".to_owned()))?;
+    let bad = |reason: Message| Error::Drive { axis: axis.name.clone(), reason };
+    let microsteps = stepper.least_microsteps().ok_or_else(|| bad(Message::new("cell-microsteps-too-coarse")))?;
     let steps_per_unit = stepper.full_steps_per_unit() * f64::from(microsteps);
     let start = (home * steps_per_unit).round();
-    let rotor = Rotor::new(axis, stepper, microsteps, start).map_err(|e| bad(e.to_string()))?;
+    let rotor = Rotor::new(axis, stepper, microsteps, start).map_err(|e| bad(foreign::error(&e)))?;
     let room = |ticks: u64| ticks as f64 / timing.spacing as f64;
     let turn = timing.period.saturating_sub(timing.width + timing.hold + timing.setup);
     Ok(Stepped {

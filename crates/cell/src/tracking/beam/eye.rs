@@ -1,5 +1,6 @@
 use super::super::{Error, World};
 use crate::eyes::{Appearance, Eye, Random, SeamLine};
+use crate::foreign;
 use crate::frames::FrameSource;
 use crate::teach::Midline;
 use glam::{DAffine3, DVec2, DVec3};
@@ -193,9 +194,9 @@ impl<'a, M: Midline> Pixels<'a, M> {
 impl<M: Midline> BeamEye for Pixels<'_, M> {
     fn glance(&mut self, glance: &Glance<'_>, shown: &mut Shown) -> Result<(), Error> {
         self.eye.expose(glance.t_s, glance.axes);
-        let frame = self.eye.next().map_err(|e| Error::Frame(e.to_string()))?;
+        let frame = self.eye.next().map_err(|e| Error::Frame(e.message()))?;
         let Some(frame) = frame else { return Ok(()) };
-        let picture = frame.image.frame().map_err(|e| Error::Frame(e.to_string()))?;
+        let picture = frame.image.frame().map_err(|e| Error::Frame(foreign::error(&e)))?;
         let camera = self.machine.camera_frame(self.sensor, glance.axes);
         let height = frame.height_mm.unwrap_or(0.0);
         let (from, known) = glance.from;

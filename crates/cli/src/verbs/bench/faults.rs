@@ -77,7 +77,7 @@ fn print(
                 "stopped_after_mm": o.stop_mm,
                 "of_the_stop_allowed": o.stop_part,
                 "kept": o.is_kept(),
-                "violations": o.violations,
+                "violations": o.violations.iter().map(ToString::to_string).collect::<Vec<_>>(),
             })
         });
         return print_json(&serde_json::json!({ "seeds": args.seeds, "cases": rows.collect::<Vec<_>>() }));

@@ -6,7 +6,7 @@ use crate::load::machine_and_file;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
 use seamwright_machine::check::{Check, CheckOptions};
-use seamwright_report::{MachineDrawing, check_page, check_text};
+use seamwright_report::{Language, MachineDrawing, check_page, check_text};
 
 /// Maximum number of positions of a round trip: ten million take minutes.
 const MAX_POSES: u32 = 10_000_000;
@@ -21,11 +21,12 @@ pub(crate) fn run(args: &CheckMachineArgs) -> Result<(), Failure> {
     let mut progress = Progress::new("checking the machine", Check::steps(&machine, &options));
     let check = Check::run(&file, &machine, &options, &mut || progress.step());
     drop(progress);
-    let mut text = check_text(&check);
+    let language = Language::of_process();
+    let mut text = check_text(&check, language);
     if let Some(mut output) = output.take() {
-        let drawing = MachineDrawing::new(&machine);
+        let drawing = MachineDrawing::new(&machine, language);
         let json = serde_json::to_string_pretty(&check).map_err(|e| Failure::environment(e.to_string()))?;
-        output.text("check.html", &check_page(&check, &drawing, file.file(), file.text(), &clock::now()))?;
+        output.text("check.html", &check_page(&check, &drawing, file.file(), file.text(), &clock::now(), language))?;
         output.text("check.json", &(json + "\n"))?;
         output.text("machine.svg", &drawing.to_svg_standalone())?;
         for path in output.finish()? {

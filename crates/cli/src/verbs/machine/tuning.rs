@@ -2,7 +2,7 @@
 
 use seamwright_cell::Error;
 use seamwright_machine::{Axis, AxisKind};
-use seamwright_report::{Bode, format_number};
+use seamwright_report::{Bode, Language, format_number};
 use seamwright_servo::{Tuned, decibels, unwrapped};
 use serde::Serialize;
 use std::fmt::Write;
@@ -64,7 +64,7 @@ impl AxisTuning {
     pub(super) fn new(axis: &Axis, tuned: Result<Tuned, Error>) -> Self {
         let (response, refused) = match &tuned {
             Ok(tuned) => (response(tuned), None),
-            Err(Error::Drive { reason, .. }) => (Vec::new(), Some(reason.clone())),
+            Err(Error::Drive { reason, .. }) => (Vec::new(), Some(reason.to_string())),
             Err(other) => (Vec::new(), Some(other.to_string())),
         };
         Self {
@@ -82,6 +82,7 @@ impl AxisTuning {
         let t = self.tuned.as_ref()?;
         let none = |v: Option<f64>| v.unwrap_or(f64::NAN);
         Some(Bode {
+            language: Language::of_process(),
             title: format!("Position loop of axis {}, measured at {} {}/s", self.axis, short(t.speed), self.unit),
             lines: self.response.clone(),
             gain_margin: (t.gain_margin_db.unwrap_or(f64::INFINITY), none(t.phase_crossover_hz)),

@@ -36,7 +36,7 @@ fn text(detail: &WeldDetail) -> String {
         line("deviation", &format!("{} mm at most, at s = {} mm", number(worst), number(at)));
     }
     if !weld.note.is_empty() {
-        line("note", &weld.note);
+        line("note", &weld.note.to_string());
     }
     for v in &detail.values {
         let allowed = v.allowed.map_or(String::new(), |(low, high)| {

@@ -8,14 +8,14 @@ use crate::files::Output;
 use crate::verbs::recorded::Happened;
 use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::{Footing, Shown, ShutdownCause};
-use seamwright_cell::tracking;
 use seamwright_machine::Machine;
+use seamwright_message::{Message, Unit};
 use seamwright_project::devices;
 use seamwright_project::power_loss::Watch;
 use seamwright_project::weld_events;
 use seamwright_record::journal::{Journal, Position};
 use seamwright_record::library::{self, WeldResult};
-use seamwright_record::{Moment, Outcome};
+use seamwright_record::{Moment, Outcome, joined};
 use serde_json::{Value, json};
 use std::collections::VecDeque;
 use std::io::{IsTerminal as _, Write as _};
@@ -107,8 +107,8 @@ impl Desk {
         // Errors are ignored: standard error may be closed.
         let _ = writeln!(std::io::stderr(), "note: the cycle runs without real-time rights: {footing}");
         let missing: Vec<&str> = footing.missing().collect();
-        let text = format!("without real-time rights: {}", missing.join(", "));
-        self.tell("realtime", &text, json!({ "missing": missing }));
+        let text = Footing::event(&missing);
+        self.tell("realtime", &text.to_string(), json!({ "missing": missing }));
         let place = library::Place { pass: None, s_mm: None, t_s: None };
         self.kept.push(library::Event { at: Moment::now(), text: text.into(), place });
     }
@@ -116,8 +116,8 @@ impl Desk {
     /// A signal or a fault of the program has ended the cell.
     pub(in crate::verbs) fn ended_by(&mut self, cause: ShutdownCause) {
         self.ended_by.get_or_insert(cause);
-        let text = format!("stopped by: {cause}");
-        self.tell("ended", &text, json!({ "ended_by": cause.to_string() }));
+        let text = Message::new("cell-note-stopped").message("cause", cause.message());
+        self.tell("ended", &text.to_string(), json!({ "ended_by": cause.to_string() }));
         let place = library::Place { pass: None, s_mm: None, t_s: self.now.map(|now| now.t) };
         self.kept.push(library::Event { at: Moment::now(), text: text.into(), place });
     }
@@ -250,7 +250,7 @@ impl Desk {
             }
             Note::Alarm(raised) => self.alarm(t, &raised),
             Note::Cleared(alarm, detail) => {
-                let text = format!("{}{} has gone", alarm.entry().name, self.detail(alarm, detail));
+                let text = format!("{} has gone", alarm.title_of(self.about(alarm, detail)));
                 self.event(t, "cleared", &text, json!({ "alarm": alarm.entry().name }));
             }
             Note::Missed(cycles, longest_ms) => {
@@ -289,17 +289,18 @@ impl Desk {
     fn why(&self, missing: Missing) -> String {
         let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
         let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
-        missing.text(&axes, &conditions)
+        missing.message(&axes, &conditions).to_string()
     }
 
     fn alarm(&mut self, t: f64, raised: &Raised) {
         let entry = raised.alarm.entry();
-        let name = format!("{}{}", entry.name, self.detail(raised.alarm, raised.detail));
+        let title = raised.alarm.title_of(self.about(raised.alarm, raised.detail));
+        let name = title.to_string();
         let at = if raised.place.pass > 0 { format!(" at {:.2} mm", raised.place.s_mm) } else { String::new() };
         let text = format!("{name}{at}: {}; {}", raised.reaction.name(), entry.action);
         self.alarms.push(library::Alarm {
-            name: name.clone(),
-            cause: entry.cause.to_owned(),
+            name: title,
+            cause: entry.cause.clone(),
             place: library::Place {
                 pass: (raised.place.pass > 0).then_some(raised.place.pass as u32),
                 s_mm: (raised.place.pass > 0).then_some(raised.place.s_mm),
@@ -312,28 +313,21 @@ impl Desk {
         if raised.reaction >= Reaction::Hold {
             self.stopped.get_or_insert(format!("{name}: {}", entry.action));
         }
+        let of = self.about(raised.alarm, raised.detail).map(|of| of.to_string());
         let more = json!({
-            "alarm": entry.name, "of": self.detail(raised.alarm, raised.detail).trim_start_matches([':', ' ']), "first_out": raised.first_out,
+            "alarm": entry.name, "of": of, "first_out": raised.first_out,
             "pass": raised.place.pass, "s_mm": raised.place.s_mm, "cell": raised.reaction.name(),
-            "cause": entry.cause, "consequence": entry.consequence, "action": entry.action,
+            "cause": entry.cause.to_string(), "consequence": entry.consequence.to_string(),
+            "action": entry.action.to_string(),
         });
         self.event(t, "alarm", &text, more);
     }
 
-    /// Axis or condition of an alarm.
-    fn detail(&self, alarm: Alarm, detail: u8) -> String {
-        let names = match alarm {
-            Alarm::Interlock => &self.conditions,
-            Alarm::DriveFault | Alarm::LimitSwitch | Alarm::FollowingError => &self.axes,
-            Alarm::Tracking => {
-                return tracking::trouble(detail).map_or(String::new(), |(name, head)| match head {
-                    0 => format!(": {name}"),
-                    _ => format!(": {name} (head {})", head + 1),
-                });
-            }
-            _ => return String::new(),
-        };
-        names.get(usize::from(detail)).map_or(String::new(), |name| format!(" ({name})"))
+    /// Axis, interlock or trouble that an alarm is about.
+    fn about(&self, alarm: Alarm, detail: u8) -> Option<Message> {
+        let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
+        let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
+        alarm.about(detail, &axes, &conditions)
     }
 
     fn event(&mut self, t: f64, kind: &'static str, text: &str, more: Value) {
@@ -417,13 +411,17 @@ impl Desk {
         let undisturbed = self.stopped.is_none() && self.ended_by.is_none();
         let done = undisturbed && ended.left.is_none() && !self.passes.is_empty();
         let result = if done { WeldResult::Good } else { WeldResult::Stopped };
-        let mut notes: Vec<String> = self.ended_by.iter().map(|cause| format!("stopped by: {cause}")).collect();
+        let stopped = |cause: &ShutdownCause| Message::new("cell-note-stopped").message("cause", cause.message());
+        let mut notes: Vec<Message> = self.ended_by.iter().map(stopped).collect();
         match ended.left {
-            Some(left) => notes.push(format!("left in pass {}, welded up to {:.2} mm", left.pass, left.s_mm)),
-            None if self.passes.is_empty() => notes.push("nothing was welded".to_owned()),
+            Some(left) => {
+                let note = Message::new("cell-note-left").pass("pass", left.pass);
+                notes.push(note.quantity("at", left.s_mm, Unit::Mm, 2));
+            }
+            None if self.passes.is_empty() => notes.push(Message::new("cell-note-nothing-welded")),
             None => {}
         }
-        let note = notes.join("; ");
+        let note = joined(notes);
         let files = files.map(|(name, text)| (name.to_owned(), text)).into();
         table.finish(&Outcome { result, note, files }, self.happened(), output)
     }

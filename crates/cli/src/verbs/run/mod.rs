@@ -146,7 +146,7 @@ fn with_cell(
 fn check_safe(lines: &Lines) -> Result<(), Failure> {
     for (name, line) in lines {
         // A device without an answer counts as one whose outputs are on.
-        let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".to_owned()));
+        let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".into()));
         if let Err(why) = safe {
             return Err(Failure::environment(format!(
                 "device `{name}`: its outputs are not confirmed to be safe: {why}\n   look at once whether arc and gas are off"

@@ -7,6 +7,7 @@ use crate::progress::Progress;
 use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::teach::Operator;
+use seamwright_message::Message;
 use seamwright_project::teaching::Picture;
 use seamwright_tracking::teach::{Answer, Crawl};
 use std::cell::RefCell;
@@ -111,11 +112,11 @@ impl<'a> Terminal<'a> {
 }
 
 impl Operator for Terminal<'_> {
-    fn answer(&mut self, why: &str, crawl: &Crawl) -> Answer {
+    fn answer(&mut self, why: &Message, crawl: &Crawl) -> Answer {
         if !self.asks {
             return Answer::End;
         }
-        match self.progress.aside(|| self.ask(why, crawl)) {
+        match self.progress.aside(|| self.ask(&why.to_string(), crawl)) {
             Said::On(point, along) => Answer::Point(point, along),
             Said::Stop => Answer::End,
             Said::End => {

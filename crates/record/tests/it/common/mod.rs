@@ -2,6 +2,7 @@
 
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
+use seamwright_message::Message;
 use seamwright_record::figures::{Basis, HEAT_INPUT, Judged, Power};
 use seamwright_record::trace::{Column, Kind};
 use seamwright_record::{Outcome, Plan};
@@ -46,7 +47,7 @@ pub fn plan(part: &str) -> Plan {
                 Judged { pass: 1, name: HEAT_INPUT.to_owned(), allowed: Some((0.4, 0.52)), along: vec![(10.0, 90.0)] },
             ],
         },
-        note: String::new(),
+        note: Message::default(),
     }
 }
 
@@ -61,5 +62,5 @@ pub fn row(i: u32) -> [f64; 7] {
 }
 
 pub fn outcome(result: WeldResult) -> Outcome {
-    Outcome { result, note: String::new(), files: vec![("report.json".to_owned(), "{}\n".to_owned())] }
+    Outcome { result, note: Message::default(), files: vec![("report.json".to_owned(), "{}\n".to_owned())] }
 }

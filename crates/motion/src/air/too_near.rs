@@ -1,0 +1,35 @@
+use seamwright_clearance::Evaluation;
+use seamwright_machine::{Joints, Surroundings};
+use seamwright_message::{Argument, Message, Unit};
+
+/// Distance below which two solids collide, mm.
+const COLLISION_MM: f64 = 0.005;
+
+/// Reports two solids that are too near, and their distance.
+pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) -> Message {
+    let (first, second) = around.nearest_bodies(watch, found);
+    let message = match found.distance > COLLISION_MM {
+        true => Message::new("motion-too-near").quantity("distance", found.distance, Unit::Mm, 2),
+        false => Message::new("motion-collision"),
+    };
+    message.message("first", first).message("second", second).value(
+        "minimum",
+        around.scene().watches()[watch].least_mm(),
+        Unit::Mm,
+    )
+}
+
+/// True if `finding`, the message of a clearance finding, names the two solids that are nearest with the axes at `q`
+/// (mm, rad) and closer than `within` (mm).
+pub fn names_nearest(finding: &Message, around: &Surroundings, q: &Joints, within: f64) -> bool {
+    let Some((watch, found)) = around.nearest(q, within) else { return false };
+    if found.place.is_none() || found.distance >= within {
+        return false;
+    }
+    let named = |name: &str| match finding.argument(name) {
+        Some(Argument::Message(solid)) => Some(solid.as_ref()),
+        _ => None,
+    };
+    let (first, second) = around.nearest_bodies(watch, &found);
+    named("first") == Some(&first) && named("second") == Some(&second)
+}
