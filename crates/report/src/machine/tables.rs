@@ -137,7 +137,7 @@ pub(super) fn structure(check: &Check, language: Language) -> Table {
 
 /// Describes a singular configuration with its positions.
 pub(super) fn place(check: &Check, place: &SingularPlace, language: Language) -> String {
-    place.sentence(|name| unit(check, name).symbol()).in_language(language)
+    place.description(|name| unit(check, name)).in_language(language)
 }
 
 pub(super) fn singular(check: &Check, of: &HeadCheck, language: Language) -> Table {

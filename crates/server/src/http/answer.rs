@@ -49,8 +49,8 @@ impl IntoResponse for Refused {
 impl From<Failure> for Refused {
     fn from(failure: Failure) -> Self {
         match &failure {
-            Failure::Environment(_) => Self::server(failure.text()),
-            _ => Self::input(failure.text()),
+            Failure::Environment(_) => Self::server(failure.message()),
+            _ => Self::input(failure.message()),
         }
     }
 }

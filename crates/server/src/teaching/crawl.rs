@@ -96,7 +96,8 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
         drawn: RefCell::new(None),
     };
     let Some(point) = station.place() else { return Ok(None) };
-    let begin = teaching::start(nominal, point).ok_or_else(|| Failure::input(Message::new("server-teach-start-far")))?;
+    let begin =
+        teaching::start(nominal, point).ok_or_else(|| Failure::input(Message::new("server-teach-start-far")))?;
     let mut outcome = crawl((loaded, nominal), open, &ground, &station, begin)?;
     outcome.truth = actual.map(|actual| truth(&actual, &outcome.smooth));
     Ok(Some(outcome))

@@ -24,7 +24,6 @@ use crate::wire::TeachOrder;
 use glam::{DVec2, DVec3};
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
-use seamwright_project::Failure;
 use state::Wish;
 use std::sync::Arc;
 
@@ -32,10 +31,6 @@ use std::sync::Arc;
 const STEPS_MM: (f64, f64) = (1.0, 100.0);
 /// Maximum length of a tack that may be passed without asking, mm.
 const MAX_TACK_MM: f64 = 100.0;
-
-fn input(message: Message) -> Failure {
-    Failure::Input(message.to_string())
-}
 
 /// Handles an order of the page `station`, which has control.
 ///
