@@ -56,8 +56,8 @@ project-files-written-more = { $files ->
         [one] { $files } file
        *[other] { $files } files
     } to { $folder }: { $names } and { $more } more
-project-file-outside = the name leads out of the folder of the jobs
-project-link-outside = a link leads out of the folder of the jobs
+project-file-outside = the name leads outside of the folder of the jobs
+project-link-outside = a link leads outside of the folder of the jobs
 project-not-a-plain-file = it is not a plain file
 project-file-above = it is larger than { $max }
 
