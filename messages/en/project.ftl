@@ -140,3 +140,4 @@ project-teach-joint-lost = the joint is lost
 project-teach-no-joint = no joint was found
 project-teach-no-more-frames = the frames end before the joint does
 project-cure-teach = teach on from there with --start, allow a longer --longest-tack-mm, or take the points by hand
+project-goes-on = goes on in pass { $pass } from { $from }
