@@ -1,3 +1,9 @@
+//! Intersection of a tube with the head of a vessel.
+//!
+//! A head is convex, so a line leaves it at one point. Newton's method finds this point from outside, where it cannot
+//! overshoot. On the surface of each zone (dome, knuckle, cylinder) the curve is that of the zone, from border to
+//! border: the borders are `Curve::breaks`.
+
 use crate::head::Face;
 use crate::pieces::{AT_BORDER_MM, Pieces};
 use crate::tube_intersection::check_margin;

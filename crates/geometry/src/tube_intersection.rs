@@ -1,3 +1,9 @@
+//! Intersection of a tube with a quadric body (INTERSECT-2006, generalised to any axis and any quadric).
+//!
+//! At each angle about the tube's axis the wall is a straight line. Its height over the foot is a root of a quadratic:
+//! the one where the body's implicit function `F` grows. Differentiating `F(p(phi)) = 0` gives exact derivatives. The
+//! sign of the quadratic's discriminant all around decides whether the tube leaves the body everywhere.
+
 use crate::quadric::LineAlong;
 use crate::{Curve, Edge, EdgePoint, Error, Jet, Quadric, Surface, Tube};
 use glam::DVec3;

@@ -1,5 +1,10 @@
 //! Corners of a pass: path lengths inside it at which the speed or acceleration of an axis would jump. The torch stops
 //! there, or rounds them on a blend.
+//!
+//! A blend is a quintic of every axis, twice continuously differentiable at both ends. Bisection finds its width:
+//! within the allowed distance of the seam, and no wider than the requested speed needs. In blends, and along a bead
+//! beside the seam, the tip's travel by path length differs from 1; `JointPath::tip_rate` is this ratio. Without a
+//! blend the speed profile stops at the corner, and the pass has several legs.
 
 use crate::JointPath;
 use crate::follower::Follower;

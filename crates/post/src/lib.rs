@@ -5,6 +5,10 @@
 //! such a [`PartProgram`], or one from elsewhere, in the language of Sinumerik, LinuxCNC, grblHAL or PMAC. [`read()`]
 //! reads it back, and [`verify()`] proves that it is the requested one. [`to_program`] converts a part program that was
 //! read into a weld program.
+//!
+//! Posts, readers and the verification share one form: rows of all channels, and steps (`part_program.rs`). The
+//! verification plays the text that was read back (`play.rs`) and takes the plan from the motion, never from the
+//! writer.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

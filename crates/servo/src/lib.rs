@@ -14,6 +14,10 @@
 //!
 //! On a real machine only [`PositionLoop`] (with its [`Notch`]) runs; [`Drive`], [`Load`] and
 //! [`Encoder`] stand in for the hardware in simulation.
+//!
+//! **Mechanics.** Two masses on a spring with a gap, integrated by Verlet's method between loads in closed form
+//! (`mechanism`). **Responses** are sines over a constant speed, fitted by least squares (`response`, `sweep`).
+//! **Tuning** derives gains and notch filters from the measured Nyquist curve (`design`, `margins`).
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

@@ -9,6 +9,12 @@
 //!
 //! Every action needs a command: power, motion and process each come from one, the process only if it was armed for
 //! that start. The process is off within one cycle of its cause.
+//!
+//! **Nested loops.** One thread runs nested loops (a program, a stretch of it, cycles) instead of one state machine of
+//! everything. The mode, one table, decides the next step of the loops. Devices are called at one place
+//! (`Devices::exchange`), commands enter at another (`Port`), corrections at a third (`Guide`). `simulate` runs the
+//! same code with simulated devices, an operator who requests one weld, and a judge who knows the true positions
+//! (`Reports::truth`). `Work`, built before the weld, holds everything that allocates.
 
 mod alarm;
 mod alarm_list;

@@ -1,3 +1,10 @@
+//! Best fit of a nominal part to touched points.
+//!
+//! The signed distances of the points from their surfaces are brought to their nominal values. The method is
+//! Gauss-Newton with damping (Levenberg, 1944; Marquardt, 1963): translation first, then rotation. If the first fit is
+//! poor, further starts follow. Singular values of the Jacobian show the motions that the points do not determine;
+//! these are excluded from every step and keep their start values.
+
 use super::motion::Motion;
 use super::twist::{Deviation, Seen, Twists};
 use crate::{Error, SignedDistance};

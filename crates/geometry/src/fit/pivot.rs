@@ -1,3 +1,9 @@
+//! Tool tip from touches of one fixed point.
+//!
+//! For all touches `frame * tip = point`. This is linear in tip and point, and subtracting the means eliminates the
+//! point. The eigenvalues of the remaining matrix give the amplification of a touch's error along each direction.
+//! Directions with an amplification above four are undetermined, and the tip keeps its value there.
+
 use super::twist::axes_first;
 use crate::Error;
 use glam::{DAffine3, DMat3, DVec3};

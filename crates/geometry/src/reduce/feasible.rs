@@ -1,4 +1,8 @@
 //! Spans for runs, and proofs for many runs at once that no span exists.
+//!
+//! An arc between two given points is one direction at the first (`run.rs`). A point near the arc restricts the
+//! direction to a disc, exactly. So a run has an arc if its discs have a common direction. By Helly's theorem (1923)
+//! three discs prove that they have none; the same three mostly prove it for the following runs too.
 
 use super::measure::{Bow, Course, Fault, measure};
 use super::run::{Found, Near, Run, Witness};

@@ -1,5 +1,11 @@
 //! Inverse kinematics, chosen from the arrangement of the axes and not from a name: a closed form if the arrangement
 //! has one, Newton's method otherwise.
+//!
+//! - **Closed form, general.** The torch direction is a product of rotations of a fixed vector: Paden-Kahan subproblems
+//!   give the rotary axes (Murray, Li and Sastry, 1994), and a 3 x 3 system the linear ones.
+//! - **Closed form, saddle welder** (SADDLE-2020): one rotary axis next to the work and a plane of two linear axes. The
+//!   point gives the rotary axis; the direction is met as closely as possible.
+//! - **Newton's method** (`numeric.rs`) for all other arrangements, with Levenberg and Marquardt's damping.
 
 mod choice;
 mod frame;

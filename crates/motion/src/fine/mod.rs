@@ -15,6 +15,8 @@
 //! **Guarantees**, tested: at a coarse point the curve is the set-point to the last bit; position, speed and
 //! acceleration are the same numbers on both sides of a join; the speeds are those of a dense solver of the whole
 //! motion; the error against a smooth path falls with the fourth power of the period.
+//!
+//! The speeds solve a tridiagonal system (de Boor, A Practical Guide to Splines, chapter IV).
 
 mod segment;
 mod spline;

@@ -4,6 +4,9 @@
 //! [`Jog`] turns commands into set-points, one a period, behind a safety shield. Every set-point has a fastest stop,
 //! and is only accepted if this stop stays within all limits and clear of everything. Else the stop of the previous
 //! set-point, already verified, is followed. So a verified stop always exists, for every command, lost signal or delay.
+//!
+//! The clearance of the stop is proven from distances: a distance less the maximum travel until rest, from the levers
+//! of the axes, is a lower bound. So the loss of the enabling switch's signal, or of a cycle, leaves a verified stop.
 
 mod clearance;
 mod error;

@@ -1,11 +1,15 @@
 //! Speed profile (time parameterisation) of a path, as fast as every limit allows.
 //!
 //! **Problem.** A path is any parameter `u` with channels `q(u)` that have limits of speed, acceleration and jerk,
-//! and with the requested speed of the tip ([`Channels`]). With `b = (du/dt)^2` as a function of `u` a channel's speed
-//! is
-//! `q' sqrt(b)`, its acceleration `q'' b + q' b' / 2`, its jerk `sqrt(b) (q''' b + 3/2 q'' b' + 1/2 q' b'')`; the
-//! time is the integral of `1 / sqrt(b)` (Bobrow, Dubowsky and Gibson, 1985; Verscheure et al., 2009; jerk as convex
-//! less concave: Debrouwere et al., 2013).
+//! and with the requested speed of the tip ([`Channels`]). Anything with three derivatives and limits is a channel, so
+//! limits of other quantities than axes are further channels. With `b = (du/dt)^2` as a function of `u`, a channel has
+//!
+//! - the speed `q' sqrt(b)`,
+//! - the acceleration `q'' b + q' b' / 2`,
+//! - the jerk `sqrt(b) (q''' b + 3/2 q'' b' + 1/2 q' b'')`.
+//!
+//! The time is the integral of `1 / sqrt(b)` (Bobrow, Dubowsky and Gibson, 1985; Verscheure et al., 2009; jerk as
+//! convex less concave: Debrouwere et al., 2013).
 //!
 //! **Method.** `b` is singular at rest, so acceleration and deceleration phase have their own parameter, regular at
 //! rest (`rest`). In it `b` is a quadratic B-spline: accelerations are continuous, time follows in closed form
@@ -30,7 +34,9 @@
 //! reserve, a ten-thousandth where windows of a stream join. Breaks closer than a millionth of the path cost digits. A
 //! path must stop where it is not twice continuously differentiable.
 //!
-//! **Streaming.** [`LawStream`] plans windows from rest to rest and joins their profiles where they overlap.
+//! **Streaming.** [`LawStream`] plans windows of the path from rest to rest. Far from their ends two overlapping
+//! profiles are the same. A weighted mean of their coefficients, checked against all limits, leads from one into the
+//! next. The output always ends at rest within its window.
 
 mod cell;
 mod cells;

@@ -3,6 +3,10 @@
 //!
 //! [`Pace`] plays a motion in time ([`Timed`]) with a feed override that changes within every axis' limits. [`Run`]
 //! adds the process: arc or beam off before rest, crater fill, restart with overlap.
+//!
+//! **Method.** The planned profile `L(theta)` is played at the rate `dtheta/dt`, so set-points stay on the path. A
+//! steady rate up to 1 is always within limits. Each period takes the fastest change of the rate whose return to a
+//! steady rate has been verified before.
 
 mod control;
 mod course;

@@ -1,14 +1,21 @@
 //! Redundancy resolution: a machine with more axes than a point and a direction need can weld the same seam with many
 //! axis motions. The best one over the whole path is searched.
 //!
-//! The first step is a graph: at stations along the path the free axes are sampled, and every branch of the inverse is
-//! a node. Dynamic programming finds the path of minimum cost through the nodes, then again with finer nodes about that
-//! path. Then the free axes become uniform cubic B-splines, and the Levenberg-Marquardt method moves their coefficients
-//! to the minimum of the true cost at 1,000 stations. The search is deterministic: the same path gives the same motion.
+//! **Graph.** At stations along the path the free axes are sampled, and every branch of the inverse is a node. Dynamic
+//! programming finds the path of minimum cost through the nodes, then again with finer nodes about that path. It also
+//! finds paths far from the best one, because samples do not show the cost of acceleration.
 //!
-//! For an inverse without closed form, nodes are found by continuation (`continuation.rs`): a full search costs
-//! thousands of times as much. In wide ranges nodes a whole turn apart are merged; they are distinguished only if the
-//! path found does not fit into the ranges.
+//! **Refinement.** The free axes become uniform cubic B-splines. The Levenberg-Marquardt method (Levenberg, 1944;
+//! Marquardt, 1963) moves their coefficients to the minimum of the true cost: at 40 stations for every path, then at
+//! 120 and 1,000 for the best one. Ends of ranges repel strongly; the survey still checks them.
+//!
+//! **Inverse without closed form.** Nodes are found by continuation (`continuation.rs`): all branches in a few cells of
+//! the lattice of stations and samples, then Newton's method into the neighbouring cells. A full search costs thousands
+//! of times as much. In wide ranges nodes a whole turn apart are merged; they are distinguished only if the path found
+//! does not fit into the ranges.
+//!
+//! **Determinism.** The effort is fixed, so the same path gives the same motion. A clock from outside (`effort::Watch`)
+//! can only end a search. `Follower` is the only place that puts the result into the inverse.
 
 mod banded;
 mod continuation;

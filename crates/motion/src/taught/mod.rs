@@ -2,6 +2,9 @@
 //!
 //! Points near the chord of their neighbours are left out; the others form a cubic spline in axis space, twice
 //! continuously differentiable between corners. At a corner the motion stops or follows a blend.
+//!
+//! Distances between the remaining points change gradually, because a spline through points at uneven distances would
+//! oscillate. The memory is a window of points. A blend is a quintic, as at the corners of a pass.
 
 mod path;
 mod spline;

@@ -1,4 +1,16 @@
 //! A planned weld as a part program.
+//!
+//! **Blocks** are cut greedily: each is as long as tolerance, timing and torch attitude allow.
+//!
+//! - Lines and arcs: the longer of the two is used. The arc passes through the start, the planned position at half the
+//!   time, and the end.
+//! - PMAC: cubics with the plan's speeds at their ends, or splines through the plan from a tridiagonal system. Times
+//!   are halved until the result is within tolerance.
+//! - Sinumerik's POLY: cubics with the path's directions at their ends. The parameter follows the travel of all axes
+//!   (`polynomial.rs`).
+//!
+//! LinuxCNC raises feeds below 0.1 per minute without a message, and counts only X, Y and Z while they move. Linear
+//! motion that is too small for this is left to the next block.
 
 mod arcs;
 mod block;

@@ -4,6 +4,9 @@
 //! machine's own axes. [`SlideAuthority`] splits corrections between slides and the axes that carry them.
 //! [`HeadTracking`] combines the tracker and the cross slide of one head. Every cycle it returns the slide's
 //! set-points, the torch's feed override and alarms.
+//!
+//! **Target of a slide.** It is the mean of the highest and the lowest curve of bounded slope. A point follows it
+//! within speed and acceleration, and a mean over 40 ms of that point keeps the jerk.
 
 mod deflection;
 mod following;

@@ -5,6 +5,9 @@
 //! [`BeamTracking`] combines the points of all frames by path length and splits corrections between the deflection and
 //! the axes that carry the gun. The result is a [`DeviationRecord`] stored with the program. [`BeamReplay`] corrects
 //! later passes with it without a sensor, once a few frames have confirmed that it still fits.
+//!
+//! Deviations are stored by the seam's path length. So a later pass may start elsewhere, or run in the other direction.
+//! The zone begins beyond the decay of heat ahead of the pool (Rosenthal, 1946).
 
 mod beam_authority;
 mod error;

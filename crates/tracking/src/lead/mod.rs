@@ -7,6 +7,11 @@
 //! lag.
 //!
 //! [`Tracker`] implements this method. [`SampleBuffer`] is the algorithm of DUALBEAM-2013, for comparison.
+//!
+//! - **Gate.** The Kalman filter (Kalman, 1960) of deviation and slope at the sensor serves only as the gate.
+//! - **Storage.** Accepted measurements lie in the cells of a ring by path length.
+//! - **Smoothing.** Local parabolas with Huber's weights (Huber, 1964) use both sides, never across a jump. One node of
+//!   the result is computed per cycle, so the cost of a cycle is bounded.
 
 mod cells;
 mod error;

@@ -11,6 +11,12 @@
 //! - A frame starts on the stretch that the previous one saw; if both disagree, its points are discarded.
 //! - Heights between measured positions come from the surrounding frames ([`levelled`]).
 //! - Only confident rows count: an extrapolated stretch has no points, and the report names it.
+//!
+//! **Heights.** Pixels are intersected with the nominal surface, raised to the height that was measured with the frame.
+//! At the end they are intersected once more, with the surface raised to the heights of the surrounding frames
+//! together.
+//!
+//! **Line.** Local parabolas smooth the line. It is then reduced to lines and arcs, or to a spline.
 
 mod attitude;
 mod crawl;

@@ -4,6 +4,10 @@
 //! At every station of the seam the beads then fill the groove there (`fill.rs`). Each keeps its share of the area.
 //! Speed or wire feed follows, or layers end where there is less to fill (`plan.rs`). Each bead becomes a pass of the
 //! program (`passes.rs`).
+//!
+//! **Layers from areas.** The area of a section is quadratic in the height between corners of the edges (`joint`), so
+//! the height of a layer follows from its area in closed form. A bead keeps its share of the area all along the seam.
+//! Its position and angle become rows of the pass, and its speed becomes ramps.
 
 mod file;
 mod fill;

@@ -1,5 +1,12 @@
 //! The joint along the seam: its cross-section at any station, from both faces, the local dihedral angle and the fit-up
 //! of the parts.
+//!
+//! **Cross-section.** It consists of two edges, cut off at their part's surface. Each edge is a profile (root face,
+//! bevel, arc) seen along a depth direction: in a butt joint along the bisector of the faces, in a T-joint under the
+//! standing part along the other part's face. Names are those of ISO 17659 and ISO 2553.
+//!
+//! **Area.** Slices square to the line from toe to toe have a width that is linear between the corners of the edges. So
+//! the area is exactly quadratic there, and the height of a given area has a closed form.
 
 mod outline;
 mod profile;

@@ -1,4 +1,9 @@
 //! Passes through points as paths: by tip poses, or by positions of a machine's axes.
+//!
+//! Between points the numbers of a pass (axes or poses) follow a line, an arc or a cubic of the path's parameter. The
+//! parameter counts the planned time, multiplied by the tip's mean speed (`TorchPath::is_timed`). So the speed profile
+//! gets one requested speed for the whole pass, blends at corners keep the times of the blocks, and a tip that stands
+//! still or turns back while the axes continue needs no special treatment.
 
 mod block;
 mod build;

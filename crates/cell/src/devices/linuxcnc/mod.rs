@@ -3,6 +3,10 @@
 //!
 //! LinuxCNC runs as a set of programs, connected through pipes. `docs/reference/linuxcnc.md` describes HAL's task and the signals
 //! for the hardware.
+//!
+//! The cycle writes a line and reads samples. `store.rs` alone decides the number of positions that go out in a cycle;
+//! the level that it keeps is HAL's own count. The HAL session lives in a `halrun` that reads our pipe: if this program
+//! ends in any way, the pipe closes and HAL ends too.
 
 mod attendant;
 mod engine;

@@ -4,6 +4,10 @@
 //! orders and reports with it through buffers that neither lock nor allocate. Reports age while the device is silent;
 //! `starts` counts its connections. When the cycle stops for longer than the watchdog's time, or the devices are
 //! dropped, the outputs go to their safe states. Arc or beam comes on again only after it was ordered off.
+//!
+//! The cycle only swaps buffers with the client, orders in one direction and reports in the other, and counts. Silence
+//! is age, a new connection is a restart, and the executive judges both as with any device. An order to switch off
+//! could be missed between two polls, so these orders are counted; arc or beam waits for one after any loss.
 
 mod batches;
 mod client;
