@@ -96,7 +96,7 @@ up: [number, number, number],
  */
 jog_mm_s: number, 
 /**
- * How each link moves, in the order of [`super::Status::links`].
+ * Joint of each link, in the order of [`super::Status::links`].
  */
 joints: Array<JointView | null>, 
 /**
@@ -154,15 +154,15 @@ name: string,
  */
 cause: string, 
 /**
- * What it leads to.
+ * Consequence.
  */
 consequence: string, 
 /**
- * What to do.
+ * Operator action.
  */
 action: string, 
 /**
- * What the cell does.
+ * Reaction of the cell.
  */
 reaction: string, };
 
@@ -214,7 +214,7 @@ link: number,
 frame: [number, number, number, number, number, number, number, number, number, number, number, number], };
 
 /**
- * How a link moves on the next one towards the work.
+ * Joint by which a link moves on the next one towards the work.
  */
 export type JointView = { 
 /**
@@ -290,7 +290,7 @@ watchdog_s: number,
  */
 signals: Array<SignalView>, 
 /**
- * What went over the line; none: there is no line.
+ * Traffic on the line; none without a line.
  */
 traffic: TrafficView | null, };
 
@@ -307,7 +307,7 @@ name: string,
  */
 kind: string, 
 /**
- * Where it is, like `holding 12 bit 3`; empty: simulated.
+ * Address, like `holding 12 bit 3`; empty: simulated.
  */
 place: string, 
 /**
@@ -336,7 +336,7 @@ wanted: boolean | null,
 condition: string | null, };
 
 /**
- * What went over the line to a device since it was connected.
+ * Traffic with a device since it was connected.
  */
 export type TrafficView = { 
 /**
@@ -360,11 +360,11 @@ connections: number,
  */
 away_s: number, 
 /**
- * How long a poll takes: median, 99.9 of 100, longest, microseconds.
+ * Duration of a poll: median, 99.9 % quantile and maximum, microseconds.
  */
 round_us: [number, number, number], 
 /**
- * What went wrong last.
+ * Last error.
  */
 trouble: string | null, };
 
@@ -480,8 +480,8 @@ group: string,
  */
 value: number | null, 
 /**
- * What holds without it; none: nothing does, as what it belongs to is not there (a drive, a second mass, a compensation,
- * gains of the machine's own), or it has to be there.
+ * Value in force without the key. None: the key is required, or the thing it belongs to is missing (a drive, a
+ * second mass, a compensation, gains of the machine's own).
  */
 without: number | null, };
 
@@ -565,12 +565,12 @@ deviation_mm: [number, number, number],
  */
 apart_deg: number, 
 /**
- * Directions in the head's frame along which the attitudes do not tell where the tip is: it stays there as it was.
+ * Directions in the head's frame that the poses leave undetermined: there the tip stays as it was.
  */
 unseen: Array<[number, number, number]>, 
 /**
- * `good`; `unseen`: good, but not told in all directions; `far`: it moved by more than a tool is bent; `poor`: the touches
- * do not agree.
+ * `good`; `unseen`: good, but undetermined in some directions; `far`: the tip moved by more than a tool bends;
+ * `poor`: the touches do not agree.
  */
 verdict: string, };
 
@@ -655,7 +655,7 @@ count: number,
 numbers: Array<number>, };
 
 /**
- * How a camera sees one plane square to its axis.
+ * View of a camera on one plane square to its axis.
  */
 export type HeightView = { 
 /**
@@ -710,7 +710,7 @@ export type SensorAnswer = {
  */
 verdict: string, 
 /**
- * What belongs to it, by the verdict.
+ * Details of the verdict.
  */
 of: Array<string>, 
 /**
@@ -751,7 +751,7 @@ role: Role,
  */
 may: Array<string>, 
 /**
- * What must stand in the header `x-seamwright` of every request that changes something.
+ * Value of the header `x-seamwright` that every request with an effect must carry.
  */
 token: string, 
 /**
@@ -765,7 +765,7 @@ first_run: boolean, };
  */
 export type Stopped = { 
 /**
- * What the cell was doing then: [`super::Status::mode`]; empty if that is not known yet.
+ * Mode of the cell at that time: [`super::Status::mode`]; empty if it is not known yet.
  */
 mode: string, 
 /**
@@ -774,7 +774,7 @@ mode: string,
 cycle_age_s: number | null, };
 
 /**
- * What a user may do; each includes those before.
+ * Role of a user. Each role includes the rights of those before.
  */
 export type Role = "viewer" | "operator" | "programmer" | "service" | "admin";
 
@@ -829,7 +829,7 @@ enabled: boolean,
  */
 own_password: string | null, 
 /**
- * Whoever has the name already is not to be changed: then it is refused as `exists`.
+ * Refuse an existing name as `exists` instead of changing its user.
  */
 only_new: boolean | null, };
 
@@ -868,7 +868,7 @@ users: number,
 audit: number, };
 
 /**
- * What every failed request answers.
+ * Answer to every failed request.
  */
 export type Trouble = { 
 /**
@@ -878,7 +878,7 @@ export type Trouble = {
 key: string, } & MessageView;
 
 /**
- * What the cell is doing.
+ * State of the cell.
  */
 export type Status = { 
 /**
@@ -946,19 +946,19 @@ conditions: Array<boolean>,
  */
 inputs: Array<boolean>, 
 /**
- * What tracking knows and does, of each head that is tracked in this pass.
+ * State of tracking of each head that is tracked in this pass.
  */
 tracking: Array<TrackingStatus>, 
 /**
- * What is nearest to being too near; none if nothing is watched or nothing is near.
+ * The pair nearest to its minimum clearance; none if nothing is watched or near.
  */
 near: NearView | null, 
 /**
- * How old what the devices said is, s.
+ * Ages of the devices' reports, s.
  */
 ages: Ages, 
 /**
- * What the system grants to the cycle.
+ * Real-time rights of the cycle.
  */
 realtime: RealtimeView, 
 /**
@@ -974,11 +974,11 @@ missed: number,
  */
 lost: number, 
 /**
- * Where a weld was left by a stop, a fault or a power failure and can be gone on with.
+ * The weld that a stop, a fault or a power failure interrupted and that can be resumed.
  */
 left: LeftView | null, 
 /**
- * Where the weld of the program in the cell begins: pass from 1, and path length, mm; none without a program.
+ * Start of the weld of the program in the cell: pass from 1, and path length, mm; none without a program.
  */
 start: [number, number] | null, 
 /**
@@ -1032,16 +1032,17 @@ title: string,
  */
 part: string, 
 /**
- * What is in the cell is the same program, for this part or for none that has a number: it can go on there.
+ * The cell holds the same program, for this part or for one without a number: the weld can be resumed.
  */
 here: boolean, };
 
 /**
- * What the system grants to the cycle.
+ * Real-time rights of the cycle.
  */
 export type RealtimeView = { 
 /**
- * What is missing: `priority` (real-time scheduling), `memory` (locked), `cpu` (of its own, if asked for); empty if nothing is.
+ * Missing rights: `priority` (real-time scheduling), `memory` (locked), `cpu` (of its own, if requested); empty if
+ * complete.
  */
 missing: Array<string>, 
 /**
@@ -1078,16 +1079,16 @@ ready: boolean,
  */
 stuck: boolean, 
 /**
- * The source's own fault code; 0 is none.
+ * Fault code of the source; 0 means no fault.
  */
 fault: number, 
 /**
- * What a pass is doing: `held`, `preflow`, `travel_delay`, `travel`, `run_out`, `crater`, `postflow`, `move`, `ended`; none
- * beside passes.
+ * Phase of the pass: `held`, `preflow`, `travel_delay`, `travel`, `run_out`, `crater`, `postflow`, `move`,
+ * `ended`; none between passes.
  */
 phase: string | null, 
 /**
- * In the order of [`super::WorkView::values`]: asked for, and measured; null where there is none.
+ * Set and measured values in the order of [`super::WorkView::values`]; null if missing.
  */
 set: Array<number | null>, 
 /**
@@ -1104,7 +1105,7 @@ export type AxisStatus = {
  */
 position: number, 
 /**
- * Where it shall be.
+ * Set position.
  */
 set: number, 
 /**
@@ -1129,7 +1130,7 @@ fault: boolean,
 limit_switch: boolean, };
 
 /**
- * What tracking found and did.
+ * Results of tracking.
  */
 export type TrackingStatus = { 
 /**
@@ -1153,7 +1154,7 @@ confidence: number,
  */
 sigma_mm: number | null, 
 /**
- * How it is known: `seen`, `bridged`, `coasted`, `fading`, `unseen`, `lost`.
+ * Quality: `seen`, `bridged`, `coasted`, `fading`, `unseen`, `lost`.
  */
 state: string, };
 
@@ -1203,7 +1204,7 @@ consequence: string,
  */
 action: string, 
 /**
- * What the cell did.
+ * Reaction of the cell.
  */
 reaction: string, 
 /**
@@ -1227,15 +1228,15 @@ t: number,
  */
 at: string, 
 /**
- * Who acknowledged it, and when.
+ * User and time of the acknowledgement.
  */
 acknowledged: WhoWhen | null, 
 /**
- * Who shelved it, and until when.
+ * User and end of the shelving.
  */
 shelved: WhoWhen | null, 
 /**
- * It only tells and may be shelved.
+ * It only informs, and may be shelved.
  */
 tells: boolean, 
 /**
@@ -1261,7 +1262,7 @@ by: string,
 at: string, };
 
 /**
- * `POST /api/alarms/shelve`: an alarm on the list that only tells is put aside for a while, or taken back.
+ * `POST /api/alarms/shelve`: shelves an alarm that only informs for a while, or takes it back.
  */
 export type Shelving = { 
 /**
@@ -1302,7 +1303,7 @@ what: string,
  */
 key: string, 
 /**
- * Who asked, if somebody did.
+ * User who gave the command, if any.
  */
 user: string | null, } & MessageView;
 
@@ -1368,7 +1369,7 @@ fixtures: Array<SolidView>,
  */
 sections: Array<SectionView>, 
 /**
- * What is to be said of it.
+ * Findings about it.
  */
 findings: Array<FindingView>, 
 /**
@@ -1384,11 +1385,11 @@ time_s: number,
  */
 from: [number, number] | null, 
 /**
- * How many heads are tracked.
+ * Number of tracked heads.
  */
 tracked: number, 
 /**
- * How the simulated part differs from the planned one: TOML, as of `simulate --distortion`.
+ * Distortion of the simulated part against the planned one: TOML, as of `simulate --distortion`.
  */
 distortion: string | null, };
 
@@ -1401,7 +1402,7 @@ export type PassView = {
  */
 name: string, 
 /**
- * What it is: `root`, `fill`, `cap` ..; empty if the program does not say.
+ * Role: `root`, `fill`, `cap` ..; empty if the program does not say.
  */
 role: string, 
 /**
@@ -1429,7 +1430,7 @@ closed: boolean,
  */
 path: Array<PathPoint>, 
 /**
- * Where its spans begin and end, path lengths in mm: of a pass along the seam, or runs of points.
+ * Start and end of each span, path lengths in mm: of a pass along the seam, or of runs of points.
  */
 spans: Array<[number, number]>, 
 /**
@@ -1437,15 +1438,15 @@ spans: Array<[number, number]>,
  */
 points_mm: Array<number>, 
 /**
- * What it reaches and what bounds it; none if it cannot be welded as asked.
+ * Its certificate; none if it cannot be welded as requested.
  */
 certificate: CertificateView | null, 
 /**
- * Where what is watched comes nearest; none if nothing comes near.
+ * Smallest clearance of the pass; none if nothing comes near.
  */
 nearest: NearView | null, 
 /**
- * Where that is, mm.
+ * Path length of the smallest clearance, mm.
  */
 nearest_at_mm: number | null, };
 
@@ -1478,7 +1479,7 @@ axes: Array<number>,
  */
 used: Array<[number, number, number]>, 
 /**
- * Process values; null where there is none.
+ * Process values; null if missing.
  */
 values: Array<number | null>, 
 /**
@@ -1487,7 +1488,7 @@ values: Array<number | null>,
 clearance_mm: number | null, };
 
 /**
- * What a pass reaches and what bounds it where, as `motion --certificate` writes it.
+ * Certificate of a pass: its speeds and their limits, as `tools motion --certificate` writes them.
  */
 export type CertificateView = { 
 /**
@@ -1648,7 +1649,7 @@ area_mm2: number,
  */
 outline: Array<[number, number]>, 
 /**
- * Where the wire points to, mm.
+ * Point on which the wire points, mm.
  */
 tip: [number, number], 
 /**
@@ -1657,7 +1658,7 @@ tip: [number, number],
 back: [number, number], };
 
 /**
- * What a text of a job describes, before any motion is planned: see `POST /api/draft`.
+ * Drawing of a job's text before any motion is planned: see `POST /api/draft`.
  */
 export type DraftAnswer = { "kind": "drawn", 
 /**
@@ -1673,7 +1674,7 @@ fixtures: Array<SolidView>,
  */
 sections: Array<SectionView>, } | { "kind": "wrong", 
 /**
- * What and where, with what is allowed.
+ * Fault and position, with the allowed values.
  */
 message: string, };
 
@@ -1686,7 +1687,7 @@ export type PlaceText = {
  */
 text: string, 
 /**
- * What the points tell.
+ * Method of placing.
  */
 method: PlaceMethod, 
 /**
@@ -1699,7 +1700,7 @@ probe_radius_mm: number,
 points: Array<TouchedPoint>, };
 
 /**
- * What touched points tell.
+ * Methods of placing a part by touched points.
  */
 export type PlaceMethod = "best_fit" | "plane_line_point" | "three_points" | "chuck";
 
@@ -1708,7 +1709,7 @@ export type PlaceMethod = "best_fit" | "plane_line_point" | "three_points" | "ch
  */
 export type TouchedPoint = { 
 /**
- * What was touched.
+ * Touched feature.
  */
 feature: string, 
 /**
@@ -1725,7 +1726,7 @@ export type PlaceAnswer = {
  */
 text: string, 
 /**
- * How the part is moved, mm.
+ * Translation of the part, mm.
  */
 move_mm: [number, number, number], 
 /**
@@ -1745,7 +1746,7 @@ outliers: Array<boolean>,
  */
 rms_mm: number, 
 /**
- * What the points do not see, and what else is to be said.
+ * Directions that the points leave undetermined, and other remarks.
  */
 notes: Array<MessageView>, };
 
@@ -1786,7 +1787,7 @@ allowed: boolean,
  */
 axes: Array<number>, 
 /**
- * What is nearest to being too near there.
+ * The pair nearest to its minimum clearance there.
  */
 nearest: NearView | null, };
 
@@ -1799,7 +1800,7 @@ export type SolidView = {
  */
 name: string, 
 /**
- * What it is.
+ * Its shape.
  */
 shape: ShapeView, 
 /**
@@ -1853,7 +1854,7 @@ semi_axes: [number, number, number], } | { "kind": "half_space", } | { "kind": "
 triangles: Array<number>, };
 
 /**
- * What a text of a job is, asked before it is kept: see `POST /api/plan`.
+ * Plan of a job's text before it is saved: see `POST /api/plan`.
  */
 export type PlanAnswer = { "kind": "planned", 
 /**
@@ -1861,7 +1862,7 @@ export type PlanAnswer = { "kind": "planned",
  */
 work: WorkView, } | { "kind": "wrong", 
 /**
- * What and where, with what is allowed.
+ * Fault and position, with the allowed values.
  */
 message: string, 
 /**
@@ -1870,7 +1871,7 @@ message: string,
 at: WrongView | null, };
 
 /**
- * What is wrong with a file, in parts.
+ * Fault of a file, in parts.
  */
 export type WrongView = { 
 /**
@@ -2011,11 +2012,11 @@ export type Load = {
  */
 job: string, 
 /**
- * Where to begin, if not at the begin: pass from 1 and the path length up to which it is welded.
+ * Start, if not the weld's own: pass from 1, and the path length up to which it is welded.
  */
 from: [number, number] | null, 
 /**
- * How much of what is welded already before `from` is welded over on purpose, mm: so much is not asked about at the start.
+ * Overlap onto the finished weld before `from`, mm: the start needs no confirmation for it.
  */
 overlap_mm?: number | null, 
 /**
@@ -2023,7 +2024,8 @@ overlap_mm?: number | null,
  */
 part: string | null, 
 /**
- * How the simulated part differs from the planned one: TOML, as of `simulate --distortion`. It is tracked then.
+ * Distortion of the simulated part against the planned one: TOML, as of `simulate --distortion`. It is tracked
+ * then.
  */
 distortion?: string | null, };
 
@@ -2049,7 +2051,7 @@ export type PostAnswer = {
  */
 text: string, 
 /**
- * How it was proven, a line each.
+ * Proof, a line for each check.
  */
 proof: Array<string>, };
 
@@ -2062,7 +2064,7 @@ export type EditAnswer = {
  */
 text: string, 
 /**
- * What was done, in words.
+ * Description of the edits.
  */
 words: Array<string>, };
 
@@ -2100,7 +2102,7 @@ old: string,
  */
 new: string, 
 /**
- * What came of it.
+ * Result.
  */
 result: MessageView, };
 
@@ -2137,7 +2139,7 @@ ended: string | null,
  */
 result: string, 
 /**
- * What else there is to say.
+ * Remark.
  */
 note: MessageView, 
 /**
@@ -2219,7 +2221,7 @@ greatest: number,
  */
 allowed: [number, number] | null, 
 /**
- * How long it was outside, s.
+ * Time outside, s.
  */
 outside_s: number, 
 /**
@@ -2283,7 +2285,7 @@ export type TraceView = {
  */
 columns: Array<string>, 
 /**
- * For each column its values; null where there is none.
+ * Values of each column; null if missing.
  */
 values: Array<Array<number | null>>, };
 
@@ -2317,16 +2319,16 @@ px: [number, number] | null,
 at: [number, number, number] | null, } | { "do": "end", } | { "do": "pause", } | { "do": "resume", } | { "do": "stop", };
 
 /**
- * How far teaching by eye is.
+ * Phase of teaching by camera.
  */
 export type TeachPhase = "closed" | "plans" | "places" | "runs" | "paused" | "asks" | "ended";
 
 /**
- * What teaching by eye is doing: to everybody, whenever it changes.
+ * State of teaching by camera: to all connections, whenever it changes.
  */
 export type TeachView = { 
 /**
- * How far it is.
+ * Phase.
  */
 phase: TeachPhase, 
 /**
@@ -2363,7 +2365,7 @@ confidence: number,
  */
 least_confidence: number, 
 /**
- * Number of the newest picture; 0: there is none.
+ * Number of the newest picture; 0: no picture yet.
  */
 picture: number, 
 /**
@@ -2401,7 +2403,7 @@ at: [number, number, number],
  */
 confidence: number, 
 /**
- * How far it is across the nominal seam and above it, mm; null far away from it.
+ * Distance across the nominal seam and above it, mm; null far away from it.
  */
 from_nominal_mm: [number, number] | null, };
 
@@ -2414,7 +2416,7 @@ export type TaughtLook = {
  */
 s_mm: number, 
 /**
- * Where that is, in the work frame, mm.
+ * That position in the work frame, mm.
  */
 at: [number, number, number], 
 /**
@@ -2435,11 +2437,11 @@ believed: boolean, };
  */
 export type TeachProgram = { 
 /**
- * How far its curves may be from the taught line, mm: above 0, up to 5.
+ * Maximum distance of the curves from the taught line, mm: above 0, up to 5.
  */
 tolerance_mm: number, 
 /**
- * How far the torch's direction may be from the one that was found, degrees: above 0, up to 90.
+ * Maximum angle of the torch's direction from the one that was found, degrees: above 0, up to 90.
  */
 attitude_deg: number, 
 /**
@@ -2497,7 +2499,7 @@ export type ToCell = { "kind": "command",
  */
 seq: number, 
 /**
- * What is asked.
+ * The command.
  */
 ask: AskView, } | { "kind": "jog", 
 /**
@@ -2526,7 +2528,7 @@ of: JogOf,
  */
 index: number, 
 /**
- * How far, of either sign: mm or degrees, 10 at most. Beyond an axis' end: up to there.
+ * Distance with sign: mm or degrees, 10 at most. A step beyond an axis' end stops at the end.
  */
 by: number, } | { "kind": "go", 
 /**
@@ -2555,7 +2557,7 @@ over: boolean, } | { "kind": "give_control", } | { "kind": "why",
 ask: string, };
 
 /**
- * What the hand moves.
+ * Target of a jog.
  */
 export type JogOf = "joints" | "tip";
 
@@ -2568,7 +2570,7 @@ export type AskView = { "do": "switch_on", } | { "do": "switch_off", } | { "do":
  */
 axis?: number, } | { "do": "start_jog", } | { "do": "start_teach", } | { "do": "start_dry_run", } | { "do": "arm", } | { "do": "start_weld", 
 /**
- * What is finished may be welded again: somebody was asked. No if missing.
+ * The operator confirmed that finished work may be welded again. No if missing.
  */
 reweld?: boolean, } | { "do": "hold", } | { "do": "resume", } | { "do": "reverse", } | { "do": "stop", } | { "do": "override", 
 /**

@@ -18,7 +18,7 @@ pub struct SolidFile {
     pub name: Option<String>,
     /// Exactly one shape.
     pub shape: ShapeFile,
-    /// Where the shape's own frame is; not displaced if missing.
+    /// Pose of the shape's own frame; not displaced if missing.
     #[serde(default, skip_serializing_if = "Transform::is_identity")]
     pub at: Transform,
 }
@@ -68,7 +68,7 @@ pub enum ShapeFile {
     },
     /// Everything behind a plane through the origin, like a floor.
     HalfSpace {
-        /// Where it is empty; z if missing.
+        /// Outward normal of the plane, into the empty side; z if missing.
         #[serde(default = "Direction::z")]
         normal: Direction,
     },
@@ -76,7 +76,7 @@ pub enum ShapeFile {
     Stl {
         /// The file, ASCII or binary; its surface must be closed.
         file: String,
-        /// What the file's coordinates are multiplied by to get mm; 1 if missing.
+        /// Factor from the file's coordinates to mm; 1 if missing.
         #[serde(default = "one", skip_serializing_if = "is_one")]
         scale: Positive,
     },

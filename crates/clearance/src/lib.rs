@@ -1,14 +1,30 @@
 //! Clearance of solids: in one configuration, and along a whole motion.
 //!
-//! A [`Solid`] is a [`Shape`] in a pose. A [`Scene`] holds groups of solids that move rigidly (links, torch, part,
-//! fixtures) and their conditions: each [`Watch`] keeps two groups apart, or a group inside permitted zones.
-//! [`Scene::along`] follows a [`Motion`] and computes lower bounds that hold also *between* samples, so thin obstacles
-//! are never skipped.
+//! A [`Solid`] is a [`Shape`] in a pose, and [`nearest`] computes the distance of two of them. A [`Scene`] holds groups
+//! of solids that move rigidly (links, torch, part, fixtures) and their conditions: each [`Watch`] keeps two groups
+//! apart, or a group inside permitted zones. [`Scene::along`] follows a [`Motion`] and computes lower bounds that hold
+//! also *between* samples, so thin obstacles are never skipped.
 //!
 //! Reported distances and margins are lower bounds. Every distance is proven by a plane between the solids, independent
 //! of the iteration that found the plane.
 //!
-//! mm throughout; this crate has no machine, welding, time or file access: a closure provides STL bytes.
+//! Lengths are in mm. This crate has no machine, welding, time or file access: a closure provides the bytes of STL
+//! files.
+//!
+//! ```
+//! use glam::{DAffine3, DVec3};
+//! use seamwright_clearance::{Shape, Solid, nearest};
+//!
+//! let nozzle = Solid::new("gas nozzle", Shape::Cylinder { radius: 10.0, length: 80.0 }, DAffine3::IDENTITY)?;
+//! let beside = DAffine3::from_translation(DVec3::new(20.0, 0.0, 40.0));
+//! let clamp = Solid::new("clamp", Shape::Sphere { radius: 5.0 }, beside)?;
+//! let frame = DAffine3::IDENTITY;
+//! // Pairs that are further apart than the limit are not computed.
+//! let near = nearest(&nozzle, &frame, &clamp, &frame, 10.0);
+//! assert!(near.is_some_and(|near| (near.distance - 5.0).abs() < 1e-3));
+//! assert!(nearest(&nozzle, &frame, &clamp, &frame, 2.0).is_none());
+//! # Ok::<(), seamwright_clearance::ClearanceError>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

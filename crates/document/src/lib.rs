@@ -1,6 +1,6 @@
 //! TOML documents whose errors have an address.
 //!
-//! Every Seamwright file (job, machine, program) is TOML with `schema = 1` and keys that carry their unit. This crate
+//! Every Seamwright file (job, machine, program) is TOML with `schema = 1` and keys that carry their unit. [`Document`]
 //! reads one into a type. It converts every fault into a [`DocumentError`] that names file, line, key, the value found
 //! and the values allowed. Checks that need more than one key are made by the caller, with [`Document::error_at`] for
 //! an error at a key's address.
@@ -8,6 +8,26 @@
 //! The number types ([`Positive`], [`NonNegative`], [`Finite`]) refuse bad values while reading, so that the address is
 //! exact, and describe themselves in the JSON Schema. Then every number is checked against the bound of its key's unit
 //! ([`BOUNDS`]): a new key of a format is bounded without further code.
+//!
+//! ```
+//! use seamwright_document::{Document, Positive};
+//!
+//! #[derive(Debug, serde::Deserialize)]
+//! struct Job {
+//!     weld: Weld,
+//! }
+//!
+//! #[derive(Debug, serde::Deserialize)]
+//! struct Weld {
+//!     speed_mm_s: Positive,
+//! }
+//!
+//! let job = Document::<Job>::read("job.toml", "[weld]\nspeed_mm_s = 8.5\n")?;
+//! assert!((job.value.weld.speed_mm_s.get() - 8.5).abs() < 1e-12);
+//! let error = Document::<Job>::read("job.toml", "[weld]\nspeed_mm_s = -3\n").unwrap_err();
+//! assert_eq!((error.line, error.key.as_str(), error.value.as_str()), (2, "weld.speed_mm_s", "-3"));
+//! # Ok::<(), seamwright_document::DocumentError>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

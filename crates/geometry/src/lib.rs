@@ -1,6 +1,7 @@
-//! Curves, implicit surfaces, the curves where they meet, and arc length.
+//! Curves, implicit surfaces, their intersections, and arc length.
 //!
-//! Floor 0: no welding words, no I/O. Lengths are mm, angles rad, all in one fixed frame that the caller chooses.
+//! This crate knows no welding, files or time. Lengths are in mm, angles in rad, in one fixed frame that the caller
+//! chooses.
 //!
 //! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Chain`]s of both,
 //!   [`RoundedRectangle`], [`Ellipse`], [`Helix`], [`Spline`], [`TubeIntersection`], [`TrimmedIntersection`],
@@ -13,6 +14,22 @@
 //! - [`fit`] finds the rigid motion that brings nominal geometry to measured points.
 //! - [`PlaneMap`] maps the pixels of a camera to mm on a plane, [`HeightTable`] to mm in space.
 //! - [`reduce`] converts polylines to lines and arcs.
+//!
+//! The seam of a nozzle on a cylindrical shell, by arc length:
+//!
+//! ```
+//! use glam::DVec3;
+//! use seamwright_geometry::{ByLength, Curve, DEFAULT_ACCURACY_MM, Quadric, Tube, TubeIntersection};
+//!
+//! let nozzle = Tube::new(DVec3::ZERO, DVec3::Z, DVec3::X, 250.0)?;
+//! let shell = Quadric::cylinder(DVec3::ZERO, DVec3::X, 800.0)?;
+//! let seam = ByLength::new(TubeIntersection::new(nozzle, shell)?, DEFAULT_ACCURACY_MM)?;
+//! // By symmetry a quarter of the length is a quarter of a turn about the nozzle.
+//! let point = seam.curve().point(seam.parameter(0.25 * seam.length()));
+//! let height = (800.0f64.powi(2) - 250.0f64.powi(2)).sqrt();
+//! assert!((point - DVec3::new(0.0, 250.0, height)).length() < 1e-9);
+//! # Ok::<(), seamwright_geometry::Error>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

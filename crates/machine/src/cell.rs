@@ -8,14 +8,14 @@ use serde::Deserialize;
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct InterlockFile {
-    /// What it is about, for people: `chamber door`.
+    /// Name for people: `chamber door`.
     pub name: String,
     /// The input that says so.
     pub input: String,
-    /// What the input must be; true if missing.
+    /// Required state of the input; true if missing.
     #[serde(default = "yes")]
     pub is: bool,
-    /// What needs it.
+    /// Level that needs the interlock.
     #[serde(rename = "for")]
     pub level: Level,
 }
@@ -24,7 +24,8 @@ fn yes() -> bool {
     true
 }
 
-/// What needs a condition. What needs less is needed by what needs more: no motion without power, no process without motion.
+/// Level that needs an interlock. Each level also needs the interlocks of those before it: no motion without power, no
+/// process without motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Level {
@@ -47,17 +48,18 @@ impl Level {
     }
 }
 
-/// How the process source is started and watched.
+/// Start and supervision of the process source.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SourceFile {
     /// Longest time from switching on until arc or beam burns, s; 1.5 if missing.
     pub strike_s: Option<Positive>,
-    /// How often it is tried; 3 if missing.
+    /// Number of tries; 3 if missing.
     pub tries: Option<u8>,
     /// Time with everything off between tries, s; 0.5 if missing.
     pub pause_s: Option<NonNegative>,
-    /// How long arc or beam may be out before it is lost, s; 0.02 if missing. An electron beam comes back after a discharge.
+    /// Maximum time for which arc or beam may be out before it counts as lost, s; 0.02 if missing. An electron beam
+    /// comes back after a discharge.
     pub out_s: Option<NonNegative>,
     /// Longest time from switching off until arc or beam is out, s; 0.3 if missing.
     pub off_s: Option<Positive>,

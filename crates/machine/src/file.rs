@@ -49,7 +49,7 @@ pub struct MachineFile {
     /// the frame that the steps up to that axis lead to.
     #[serde(default)]
     pub shapes: BTreeMap<String, Vec<SolidFile>>,
-    /// How far the machine's own links keep from each other.
+    /// Minimum clearance between the machine's own links.
     #[serde(default)]
     pub clearance: LinkClearanceFile,
     /// Volumes that links, part and fixtures must stay in or keep out of.
@@ -64,13 +64,13 @@ pub struct MachineFile {
     /// Conditions that the running cell watches.
     #[serde(default)]
     pub interlocks: Vec<InterlockFile>,
-    /// How the process source is started and watched.
+    /// Start and supervision of the process source.
     #[serde(default)]
     pub source: SourceFile,
-    /// Where process source, inputs and outputs are, by names of your own; what is not named is simulated.
+    /// Devices of process source, inputs and outputs, by names of your own. Everything without a device is simulated.
     #[serde(default)]
     pub devices: BTreeMap<String, DeviceFile>,
-    /// What controls call the axes and the process, for part programs.
+    /// Names of the axes and the process on controls, for part programs.
     #[serde(default)]
     pub controls: ControlsFile,
 }
@@ -81,9 +81,9 @@ pub struct MachineFile {
 pub struct TorchFile {
     /// Direction of wire or beam, from the torch to the work, in the last frame of the tool steps.
     pub direction: Direction,
-    /// Where the tip is in the last frame of the tool steps, mm: what calibrating the tool finds; its origin if missing.
+    /// Torch tip in the last frame of the tool steps, mm, as tool calibration finds it; the frame's origin if missing.
     pub tip_mm: Option<Point>,
-    /// How far and fast a beam is deflected, if the torch is one.
+    /// Range and speed of a beam's deflection, if the torch is a beam.
     pub deflection: Option<DeflectionFile>,
 }
 
@@ -146,7 +146,7 @@ pub struct HeadFile {
     pub name: String,
     /// Direction of wire or beam, from the torch to the work, in the last frame of the head's steps.
     pub direction: Direction,
-    /// Where the tip is in the last frame of the head's steps, mm; its origin if missing.
+    /// Torch tip in the last frame of the head's steps, mm; the frame's origin if missing.
     pub tip_mm: Option<Point>,
     /// Steps from the end of the tool steps to the head's tip: correction slides and fixed displacements.
     #[serde(default)]
@@ -166,7 +166,7 @@ impl MachineFile {
     }
 }
 
-/// How far the machine's own links keep from each other. Links next to each other are not watched.
+/// Minimum clearance between the machine's own links. Adjacent links are not checked.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LinkClearanceFile {
@@ -196,7 +196,7 @@ pub struct ZoneFile {
     pub solids: Vec<SolidFile>,
 }
 
-/// What a zone asks for.
+/// Kind of a zone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ZoneKind {
@@ -302,7 +302,7 @@ pub struct DriveFile {
     pub backlash_deg: Option<NonNegative>,
     /// Part of the friction that is at the motor, 0 to 1; the rest is at the load. 0 if missing.
     pub motor_friction: Option<NonNegative>,
-    /// Where the position encoder is; `motor` if missing.
+    /// Position of the encoder: at the motor or at the load; `motor` if missing.
     pub encoder_on: Option<EncoderSide>,
     /// Bandwidth of the velocity loop, Hz.
     pub velocity_bandwidth_hz: Positive,
@@ -370,9 +370,9 @@ pub struct NotchFile {
 pub struct StepperFile {
     /// Full steps of a turn of the motor: 200 for a step angle of 1.8 degrees.
     pub full_steps_per_turn: u32,
-    /// What a turn of the motor moves a linear axis by (the lead, through all gears), mm.
+    /// Travel of a linear axis per turn of the motor (the lead, through all gears), mm.
     pub mm_per_turn: Option<Positive>,
-    /// What a turn of the motor turns a rotary axis by, degrees.
+    /// Rotation of a rotary axis per turn of the motor, degrees.
     pub deg_per_turn: Option<Positive>,
     /// Pulses of a full step that the driver can be set to, increasing.
     pub microsteps: Vec<u32>,
@@ -413,7 +413,7 @@ pub struct Io {
     pub analog: BTreeMap<String, u8>,
 }
 
-/// What each control calls the axes and the process.
+/// Names of the axes and the process on each control.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ControlsFile {
@@ -431,7 +431,7 @@ pub struct ControlsFile {
     pub pmac: ControlFile,
 }
 
-/// What a control calls the axes and the process.
+/// Names of the axes and the process on one control.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ControlFile {

@@ -1,8 +1,23 @@
 //! Machine files, kinematic chains, forward and inverse kinematics, limits.
 //!
-//! Floor 1: no time, no I/O. A [`Machine`] is read from a machine file and holds its axes and one chain of elementary
-//! motions from the clamped work to the torch. Planner, simulator and posts all use this chain; the code is independent
-//! of any particular machine. Internal lengths are mm and angles rad; files are in degrees.
+//! A [`Machine`] is read from a machine file. It holds the axes and one chain of elementary motions from the clamped
+//! work to the torch. Planner, simulator and posts all use this chain; the code is independent of any particular
+//! machine. [`Machine::forward`] computes the pose of the torch, [`Machine::inverse`] all [`Branches`] that reach a
+//! pose. [`check`] tests a machine file, and [`Surroundings`] checks clearance.
+//!
+//! This crate has no time and no file access. Internal lengths are in mm and angles in rad; files are in degrees.
+//!
+//! ```
+//! use seamwright_machine::{Machine, shipped};
+//!
+//! let file = shipped("saddle-4axis").expect("a shipped machine");
+//! let machine = Machine::read(file.name, file.text)?;
+//! let home = machine.home();
+//! let pose = machine.forward(&home);
+//! let solution = machine.inverse_near(pose, &home)?;
+//! assert!((machine.forward(&solution.joints).point - pose.point).length() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

@@ -13,7 +13,7 @@ use serde::Deserialize;
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SensorFile {
-    /// What it is.
+    /// Kind of sensor.
     pub kind: SensorKind,
     /// The link that carries it: an axis (what it moves), `base`, `work`, `torch` or a head.
     pub on: String,
@@ -22,7 +22,7 @@ pub struct SensorFile {
     pub at: Transform,
     /// Columns and rows of its images.
     pub size_px: [u16; 2],
-    /// How pixels become mm: in the plane of a stripe sensor's laser, on the work before a camera.
+    /// Map from pixels to mm: in the laser plane of a stripe sensor, on the work for a camera.
     pub map: Option<PixelMapFile>,
     /// Time from frame to frame, ms; 100 if missing.
     pub period_ms: Option<Positive>,
@@ -30,8 +30,8 @@ pub struct SensorFile {
     pub latency_ms: Option<Positive>,
     /// Standard deviation of the joint's place as it is seen, mm; 0.02 if missing.
     pub noise_mm: Option<Positive>,
-    /// Where a camera's frames come from on the machine: `tcp://HOST:PORT`, a stream (docs/reference/vision-sources.md). Without it
-    /// frames are simulated, or come from where a command is told.
+    /// Source of a camera's frames on the machine: `tcp://HOST:PORT`, a stream (docs/reference/vision-sources.md). If
+    /// missing, frames are simulated or come from the source that the command names.
     pub frames: Option<String>,
 }
 
@@ -46,7 +46,7 @@ pub enum SensorKind {
     Camera,
 }
 
-/// How pixels (column, row; rows count downwards) become mm. Of a stripe sensor: y and z in the plane of its laser.
+/// Map from pixels (column, row; rows count downwards) to mm. For a stripe sensor: y and z in the plane of its laser.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum PixelMapFile {
@@ -75,7 +75,7 @@ pub enum PixelMapFile {
     Heights(Vec<HeightRowFile>),
 }
 
-/// How a camera sees one plane square to its axis.
+/// View of a camera on one plane square to its axis.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HeightRowFile {

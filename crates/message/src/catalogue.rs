@@ -31,8 +31,8 @@ impl Catalogue {
         // Terminals and logs show the marks of Unicode that would isolate arguments.
         bundle.set_use_isolating(false);
         for area in AREAS {
-            // A part that cannot be parsed is left out, and words that are defined twice stay as they were: tests refuse
-            // both, and a program in a shop goes on with the rest.
+            // A part with a syntax error is left out, and the first definition of a code wins. Tests refuse both; a
+            // program in a shop continues with the rest.
             let resource = match FluentResource::try_new(source(language, area).into_owned()) {
                 Ok(resource) | Err((resource, _)) => resource,
             };

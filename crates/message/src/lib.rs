@@ -1,7 +1,7 @@
 //! Messages as data: a stable code with named, typed arguments, and the words of each code in every language.
 //!
-//! Findings, refusals, document errors, alarms and events are [`Message`]s. Their words are in one catalogue per language:
-//! [Fluent](https://projectfluent.org) files, one per language and area, in the folder `messages/` of the repository,
+//! Findings, refusals, document errors, alarms and events are [`Message`]s. Each [`Language`] has a [`Catalogue`] of
+//! their words: [Fluent](https://projectfluent.org) files, one per area, in the folder `messages/` of the repository,
 //! which the panel uses too. English is a catalogue like the others. No code reads a sentence back. A catalogue with an
 //! error fails the tests; a code without words is printed with its arguments.
 //!
@@ -28,8 +28,8 @@ pub use message::Message;
 pub use sources::{AREAS, source};
 pub use unit::Unit;
 
-/// Implements [`Display`](std::fmt::Display), in the language of the process, and [`Error`](std::error::Error) for types
-/// whose method `message` gives their [`Message`].
+/// Implements [`Display`](std::fmt::Display), in the language of the process, and [`Error`](std::error::Error) for
+/// types with a method `message` that returns their [`Message`].
 #[macro_export]
 macro_rules! display_by_message {
     ($($error:ty),+ $(,)?) => {

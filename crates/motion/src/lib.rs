@@ -1,12 +1,28 @@
 //! Turns a torch path and a machine into set-points over time.
 //!
-//! Floor 2. [`JointPath`] is the exact path of the axes by path length. [`SpeedLaw`] is the speed profile along it: the
-//! fastest up to the requested speed within every axis' speed, acceleration and jerk. [`PassMotion`] combines both with
-//! the process sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`pace`]
-//! plays a speed profile under an operator's orders, [`jog`] moves axes without a path, [`taught`] follows any number
-//! of points. [`procedure`] compares the plan with the welding procedure specification. [`fine`] makes fine set-points
-//! of coarse ones, [`pulses`] step and direction pulses. [`textbook`] has the interpolators of the papers, for
-//! comparison.
+//! - [`WeldMotion`] plans a whole program: its passes and the transfer moves ([`air`]) between them.
+//! - [`PassMotion`] is one pass: the path of the axes ([`JointPath`]), the speed profile ([`SpeedLaw`]) and the process
+//!   sequence. The profile is the fastest up to the requested speed within every axis' speed, acceleration and jerk.
+//! - [`SetPoints`] plays a pass period by period in constant memory, without allocation.
+//! - [`pace`] plays a speed profile under an operator's commands, [`jog`] moves axes without a path, and [`taught`]
+//!   follows any number of points.
+//! - [`procedure`] compares the plan with the welding procedure specification.
+//! - [`fine`] interpolates coarse set-points, [`pulses`] generates step and direction pulses.
+//! - [`textbook`] has the interpolators of the papers, for comparison.
+//!
+//! ```
+//! use seamwright_machine::{Machine, shipped};
+//! use seamwright_motion::PassMotion;
+//! use seamwright_weld::Welding;
+//!
+//! let job = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ellipse.toml"));
+//! let welding = Welding::read("ellipse.toml", job).unwrap();
+//! let machine = Machine::read("ellipse-xy", shipped("ellipse-xy").unwrap().text).unwrap();
+//! let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).unwrap();
+//! for point in motion.set_points(1e-3) {
+//!     assert!(machine.outside(&point.q).is_none());
+//! }
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

@@ -1,14 +1,26 @@
 //! Weld programs as part programs of real controls.
 //!
-//! Floor 2. [`part_program`] cuts planned passes into blocks (lines, arcs, cubics in time, splines) of the control's
-//! axes or of the torch tip. They stay within a tolerance of the exact path and keep its timing. [`write()`] writes
-//! such a [`PartProgram`], or one from elsewhere, in the language of Sinumerik, LinuxCNC, grblHAL or PMAC. [`read()`]
-//! reads it back, and [`verify()`] proves that it is the requested one. [`to_program`] converts a part program that was
-//! read into a weld program.
+//! [`part_program`] cuts planned passes into blocks (lines, arcs, cubics in time, splines) of the control's axes or of
+//! the torch tip. The blocks stay within a tolerance of the exact path and keep its timing. [`write()`] writes such a
+//! [`PartProgram`], or one from elsewhere, in the language of Sinumerik, LinuxCNC, grblHAL or PMAC ([`Dialect`]).
+//! [`read()`] reads it back, and [`verify()`] proves that it matches the plan. [`to_program`] converts a part program
+//! into a weld program.
 //!
 //! Posts, readers and the verification share one form: rows of all channels, and steps (`part_program.rs`). The
 //! verification plays the text that was read back (`play.rs`) and takes the plan from the motion, never from the
 //! writer.
+//!
+//! ```
+//! use seamwright_machine::{Machine, shipped};
+//! use seamwright_post::{Control, Dialect, ReadOptions, What, read};
+//!
+//! let machine = Machine::read("ebw-7axis", shipped("ebw-7axis").unwrap().text)?;
+//! let control = Control::new(&machine, Dialect::Sinumerik)?;
+//! let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ebw-fig1.mpf"));
+//! let program = read(&control, "ebw-fig1.mpf", text, &ReadOptions::default())?.program;
+//! assert_eq!(program.steps.iter().filter(|step| matches!(step.what, What::Move(_))).count(), 7);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

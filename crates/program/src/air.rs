@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Air {
-    /// How far the torch stands back along itself before a weld starts and after it ends, mm; 30 if missing.
+    /// Distance by which the torch retracts along itself before a weld starts and after it ends, mm; 30 if missing.
     pub retract_mm: Positive,
 }
 

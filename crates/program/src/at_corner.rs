@@ -9,7 +9,7 @@ use std::fmt;
 /// Key of a blend's distance.
 const KEY: &str = "blend_mm";
 
-/// What to do at a corner: a place inside the weld where the speed or acceleration of an axis would jump.
+/// Behaviour at a corner: a position inside the weld at which the speed or acceleration of an axis would jump.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum AtCorner {

@@ -7,21 +7,21 @@ use serde::{Deserialize, Serialize};
 /// Work angles of a bead are smaller than this, degrees.
 const MAX_WORK_DEG: f64 = 90.0;
 
-/// Where the bead of a pass lies beside the seam, row by row: columns of equal length. Between the rows everything
-/// goes smoothly (twice continuously differentiable) from one value to the next; with one row it is the same all along.
+/// Position of a pass's bead beside the seam, row by row: columns of equal length. Values between rows are interpolated
+/// smoothly (twice continuously differentiable); a single row holds for the whole pass.
 ///
-/// Rows are by the seam's path length. On a seam that is welded all round they come again every turn and lie within
-/// one; on any other they reach from where the pass begins to where it ends or beyond, within the weld.
+/// Rows are given by the seam's path length. On a closed seam they repeat every turn and lie within one turn. On an
+/// open seam they reach from the start of the pass to its end or beyond, within the weld.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Bead {
     /// Path lengths on the seam, mm from the start of the weld; increasing.
     pub s_mm: Vec<Finite>,
-    /// How far the torch tip is from the seam across the bisector of the faces, towards the first part, mm.
+    /// Distance of the torch tip from the seam across the bisector of the faces, mm, positive towards the first part.
     pub across_mm: Vec<Finite>,
-    /// How far the torch tip is from the seam along the bisector, out of the joint, mm.
+    /// Distance of the torch tip from the seam along the bisector, mm, positive out of the joint.
     pub out_mm: Vec<Finite>,
-    /// What the bead adds to the torch's work angle, degrees.
+    /// Angle that the bead adds to the torch's work angle, degrees.
     pub work_angle_deg: Vec<Finite>,
     /// Width of the weave as a part of that of the pass' weave, 0 to 1; empty if it is the same all along.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

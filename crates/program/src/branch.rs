@@ -21,7 +21,7 @@ pub struct Branch {
     /// Distance of its axis from the chord's, towards +y, mm.
     #[serde(default)]
     pub eccentricity_mm: Finite,
-    /// Another branch that is on the chord already. Where this one meets it, it ends there: the seam lies partly on the
+    /// Another branch that is on the chord already. This branch ends at the other one: the seam lies partly on the
     /// chord and partly on the other branch.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub other: Option<OtherBranch>,

@@ -37,7 +37,7 @@ pub struct Program {
     /// The seam; a program whose passes all go through points needs none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seam: Option<Seam>,
-    /// Where on the seam welding starts.
+    /// Start of the weld on the seam.
     #[serde(default)]
     pub start: SeamStart,
     /// The joint along the seam.
@@ -52,7 +52,7 @@ pub struct Program {
     /// Solids that hold the part, in the machine's work frame.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fixtures: Vec<SolidFile>,
-    /// How far the machine keeps from part and fixtures.
+    /// Minimum clearance of the machine from part and fixtures.
     #[serde(default, skip_serializing_if = "Clearance::is_usual")]
     pub clearance: Clearance,
     /// Moves with the arc off.

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Joint {
-    /// How the edges are prepared.
+    /// Preparation of the edges.
     pub preparation: Preparation,
     /// Height of the cap's middle over the line from toe to toe (excess weld metal, convexity), mm.
     #[serde(default)]
@@ -255,7 +255,7 @@ pub struct TJ {
     pub prepared: Member,
 }
 
-/// How the parts lie at one place, as measured.
+/// Measured fit-up of the parts at one position.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitUp {
@@ -263,7 +263,7 @@ pub struct FitUp {
     pub s_mm: NonNegative,
     /// Root gap there, mm.
     pub root_gap_mm: NonNegative,
-    /// How far the second part's surface stands out beyond the first's, mm; negative: it lies back.
+    /// Height of the second part's surface above the first's, mm; negative: the second part lies lower.
     #[serde(default)]
     pub mismatch_mm: Finite,
 }

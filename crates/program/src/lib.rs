@@ -1,7 +1,39 @@
 //! The weld program as data: a seam, and passes along it with speed, torch angles and process values.
 //!
-//! Floor 1: no machine, no time, no I/O. Files are TOML with `schema = 1`; lengths in mm, angles in degrees in the
-//! file. [`TorchPath`] is the interface through which the rooms above see where the torch goes.
+//! A [`Program`] holds a [`Seam`], its [`Joint`] and the [`Pass`]es. [`TorchPath`] is the path of the torch that other
+//! crates plan on, [`Finding`] a result of planning, [`Procedure`] the welding procedure specification. [`edit`]
+//! changes program files and keeps their comments and layout.
+//!
+//! This crate has no machine, time or file access. Files are TOML with `schema = 1`; lengths are in mm, angles in files
+//! in degrees.
+//!
+//! ```
+//! use seamwright_program::Program;
+//!
+//! let text = r#"
+//! schema = 1
+//! title = "Root pass"
+//! machine = "saddle-4axis"
+//! [variables]
+//! start_angle_deg = 30
+//! [seam.nozzle]
+//! radius_mm = 250
+//! [seam.nozzle.body.cylinder]
+//! radius_mm = 800
+//! [start]
+//! phi_deg = "= start_angle_deg + 15"
+//! [[passes]]
+//! name = "root"
+//! [[passes.spans]]
+//! from_mm = 0
+//! to_mm = 9
+//! speed_mm_s = 5
+//! "#;
+//! let program = Program::read("program.toml", text)?.value;
+//! assert!((program.start.phi_deg.get() - 45.0).abs() < 1e-12);
+//! assert!((program.passes[0].length() - 9.0).abs() < 1e-12);
+//! # Ok::<(), seamwright_document::DocumentError>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

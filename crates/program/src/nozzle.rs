@@ -12,7 +12,7 @@ pub struct Nozzle {
     /// Thickness of its wall, mm; needed for the root of a set-on nozzle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wall_mm: Option<Positive>,
-    /// How it meets the body.
+    /// Connection of nozzle and body.
     #[serde(default)]
     pub mount: Mount,
     /// Which curve is welded.
@@ -24,15 +24,15 @@ pub struct Nozzle {
     /// Direction of the axis, away from the body; z if missing.
     #[serde(default = "Vector::z")]
     pub direction: Vector,
-    /// Where the angle phi about the nozzle's axis is 0, made perpendicular to `direction`; if missing x, or y on a
-    /// nozzle along x.
+    /// Direction in which the angle phi about the nozzle's axis is 0, made perpendicular to `direction`. If missing: x,
+    /// or y for a nozzle along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub zero_direction: Option<Vector>,
-    /// What the nozzle stands on.
+    /// Body under the nozzle.
     pub body: Body,
 }
 
-/// How a nozzle meets its body.
+/// Connection of a nozzle and its body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Mount {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Part {
-    /// How far nozzle, tube or web go on beyond the seam's highest point, mm; 100 if missing.
+    /// Length of nozzle, tube or web beyond the seam's highest point, mm; 100 if missing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nozzle_length_mm: Option<Positive>,
     /// Length of a cylindrical or conical body along its axis, side of a plate, length of a welded tube, width of a
@@ -46,7 +46,7 @@ impl Part {
     }
 }
 
-/// How far the machine keeps from part and fixtures.
+/// Minimum clearance of the machine from part and fixtures.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Clearance {

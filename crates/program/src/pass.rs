@@ -13,10 +13,10 @@ use serde::{Deserialize, Serialize};
 pub struct Pass {
     /// Name, for people.
     pub name: String,
-    /// What it is for in a weld of several passes.
+    /// Role of the pass in a weld of several passes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub role: Option<Role>,
-    /// How many times it is welded, one after the other.
+    /// Number of times that the pass is welded in succession.
     #[serde(default, skip_serializing_if = "Repeat::is_once")]
     pub repeat: Repeat,
     /// The copy of the seam that it is welded on, counted from 0 in `copies`.
@@ -28,35 +28,35 @@ pub struct Pass {
     /// True if it runs against the weld's direction.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub reverse: bool,
-    /// What to do where an axis cannot keep the asked speed.
+    /// Behaviour where an axis cannot keep the requested speed.
     #[serde(default)]
     pub on_limit: OnLimit,
     /// The procedure's least speed while the arc is on, mm/s; less than the asked speed. Run-up and run-down are not
     /// held against it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_speed_mm_s: Option<Positive>,
-    /// What to do at a corner inside the weld.
+    /// Behaviour at a corner inside the weld.
     #[serde(default, skip_serializing_if = "AtCorner::is_usual")]
     pub corner: AtCorner,
-    /// What happens before and after the travel.
+    /// Process sequence before and after the travel.
     #[serde(default)]
     pub sequence: Sequence,
     /// Torch angles.
     #[serde(default)]
     pub torch: Torch,
-    /// How far from what was asked the weld may be.
+    /// Tolerances of the finished weld.
     #[serde(default)]
     pub tolerance: Tolerance,
-    /// What to do with axes to spare.
+    /// Use of redundant axes.
     #[serde(default, skip_serializing_if = "SpareAxes::is_usual")]
     pub spare_axes: SpareAxes,
-    /// Where its bead lies beside the seam; none: on it.
+    /// Position of the bead beside the seam; on the seam if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bead: Option<Bead>,
-    /// How the torch weaves while it goes along; none: it does not.
+    /// Weave of the torch; no weave if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weave: Option<Weave>,
-    /// How the beam is deflected to and fro while it goes along.
+    /// Oscillation of the beam during travel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub oscillation: Option<Oscillation>,
     /// The points it goes through, if it does not run along the seam.
@@ -91,7 +91,7 @@ fn is_zero(number: &NonNegative) -> bool {
     number.get() == 0.0
 }
 
-/// What a pass is for in a weld of several.
+/// Role of a pass in a weld of several passes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
@@ -133,7 +133,7 @@ impl Role {
     }
 }
 
-/// What to do where an axis cannot keep the asked speed.
+/// Behaviour where an axis cannot keep the requested speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum OnLimit {

@@ -17,7 +17,8 @@ pub struct Circle {
     /// Outward normal of the plate; z if missing. Angles count counter-clockwise seen from its tip.
     #[serde(default = "Vector::z")]
     pub normal: Vector,
-    /// Where the angle phi about the normal is 0, made perpendicular to it; if missing x, or y with a normal along x.
+    /// Direction in which the angle phi about the normal is 0, made perpendicular to it. If missing: x, or y for a
+    /// normal along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub zero_direction: Option<Vector>,
     /// `fillet`: a tube stands on the plate and is welded outside; `butt`: both parts lie in the plate's plane.
@@ -46,7 +47,7 @@ pub struct Arc {
     pub wall_faces: WallFaces,
 }
 
-/// Where the face of a wall on a plate looks, seen along the weld with the plate below.
+/// Side to which the face of a wall on a plate points, seen along the weld with the plate below.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum WallFaces {

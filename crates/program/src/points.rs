@@ -20,9 +20,9 @@ pub const NUMBER_COLUMN: &str = "n";
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Points {
-    /// What the numbers of a point are: `x_mm`, `y_mm`, `z_mm` (and `ax`, `ay`, `az`) of the torch in the seam's frame, or
-    /// names of the machine's axes (mm or degrees; the others stay at home); then names of process values; `n` for a
-    /// block number; last `time_s` or `speed_mm_s` from the point before.
+    /// Meaning of the numbers of a point, in this order: `x_mm`, `y_mm`, `z_mm` (and `ax`, `ay`, `az`) of the torch in
+    /// the seam's frame, or names of the machine's axes (mm or degrees; the others stay at home); names of process
+    /// values; `n` for a block number; `time_s` or `speed_mm_s` from the point before.
     pub columns: Vec<String>,
     /// Whether arc or beam is on.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
@@ -30,9 +30,9 @@ pub struct Points {
     /// Process values that have a point's value all the way to it, and not only when they reach it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stepped: Vec<String>,
-    /// Where the pass begins; its time or speed is 0.
+    /// Start of the pass; its time or speed is 0.
     pub start: Vec<Finite>,
-    /// What is switched or said on the way.
+    /// Outputs and messages on the way.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub events: Vec<PointEvent>,
     /// Runs of points reached in the same way, in order.
@@ -61,7 +61,7 @@ pub struct PointSpan {
     pub points: Vec<Vec<Finite>>,
 }
 
-/// How a point is reached from the one before.
+/// Path to a point from the one before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Along {

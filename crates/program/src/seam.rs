@@ -141,14 +141,14 @@ pub enum Side {
 pub struct Girth {
     /// Outer radius, mm.
     pub radius_mm: Positive,
-    /// Where the cut meets the tube's axis, mm.
+    /// Point in which the cut meets the tube's axis, mm.
     #[serde(default, skip_serializing_if = "Point::is_zero")]
     pub origin_mm: Point,
     /// Direction of the axis; z if missing.
     #[serde(default = "Vector::z")]
     pub direction: Vector,
-    /// Where the angle phi about the axis is 0, made perpendicular to `direction`; if missing x, or y on a tube along
-    /// x.
+    /// Direction in which the angle phi about the axis is 0, made perpendicular to `direction`. If missing: x, or y for
+    /// a tube along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub zero_direction: Option<Vector>,
     /// Normal of the cut's plane, within 85 degrees of the axis; if missing `direction`: a square cut.
@@ -167,7 +167,7 @@ pub enum Direction {
     Clockwise,
 }
 
-/// Where along the seam the weld's path length `s` is zero, and which way it grows.
+/// Position on the seam at which the weld's path length `s` is zero, and the direction in which it grows.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SeamStart {
@@ -178,7 +178,7 @@ pub struct SeamStart {
     /// Direction of welding.
     #[serde(default)]
     pub direction: Direction,
-    /// How far the weld goes past its start on a closed seam, mm.
+    /// Overlap of the weld beyond its start on a closed seam, mm.
     #[serde(default)]
     pub overlap_mm: NonNegative,
     /// Weld only to this angle, degrees, in the direction of welding, instead of all round.

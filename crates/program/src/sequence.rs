@@ -5,7 +5,7 @@ use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What happens before and after the travel.
+/// Process sequence before and after the travel.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sequence {
@@ -30,12 +30,12 @@ pub struct Sequence {
     /// A restart after a hold begins this far before the end of the bead, mm.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub overlap_mm: NonNegative,
-    /// What the process does when the torch is held on the seam.
+    /// Behaviour of the process when the torch is held on the seam.
     #[serde(default, skip_serializing_if = "AtHold::is_usual")]
     pub at_hold: AtHold,
 }
 
-/// What the process does when the torch is held on the seam.
+/// Behaviour of the process when the torch is held on the seam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum AtHold {
@@ -60,7 +60,7 @@ fn is_zero(value: &NonNegative) -> bool {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Slope {
-    /// How long it takes, s.
+    /// Duration, s.
     pub time_s: Positive,
     /// Values at its far end from the weld, by name: the first of an upslope, the last of a downslope. Others stay.
     pub process: BTreeMap<String, NonNegative>,

@@ -21,8 +21,8 @@ pub struct Helix {
     /// Direction of the axis; z if missing.
     #[serde(default = "Vector::z")]
     pub direction: Vector,
-    /// Where the weld starts and the angle phi about the axis is 0, made perpendicular to `direction`; if missing x, or
-    /// y with an axis along x.
+    /// Direction in which the weld starts and the angle phi about the axis is 0, made perpendicular to `direction`. If
+    /// missing: x, or y for an axis along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub zero_direction: Option<Vector>,
     /// `fillet`: a strip stands on the cylinder, square to it; `butt`: both parts are the cylinder's wall.
@@ -44,7 +44,7 @@ pub struct Spline {
     /// `n1x,n1y,n1z,n2x,n2y,n2z`, or `n1x,n1y,n1z` alone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// How far the seam may pass from a point, mm, so that it needs fewer knots; 0: through all.
+    /// Maximum distance of the seam from a point, mm, which saves knots; 0: through all points.
     #[serde(default)]
     pub tolerance_mm: NonNegative,
     /// Whether the weld goes on from the last point to the first.

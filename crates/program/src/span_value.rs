@@ -21,9 +21,9 @@ pub enum SpanValue<T> {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ramp<T> {
-    /// Where the span begins.
+    /// Value at the start of the span.
     pub from: T,
-    /// Where it ends.
+    /// Value at the end of the span.
     pub to: T,
 }
 

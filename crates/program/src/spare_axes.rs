@@ -3,8 +3,8 @@ use seamwright_document::{Finite, NonNegative};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What to do with axes that the machine has beyond those that a torch pose needs. Without any such axes there is
-/// nothing to do, and the weights have no effect.
+/// Redundancy resolution: use of the axes beyond those that a torch pose needs. Without redundant axes the weights have
+/// no effect.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SpareAxes {
@@ -15,7 +15,7 @@ pub struct SpareAxes {
     /// Axes to spare that stand still, by name: their positions, mm or degrees.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub hold: BTreeMap<String, Finite>,
-    /// How much each wish counts against the others.
+    /// Weights of the criteria against each other.
     pub weights: Weights,
 }
 
@@ -48,7 +48,7 @@ pub enum Position {
     Any,
 }
 
-/// How much each wish for the axes to spare counts: factors of squares that are 1 at the axis' limit, or as said.
+/// Weights of the criteria for redundant axes: factors of squares that are 1 at the axis' limit, or as stated.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Weights {

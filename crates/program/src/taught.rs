@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Taught {
-    /// Where it leaves the nominal seam: path length there, mm from the start of the weld.
+    /// Position at which the path leaves the nominal seam: path length, mm from the start of the weld.
     pub from_mm: NonNegative,
-    /// Where it is back, path length on the nominal seam, mm.
+    /// Position at which the path is back on the nominal seam: path length, mm.
     pub to_mm: Positive,
     /// The points between, in the order of welding, in the seam's frame, mm.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -18,7 +18,7 @@ pub struct Taught {
     /// degrees.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub axes: Vec<Vec<Finite>>,
-    /// How far a point may be from the nominal seam, mm; 10 if missing.
+    /// Maximum distance of a point from the nominal seam, mm; 10 if missing.
     #[serde(default = "usual", skip_serializing_if = "is_usual")]
     pub within_mm: Positive,
 }

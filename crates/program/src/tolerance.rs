@@ -2,8 +2,8 @@ use schemars::JsonSchema;
 use seamwright_document::Positive;
 use serde::{Deserialize, Serialize};
 
-/// How far a weld may be from what was asked for and still count as made. The defaults suit arc welding with a 1 mm
-/// wire (half a wire diameter, and the alarm bands of common sources); a procedure may ask for less.
+/// Tolerances of a finished weld. The defaults suit arc welding with a 1 mm wire (half a wire diameter, and the alarm
+/// bands of common sources); a procedure may require less.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Tolerance {

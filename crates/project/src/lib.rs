@@ -1,4 +1,20 @@
 //! From files to a planned weld and its recording: the functions common to the command line and the panel.
+//!
+//! - [`load`] reads a job with its machine, part and fixtures ([`load::Loaded`]), and plans it.
+//! - [`planning`] limits the time of a plan, shows its progress and cancels it.
+//! - [`posting`] writes part programs, [`recording`] records welds, [`teaching`] teaches seams by camera.
+//! - [`Failure`] is the reason why a command ends without its result, with its exit code.
+//!
+//! ```
+//! use seamwright_project::load::load;
+//! use std::path::Path;
+//!
+//! // Without a file of that name this is the example.
+//! let loaded = load(Path::new("first-weld")).unwrap();
+//! assert_eq!(loaded.machine.axes.len(), 4);
+//! let motion = loaded.plan().unwrap();
+//! assert_eq!(motion.passes.len(), 1);
+//! ```
 
 pub mod csv;
 pub mod devices;

@@ -4,10 +4,22 @@
 //! - [`journal`]: position of the weld, for a power failure.
 //! - [`library`]: jobs, programs, machines, procedures, welders, welds, alarms, events and the audit log, in SQLite.
 //! - [`figures`]: figures of a trace: heat input and deviations along the seam, values against their windows.
-//! - [`DataFolder`] combines them: a weld is started, recorded and ended in it.
+//! - [`DataFolder`] combines them: a weld is started, recorded ([`Recording`]) and ended in it.
 //! - [`VcdWriter`]: pulses as a value change dump.
 //!
 //! `docs/reference/records.md` has the folder, the tables and the columns.
+//!
+//! ```
+//! use seamwright_record::DataFolder;
+//! use seamwright_record::library::Query;
+//!
+//! let folder = tempfile::tempdir()?;
+//! let data = DataFolder::open(folder.path())?;
+//! let query = Query { part: Some("P-1".to_owned()), ..Query::default() };
+//! assert!(data.library().find(&query)?.is_empty());
+//! assert!(data.verify()?.problems.is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

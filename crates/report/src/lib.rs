@@ -10,8 +10,22 @@
 //! - [`ThreeViews`] draws a curve in space in first-angle projection.
 //! - [`Page`] combines figures, tables, findings and listings in one HTML file.
 //!
-//! Each drawing comes in two forms: `to_svg` for a [`Page`], which carries the styles, and
-//! `to_svg_standalone` for a file of its own.
+//! Each drawing comes in two forms: `to_svg` for a [`Page`], which carries the styles, and `to_svg_standalone` for a
+//! file of its own.
+//!
+//! ```
+//! use seamwright_report::{Axis, Chart, LimitLine, Series};
+//!
+//! let chart = Chart {
+//!     title: "Speed".into(),
+//!     x: Axis::new("s", "mm"),
+//!     y: Axis::new("v", "mm/s"),
+//!     series: vec![Series::line("reached", vec![(0.0, 0.0), (5.0, 10.0), (95.0, 10.0), (100.0, 0.0)])],
+//!     limits: vec![LimitLine::new("limit", 12.0)],
+//!     ..Chart::default()
+//! };
+//! assert!(chart.to_svg_standalone().contains("<svg"));
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

@@ -1,5 +1,8 @@
 //! The operator's panel: HTTP, WebSocket, users, and the cell behind them.
 //!
+//! [`serve()`] starts the cell of [`Settings`] and serves its panel until a signal ends it. [`wire`] has the messages
+//! in both directions; the panel's types are generated from them. [`Tls`] encrypts the connections.
+//!
 //! - The cycle's thread gets programs (`Prepared`, built elsewhere) through one queue and returns them through another.
 //! - The desk, a thread of its own, turns cycles and notes into status, events, records and the list of alarms, and
 //!   passes commands on.
@@ -7,6 +10,27 @@
 //!   files, library and plans runs on threads of lower priority (`http/turns.rs`).
 //! - Plans from texts run in a process with limits of memory and time (`planner`).
 //! - Every route states its permission in one table, which a test checks route by route.
+//!
+//! ```no_run
+//! use seamwright_machine::{Machine, shipped};
+//! use seamwright_server::{Settings, serve};
+//!
+//! let file = shipped("saddle-4axis").expect("a shipped machine");
+//! let settings = Settings {
+//!     bind: ([127, 0, 0, 1], 8080).into(),
+//!     names: Vec::new(),
+//!     tls: None,
+//!     data: "data".into(),
+//!     machine: Machine::read(file.name, file.text)?,
+//!     folder: ".".into(),
+//!     values: Vec::new(),
+//!     cameras: Vec::new(),
+//!     program: None,
+//!     job: Some("first-weld".to_owned()),
+//! };
+//! serve(&settings, |address| println!("Open {address}"))?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod cell;
 mod front;

@@ -13,11 +13,31 @@
 //! ```
 //!
 //! On a real machine only [`PositionLoop`] (with its [`Notch`]) runs; [`Drive`], [`Load`] and
-//! [`Encoder`] stand in for the hardware in simulation.
+//! [`Encoder`] stand in for the hardware in simulation. [`tune()`] finds the gains of a loop, [`Margins`] are its
+//! stability margins, and [`StepperMotor`] is the model of a stepper.
 //!
 //! **Mechanics.** Two masses on a spring with a gap, integrated by Verlet's method between loads in closed form
 //! (`mechanism`). **Responses** are sines over a constant speed, fitted by least squares (`response`, `sweep`).
 //! **Tuning** derives gains and notch filters from the measured Nyquist curve (`design`, `margins`).
+//!
+//! ```
+//! use seamwright_servo::{DriveParameters, DriveTuning, Gains, LinearLoad, ServoAxis, SetPoint};
+//!
+//! let load = LinearLoad { mass_kg: 60.0, peak_force_n: 500.0, coulomb_n: 25.0, viscous_n_s_per_m: 60.0 };
+//! let tuning = DriveTuning {
+//!     velocity_bandwidth_hz: 80.0,
+//!     current_time_constant_s: 3e-4,
+//!     current_delay_s: 0.0,
+//!     encoder_counts_per_unit: 1000.0,
+//! };
+//! let mut axis = ServoAxis::new(Gains::suggested(80.0, 1e-3), 200.0, DriveParameters::linear(load, tuning)?, 1e-3)?;
+//! axis.settle_at(5.0);
+//! for _ in 0..500 {
+//!     axis.step(SetPoint { position: 5.1, ..SetPoint::default() }, 0.0);
+//! }
+//! assert!((axis.drive().position() - 5.1).abs() < 0.002);
+//! # Ok::<(), seamwright_servo::Error>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

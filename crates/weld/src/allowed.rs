@@ -37,7 +37,7 @@ pub(crate) fn strictly_between(min: f64, max: f64, unit: Unit) -> Message {
     Message::new("document-strictly-between").value("min", min, unit).value("max", max, unit)
 }
 
-/// Positions on a weld that ends at `end` mm. Where it is welded all round, its end is its start.
+/// Positions on a weld that ends at `end` mm. On a closed seam the end is the start.
 pub(crate) fn on_weld(end: f64, all_round: bool) -> Message {
     match all_round {
         true => {

@@ -49,13 +49,13 @@ pub struct Job {
     pub procedure: Option<String>,
     /// The seam.
     pub seam: Seam,
-    /// Where on the seam welding starts, which way it goes, how far it overlaps.
+    /// Start of the weld on the seam, its direction and its overlap.
     #[serde(default)]
     pub start: SeamStart,
     /// The joint: how the edges are prepared and fitted up.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint: Option<Joint>,
-    /// How the joint is filled, in as many passes as it takes. Without it the weld is one pass along the seam.
+    /// Beads that fill the joint, in as many passes as needed. Without it the weld is one pass along the seam.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub beads: Option<Beads>,
     /// A pass over the finished weld.
@@ -67,10 +67,10 @@ pub struct Job {
     /// Torch angles.
     #[serde(default)]
     pub torch: Torch,
-    /// How far from what was asked the weld may be.
+    /// Tolerances of the finished weld.
     #[serde(default)]
     pub tolerance: Tolerance,
-    /// What to do with axes that the machine has beyond those that the torch needs.
+    /// Use of redundant axes: those beyond the ones that the torch needs.
     #[serde(default)]
     pub spare_axes: SpareAxes,
     /// Times before and after the travel.
@@ -82,7 +82,7 @@ pub struct Job {
     /// Solids that hold the part, in the machine's work frame.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fixtures: Vec<SolidFile>,
-    /// How far the machine keeps from part and fixtures.
+    /// Minimum clearance of the machine from part and fixtures.
     #[serde(default, skip_serializing_if = "Clearance::is_usual")]
     pub clearance: Clearance,
     /// Moves with the arc off.
@@ -98,14 +98,14 @@ pub struct Job {
 pub struct Weld {
     /// Speed of the torch tip along the seam, relative to the work, mm/s.
     pub speed_mm_s: Positive,
-    /// What to do where an axis cannot keep that speed.
+    /// Behaviour where an axis cannot keep that speed.
     #[serde(default)]
     pub on_limit: OnLimit,
     /// The procedure's least speed while the arc is on, mm/s; less than `speed_mm_s`. Run-up and run-down are not held
     /// against it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_speed_mm_s: Option<Positive>,
-    /// What to do at a corner inside the weld.
+    /// Behaviour at a corner inside the weld.
     #[serde(default, skip_serializing_if = "AtCorner::is_usual")]
     pub corner: AtCorner,
     /// Process values by name; the name ends in its unit: `current_a`, `voltage_v`, `wire_feed_m_min` and so on. Each
@@ -115,11 +115,10 @@ pub struct Weld {
     /// Speed and process values at several places, linear in between.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub at: Vec<Station>,
-    /// How the torch weaves while it goes along; none: it does not. In several passes, what those of `[beads]` do that
-    /// have no weave of their own.
+    /// Weave of the torch; no weave if missing. With `[beads]`: the weave of passes that have none of their own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weave: Option<Weave>,
-    /// How the beam is deflected to and fro while it goes along.
+    /// Oscillation of the beam during travel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub oscillation: Option<Oscillation>,
 }

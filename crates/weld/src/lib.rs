@@ -1,7 +1,31 @@
 //! Job files, seams and torch attitude: converts a job into a program and the path of the torch.
 //!
-//! Floor 2: independent of machines. [`Welding`] reads a job or a program and has the program, the seam and the
-//! [`TorchPath`](seamwright_program::TorchPath) of its pass.
+//! [`Welding`] reads a [`Job`] or a program. It holds the program, the seam ([`SeamCurve`]), the joint ([`SeamJoint`])
+//! and the plan of its beads ([`BeadPlan`]). [`Welding::path`] is the [`TorchPath`](seamwright_program::TorchPath) of a
+//! pass. This crate is independent of machines; [`Outside`] gives it access to files and machines.
+//!
+//! ```
+//! use seamwright_program::TorchPath;
+//! use seamwright_weld::Welding;
+//!
+//! let job = r#"
+//! schema = 1
+//! title = "Straight fillet weld"
+//! machine = "torch-5axis"
+//! [seam.line]
+//! start_mm = [0, 0, 0]
+//! end_mm = [400, 0, 0]
+//! first_normal = [0, 1, 0]
+//! second_normal = [0, 0, 1]
+//! [weld]
+//! speed_mm_s = 5
+//! "#;
+//! let welding = Welding::read("job.toml", job)?;
+//! let path = welding.path(0);
+//! assert!((path.length() - 400.0).abs() < 1e-9);
+//! assert!((path.pose(200.0).point.x - 200.0).abs() < 1e-9);
+//! # Ok::<(), seamwright_document::DocumentError>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

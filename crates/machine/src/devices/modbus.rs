@@ -13,7 +13,7 @@ pub struct ModbusFile {
     pub address: String,
     /// Unit (slave) address, 0 to 247 or 255; 1 if missing.
     pub unit: Option<u8>,
-    /// How often it is read, Hz, 20 to 1000; 100 if missing.
+    /// Frequency of reading, Hz, 20 to 1000; 100 if missing.
     pub poll_hz: Option<Positive>,
     /// Longest time for an answer, s, 0.01 to 5, or to 1 if the device switches the process; 0.2 if missing. Then the connection is
     /// made anew.
@@ -27,13 +27,13 @@ pub struct ModbusFile {
     /// Inputs of the machine's conditions, by the input's name.
     #[serde(default)]
     pub inputs: BTreeMap<String, BitFile>,
-    /// What switches the process, and the watchdog.
+    /// Outputs that switch the process, and the watchdog.
     #[serde(default)]
     pub outputs: OutputsFile,
     /// Process values that are set, by their names (like `current_a`).
     #[serde(default)]
     pub set: BTreeMap<String, NumberFile>,
-    /// What the process source says of itself, and the device's heart-beat.
+    /// Reports of the process source, and the device's heart-beat.
     #[serde(default)]
     pub reports: ReportsFile,
     /// Process values that are measured, by their names.
@@ -53,7 +53,7 @@ pub struct OutputsFile {
     pub watchdog: Option<BitFile>,
 }
 
-/// What is read of the process source.
+/// Reports that are read from the process source.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ReportsFile {
@@ -63,7 +63,7 @@ pub struct ReportsFile {
     pub burning: Option<BitFile>,
     /// The wire sticks; false if missing.
     pub stuck: Option<BitFile>,
-    /// Its own fault code, 0 is none; a u16.
+    /// Fault code of the source, a u16; 0 means no fault.
     pub fault: Option<NumberFile>,
     /// Changes by itself while the device works; a whole register (without `bit`) changes in whatever way.
     pub heartbeat: Option<BitFile>,
@@ -95,7 +95,7 @@ pub struct NumberFile {
     pub holding: Option<u16>,
     /// Address of an input register: only read.
     pub input: Option<u16>,
-    /// How it is coded; `u16` if missing.
+    /// Coding of the number; `u16` if missing.
     #[serde(rename = "type", default)]
     pub kind: NumberType,
     /// Which of the two registers of 32 bits comes first; the high one if missing.
@@ -111,7 +111,7 @@ pub struct NumberFile {
     pub safe: Option<Finite>,
 }
 
-/// How a number is coded.
+/// Coding of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum NumberType {

@@ -37,13 +37,13 @@ pub struct SetPass {
     /// Name, for people.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// What it is for.
+    /// Role of the pass.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub role: Option<Role>,
     /// Whether arc or beam is on, through points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub arc: Option<bool>,
-    /// How many times it is welded.
+    /// Number of times that the pass is welded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub repeat: Option<Repeat>,
 }

@@ -19,9 +19,10 @@ use std::f64::consts::TAU;
 pub struct Reduce {
     /// The pass, from 1.
     pub pass: usize,
-    /// How far a point may be from its line or arc, mm.
+    /// Maximum distance of a point from its line or arc, mm.
     pub tolerance_mm: Positive,
-    /// How far a further number may be from its linear course, in its own unit; the number of `tolerance_mm` if missing.
+    /// Maximum deviation of a further number from its linear course, in its own unit; the number of `tolerance_mm` if
+    /// missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axis_tolerance: Option<Positive>,
 }

@@ -2,7 +2,7 @@ use schemars::JsonSchema;
 use seamwright_message::{Language, Message};
 use serde::{Serialize, Serializer};
 
-/// What an edit changed.
+/// Result of an edit.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Report {
     /// Description, in English words; also the edit's name in the history.

@@ -35,10 +35,10 @@ pub struct ShiftStart {
     /// The point at which a closed run of points is to begin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point: Option<usize>,
-    /// Where on the seam a pass is to begin, mm.
+    /// New start of a pass on the seam, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub begin_mm: Option<NonNegative>,
-    /// Where on the seam the weld is to start, degrees.
+    /// New start of the weld on the seam, degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi_deg: Option<Finite>,
 }

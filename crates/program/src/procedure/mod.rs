@@ -50,14 +50,14 @@ pub struct Procedure {
     /// Kind of weld, for its positions: a groove on a nozzle is a butt weld. If missing by the angle between the faces.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint: Option<FilletOrButt>,
-    /// Where each welding position begins and ends.
+    /// Limits of each welding position.
     #[serde(default, skip_serializing_if = "PositionLimits::is_usual")]
     pub position_limits: PositionLimits,
-    /// What passes must keep to.
+    /// Requirements for the passes.
     pub runs: Vec<Run>,
 }
 
-/// What some passes must keep to. Ranges are `[least, greatest]`; what has none is not looked at.
+/// Requirements for some passes. Ranges are `[minimum, maximum]`; values without a range are not checked.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Run {

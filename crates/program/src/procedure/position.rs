@@ -59,8 +59,8 @@ impl Inclination {
     }
 }
 
-/// Where each position begins and ends, degrees. What is missing is as in the production ranges of ISO 6947, which
-/// ASME IX (QW-461) has too.
+/// Limits of each welding position, degrees. Missing limits take the production ranges of ISO 6947, which ASME IX
+/// (QW-461) also has.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct PositionLimits {
@@ -74,7 +74,7 @@ pub struct PositionLimits {
     pub fillet: FilletLimits,
     /// A position is kept along a weld until its limits are passed by more than this; 4 if missing.
     pub hysteresis_deg: NonNegative,
-    /// Where the faces are up to this far apart the weld is a fillet, unless `joint` says which; 135 if missing.
+    /// Maximum angle between the faces at which the weld counts as a fillet, unless `joint` decides; 135 if missing.
     pub fillet_up_to_deg: NonNegative,
 }
 

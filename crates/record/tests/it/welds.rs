@@ -41,7 +41,7 @@ fn figures_are_those_of_the_rows() {
         (record.result, record.note.to_string().as_str()),
         (WeldResult::Deviating, "heat input outside the procedure over 4 mm")
     );
-    // Words of the note are found in every language, and its code is none of them.
+    // Words of the note are found in every language; its code is not searched.
     for (text, found) in [("OUTSIDE the procedure", 1), ("wärmeeinbringung auf 4 mm", 1), ("record-heat", 0)] {
         let query = Query { text: Some(text.to_owned()), ..Query::default() };
         assert_eq!(data.library().find(&query).unwrap().len(), found, "{text}");

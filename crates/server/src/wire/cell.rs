@@ -32,7 +32,7 @@ pub struct MachineView {
     pub up: [f64; 3],
     /// Highest speed of the tip by hand, mm/s.
     pub jog_mm_s: f64,
-    /// How each link moves, in the order of [`super::Status::links`].
+    /// Joint of each link, in the order of [`super::Status::links`].
     pub joints: Vec<Option<JointView>>,
     /// Its sensors.
     pub sensors: Vec<SensorView>,
@@ -42,7 +42,7 @@ pub struct MachineView {
     pub beam_mm: Option<f64>,
 }
 
-/// How a link moves on the next one towards the work.
+/// Joint by which a link moves on the next one towards the work.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct JointView {
     /// That link: one before it.
@@ -96,11 +96,11 @@ pub struct AlarmEntry {
     pub name: String,
     /// Why it comes.
     pub cause: String,
-    /// What it leads to.
+    /// Consequence.
     pub consequence: String,
-    /// What to do.
+    /// Operator action.
     pub action: String,
-    /// What the cell does.
+    /// Reaction of the cell.
     pub reaction: String,
 }
 
@@ -139,7 +139,7 @@ pub struct FrameView {
 /// the cycle is heard of.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Stopped {
-    /// What the cell was doing then: [`super::Status::mode`]; empty if that is not known yet.
+    /// Mode of the cell at that time: [`super::Status::mode`]; empty if it is not known yet.
     pub mode: String,
     /// Time since the cycle was heard of, s; none before its first status. A cycle that hangs or has ended grows older.
     pub cycle_age_s: Option<f64>,
@@ -154,13 +154,13 @@ pub struct SessionView {
     pub role: Role,
     /// Everything that the role may do: names of commands and of routes' permissions.
     pub may: Vec<String>,
-    /// What must stand in the header `x-seamwright` of every request that changes something.
+    /// Value of the header `x-seamwright` that every request with an effect must carry.
     pub token: String,
     /// There is no password yet: whoever has the printed address is the owner.
     pub first_run: bool,
 }
 
-/// What a user may do; each includes those before.
+/// Role of a user. Each role includes the rights of those before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
@@ -209,7 +209,7 @@ pub struct UserChange {
     pub enabled: bool,
     /// The password of whoever asks.
     pub own_password: Option<String>,
-    /// Whoever has the name already is not to be changed: then it is refused as `exists`.
+    /// Refuse an existing name as `exists` instead of changing its user.
     pub only_new: Option<bool>,
 }
 
@@ -252,7 +252,7 @@ pub struct DeviceView {
     pub watchdog_s: f64,
     /// Everything with a name on it.
     pub signals: Vec<SignalView>,
-    /// What went over the line; none: there is no line.
+    /// Traffic on the line; none without a line.
     pub traffic: Option<TrafficView>,
 }
 
@@ -263,7 +263,7 @@ pub struct SignalView {
     pub name: String,
     /// `input`, `output`, `set`, `report`, `actual`.
     pub kind: String,
-    /// Where it is, like `holding 12 bit 3`; empty: simulated.
+    /// Address, like `holding 12 bit 3`; empty: simulated.
     pub place: String,
     /// It is on or off, not a number.
     pub bit: bool,
@@ -279,7 +279,7 @@ pub struct SignalView {
     pub condition: Option<String>,
 }
 
-/// What went over the line to a device since it was connected.
+/// Traffic with a device since it was connected.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TrafficView {
     /// Polls that were answered.
@@ -295,9 +295,9 @@ pub struct TrafficView {
     pub connections: u32,
     /// Time without a connection, s.
     pub away_s: f64,
-    /// How long a poll takes: median, 99.9 of 100, longest, microseconds.
+    /// Duration of a poll: median, 99.9 % quantile and maximum, microseconds.
     pub round_us: [f64; 3],
-    /// What went wrong last.
+    /// Last error.
     pub trouble: Option<String>,
 }
 
@@ -326,7 +326,7 @@ pub struct TuningView {
     pub notches: Vec<[f64; 3]>,
 }
 
-/// What every failed request answers.
+/// Answer to every failed request.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Trouble {
     /// Stable key: `login`, `password`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`,

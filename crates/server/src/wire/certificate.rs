@@ -2,7 +2,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use ts_rs::TS;
 
-/// What a pass reaches and what bounds it where, as `motion --certificate` writes it.
+/// Certificate of a pass: its speeds and their limits, as `tools motion --certificate` writes them.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct CertificateView {
     /// Part of the path's length on which the tip is as fast as asked, %.

@@ -21,7 +21,7 @@ pub struct RecordRow {
     pub ended: Option<String>,
     /// `running`, `good`, `deviating`, `stopped`, ...
     pub result: String,
-    /// What else there is to say.
+    /// Remark.
     pub note: MessageView,
     /// Name of the machine.
     pub machine: String,
@@ -68,7 +68,7 @@ pub struct JudgedView {
     pub greatest: f64,
     /// Least and greatest value allowed.
     pub allowed: Option<(f64, f64)>,
-    /// How long it was outside, s.
+    /// Time outside, s.
     pub outside_s: f64,
     /// Over how much of the way it was outside, mm.
     pub outside_mm: f64,
@@ -111,7 +111,7 @@ pub struct RecordedAlarm {
 pub struct TraceView {
     /// The columns asked for.
     pub columns: Vec<String>,
-    /// For each column its values; null where there is none.
+    /// Values of each column; null if missing.
     pub values: Vec<Vec<Option<f64>>>,
 }
 
@@ -134,6 +134,6 @@ pub struct AuditRow {
     pub old: String,
     /// See `old`.
     pub new: String,
-    /// What came of it.
+    /// Result.
     pub result: MessageView,
 }

@@ -51,8 +51,8 @@ pub struct ParameterView {
     pub group: String,
     /// Its value; none: it is not there.
     pub value: Option<f64>,
-    /// What holds without it; none: nothing does, as what it belongs to is not there (a drive, a second mass, a compensation,
-    /// gains of the machine's own), or it has to be there.
+    /// Value in force without the key. None: the key is required, or the thing it belongs to is missing (a drive, a
+    /// second mass, a compensation, gains of the machine's own).
     pub without: Option<f64>,
 }
 
@@ -97,10 +97,10 @@ pub struct ToolAnswer {
     pub deviation_mm: [f64; 3],
     /// Largest angle between two attitudes, degrees.
     pub apart_deg: f64,
-    /// Directions in the head's frame along which the attitudes do not tell where the tip is: it stays there as it was.
+    /// Directions in the head's frame that the poses leave undetermined: there the tip stays as it was.
     pub unseen: Vec<[f64; 3]>,
-    /// `good`; `unseen`: good, but not told in all directions; `far`: it moved by more than a tool is bent; `poor`: the touches
-    /// do not agree.
+    /// `good`; `unseen`: good, but undetermined in some directions; `far`: the tip moved by more than a tool bends;
+    /// `poor`: the touches do not agree.
     pub verdict: String,
 }
 
@@ -155,7 +155,7 @@ pub struct SensorValue {
     pub numbers: Vec<f64>,
 }
 
-/// How a camera sees one plane square to its axis.
+/// View of a camera on one plane square to its axis.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HeightView {
@@ -191,7 +191,7 @@ pub struct SensorAnswer {
     /// `good`; `far`: the scale differs by more than a lens is moved; else why there is no map: `picture`, `size`, `plain`, `few`,
     /// `tangled`, `corner`, `residual`, `map`.
     pub verdict: String,
-    /// What belongs to it, by the verdict.
+    /// Details of the verdict.
     pub of: Vec<String>,
     /// Description with the allowed values; empty if it is good.
     #[serde(flatten)]

@@ -11,7 +11,7 @@ pub enum ToCell {
     Command {
         /// Counts up from 1 in a connection; one that is not greater than the last is refused.
         seq: u32,
-        /// What is asked.
+        /// The command.
         ask: AskView,
     },
     /// The hand on the jog keys, every 50 ms while it holds; not answered. All speeds zero: it lets go.
@@ -33,7 +33,7 @@ pub enum ToCell {
         of: JogOf,
         /// Which axis, or x, y, z of the work frame: from 0.
         index: u32,
-        /// How far, of either sign: mm or degrees, 10 at most. Beyond an axis' end: up to there.
+        /// Distance with sign: mm or degrees, 10 at most. A step beyond an axis' end stops at the end.
         by: f64,
     },
     /// The hand on a key that sends all axes to a place, as [`ToCell::Step`].
@@ -66,7 +66,7 @@ pub enum ToCell {
     },
 }
 
-/// What the hand moves.
+/// Target of a jog.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum JogOf {
@@ -101,7 +101,7 @@ pub enum AskView {
     Arm {},
     /// The program with the process on. Refused (`finished_pass`, `finished_part`) where it would weld again what is finished.
     StartWeld {
-        /// What is finished may be welded again: somebody was asked. No if missing.
+        /// The operator confirmed that finished work may be welded again. No if missing.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         #[ts(optional, as = "Option<bool>")]
         reweld: bool,
@@ -143,7 +143,7 @@ pub enum FromCell {
     },
     /// 30 times a second, the newest only.
     Status(Box<Status>),
-    /// What happened, in order, none left out; on connecting the last hundred.
+    /// Every event in order; the last hundred on connecting.
     Event(EventView),
     /// The whole list, whenever it changes.
     Alarms {
@@ -152,12 +152,12 @@ pub enum FromCell {
     },
     /// The cell has another machine: `GET /api/machine` says which. On connecting, too.
     Machine,
-    /// The program in the cell changed; none: there is none.
+    /// The program in the cell changed; none: the cell is empty.
     Work {
         /// The program.
         work: Option<WorkView>,
     },
-    /// Who has the control token, whenever it changes.
+    /// Holder of the control token, whenever it changes.
     Control {
         /// The connection; none: nobody.
         station: Option<u32>,
@@ -166,7 +166,7 @@ pub enum FromCell {
         /// True if that is this connection.
         mine: bool,
     },
-    /// What teaching by eye is doing, whenever it changes.
+    /// State of teaching by camera, whenever it changes.
     Teach(TeachView),
     /// To a command of this connection.
     Answer {

@@ -3,7 +3,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// What the cell is doing.
+/// State of the cell.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Status {
     /// Since the executive began, s.
@@ -38,13 +38,13 @@ pub struct Status {
     pub conditions: Vec<bool>,
     /// Inputs as they are, in the order of the machine's conditions.
     pub inputs: Vec<bool>,
-    /// What tracking knows and does, of each head that is tracked in this pass.
+    /// State of tracking of each head that is tracked in this pass.
     pub tracking: Vec<TrackingStatus>,
-    /// What is nearest to being too near; none if nothing is watched or nothing is near.
+    /// The pair nearest to its minimum clearance; none if nothing is watched or near.
     pub near: Option<super::NearView>,
-    /// How old what the devices said is, s.
+    /// Ages of the devices' reports, s.
     pub ages: Ages,
-    /// What the system grants to the cycle.
+    /// Real-time rights of the cycle.
     pub realtime: RealtimeView,
     /// Longest time without a cycle since the start, ms.
     pub longest_gap_ms: f64,
@@ -53,9 +53,9 @@ pub struct Status {
     /// See `missed`.
     #[ts(type = "number")]
     pub lost: u64,
-    /// Where a weld was left by a stop, a fault or a power failure and can be gone on with.
+    /// The weld that a stop, a fault or a power failure interrupted and that can be resumed.
     pub left: Option<LeftView>,
-    /// Where the weld of the program in the cell begins: pass from 1, and path length, mm; none without a program.
+    /// Start of the weld of the program in the cell: pass from 1, and path length, mm; none without a program.
     pub start: Option<(u32, f64)>,
     /// Number of the part that the next weld is recorded of; empty if it has none. A part that is welded whole takes it along.
     pub part: String,
@@ -73,10 +73,11 @@ pub struct StandingView {
     pub tip: [f64; 6],
 }
 
-/// What the system grants to the cycle.
+/// Real-time rights of the cycle.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RealtimeView {
-    /// What is missing: `priority` (real-time scheduling), `memory` (locked), `cpu` (of its own, if asked for); empty if nothing is.
+    /// Missing rights: `priority` (real-time scheduling), `memory` (locked), `cpu` (of its own, if requested); empty if
+    /// complete.
     pub missing: Vec<String>,
     /// The same in English, with the system's reasons and what allows it.
     pub text: String,
@@ -98,7 +99,7 @@ pub struct LeftView {
     pub title: String,
     /// Number of the part; empty if it has none.
     pub part: String,
-    /// What is in the cell is the same program, for this part or for none that has a number: it can go on there.
+    /// The cell holds the same program, for this part or for one without a number: the weld can be resumed.
     pub here: bool,
 }
 
@@ -117,12 +118,12 @@ pub struct ProcessStatus {
     pub ready: bool,
     /// The wire sticks.
     pub stuck: bool,
-    /// The source's own fault code; 0 is none.
+    /// Fault code of the source; 0 means no fault.
     pub fault: u16,
-    /// What a pass is doing: `held`, `preflow`, `travel_delay`, `travel`, `run_out`, `crater`, `postflow`, `move`, `ended`; none
-    /// beside passes.
+    /// Phase of the pass: `held`, `preflow`, `travel_delay`, `travel`, `run_out`, `crater`, `postflow`, `move`,
+    /// `ended`; none between passes.
     pub phase: Option<String>,
-    /// In the order of [`super::WorkView::values`]: asked for, and measured; null where there is none.
+    /// Set and measured values in the order of [`super::WorkView::values`]; null if missing.
     pub set: Vec<Option<f64>>,
     /// See `set`.
     pub measured: Vec<Option<f64>>,
@@ -133,7 +134,7 @@ pub struct ProcessStatus {
 pub struct AxisStatus {
     /// Measured position.
     pub position: f64,
-    /// Where it shall be.
+    /// Set position.
     pub set: f64,
     /// Following error.
     pub error: f64,
@@ -147,7 +148,7 @@ pub struct AxisStatus {
     pub limit_switch: bool,
 }
 
-/// What tracking found and did.
+/// Results of tracking.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TrackingStatus {
     /// The head, from 1.
@@ -160,7 +161,7 @@ pub struct TrackingStatus {
     pub confidence: f64,
     /// Standard deviation of the deviation, mm; null where nothing is known.
     pub sigma_mm: Option<f64>,
-    /// How it is known: `seen`, `bridged`, `coasted`, `fading`, `unseen`, `lost`.
+    /// Quality: `seen`, `bridged`, `coasted`, `fading`, `unseen`, `lost`.
     pub state: String,
 }
 
@@ -190,7 +191,7 @@ pub struct AlarmView {
     pub consequence: String,
     /// See `cause`.
     pub action: String,
-    /// What the cell did.
+    /// Reaction of the cell.
     pub reaction: String,
     /// Which axis, condition or process value, counted as the cell counts: with `number`, what this alarm is asked about by.
     pub detail: u8,
@@ -202,11 +203,11 @@ pub struct AlarmView {
     pub t: f64,
     /// When; RFC 3339, UTC.
     pub at: String,
-    /// Who acknowledged it, and when.
+    /// User and time of the acknowledgement.
     pub acknowledged: Option<WhoWhen>,
-    /// Who shelved it, and until when.
+    /// User and end of the shelving.
     pub shelved: Option<WhoWhen>,
-    /// It only tells and may be shelved.
+    /// It only informs, and may be shelved.
     pub tells: bool,
     /// Where: pass from 1 (0: beside passes) and path length.
     pub pass: u32,
@@ -223,7 +224,7 @@ pub struct WhoWhen {
     pub at: String,
 }
 
-/// `POST /api/alarms/shelve`: an alarm on the list that only tells is put aside for a while, or taken back.
+/// `POST /api/alarms/shelve`: shelves an alarm that only informs for a while, or takes it back.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Shelving {
@@ -252,7 +253,7 @@ pub struct EventView {
     /// Description.
     #[serde(flatten)]
     pub message: MessageView,
-    /// Who asked, if somebody did.
+    /// User who gave the command, if any.
     pub user: Option<String>,
 }
 

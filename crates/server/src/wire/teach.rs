@@ -64,20 +64,20 @@ impl TeachOrder {
     }
 }
 
-/// How far teaching by eye is.
+/// Phase of teaching by camera.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, TS, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TeachPhase {
-    /// Nothing is taught.
+    /// Teaching is closed.
     #[default]
     Closed,
     /// The seam of the program is looked up.
     Plans,
-    /// The eye is open, and waits to be told where the joint begins.
+    /// The camera is open and waits for the start of the joint.
     Places,
     /// It crawls.
     Runs,
-    /// It stands still until it is told to go on.
+    /// It stands still until it is resumed.
     Paused,
     /// It has lost the joint and asks.
     Asks,
@@ -85,10 +85,10 @@ pub enum TeachPhase {
     Ended,
 }
 
-/// What teaching by eye is doing: to everybody, whenever it changes.
+/// State of teaching by camera: to all connections, whenever it changes.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TeachView {
-    /// How far it is.
+    /// Phase.
     pub phase: TeachPhase,
     /// Name of the job whose seam it is.
     pub job: String,
@@ -107,7 +107,7 @@ pub struct TeachView {
     pub confidence: f64,
     /// See `confidence`.
     pub least_confidence: f64,
-    /// Number of the newest picture; 0: there is none.
+    /// Number of the newest picture; 0: no picture yet.
     pub picture: u32,
     /// Width and height of a picture, pixels.
     pub size_px: (u32, u32),
@@ -131,7 +131,7 @@ pub struct TaughtPointView {
     pub at: [f64; 3],
     /// 0 to 1.
     pub confidence: f64,
-    /// How far it is across the nominal seam and above it, mm; null far away from it.
+    /// Distance across the nominal seam and above it, mm; null far away from it.
     pub from_nominal_mm: Option<(f64, f64)>,
 }
 
@@ -140,7 +140,7 @@ pub struct TaughtPointView {
 pub struct TaughtLook {
     /// Way along the joint up to where the eye looked, mm.
     pub s_mm: f64,
-    /// Where that is, in the work frame, mm.
+    /// That position in the work frame, mm.
     pub at: [f64; 3],
     /// The machine's axes then, mm or degrees.
     pub axes: Vec<f64>,
@@ -154,9 +154,9 @@ pub struct TaughtLook {
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TeachProgram {
-    /// How far its curves may be from the taught line, mm: above 0, up to 5.
+    /// Maximum distance of the curves from the taught line, mm: above 0, up to 5.
     pub tolerance_mm: f64,
-    /// How far the torch's direction may be from the one that was found, degrees: above 0, up to 90.
+    /// Maximum angle of the torch's direction from the one that was found, degrees: above 0, up to 90.
     pub attitude_deg: f64,
     /// `greedy`, `fewest`: lines and arcs; `spline`.
     pub method: String,

@@ -31,7 +31,7 @@ pub struct WorkView {
     pub fixtures: Vec<SolidView>,
     /// The joint in cross-section, at places along the seam.
     pub sections: Vec<SectionView>,
-    /// What is to be said of it.
+    /// Findings about it.
     pub findings: Vec<FindingView>,
     /// It can be welded: no finding forbids it.
     pub good: bool,
@@ -39,9 +39,9 @@ pub struct WorkView {
     pub time_s: f64,
     /// It goes on where a power failure or a stop left it: pass from 1, and path length.
     pub from: Option<(u32, f64)>,
-    /// How many heads are tracked.
+    /// Number of tracked heads.
     pub tracked: usize,
-    /// How the simulated part differs from the planned one: TOML, as of `simulate --distortion`.
+    /// Distortion of the simulated part against the planned one: TOML, as of `simulate --distortion`.
     pub distortion: Option<String>,
 }
 
@@ -50,7 +50,7 @@ pub struct WorkView {
 pub struct PassView {
     /// Its name in the program; empty if it has none.
     pub name: String,
-    /// What it is: `root`, `fill`, `cap` ..; empty if the program does not say.
+    /// Role: `root`, `fill`, `cap` ..; empty if the program does not say.
     pub role: String,
     /// Path length, mm.
     pub length_mm: f64,
@@ -64,15 +64,15 @@ pub struct PassView {
     pub closed: bool,
     /// Samples all along.
     pub path: Vec<PathPoint>,
-    /// Where its spans begin and end, path lengths in mm: of a pass along the seam, or runs of points.
+    /// Start and end of each span, path lengths in mm: of a pass along the seam, or of runs of points.
     pub spans: Vec<[f64; 2]>,
     /// Path lengths at which its points are reached, mm, the start first; empty along a seam.
     pub points_mm: Vec<f64>,
-    /// What it reaches and what bounds it; none if it cannot be welded as asked.
+    /// Its certificate; none if it cannot be welded as requested.
     pub certificate: Option<CertificateView>,
-    /// Where what is watched comes nearest; none if nothing comes near.
+    /// Smallest clearance of the pass; none if nothing comes near.
     pub nearest: Option<NearView>,
-    /// Where that is, mm.
+    /// Path length of the smallest clearance, mm.
     pub nearest_at_mm: Option<f64>,
 }
 
@@ -104,7 +104,7 @@ pub struct PathPoint {
     pub axes: Vec<f64>,
     /// Speed, acceleration and jerk of each axis in per cent of its limits.
     pub used: Vec<[u8; 3]>,
-    /// Process values; null where there is none.
+    /// Process values; null if missing.
     pub values: Vec<Option<f64>>,
     /// Least distance of anything watched, mm; null where nothing is near.
     pub clearance_mm: Option<f64>,
@@ -129,7 +129,7 @@ pub struct FindingView {
     pub allowed: bool,
     /// Positions of the axes there, in the order of [`WorkView::axes`]; empty if it is not known how the machine stands.
     pub axes: Vec<f64>,
-    /// What is nearest to being too near there.
+    /// The pair nearest to its minimum clearance there.
     pub nearest: Option<NearView>,
 }
 
@@ -138,7 +138,7 @@ pub struct FindingView {
 pub struct SolidView {
     /// Name.
     pub name: String,
-    /// What it is.
+    /// Its shape.
     pub shape: ShapeView,
     /// Its frame, row by row (3 x 4), mm.
     pub frame: [f64; 12],
@@ -224,13 +224,13 @@ pub struct BeadView {
     pub area_mm2: f64,
     /// Outline, mm.
     pub outline: Vec<[f64; 2]>,
-    /// Where the wire points to, mm.
+    /// Point on which the wire points, mm.
     pub tip: [f64; 2],
     /// Unit vector from there to the torch.
     pub back: [f64; 2],
 }
 
-/// What a text of a job describes, before any motion is planned: see `POST /api/draft`.
+/// Drawing of a job's text before any motion is planned: see `POST /api/draft`.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum DraftAnswer {
@@ -245,7 +245,7 @@ pub enum DraftAnswer {
     },
     /// The text is wrong.
     Wrong {
-        /// What and where, with what is allowed.
+        /// Fault and position, with the allowed values.
         message: String,
     },
 }
@@ -256,7 +256,7 @@ pub enum DraftAnswer {
 pub struct PlaceText {
     /// TOML of a job.
     pub text: String,
-    /// What the points tell.
+    /// Method of placing.
     pub method: PlaceMethod,
     /// Radius of the probe's ball, mm; 0: the tip itself was on the surface.
     pub probe_radius_mm: f64,
@@ -264,7 +264,7 @@ pub struct PlaceText {
     pub points: Vec<TouchedPoint>,
 }
 
-/// What touched points tell.
+/// Methods of placing a part by touched points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PlaceMethod {
@@ -282,7 +282,7 @@ pub enum PlaceMethod {
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TouchedPoint {
-    /// What was touched.
+    /// Touched feature.
     pub feature: String,
     /// The tip in the work frame, mm.
     pub tip: [f64; 3],
@@ -293,7 +293,7 @@ pub struct TouchedPoint {
 pub struct PlaceAnswer {
     /// The job with the offset in force.
     pub text: String,
-    /// How the part is moved, mm.
+    /// Translation of the part, mm.
     pub move_mm: [f64; 3],
     /// By how much it is turned, degrees.
     pub angle_deg: f64,
@@ -303,11 +303,11 @@ pub struct PlaceAnswer {
     pub outliers: Vec<bool>,
     /// Root of their mean square, mm.
     pub rms_mm: f64,
-    /// What the points do not see, and what else is to be said.
+    /// Directions that the points leave undetermined, and other remarks.
     pub notes: Vec<MessageView>,
 }
 
-/// What a text of a job is, asked before it is kept: see `POST /api/plan`.
+/// Plan of a job's text before it is saved: see `POST /api/plan`.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum PlanAnswer {
@@ -318,14 +318,14 @@ pub enum PlanAnswer {
     },
     /// The text is wrong.
     Wrong {
-        /// What and where, with what is allowed.
+        /// Fault and position, with the allowed values.
         message: String,
         /// The same in parts, where a file says where.
         at: Option<Box<WrongView>>,
     },
 }
 
-/// What is wrong with a file, in parts.
+/// Fault of a file, in parts.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct WrongView {
     /// The other file that it is in; none: the job's own text.
@@ -399,15 +399,16 @@ pub struct DistortionRow {
 pub struct Load {
     /// Name of a job.
     pub job: String,
-    /// Where to begin, if not at the begin: pass from 1 and the path length up to which it is welded.
+    /// Start, if not the weld's own: pass from 1, and the path length up to which it is welded.
     pub from: Option<(u32, f64)>,
-    /// How much of what is welded already before `from` is welded over on purpose, mm: so much is not asked about at the start.
+    /// Overlap onto the finished weld before `from`, mm: the start needs no confirmation for it.
     #[serde(default)]
     #[ts(optional = nullable)]
     pub overlap_mm: Option<f64>,
     /// Name of the part that is welded, for the record.
     pub part: Option<String>,
-    /// How the simulated part differs from the planned one: TOML, as of `simulate --distortion`. It is tracked then.
+    /// Distortion of the simulated part against the planned one: TOML, as of `simulate --distortion`. It is tracked
+    /// then.
     #[serde(default)]
     #[ts(optional = nullable)]
     pub distortion: Option<String>,
@@ -428,7 +429,7 @@ pub struct PostText {
 pub struct PostAnswer {
     /// The part program.
     pub text: String,
-    /// How it was proven, a line each.
+    /// Proof, a line for each check.
     pub proof: Vec<String>,
 }
 
@@ -437,6 +438,6 @@ pub struct PostAnswer {
 pub struct EditAnswer {
     /// The text as it is now.
     pub text: String,
-    /// What was done, in words.
+    /// Description of the edits.
     pub words: Vec<String>,
 }

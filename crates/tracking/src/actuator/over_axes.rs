@@ -23,10 +23,10 @@ type Column = SVector<f64, MAX_AXES>;
 
 /// Carries corrections out with the machine's own axes: the torch is shifted in the work frame and keeps its direction.
 ///
-/// The tip is exactly where it shall be. What the axes leave free beyond that goes to the attitude, in the sense of least
-/// squares, and what that leaves free to the shortest ways from the planned positions, each by its axis' speed. So the
-/// result depends on place and correction alone, and not on how one came there. (Newton's method on the conditions of
-/// Lagrange; the axes' derivatives are those of the machine's own chain.)
+/// The tip is exactly at its target. Freedom beyond that serves the attitude (least squares); the freedom that remains
+/// keeps the axes close to the planned positions, weighted by each axis' speed. So the result depends on position and
+/// correction alone, independent of the history. (Newton's method on the Lagrange conditions; the axes' derivatives are
+/// those of the machine's own chain.)
 #[derive(Debug, Clone)]
 pub struct OverAxes<'a> {
     machine: &'a Machine,
@@ -34,7 +34,7 @@ pub struct OverAxes<'a> {
     effort: Column,
     /// Axes that stand still.
     held: AxisSet,
-    /// What the correction moved the axes by in the cycle before.
+    /// Movement of the axes by the correction in the cycle before.
     by: Joints,
 }
 
@@ -106,12 +106,12 @@ impl<'a> OverAxes<'a> {
         Solver::new(columns, self.machine.axes.len(), &self.effort)
     }
 
-    /// What a correction may do along a path, so that it asks of every axis no more than its part of
-    /// [`RESERVE`]: planned positions with both directions of corrections (unit vectors, work frame) at places along it,
-    /// and the farthest that a correction may go, mm.
+    /// Computes the limits of a correction along a path such that every axis stays within its part of [`RESERVE`].
+    /// `places` are planned positions with both directions of corrections (unit vectors, work frame); `range_mm` is the
+    /// maximum correction.
     ///
     /// # Errors
-    /// A range that is not positive; [`Error::Value`] where the axes cannot shift the torch.
+    /// An invalid range; [`Error::Value`] where the axes cannot shift the torch.
     pub fn limits(
         &self,
         places: impl Iterator<Item = (Joints, [DVec3; 2])>,
@@ -148,7 +148,7 @@ struct Solver {
     least: Factor,
     /// The inverse of how far the tip goes when it is pulled, by directions.
     stiffness: DMat3,
-    /// What each direction's pull at the tip moves the axes by.
+    /// Movement of the axes for a pull at the tip in each direction.
     by_pull: [Column; 3],
 }
 

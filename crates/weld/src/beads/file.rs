@@ -10,7 +10,7 @@ use std::f64::consts::FRAC_PI_4;
 /// Name of the process value that is the wire's feed.
 pub(crate) const WIRE_FEED: &str = "wire_feed_m_min";
 
-/// How the groove is filled with beads, layer by layer from the root out.
+/// Beads that fill the groove, layer by layer from the root out.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Beads {
@@ -21,10 +21,10 @@ pub struct Beads {
     /// 0.82 to 0.88 with cored wire.
     #[serde(default = "deposition")]
     pub deposition: Positive,
-    /// What follows the area of the groove along the seam.
+    /// Quantity that follows the area of the groove along the seam.
     #[serde(default)]
     pub adapt: Adapt,
-    /// How far a bead's area may be from that of its run, percent.
+    /// Maximum deviation of a bead's area from that of its run, percent.
     #[serde(default = "most")]
     pub most_percent: Positive,
     /// Distance between places where the beads are laid out, mm.
@@ -36,10 +36,10 @@ pub struct Beads {
     /// Distance of the wire from the walls in layers of several beads, mm; three quarters of the wire if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wall_mm: Option<NonNegative>,
-    /// How much the wire of the beads beside a wall is turned towards it, degrees.
+    /// Angle by which the wire of beads beside a wall turns towards the wall, degrees.
     #[serde(default = "tilt")]
     pub wall_tilt_deg: NonNegative,
-    /// How far each pass begins after the one before it, on a seam welded all round, mm.
+    /// Distance between the starts of successive passes on a closed seam, mm.
     #[serde(default = "stagger")]
     pub stagger_mm: NonNegative,
     /// Every other pass runs against the direction of the weld.
@@ -58,7 +58,7 @@ pub struct Beads {
     pub cap: Option<Run>,
 }
 
-/// What follows the area of the groove along the seam, so that the beads always fill it.
+/// Quantity that follows the area of the groove along the seam, so that the beads always fill it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Adapt {
@@ -106,7 +106,7 @@ pub struct Run {
     /// Travel angle, degrees; that of `[torch]` if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub travel_angle_deg: Option<Finite>,
-    /// How the torch weaves; as in `[weld]` if missing.
+    /// Weave of the torch; as in `[weld]` if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weave: Option<Weave>,
 }

@@ -7,8 +7,8 @@ use seamwright_message::{Message, Unit};
 use seamwright_program::{Oscillation, Pass, ProcessValues, Role, Sequence, SpanValue, check_process, is_beyond};
 use serde::{Deserialize, Serialize};
 
-/// A last pass over the finished weld, on the seam's line, that smooths its surface: with a weak or wide beam. What is not
-/// its own it has from `[weld]`; it does not weave.
+/// A last pass over the finished weld, on the seam's line, that smooths its surface with a weak or wide beam. Missing
+/// values come from `[weld]`; it does not weave.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cosmetic {
@@ -24,7 +24,7 @@ pub struct Cosmetic {
     /// Times before and after the travel.
     #[serde(default, skip_serializing_if = "ShortSequence::is_usual")]
     pub sequence: ShortSequence,
-    /// How the beam is deflected to and fro while it goes along.
+    /// Oscillation of the beam during travel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub oscillation: Option<Oscillation>,
 }

@@ -12,7 +12,7 @@ pub struct WeldOrder {
     pub passes: Turns,
     /// The parts in which each pass is welded.
     pub parts: Parts,
-    /// How far a part goes on over the one that it meets, mm; not at corners.
+    /// Overlap of a part onto the one that it meets, mm; not at corners.
     pub tie_in_mm: NonNegative,
     /// True: where that makes the air moves shorter, a copy is welded from the seam's end to its start. On seams that
     /// are not welded all round.
@@ -48,7 +48,7 @@ pub enum Rule {
     Shortest,
 }
 
-/// What comes first where there are several passes on several copies.
+/// Order of passes and copies where several passes are welded on several copies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Turns {

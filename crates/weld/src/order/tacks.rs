@@ -24,7 +24,7 @@ pub struct Tacks {
     /// Greatest distance from a tack's middle to the next one's, mm; or `count`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pitch_mm: Option<Positive>,
-    /// How far tacks stay away from the weld's start, and on a seam that is not welded all round from its end, mm.
+    /// Distance of tacks from the weld's start, and on an open seam from its end, mm.
     #[serde(default = "clear")]
     pub clear_mm: NonNegative,
     /// Speed, mm/s; that of `[weld]` if missing.
