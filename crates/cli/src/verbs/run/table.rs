@@ -50,7 +50,7 @@ impl Table {
         let row = run_rows::row(&mut self.tips, &self.machine, shown, self.values, self.heads.len());
         self.rows.row(row)?;
         match self.rows.weld() {
-            Some((_, Some(trouble))) => Err(Failure::environment(trouble.to_string())),
+            Some((_, Some(trouble))) => Err(Failure::environment(trouble.clone())),
             _ => Ok(()),
         }
     }
