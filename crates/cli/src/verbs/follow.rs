@@ -5,7 +5,7 @@ use crate::args::follow::{CornerArg, FollowArgs};
 use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::load;
-use crate::refusals::{between, in_file, not_allowed, outside, unreadable};
+use crate::refusals::{in_file, not_allowed, outside, unreadable};
 use crate::rows::{Cell, Rows};
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -37,7 +37,9 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     };
     let speed = args.speed_mm_s;
     if !SPEEDS.contains(&speed) {
-        return Err(not_allowed("--speed-mm-s", speed, between(*SPEEDS.start(), *SPEEDS.end())));
+        let plausible = Message::new("document-between").text("min", format!("{:e}", SPEEDS.start()));
+        let plausible = plausible.text("max", format!("{:e}", SPEEDS.end()));
+        return Err(not_allowed("--speed-mm-s", speed, plausible));
     }
     let window = positive("--window-s", args.window_s)?;
     let tolerance = positive("--tolerance-mm", args.tolerance_mm)?;
