@@ -72,7 +72,7 @@ def trace(folder, record):
 
 
 def library(data, record):
-    """The library against the record's JSON, by SQL as docs/records.md has it."""
+    """The library against the record's JSON, by SQL as docs/reference/records.md has it."""
     db = sqlite3.connect(f"file:{data / 'library.sqlite'}?mode=ro", uri=True)
     db.row_factory = sqlite3.Row
     check("integrity", db.execute("PRAGMA integrity_check").fetchone()[0] == "ok")

@@ -8,7 +8,7 @@ use std::{env, fs};
 const SOURCES: [&str; 9] = [
     "src",
     "../docs/schema",
-    "../words",
+    "../messages",
     "public",
     "index.html",
     "package.json",

@@ -82,7 +82,6 @@ cell-right-memory = gesperrter Speicher
 cell-right-cpu = CPU
 cell-note-stopped = gestoppt durch: { $cause }
 cell-note-left = in Lage { $pass } verlassen, geschweißt bis { $at }
-cell-note-resumed = in Lage { $pass } ab { $at } fortgesetzt
 cell-note-not-finished = nicht bis zum Ende geschweißt
 cell-note-nothing-welded = nichts wurde geschweißt
 cell-shutdown-signal = Signal { $signal }

@@ -62,3 +62,6 @@ document-bound-pulses = der schnellste Impulsgeber
 document-bound-hundredfold = das Hundertfache
 document-bound-process-source = die größte Stromquelle
 document-bound-beam-generator = der größte Strahlerzeuger
+
+# The code under which docs/messages.md explains a message.
+document-code = Code: { $code }

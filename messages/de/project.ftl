@@ -140,3 +140,4 @@ project-teach-joint-lost = die Fuge ist verloren
 project-teach-no-joint = keine Fuge gefunden
 project-teach-no-more-frames = die Bilder enden vor der Fuge
 project-cure-teach = von dort mit --start weiter teachen, ein größeres --longest-tack-mm erlauben oder die Punkte von Hand aufnehmen
+project-goes-on = geht in Lage { $pass } ab { $from } weiter

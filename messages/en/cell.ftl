@@ -82,7 +82,6 @@ cell-right-memory = locked memory
 cell-right-cpu = CPU
 cell-note-stopped = stopped by: { $cause }
 cell-note-left = left in pass { $pass }, welded up to { $at }
-cell-note-resumed = resumed in pass { $pass } from { $at }
 cell-note-not-finished = not welded to its end
 cell-note-nothing-welded = nothing was welded
 cell-shutdown-signal = signal { $signal }

@@ -62,3 +62,6 @@ document-bound-pulses = the fastest pulse generator
 document-bound-hundredfold = a hundredfold
 document-bound-process-source = the largest process source
 document-bound-beam-generator = the largest beam generator
+
+# The code under which docs/messages.md explains a message.
+document-code = code: { $code }

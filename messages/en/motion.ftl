@@ -142,10 +142,10 @@ motion-transfer-end = its end is not clear: { $obstacle }
 motion-transfer-retract = the retract is not clear: { $obstacle }
 motion-transfer-approach = the approach is not clear: { $obstacle }
 motion-transfer-none = no clear path was found; on the straight path { $obstacle }
-motion-retract-short = { $move }: the torch can retract only { $distance } of { $asked }
-motion-retract-none = { $move }: no axis can retract the torch along its own direction, it leaves sideways
+motion-retract-short = the torch can retract only { $distance } of { $asked } on { $move }
+motion-retract-none = no axis can retract the torch along its own direction on { $move }: it leaves sideways
 motion-cure-retract = make sure that nothing stands beside the seam there, or ask for a smaller retract
-motion-unwind = { $move }: axis { $axis } unwinds by { $by }
+motion-unwind = axis { $axis } unwinds by { $by } on { $move }
 
 # Planning that was stopped.
 motion-search-out-of-time = no plan within { $limit } of searching: { $progress }

@@ -56,8 +56,8 @@ project-files-written-more = { $files ->
         [one] { $files } file
        *[other] { $files } files
     } to { $folder }: { $names } and { $more } more
-project-file-outside = the name leads out of the folder of the jobs
-project-link-outside = a link leads out of the folder of the jobs
+project-file-outside = the name leads outside of the folder of the jobs
+project-link-outside = a link leads outside of the folder of the jobs
 project-not-a-plain-file = it is not a plain file
 project-file-above = it is larger than { $max }
 
@@ -140,3 +140,4 @@ project-teach-joint-lost = the joint is lost
 project-teach-no-joint = no joint was found
 project-teach-no-more-frames = the frames end before the joint does
 project-cure-teach = teach on from there with --start, allow a longer --longest-tack-mm, or take the points by hand
+project-goes-on = goes on in pass { $pass } from { $from }

@@ -78,7 +78,6 @@ cell-right-memory = заблокированная память
 cell-right-cpu = процессор
 cell-note-stopped = остановлено из-за: { $cause }
 cell-note-left = остановлено в проходе { $pass }, сварено до { $at }
-cell-note-resumed = продолжено в проходе { $pass } с { $at }
 cell-note-not-finished = не сварено до конца
 cell-note-nothing-welded = ничего не сварено
 cell-shutdown-signal = сигнал { $signal }

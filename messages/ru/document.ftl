@@ -62,3 +62,6 @@ document-bound-pulses = самый быстрый генератор импул�
 document-bound-hundredfold = стократное значение
 document-bound-process-source = самый большой источник питания процесса
 document-bound-beam-generator = самый большой генератор луча
+
+# The code under which docs/messages.md explains a message.
+document-code = код: { $code }

@@ -146,3 +146,4 @@ project-teach-joint-lost = стык потерян
 project-teach-no-joint = стык не найден
 project-teach-no-more-frames = кадры кончились раньше стыка
 project-cure-teach = продолжайте обучение оттуда с --start, разрешите больше --longest-tack-mm или возьмите точки вручную
+project-goes-on = продолжено в проходе { $pass } с { $from }

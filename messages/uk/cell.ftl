@@ -78,7 +78,6 @@ cell-right-memory = заблокована пам’ять
 cell-right-cpu = процесор
 cell-note-stopped = зупинено через: { $cause }
 cell-note-left = зупинено в проході { $pass }, зварено до { $at }
-cell-note-resumed = продовжено в проході { $pass } з { $at }
 cell-note-not-finished = не зварено до кінця
 cell-note-nothing-welded = нічого не зварено
 cell-shutdown-signal = сигнал { $signal }

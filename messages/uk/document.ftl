@@ -62,3 +62,6 @@ document-bound-pulses = найшвидший генератор імпульсі
 document-bound-hundredfold = стократне значення
 document-bound-process-source = найбільше джерело живлення процесу
 document-bound-beam-generator = найбільший генератор променя
+
+# The code under which docs/messages.md explains a message.
+document-code = код: { $code }

@@ -146,3 +146,4 @@ project-teach-joint-lost = стик загублено
 project-teach-no-joint = стику не знайдено
 project-teach-no-more-frames = кадри закінчилися раніше за стик
 project-cure-teach = продовжуйте навчання звідти з --start, дозвольте більше --longest-tack-mm або візьміть точки вручну
+project-goes-on = продовжує прохід { $pass } від { $from }

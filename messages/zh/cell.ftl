@@ -78,7 +78,6 @@ cell-right-memory = 锁定内存
 cell-right-cpu = 处理器
 cell-note-stopped = 停止原因：{ $cause }
 cell-note-left = 在焊道 { $pass } 中断，已焊至 { $at }
-cell-note-resumed = 从焊道 { $pass } 的 { $at } 处继续
 cell-note-not-finished = 未焊至终点
 cell-note-nothing-welded = 什么都没有焊
 cell-shutdown-signal = 信号 { $signal }

@@ -33,11 +33,11 @@ test('a second panel only watches, STOP apart, until it takes over', options, as
   await two.locator('dialog[open]').waitFor();
   await axe(two, 'taking over');
   await two.locator('dialog[open]').getByRole('button', { name: 'Take control' }).click();
-  await two.getByText('You command').waitFor();
+  await two.getByText('In control: you').waitFor();
   await one.getByText(/commands \(station/).waitFor();
   assert.ok(await one.getByRole('button', { name: /Switch off/ }).isDisabled());
-  await two.getByRole('button', { name: 'Release' }).click();
-  await one.getByText('Nobody commands').waitFor();
+  await two.getByRole('button', { name: 'Give up control' }).click();
+  await one.getByText('No one in control').waitFor();
   quiet(one);
   quiet(two);
   await one.close();
@@ -73,7 +73,7 @@ test('a connection that comes back resumes nothing', options, async () => {
   await one.mouse.up();
   assert.equal(links.length, 2);
   assert.deepEqual([...new Set(links[1].sent.map((message) => message.kind))], ['beat']);
-  await one.getByText('Nobody commands').waitFor();
+  await one.getByText('No one in control').waitFor();
   assert.ok(links[0].sent.some((message) => message.kind === 'jog'));
   await one.close();
 });

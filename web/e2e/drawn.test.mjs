@@ -23,7 +23,7 @@ async function list() {
 
 async function use(name) {
   await list();
-  await one.locator('li.card', { hasText: name }).first().getByRole('button', { name: 'Use' }).click();
+  await one.locator('li.card', { hasText: name }).first().getByRole('button', { name: 'New from template' }).click();
   await one.getByText(/Can be welded|Cannot be welded/).waitFor({ timeout: 120_000 });
 }
 
@@ -32,7 +32,7 @@ const axe = (where) => accessible(one, where);
 test('the joint is drawn to scale with its beads, and follows its numbers while they are written', onReal, async () => {
   await use('thick-saddle.toml');
   // Whoever changes the joint sees its picture.
-  const angle = one.getByRole('textbox', { name: 'cut [°]' }).first();
+  const angle = one.getByRole('textbox', { name: 'bevel angle [°]' }).first();
   await angle.focus();
   const picture = one.locator('.section svg');
   await picture.waitFor();
@@ -56,7 +56,7 @@ test('the joint is drawn to scale with its beads, and follows its numbers while 
 
 test('bodies are added, moved and deleted in a form, and are seen at once', onReal, async () => {
   await use('saddle.toml');
-  await one.getByRole('button', { name: 'Bodies', exact: true }).click();
+  await one.getByRole('button', { name: 'Part and fixtures', exact: true }).click();
   const drawn = () => one.waitForResponse((answer) => answer.url().endsWith('/api/draft')).then((answer) => answer.json());
   for (const shape of ['box', 'cylinder', 'cone']) {
     await one.getByRole('combobox', { name: 'Shape' }).selectOption(shape);
@@ -163,7 +163,7 @@ test('what is near is told by hand before it is too near; touched points tell wh
   };
   // Where a page is drawn by software a hand may be lost for a moment: then it presses again.
   for (let i = 0; i < 20 && !(await note.isVisible()); i += 1) await jog('h \u2212', 700);
-  assert.match(await note.textContent(), /Clearance [0-9.]+ mm.+ – .+at least/);
+  assert.match(await note.textContent(), /Clearance [0-9.]+ mm.+ – .+\(min\./);
   await record(one);
   for (let i = 0; i < 2; i += 1) {
     await jog('theta +', 1200);
@@ -172,8 +172,8 @@ test('what is near is told by hand before it is too near; touched points tell wh
   await one.getByRole('button', { name: 'End jogging' }).click();
   await mode(one, 'ready');
   await use('saddle.toml');
-  await one.getByRole('button', { name: 'Bodies', exact: true }).click();
-  await one.getByRole('button', { name: 'Compute the place' }).click();
+  await one.getByRole('button', { name: 'Part and fixtures', exact: true }).click();
+  await one.getByRole('button', { name: 'Compute the position' }).click();
   const moved = one.getByText('The part is moved by');
   await moved.waitFor();
   // What was computed of other points, or of another probe, is not offered; what is no radius is none of 0.
@@ -183,7 +183,7 @@ test('what is near is told by hand before it is too near; touched points tell wh
   for (const wrong of ['abc', '', '-1']) {
     await radius.fill(wrong);
     await one.getByRole('alert').filter({ hasText: 'Probe radius, mm: Allowed: a finite number, 0 or greater' }).waitFor();
-    assert.ok(await one.getByRole('button', { name: 'Compute the place' }).isDisabled(), wrong);
+    assert.ok(await one.getByRole('button', { name: 'Compute the position' }).isDisabled(), wrong);
   }
   await radius.fill('0');
   await moved.waitFor();
@@ -194,7 +194,7 @@ test('what is near is told by hand before it is too near; touched points tell wh
   // Nor is what was computed before the job was changed: it would undo the change.
   await one.getByRole('button', { name: 'Add', exact: true }).click();
   await moved.waitFor({ state: 'hidden' });
-  await one.getByRole('button', { name: 'Compute the place' }).click();
+  await one.getByRole('button', { name: 'Compute the position' }).click();
   await moved.waitFor();
   await one.getByRole('button', { name: 'Put it into the job' }).click();
   await moved.waitFor({ state: 'hidden' });
@@ -224,11 +224,11 @@ test('a pass that is tracked shows what was seen and corrected over its length',
   // It comes by itself, but not over an alarm that nobody has acknowledged.
   await two.getByRole('button', { name: 'Tracking', exact: true }).waitFor();
   if ((await two.locator('tr.unacknowledged, tr.returned').count()) > 0) await two.getByRole('button', { name: 'Tracking', exact: true }).click();
-  await two.locator('.tracking').getByText('Joint seen').waitFor();
+  await two.locator('.tracking').getByText('Joint found').waitFor();
   await two.locator('.tracking .uplot').nth(1).waitFor();
-  await two.locator('.tracking').getByText('Coasting').waitFor();
+  await two.locator('.tracking').getByText('No view, holding').waitFor();
   await two.getByRole('button', { name: 'Head 2' }).click();
-  await two.locator('.tracking').getByText('Joint seen').waitFor();
+  await two.locator('.tracking').getByText('Joint found').waitFor();
   await two.getByRole('button', { name: 'Plots', exact: true }).click();
   await sleep(300);
   assert.equal(await two.locator('.tracking').count(), 0, 'the page that was chosen stays');

@@ -24,7 +24,7 @@ test('a held dry run is jogged from and gone on with', options, async () => {
   await one.getByRole('button', { name: 'Jog from here' }).click();
   await mode(one, 'jog');
   await commands(one);
-  const note = one.getByRole('status').filter({ hasText: 'Dry run left in pass 1' });
+  const note = one.getByRole('status').filter({ hasText: 'Dry run paused in pass 1' });
   await note.waitFor();
   // The hand lifts the torch and records where it is.
   const begun = await axis(one, 'h');
@@ -35,7 +35,7 @@ test('a held dry run is jogged from and gone on with', options, async () => {
   await sleep(300);
   assert.ok((await axis(one, 'h')) - begun > 4);
   await one.getByRole('button', { name: 'Record' }).first().click();
-  await note.getByRole('button', { name: 'Plan the way back' }).click();
+  await note.getByRole('button', { name: 'Plan return' }).click();
   await note.waitFor({ state: 'hidden', timeout: 30_000 });
   await mode(one, 'ready');
   // Nothing has moved by itself.

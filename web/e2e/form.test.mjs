@@ -16,12 +16,12 @@ const text = async () => {
 test('values of nested inline tables can be read and changed', options, async () => {
   await open(one, cell.address);
   await tab(one, 'Jobs');
-  await one.locator('li.card', { hasText: 'Hillside' }).getByRole('button', { name: 'Use' }).click();
+  await one.locator('li.card', { hasText: 'Hillside' }).getByRole('button', { name: 'New from template' }).click();
   const beads = table('beads');
   await beads.waitFor();
   const current = beads.getByRole('textbox', { name: 'current [A]' });
   assert.equal(await current.inputValue(), '150');
-  assert.equal(await beads.getByRole('textbox', { name: 'layer [mm]' }).count(), 3);
+  assert.equal(await beads.getByRole('textbox', { name: 'layer thickness [mm]' }).count(), 3);
   for (const field of await beads.getByRole('textbox').all()) assert.ok((await field.boundingBox()).width >= 72);
   await current.fill('155');
   assert.match(await text(), /process = \{ current_a = 155, voltage_v = 18/);

@@ -166,7 +166,7 @@ test('roles are refused on the server, whatever the page shows', options, async 
     }
     // A job is read, not written; its plan is for who may load it.
     await tab(two, 'Jobs');
-    await two.locator('li.card', { hasText: 'saddle.toml' }).first().getByRole('button', { name: 'Use' }).click();
+    await two.locator('li.card', { hasText: 'saddle.toml' }).first().getByRole('button', { name: 'New from template' }).click();
     assert.ok(await two.getByRole('textbox', { name: 'radius [mm]' }).first().isDisabled());
     assert.equal(await two.getByRole('button', { name: 'Save as' }).count(), 0);
     if (role === 'operator') await two.locator('.right .page').getByText(/Can be welded|Cannot be welded/).waitFor({ timeout: 60_000 });
@@ -204,7 +204,7 @@ test('a user that is there is not changed unasked, and a password is typed twice
   await user.fill(one, 'cleo', 'Service', '');
   await save();
   const dialog = one.locator('dialog[open]');
-  await dialog.getByText('There is a user cleo already.').waitFor();
+  await dialog.getByText('User cleo already exists.').waitFor();
   await dialog.getByText('The password stays.').waitFor();
   await axe(one, 'a user that is there');
   await one.screenshot({ path: `${shots}users-exists.png` });

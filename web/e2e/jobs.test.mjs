@@ -42,7 +42,7 @@ test('every template is planned and shown', onReal, async () => {
   const count = await one.locator('li.card').count();
   assert.ok(count > 8, `${count} templates`);
   for (let i = 0; i < count; i += 1) {
-    await one.locator('li.card').nth(i).getByRole('button', { name: 'Use' }).click();
+    await one.locator('li.card').nth(i).getByRole('button', { name: 'New from template' }).click();
     await planned();
     assert.equal(await one.locator('.right .note.fault').count(), 0, await one.locator('.bar strong').textContent());
     if (i === 0) {
@@ -62,7 +62,7 @@ test('every template is planned and shown', onReal, async () => {
 
 test('a number changed in the form, undone, done again; kept under a name; comments stay', options, async () => {
   await tab(one, 'Jobs');
-  await row('saddle.toml').getByRole('button', { name: 'Use' }).click();
+  await row('saddle.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   const field = one.getByRole('textbox', { name: 'radius [mm]' }).first();
   assert.equal(await field.inputValue(), '250');
@@ -84,7 +84,7 @@ test('a number changed in the form, undone, done again; kept under a name; comme
 
 test('a job for another machine has the names and units of that machine, not of the cell', onReal, async () => {
   await one.getByRole('button', { name: '← Jobs' }).click();
-  await row('hillside.toml').getByRole('button', { name: 'Use' }).click();
+  await row('hillside.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   await one.getByRole('button', { name: 'Plots', exact: true }).click();
   await one.locator('.right .page .u-over').first().click();
@@ -118,7 +118,7 @@ test('in the form what is no number stays out, what cannot be is marked where it
   const was = await field.inputValue();
   for (const none of ['abc', '']) {
     await field.fill(none);
-    await one.getByText(`This is no number: ${was} stays.`).waitFor();
+    await one.getByText(`Not a number. Keeping ${was}.`).waitFor();
     assert.equal(await field.getAttribute('aria-invalid'), 'true');
     await field.blur();
     assert.deepEqual([await field.inputValue(), await field.getAttribute('aria-invalid')], [was, 'false']);
@@ -135,7 +135,7 @@ test('in the form what is no number stays out, what cannot be is marked where it
   await one.locator('.right .note.fault').getByRole('button', { name: /weld · speed \[mm\/s\] = 0/ }).click();
   await one.waitForFunction(() => document.activeElement?.getAttribute('aria-invalid') === 'true');
   await field.fill('4000');
-  await one.getByText('Cannot be welded as asked').waitFor({ timeout: 60_000 });
+  await one.getByText('Cannot be welded as programmed').waitFor({ timeout: 60_000 });
   await one.locator('.right .page li button').first().click();
   const card = one.locator('.below .card', { hasText: 'Pass 1' });
   await card.waitFor();
@@ -180,7 +180,7 @@ test('points: set in several at once, insert, delete, undo; the row stands in 3D
   await point(3).click({ modifiers: ['Shift'] });
   await one.getByRole('combobox', { name: 'Column' }).selectOption('Current A');
   await one.getByRole('textbox', { name: 'Value' }).fill('222');
-  await one.getByRole('button', { name: 'Set in 3' }).click();
+  await one.getByRole('button', { name: 'Apply to 3 points' }).click();
   const current = one.getByRole('textbox', { name: 'Current A 3' });
   await one.waitForFunction(() => document.querySelector('[aria-label="Current A 3"]')?.value === '222');
   await point(1).click();
@@ -210,10 +210,10 @@ test('points by touch: several without a key, a span split, lines reduced', onRe
     assert.ok(height >= 44, `${height} px are too few for a finger`);
   }
   await point(1).click();
-  await one.getByRole('button', { name: 'Several' }).click();
+  await one.getByRole('button', { name: 'Multi-select' }).click();
   await point(3).click();
-  await one.getByRole('button', { name: 'Set in 2' }).waitFor();
-  await one.getByRole('button', { name: 'Several' }).click();
+  await one.getByRole('button', { name: 'Apply to 2 points' }).waitFor();
+  await one.getByRole('button', { name: 'Multi-select' }).click();
   await point(2).click();
   await one.getByRole('button', { name: 'Split here' }).click();
   const text = () => one.evaluate(async () => (await (await fetch('/api/jobs/straight.toml')).json()).text);
@@ -234,7 +234,7 @@ test('points by touch: several without a key, a span split, lines reduced', onRe
 });
 
 test('points: the way to them is chosen, an arc from two; undone byte by byte', onReal, async () => {
-  await row('points.toml').getByRole('button', { name: 'Use' }).click();
+  await row('points.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   await one.getByRole('button', { name: 'Points', exact: true }).click();
   const points = one.locator('tbody tr');
@@ -244,8 +244,8 @@ test('points: the way to them is chosen, an arc from two; undone byte by byte', 
   const choose = async (from, to, way) => {
     await points.nth(from).getByRole('button').click();
     await points.nth(to).getByRole('button').click({ modifiers: ['Shift'] });
-    await one.getByRole('combobox', { name: 'Way to them' }).selectOption(way);
-    await one.getByRole('button', { name: /^Set way/ }).click();
+    await one.getByRole('combobox', { name: 'Interpolation' }).selectOption(way);
+    await one.getByRole('button', { name: /^Set interpolation/ }).click();
   };
   const is = (wanted) =>
     one.waitForFunction((of) => [...document.querySelectorAll('tbody td:nth-child(2)')].map((td) => td.textContent).join(' ') === of, wanted);
@@ -259,7 +259,7 @@ test('points: the way to them is chosen, an arc from two; undone byte by byte', 
   await choose(4, 5, 'arc');
   await is('start line line arc arc spline spline');
   await planned();
-  assert.equal(await one.getByRole('combobox', { name: 'Way to them' }).locator('option').count(), 4, 'no rapid with the arc on');
+  assert.equal(await one.getByRole('combobox', { name: 'Interpolation' }).locator('option').count(), 4, 'no rapid with the arc on');
   await one.getByRole('button', { name: 'Undo' }).click();
   await is(before);
   await one.locator('.bar').getByText('template').waitFor();
@@ -278,8 +278,8 @@ test('points with times can be cubics, which have the speeds of the spline; a sp
   const points = one.locator('tbody tr');
   await points.nth(1).getByRole('button').click();
   await points.nth(5).getByRole('button').click({ modifiers: ['Shift'] });
-  await one.getByRole('combobox', { name: 'Way to them' }).selectOption('cubic');
-  await one.getByRole('button', { name: /^Set way/ }).click();
+  await one.getByRole('combobox', { name: 'Interpolation' }).selectOption('cubic');
+  await one.getByRole('button', { name: /^Set interpolation/ }).click();
   // Evenly along x: 10 mm in 1.25 s, at every point and where it begins.
   const speed = (i) => one.getByRole('textbox', { name: `X mm/s ${i}` });
   for (let i = 0; i < 6; i += 1) assert.equal(Number(await speed(i).inputValue()), 8);
@@ -303,7 +303,7 @@ test('points with times can be cubics, which have the speeds of the spline; a sp
 });
 
 test('a span, or the whole pass, is chosen in 3D: its length and time, its points in the table', onReal, async () => {
-  await row('points.toml').getByRole('button', { name: 'Use' }).click();
+  await row('points.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   await one.getByRole('button', { name: 'Points', exact: true }).click();
   const point = (i) => one.locator('tbody tr').nth(i).getByRole('button');
@@ -312,12 +312,12 @@ test('a span, or the whole pass, is chosen in 3D: its length and time, its point
   await card.getByRole('button', { name: 'Span 2/3' }).click();
   // A quarter of a circle of 30 mm, at 8 mm/s.
   await card.getByText(/s 80\.\d–127\.\d mm · 47\.\d mm · 0:06/).waitFor();
-  await one.getByRole('button', { name: 'Set in 1' }).waitFor();
+  await one.getByRole('button', { name: 'Apply to 1 point' }).waitFor();
   await card.getByRole('button', { name: 'Whole pass' }).click();
-  await one.getByRole('button', { name: 'Set in 7' }).waitFor();
+  await one.getByRole('button', { name: 'Apply to 7 points' }).waitFor();
   await one.getByRole('combobox', { name: 'Column' }).selectOption('Speed mm/s');
   await one.getByRole('textbox', { name: 'Value' }).fill('4');
-  await one.getByRole('button', { name: 'Set in 7' }).click();
+  await one.getByRole('button', { name: 'Apply to 7 points' }).click();
   await planned();
   await card.getByText(/mm · 1:0\d/).waitFor();
   await card.getByRole('button', { name: 'Whole pass' }).click();
@@ -327,12 +327,12 @@ test('a span, or the whole pass, is chosen in 3D: its length and time, its point
 });
 
 test('a joint and a procedure are added in the form; a procedure of its own is held against', onReal, async () => {
-  await row('first-weld.toml').getByRole('button', { name: 'Use' }).click();
+  await row('first-weld.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   const form = one.locator('.form');
   const options = await form.getByRole('combobox', { name: 'machine' }).locator('option').allTextContents();
   assert.ok(options.some((text) => text.startsWith('torch-5axis · ')), `${options}`);
-  await form.getByRole('combobox', { name: 'What else the job has' }).selectOption('joint');
+  await form.getByRole('combobox', { name: 'Add a section …' }).selectOption('joint');
   await form.getByRole('button', { name: 'Add' }).click();
   await form.getByRole('textbox', { name: 'root gap [mm]' }).waitFor();
   await form.getByRole('textbox', { name: 'thickness [mm]' }).fill('8');
@@ -352,7 +352,7 @@ test('a joint and a procedure are added in the form; a procedure of its own is h
   await planned();
   await form.getByRole('textbox', { name: 'speed [mm/s] 2' }).fill('9');
   await form.getByRole('button', { name: 'Save procedure' }).click();
-  await one.locator('.right .page').getByText('Outside of the procedure').waitFor({ timeout: 60_000 });
+  await one.locator('.right .page').getByText('Outside WPS limits').waitFor({ timeout: 60_000 });
   // One that could not be read is not kept: what is wrong is told with the file's name.
   await form.getByRole('textbox', { name: 'speed [mm/s] 2' }).fill('-9');
   await form.getByRole('button', { name: 'Save procedure' }).click();
@@ -366,7 +366,7 @@ test('a joint and a procedure are added in the form; a procedure of its own is h
 });
 
 test('limits: what bounds the speed where, linked with 3D, and what is used of each axis', onReal, async () => {
-  await row('ellipse.toml').getByRole('button', { name: 'Use' }).click();
+  await row('ellipse.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   const field = one.getByRole('textbox', { name: 'speed [mm/s]' }).first();
   await field.fill('60');

@@ -79,7 +79,7 @@ test('no place is recorded while an axis moves, by the key or past it', onReal, 
   await one.evaluate(() => {
     const look = () => {
       const greyed = [...document.querySelectorAll('button')].some((key) => key.textContent.trim() === 'Record point' && key.disabled);
-      window.refused ||= greyed && document.body.textContent.includes('The axes have not come to rest: wait a moment.');
+      window.refused ||= greyed && document.body.textContent.includes('The axes are still moving: wait a moment.');
     };
     new MutationObserver(look).observe(document.body, { subtree: true, childList: true, attributes: true, characterData: true });
   });
@@ -94,7 +94,7 @@ test('no place is recorded while an axis moves, by the key or past it', onReal, 
   const key = await held(async () => busy && one.evaluate(() => window.refused)).finally(() => (watches = false));
   await watched;
   await ways['the pointer lifted outside of the button'](key);
-  assert.deepEqual([busy.key, busy.text], ['busy', 'the axes have not come to rest: wait a moment']);
+  assert.deepEqual([busy.key, busy.text], ['busy', 'the axes are still moving: wait a moment']);
   await stands();
   await recordable.waitFor();
   await record(one);
@@ -161,7 +161,7 @@ test('the cell stops by itself when the page hangs with the button held', option
   await one.mouse.up();
   await stands();
   // Without a heartbeat it has lost control too, and takes nothing back by itself.
-  await one.getByText('Nobody commands').waitFor();
+  await one.getByText('No one in control').waitFor();
   await control(one);
   await jogs();
   // After a silence the cell wants to see the hand at rest before it moves again.

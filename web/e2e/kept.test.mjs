@@ -47,7 +47,7 @@ test('what is no number is said, and does not stand in the table', options, asyn
   for (const wrong of ['12.3.4', 'abc', '', '1e400']) {
     await field.fill(wrong);
     await field.press('Enter');
-    await one.getByText(`This is no number: ${was} stays.`).waitFor();
+    await one.getByText(`Not a number. Keeping ${was}.`).waitFor();
     assert.equal(await field.inputValue(), was, wrong);
   }
 });
@@ -76,7 +76,7 @@ test('a job of somebody else is replaced only when that is said; a copy gets a n
   await one.keyboard.press('Tab');
   await one.getByRole('button', { name: 'Save', exact: true }).click();
   const dialog = one.locator('dialog[open]');
-  await dialog.getByText(/Another text is kept as short.toml/).waitFor();
+  await dialog.getByText(/short.toml exists with other text/).waitFor();
   await dialog.getByRole('button', { name: 'Cancel' }).click();
   assert.match(await text('short.toml'), /Elsewhere/);
   await one.getByRole('button', { name: 'Save', exact: true }).click();
@@ -85,13 +85,13 @@ test('a job of somebody else is replaced only when that is said; a copy gets a n
   assert.match(await text('short.toml'), /57/);
   await keep(one, 'saddle-1.toml', SHORT);
   await one.getByRole('button', { name: '← Jobs' }).click();
-  await row('saddle.toml').getByRole('button', { name: 'Use' }).click();
+  await row('saddle.toml').getByRole('button', { name: 'New from template' }).click();
   await one.getByRole('button', { name: 'Save as' }).click();
   const name = dialog.getByRole('textbox');
   assert.equal(await name.inputValue(), 'saddle-2');
   await name.fill('saddle-1');
   await dialog.getByRole('button', { name: 'Save', exact: true }).click();
-  await one.getByText(/Another text is kept as saddle-1.toml/).waitFor();
+  await one.getByText(/saddle-1.toml exists with other text/).waitFor();
   await dialog.last().getByRole('button', { name: 'Cancel' }).click();
   assert.match(await text('saddle-1.toml'), /Short/);
   await one.locator('dialog[open]').getByRole('button', { name: 'Cancel' }).click();
@@ -116,7 +116,7 @@ test('a procedure that was changed is asked about, one that cannot be is refused
   assert.doesNotMatch(await text('saddle-135-saddle.toml'), /-9/);
   await one.getByRole('button', { name: '← Jobs' }).click();
   await one.getByRole('button', { name: 'Discard changes' }).click();
-  await row('saddle.toml').getByRole('button', { name: 'Use' }).click();
+  await row('saddle.toml').getByRole('button', { name: 'New from template' }).click();
   await form.getByRole('button', { name: /^▸ Procedure/ }).click();
   await form.getByRole('button', { name: 'Make a copy' }).click();
   await form.getByRole('button', { name: 'Save procedure' }).waitFor();
@@ -160,7 +160,7 @@ test('points recorded by hand come back after Clear and over a reload, and belon
   await section.getByText(/mm\/s: Allowed: more than 0/).waitFor();
   await section.getByRole('spinbutton').fill('5');
   await section.getByRole('button', { name: 'Save as program' }).click();
-  await one.locator('dialog[open]').getByText(/Another text is kept as short.toml/).waitFor();
+  await one.locator('dialog[open]').getByText(/short.toml exists with other text/).waitFor();
   await one.locator('dialog[open]').getByRole('button', { name: 'Cancel' }).click();
   await one.evaluate(() => {
     const of = JSON.parse(sessionStorage.getItem('seamwright.taught'));
@@ -180,7 +180,7 @@ test('numbers of an axis stay typed while another is looked at; one that is ten 
   await tab(one, 'Set-up');
   await one.getByRole('button', { name: 'Axes and drives' }).click();
   const axes = one.getByRole('group', { name: 'Axis' });
-  const speed = one.getByRole('textbox', { name: /^Highest speed/ }).first();
+  const speed = one.getByRole('textbox', { name: /^Max. speed/ }).first();
   await axes.getByRole('button').nth(1).click();
   const was = await speed.inputValue();
   await speed.fill(String(Number(was) * 10));
@@ -191,7 +191,7 @@ test('numbers of an axis stay typed while another is looked at; one that is ten 
   await one.getByRole('button', { name: 'Axes and drives' }).click();
   await axes.getByRole('button', { name: '•' }).click();
   assert.equal(await speed.inputValue(), String(Number(was) * 10));
-  await one.getByRole('button', { name: 'Keep', exact: true }).click();
+  await one.getByRole('button', { name: 'Save', exact: true }).click();
   const dialog = one.locator('dialog[open]');
   await dialog.getByText(`${was} → ${Number(was) * 10}`).waitFor();
   await dialog.getByRole('button', { name: 'Cancel' }).click();

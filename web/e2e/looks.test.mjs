@@ -106,12 +106,12 @@ for (const dark of [false, true]) {
       await check(name);
     }
     await go(one, 2);
-    await one.locator('li.card', { hasText: 'saddle.toml' }).first().getByRole('button', { name: 'Use' }).click();
+    await one.locator('li.card', { hasText: 'saddle.toml' }).first().getByRole('button', { name: 'New from template' }).click();
     await sleep(1500);
-    for (const name of ['Form', 'Bodies', 'Text', 'G-code', 'Points', 'Plots', 'Limits']) {
+    for (const name of ['Form', 'Part and fixtures', 'Text', 'G-code', 'Points', 'Plots', 'Limits']) {
       if (name === 'Points') {
         await one.getByRole('button', { name: '← Jobs' }).click();
-        await one.locator('li.card', { hasText: 'points.toml' }).getByRole('button', { name: 'Use' }).click();
+        await one.locator('li.card', { hasText: 'points.toml' }).getByRole('button', { name: 'New from template' }).click();
       }
       await one.getByRole('button', { name, exact: true }).click();
       await sleep(800);
@@ -129,7 +129,7 @@ for (const dark of [false, true]) {
     await one.locator('dialog[open]').waitFor();
     await check('loading');
     await one.keyboard.press('Escape');
-    await one.getByRole('button', { name: 'Release' }).click();
+    await one.getByRole('button', { name: 'Give up control' }).click();
     await go(one, 0);
     for (const name of ['Alarms', 'Events', 'Show', "Why can't I start?"]) {
       await one.getByRole('button', { name }).click();

@@ -42,10 +42,10 @@ test('the speed that is shown is that of the axes, whatever the override', optio
   // Two places on the pass and the times between them.
   const at = () =>
     one.evaluate(() => {
-      const s = /Pass 1\s+s ([\d.]+)/.exec(document.querySelector('.passes')?.textContent ?? '');
+      const s = /Pass 1: ([\d.]+)/.exec(document.querySelector('.passes')?.textContent ?? '');
       return s ? [Number(s[1]), performance.now() / 1000] : null;
     });
-  await one.waitForFunction(() => Number(/Pass 1\s+s ([\d.]+)/.exec(document.querySelector('.passes')?.textContent ?? '')?.[1]) > 5, null, { timeout: 60_000 });
+  await one.waitForFunction(() => Number(/Pass 1: ([\d.]+)/.exec(document.querySelector('.passes')?.textContent ?? '')?.[1]) > 5, null, { timeout: 60_000 });
   const from = await at();
   const speeds = [];
   for (let i = 0; i < 10; i += 1) {

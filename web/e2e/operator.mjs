@@ -61,7 +61,7 @@ export const press = (page, name) => page.getByRole('group', { name: 'Commands' 
 
 export async function control(page) {
   await page.getByRole('button', { name: 'Take control' }).click();
-  await page.getByText('You command').waitFor();
+  await page.getByText('In control: you').waitFor();
 }
 
 export async function mode(page, ...wanted) {

@@ -54,12 +54,12 @@ test('the operator chooses what is drawn: it stays chosen, has units, and a valu
   await one.getByRole('checkbox', { name: `${linear}: Position` }).check();
   await one.getByRole('checkbox', { name: `${rotary}: Following error` }).check();
   await one.getByRole('checkbox', { name: `${rotary}: Speed` }).check();
-  await one.getByRole('checkbox', { name: /^Greatest following error/ }).uncheck();
+  await one.getByRole('checkbox', { name: /^Max. following error/ }).uncheck();
   await axe(one, 'plots');
   await choose.click();
   const wanted = ['Path speed mm/s', `${linear}: Position mm`, `${rotary}: Speed °/s`, `${rotary}: Following error °`];
   for (const title of wanted) assert.ok((await titles()).includes(title), `${title} in ${await titles()}`);
-  assert.ok(!(await titles()).some((title) => title.startsWith('Greatest')));
+  assert.ok(!(await titles()).some((title) => title.startsWith('Max.')));
   // Under the cursor: what it was some seconds ago, with its unit.
   const position = figures.filter({ hasText: `${linear}: Position` });
   await position.locator('.u-over').scrollIntoViewIfNeeded();
@@ -77,7 +77,7 @@ test('the operator chooses what is drawn: it stays chosen, has units, and a valu
 test('the greatest following error says of which axis it is, and in its unit', options, async () => {
   const two = await page(browser);
   await open(two, cell.address);
-  const figure = two.locator('.charts figure', { hasText: 'Greatest following error' });
+  const figure = two.locator('.charts figure', { hasText: 'Max. following error' });
   await figure.locator('.line-0', { hasText: /[a-z]+ [0-9.]+ mm/ }).waitFor();
   await figure.locator('.line-1', { hasText: /[a-z]+ [0-9.]+ °/ }).waitFor();
   quiet(two);
@@ -86,8 +86,8 @@ test('the greatest following error says of which axis it is, and in its unit', o
 
 test('in a dry run the spot of the beam is on its path; beside passes the speed is that of the tip', onReal, async () => {
   await dryRun();
-  await one.locator('.speed', { hasText: 'Speed of the tip' }).waitFor();
-  const off = one.locator('.below .off', { hasText: 'Spot to path' });
+  await one.locator('.speed', { hasText: 'Tip speed' }).waitFor();
+  const off = one.locator('.below .off', { hasText: 'Beam deviation' });
   await one.waitForFunction(() => /[0-9.]+ mm/.test(document.querySelector('.below .off')?.textContent ?? ''), null, { timeout: 90_000 });
   await sleep(2000);
   const mm = Number(/([0-9.]+) mm/.exec(await off.textContent())[1]);

@@ -39,7 +39,7 @@ test('welds by arc and by beam are compared: what both have is drawn, with the v
   await one.getByRole('button', { name: 'Compare' }).click();
   await one.locator('.charts .uplot').nth(1).waitFor();
   assert.equal(await one.locator('.note.fault').count(), 0);
-  await one.locator('.charts figcaption').first().getByText('Speed of the tip Actual mm/s').waitFor();
+  await one.locator('.charts figcaption').first().getByText('Tip speed Actual mm/s').waitFor();
   await one.locator('.charts').focus();
   for (let i = 0; i < 20; i += 1) await one.keyboard.press('ArrowRight');
   const values = await one.locator('.charts figure').first().locator('b').allTextContents();

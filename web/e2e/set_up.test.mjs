@@ -49,18 +49,18 @@ test('a tool is found by touching one point, looked at, kept, and in force with 
     await one.getByRole('button', { name: 'Record this touch' }).click();
     if (i < 3) await hold('beta', 'beta +', 10);
   }
-  await one.getByRole('button', { name: 'Compute the tip' }).click();
-  const answer = one.getByRole('status').filter({ hasText: 'Tip found' });
+  await one.getByRole('button', { name: 'Compute the TCP' }).click();
+  const answer = one.getByRole('status').filter({ hasText: 'TCP found' });
   await answer.getByText(/more than 20 mm/).waitFor();
   await answer.getByText(/Not told along/).waitFor();
   assert.match(await answer.textContent(), /Z 100\.0/);
   await shot('set-up-tool');
-  await one.getByRole('button', { name: 'Keep this tip' }).click();
-  await one.getByText(/Kept in machines\/saddle-4axis.toml/).waitFor();
+  await one.getByRole('button', { name: 'Save this TCP' }).click();
+  await one.getByText(/Saved in machines\/saddle-4axis.toml/).waitFor();
   assert.match(file(), /tip_mm = \[.*, .*, (100|99\.99|100\.00)/);
-  const anew = one.getByRole('button', { name: 'Load the job anew' });
+  const anew = one.getByRole('button', { name: 'Load the job again' });
   assert.equal(await anew.isDisabled(), true, 'with the drives on');
-  await one.getByRole('button', { name: 'Back to the tip until now' }).click();
+  await one.getByRole('button', { name: 'Back to the current TCP' }).click();
   await one.waitForFunction(() => document.querySelector('.setup .good') !== null);
   await anew.waitFor({ state: 'hidden' });
   assert.match(file(), /tip_mm = \[0\.0, 0\.0, 0\.0\]/);
@@ -89,15 +89,15 @@ test('a drive is set as the loader allows, and in force with the next loading', 
   const gain = one.getByLabel(/Proportional gain/);
   assert.match(await one.getByLabel(/Dead time of the current/).getAttribute('placeholder'), /^[\d.]+$/, 'what holds without a number');
   await gain.fill('-1');
-  await one.getByRole('button', { name: 'Keep', exact: true }).click();
+  await one.getByRole('button', { name: 'Save', exact: true }).click();
   await one.getByRole('alert').filter({ hasText: 'kp_per_s' }).waitFor();
   // The browser says that it was refused.
   one.wrong = one.wrong.filter((text) => !text.includes('422'));
   await gain.fill('25');
-  await one.getByLabel(/Highest speed/).fill('40');
+  await one.getByLabel(/Max. speed/).fill('40');
   await shot('set-up-drives');
-  await one.getByRole('button', { name: 'Keep', exact: true }).click();
-  await one.getByText(/Kept in machines/).waitFor();
+  await one.getByRole('button', { name: 'Save', exact: true }).click();
+  await one.getByText(/Saved in machines/).waitFor();
   assert.match(file(), /kp_per_s = 25/);
   await commands(one);
   await tab(one, 'Weld');
@@ -105,7 +105,7 @@ test('a drive is set as the loader allows, and in force with the next loading', 
   await mode(one, 'off');
   await tab(one, 'Set-up');
   await page('Axes and drives');
-  const anew = one.getByRole('button', { name: 'Load the job anew' });
+  const anew = one.getByRole('button', { name: 'Load the job again' });
   await anew.click();
   await anew.waitFor({ state: 'hidden', timeout: 30_000 });
   await page('Machine');
@@ -140,19 +140,19 @@ test('a camera is found from a picture of a grid, what is no grid is refused wit
   });
   assert.ok(marks.net > 5000 && marks.off > 200, JSON.stringify(marks));
   await shot('set-up-sensor');
-  await one.getByRole('button', { name: 'Keep this map' }).click();
-  await one.getByText(/Kept in machines/).waitFor();
+  await one.getByRole('button', { name: 'Save this map' }).click();
+  await one.getByText(/Saved in machines/).waitFor();
   assert.match(file(), /z_mm = 20\.0 +# towards the camera.*\nmm_per_px = \[0\.0(8|9)\d{3,}, /);
   await one.getByRole('group', { name: 'Sensors' }).getByRole('button', { name: 'stripe', exact: true }).click();
   const angle = one.getByLabel(/Camera’s axis to the laser’s plane/);
   await angle.fill('95');
-  await one.getByRole('button', { name: 'Keep', exact: true }).click();
+  await one.getByRole('button', { name: 'Save', exact: true }).click();
   await one.getByRole('alert').filter({ hasText: 'angle_deg' }).waitFor();
   one.wrong = one.wrong.filter((text) => !text.includes('422'));
   await angle.fill('26');
   await shot('set-up-stripe');
-  await one.getByRole('button', { name: 'Keep', exact: true }).click();
-  await one.getByText(/Kept in machines/).waitFor();
+  await one.getByRole('button', { name: 'Save', exact: true }).click();
+  await one.getByText(/Saved in machines/).waitFor();
   assert.match(file(), /angle_deg = 26/);
 });
 
@@ -194,7 +194,7 @@ test('the audit log says that there is more, shows it, is searched whole, and wh
   for (let i = 0; i < 210; i += 1) await keep(one, i === 0 ? 'needle.toml' : 'many.toml', SHORT.replace('"Short"', `"Short ${i}"`));
   await page('Audit log');
   const rows = one.locator('.setup tbody tr');
-  await one.getByText('The newest 200 entries; there are older ones.').waitFor();
+  await one.getByText('Newest 200 entries; older ones exist.').waitFor();
   assert.equal(await rows.count(), 200);
   assert.equal(await rows.getByText('needle.toml').count(), 0);
   await shot('set-up-audit');
@@ -203,15 +203,15 @@ test('the audit log says that there is more, shows it, is searched whole, and wh
   await one.getByRole('button', { name: 'Show older ones' }).click();
   await rows.getByText('needle.toml').first().waitFor();
   for (const more = one.getByRole('button', { name: 'Show older ones' }); await more.isVisible(); await sleep(300)) await more.click();
-  await one.getByText(/^Entries: \d+, all that there are\.$/).waitFor();
+  await one.getByText(/^\d+ entries$/).waitFor();
   // What stands behind the newest is found.
   await one.getByRole('searchbox').fill('NEEDLE');
   await one.keyboard.press('Enter');
-  await one.getByText('Entries: 1, all that there are.').waitFor();
+  await one.getByText('1 entry').waitFor();
   assert.equal(await rows.count(), 1);
   await one.getByRole('searchbox').fill('there is no such thing');
   await one.keyboard.press('Enter');
-  await one.getByText('No entry has this text.').waitFor();
+  await one.getByText('No entry contains this text.').waitFor();
   await axe(one, 'audit log');
 });
 

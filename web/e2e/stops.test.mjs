@@ -52,7 +52,7 @@ test('going on is offered for the weld that was left alone, and its crater is as
   for (const [job, part] of [['first-weld.toml', 'N-1'], ['short.toml', 'N-2']]) {
     await commands(one);
     await load(one, job, part);
-    await one.getByText(/Weld \d+ \(Long, part N-1\) was left in pass 1/).waitFor();
+    await one.getByText(/Weld \d+ \(Long, part N-1\) is unfinished: pass 1/).waitFor();
     assert.equal(await continues().count(), 0, `${job} ${part}`);
   }
   await commands(one);
@@ -62,7 +62,7 @@ test('going on is offered for the weld that was left alone, and its crater is as
   await dialog().getByRole('checkbox').check();
   await dialog().getByRole('button', { name: 'Load from there' }).click();
   await dialog().waitFor({ state: 'hidden', timeout: 60_000 });
-  await one.locator('.note', { hasText: 'Begins again in pass 1' }).waitFor();
+  await one.locator('.note', { hasText: 'Restarts in pass 1' }).waitFor();
   await one.locator('.strip', { hasText: 'Part N-1' }).waitFor();
 });
 
@@ -83,7 +83,7 @@ test('whoever is thrown out in a run still has STOP, and is told why', options, 
   await one.getByText(/The session has ended/).waitFor();
   await one.keyboard.press('Escape');
   // As soon as it is seen to stand.
-  await one.getByText(/STOP was sent; the state then: Ready/).waitFor();
+  await one.getByText(/STOP was sent. State then: Ready/).waitFor();
 });
 
 test('the printed address, opened over the login page, logs in', options, async () => {

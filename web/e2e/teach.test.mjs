@@ -68,7 +68,7 @@ async function goesOn() {
     if (asked) {
       await touch();
       await sleep(1500);
-    } else if (await button('Go on').isVisible()) await button('Go on').click();
+    } else if (await button('Resume').isVisible()) await button('Resume').click();
     else return;
     await sleep(500);
   }
@@ -92,18 +92,18 @@ test('a seam is taught by eye, from its start in 3D to a saved job', options, as
   await ready(one);
   await tab(one, 'Jog · Teach');
   await commands();
-  await button('By eye').click();
-  await button('Open the eye').click();
+  await button('By camera').click();
+  await button('Start camera').click();
   await mode(one, 'teach');
   await phase('places');
   await allInSight();
-  await button('Joint begins where the program does').waitFor();
+  await button('Joint starts at the start of the program').waitFor();
   await pick();
-  await button('Joint is at the place picked in 3D').waitFor();
+  await button('Joint is at the point picked in 3D').waitFor();
   // Anywhere on the pass would do; the test wants all of it.
   await one.locator('.below .card').getByRole('button', { name: 'Close' }).click();
   await commands();
-  await button('Joint begins where the program does').click();
+  await button('Joint starts at the start of the program').click();
   for (let i = 0; i < 240 && (await one.locator('.rows tbody tr').count()) < 3; i += 1) {
     await goesOn();
     await sleep(500);
@@ -125,7 +125,7 @@ test('a seam is taught by eye, from its start in 3D to a saved job', options, as
     await sleep(500);
   }
   await one.getByText('at the end of the joint').waitFor();
-  await button('Approximate').click();
+  await button('Fit curves').click();
   await one.getByText(/lines, .* arcs/).first().waitFor();
   await one.getByRole('textbox', { name: 'Name' }).fill('taught-ring');
   await button('Save as program').click();

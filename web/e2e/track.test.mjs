@@ -42,7 +42,7 @@ test('a part out of its place is found by the sensor, and the record says by how
   await ready(one);
   await weld(one);
   await burns(one, true);
-  await one.locator('.tracking').getByText('Joint seen').waitFor({ timeout: 30_000 });
+  await one.locator('.tracking').getByText('Joint found').waitFor({ timeout: 30_000 });
   await one.locator('.tracking .uplot').nth(1).waitFor();
   await one.screenshot({ path: `${shots}track.png` });
   await mode(one, 'ready');
@@ -70,7 +70,7 @@ test('a part out of its place is found by the sensor, and the record says by how
   assert.ok(before > 0.85, `the last weld is still drawn, up to ${before} of the chart`);
   await weld(one);
   await burns(one, true);
-  await one.locator('.tracking').getByText('Joint seen').waitFor({ timeout: 30_000 });
+  await one.locator('.tracking').getByText('Joint found').waitFor({ timeout: 30_000 });
   await sleep(1500);
   const reached = await farthest();
   assert.ok(reached > 0 && reached < 0.8 * before, `drawn up to ${reached} of the chart`);

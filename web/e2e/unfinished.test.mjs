@@ -31,7 +31,7 @@ test('a part that was left keeps its finished passes and its newest place, whate
   await continues(2).waitFor();
   assert.deepEqual(await ticks(), [true, false]);
   await load('ellipse.toml', 'G-1');
-  await one.getByText(/part N1-001\) was left in pass 2/).waitFor();
+  await one.getByText(/part N1-001\) is unfinished: pass 2/).waitFor();
   assert.equal(await continues(2).count(), 0);
   await load('saddle.toml', 'N1-001');
   await continues(2).waitFor();

@@ -13,6 +13,9 @@ function tracked(s) {
   return { head: 1, deviation_mm: deviation, correction_mm: deviation.map((d) => d - 0.03), confidence: hidden ? 0.4 : 0.96, sigma_mm: hidden ? 0.2 : 0.02, state: hidden ? 'coasted' : 'seen' };
 }
 
+/** A reason why a command is refused, as the server sends it. */
+const lack = (key, text) => ({ key, code: 'text', text, arguments: [['text', { type: 'text', value: text }]] });
+
 export class Cell {
   constructor(send) {
     this.send = send;
@@ -51,7 +54,7 @@ export class Cell {
   }
 
   event(what, text, user = null) {
-    const event = { kind: 'event', number: (this.number += 1), t: this.t, at: new Date().toISOString(), what, text, user };
+    const event = { kind: 'event', number: (this.number += 1), t: this.t, at: new Date().toISOString(), what, key: what, code: 'text', text, arguments: [['text', { type: 'text', value: text }]], user };
     this.events = [...this.events.slice(-99), event];
     this.send(event);
   }
@@ -74,11 +77,11 @@ export class Cell {
   lacks(ask) {
     const found = [];
     const allowed = { switch_on: ['off'], home: ['idle', 'ready'], start_jog: ['ready'], start_dry_run: ['ready'], start_weld: ['ready'], resume: ['hold'], reset: ['fault'] }[ask] ?? [];
-    if (allowed.length > 0 && !allowed.includes(this.mode)) found.push({ key: 'mode', of: allowed, text: `allowed in ${allowed.join(', ')}` });
-    if (['start_weld', 'start_dry_run'].includes(ask) && !this.work) found.push({ key: 'work', of: [], text: 'no program is loaded' });
+    if (allowed.length > 0 && !allowed.includes(this.mode)) found.push(lack('mode', `allowed in ${allowed.join(', ')}`));
+    if (['start_weld', 'start_dry_run'].includes(ask) && !this.work) found.push(lack('work', 'no program is loaded'));
     const burns = ask === 'start_weld' || (ask === 'resume' && this.before === 'weld');
-    if (burns && this.armedUntil < this.t) found.push({ key: 'arming', of: [], text: 'arm first' });
-    if (ask !== 'reset' && this.alarms.length > 0) found.push({ key: 'alarm', of: [this.alarms[0].name], text: this.alarms[0].name });
+    if (burns && this.armedUntil < this.t) found.push(lack('arming', 'arm first'));
+    if (ask !== 'reset' && this.alarms.length > 0) found.push(lack('alarm', this.alarms[0].name));
     return found;
   }
 
@@ -89,8 +92,7 @@ export class Cell {
     const [pass, s] = this.work?.from ?? [1, 0];
     const again = left && (pass < left.pass || (pass === left.pass && s < left.s_mm - this.overlap - SAME_MM));
     if (what === 'start_weld' && again && !reweld) {
-      const of = [this.part, String(left.pass), left.s_mm.toFixed(1)];
-      return { key: 'finished_pass', of, text: `part ${of[0]} is welded up to pass ${of[1]}, ${of[2]} mm` };
+      return lack('finished_pass', `part ${this.part} is welded up to pass ${left.pass}, ${left.s_mm.toFixed(1)} mm`);
     }
     const runs = ['weld', 'dry_run'].includes(this.mode);
     if (what === 'switch_on') this.turn(this.referenced ? 'ready' : 'idle');

@@ -108,7 +108,7 @@ const server = createServer(async (request, response) => {
     response.end(readFileSync(file));
   } else {
     response.writeHead(404, { 'content-type': 'application/json' });
-    response.end(JSON.stringify({ key: 'not_found', text: url.pathname }));
+    response.end(JSON.stringify({ key: 'not_found', code: 'text', text: url.pathname, arguments: [['text', { type: 'text', value: url.pathname }]] }));
   }
 });
 

@@ -1,6 +1,45 @@
 // Made from crates/server/src/wire by its test: do not change by hand.
 
 /**
+ * A message as data, and its English text.
+ */
+export type MessageView = { 
+/**
+ * Identifier of the words in the catalogues; `text` is text as it stands.
+ */
+code: string, 
+/**
+ * English text.
+ */
+text: string, 
+/**
+ * Arguments by name.
+ */
+arguments: Array<[string, ArgumentView]>, };
+
+/**
+ * An argument of a message.
+ */
+export type ArgumentView = { "type": "quantity", "value": QuantityView } | { "type": "range", "value": [QuantityView, QuantityView] } | { "type": "count", "value": number } | { "type": "axis", "value": string } | { "type": "key", "value": string } | { "type": "pass", "value": number } | { "type": "text", "value": string } | { "type": "message", "value": MessageView } | { "type": "list", "value": Array<ArgumentView> };
+
+/**
+ * A value with its unit.
+ */
+export type QuantityView = { 
+/**
+ * Value in `unit`.
+ */
+value: number, 
+/**
+ * Identifier of the unit in the catalogues, like `unit-mm-per-s`; empty for a number without a unit.
+ */
+unit: string, 
+/**
+ * Number of decimals to show.
+ */
+decimals: number, };
+
+/**
  * `GET /api/machine`.
  */
 export type MachineView = { 
@@ -348,7 +387,7 @@ assumed_drive: boolean,
 /**
  * Why it cannot be tuned.
  */
-refused: string | null, 
+refused: MessageView | null, 
 /**
  * Open loop: frequency, Hz, gain, dB, phase, degrees.
  */
@@ -675,10 +714,6 @@ verdict: string,
  */
 of: Array<string>, 
 /**
- * The same in English, with what is allowed; empty if it is good.
- */
-text: string, 
-/**
  * The plane as it is believed to be at that height, and as it was found; none if it was not.
  */
 was: HeightView | null, 
@@ -697,7 +732,7 @@ rms_px: number,
 /**
  * See `rms_px`.
  */
-max_px: number, };
+max_px: number, } & MessageView;
 
 /**
  * `GET /api/session`, and the answer of `POST /api/login`.
@@ -840,11 +875,7 @@ export type Trouble = {
  * Stable key: `login`, `password`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`,
  * `server`.
  */
-key: string, 
-/**
- * In English words, with what is allowed.
- */
-text: string, };
+key: string, } & MessageView;
 
 /**
  * What the cell is doing.
@@ -1158,7 +1189,7 @@ name: string,
 /**
  * Which axis or condition, if it is about one.
  */
-of: string | null, 
+of: MessageView | null, 
 /**
  * Why it came, what it leads to, what to do.
  */
@@ -1267,25 +1298,13 @@ at: string,
  */
 what: string, 
 /**
- * Which sentence it is: a stable key, `said.KEY` among the panel's words.
+ * Stable key: the code of the message without `server-event-`, with `_` for `-`.
  */
 key: string, 
 /**
- * What stands in that sentence for `{0}`, `{1}` ..: names, places and numbers; what the system says in English.
- */
-of: Array<string>, 
-/**
- * Why it was refused.
- */
-why: LackView | null, 
-/**
- * All that in English words.
- */
-text: string, 
-/**
  * Who asked, if somebody did.
  */
-user: string | null, };
+user: string | null, } & MessageView;
 
 /**
  * Something that stands against what is asked.
@@ -1294,15 +1313,7 @@ export type LackView = {
 /**
  * Stable key.
  */
-key: string, 
-/**
- * Names in it: axes, a condition, an alarm, modes in which it would be allowed.
- */
-of: Array<string>, 
-/**
- * In English words, with what to do.
- */
-text: string, };
+key: string, } & MessageView;
 
 /**
  * A planned program.
@@ -1736,7 +1747,7 @@ rms_mm: number,
 /**
  * What the points do not see, and what else is to be said.
  */
-notes: Array<string>, };
+notes: Array<MessageView>, };
 
 /**
  * Something that is wrong or worth knowing.
@@ -1749,7 +1760,7 @@ kind: string,
 /**
  * With the value found and the value allowed.
  */
-message: string, 
+message: MessageView, 
 /**
  * From 1.
  */
@@ -1765,7 +1776,7 @@ to_mm: number,
 /**
  * What would cure it.
  */
-cure: string, 
+cure: MessageView | null, 
 /**
  * The weld can be made nevertheless.
  */
@@ -1879,17 +1890,17 @@ key: string,
  */
 value: string, 
 /**
- * What is wrong.
+ * Description of the fault.
  */
-what: string, 
+what: MessageView, 
 /**
- * What would be right.
+ * Allowed values.
  */
-allowed: string | null, 
+allowed: MessageView | null, 
 /**
  * A suggestion.
  */
-help: string | null, };
+help: MessageView | null, };
 
 /**
  * `POST /api/plan`, `POST /api/draft`, `GET /api/jobs/NAME`.
@@ -2075,11 +2086,11 @@ user: string,
 /**
  * Where from.
  */
-station: string, 
+station: MessageView, 
 /**
  * What.
  */
-command: string, 
+command: MessageView, 
 /**
  * The value before, and after.
  */
@@ -2091,7 +2102,7 @@ new: string,
 /**
  * What came of it.
  */
-result: string, };
+result: MessageView, };
 
 /**
  * A row of `GET /api/records`, and the head of `GET /api/records/ID`.
@@ -2128,7 +2139,7 @@ result: string,
 /**
  * What else there is to say.
  */
-note: string, 
+note: MessageView, 
 /**
  * Name of the machine.
  */
@@ -2223,11 +2234,11 @@ export type RecordedAlarm = {
 /**
  * Name.
  */
-name: string, 
+name: MessageView, 
 /**
  * Cause.
  */
-cause: string, 
+cause: MessageView, 
 /**
  * The pass, from 1.
  */
@@ -2250,10 +2261,6 @@ first_out: boolean, };
  */
 export type RecordedEvent = { 
 /**
- * What happened, in English.
- */
-text: string, 
-/**
  * The pass, from 1.
  */
 pass: number | null, 
@@ -2264,7 +2271,7 @@ s_mm: number | null,
 /**
  * Time in the trace, s.
  */
-t_s: number | null, };
+t_s: number | null, } & MessageView;
 
 /**
  * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each
@@ -2332,9 +2339,9 @@ job: string,
  */
 key: string | null, 
 /**
- * More of that, in English words.
+ * More of that.
  */
-why: string | null, 
+why: MessageView | null, 
 /**
  * Way along the joint that was taught, and length of the nominal seam, mm.
  */

@@ -1,5 +1,5 @@
 use crate::Sample;
-use crate::tracking::HeadSummary;
+use crate::tracking::{AlarmAt, HeadSummary};
 use seamwright_machine::{Joints, Machine};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::PassMotion;
@@ -145,10 +145,7 @@ impl Summary {
             findings.push(finding("ripple", message, self.speed_ripple_at_mm, "motion-cure-simulated-speed", false));
         }
         if let Some((head, at)) = self.heads.iter().find_map(|h| Some((h, h.stopped_mm?))) {
-            let why = head
-                .alarms
-                .last()
-                .map_or_else(|| Message::new("motion-simulated-other-head"), |alarm| alarm.text().into());
+            let why = head.alarms.last().map_or_else(|| Message::new("motion-simulated-other-head"), AlarmAt::message);
             let message = Message::new("motion-simulated-stop").quantity("at", at, Unit::Mm, 1).message("reason", why);
             findings.push(finding("stopped", message, at, "motion-cure-simulated-stop", false));
         }

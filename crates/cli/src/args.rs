@@ -1,4 +1,4 @@
-//! The command line, as in the contract of `docs/cli.md`.
+//! The command line, as in the contract of `docs/reference/cli.md`.
 
 pub(crate) mod bench;
 pub(crate) mod edit;

@@ -67,6 +67,9 @@ impl DocumentError {
             let help = Message::new("document-help").message("help", help.clone());
             writeln!(f, "   {}", help.in_language(language))?;
         }
+        if !self.message.is_verbatim() {
+            writeln!(f, "   {}", Message::new("document-code").text("code", self.message.code.clone()))?;
+        }
         Ok(())
     }
 }

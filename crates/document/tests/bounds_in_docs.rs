@@ -1,11 +1,11 @@
-//! The table of bounds in docs/job.md is the one that files are held against.
+//! The table of bounds in docs/reference/job.md is the one that files are held against.
 
 use seamwright_document::BOUNDS;
 use seamwright_message::Message;
 
 #[test]
 fn the_documented_bounds_are_those_of_the_code() {
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/job.md")).unwrap();
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/reference/job.md")).unwrap();
     let rows: Vec<Vec<&str>> = text
         .lines()
         .filter(|line| line.starts_with("| `_"))

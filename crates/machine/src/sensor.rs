@@ -30,7 +30,7 @@ pub struct SensorFile {
     pub latency_ms: Option<Positive>,
     /// Standard deviation of the joint's place as it is seen, mm; 0.02 if missing.
     pub noise_mm: Option<Positive>,
-    /// Where a camera's frames come from on the machine: `tcp://HOST:PORT`, a stream (docs/vision-sources.md). Without it
+    /// Where a camera's frames come from on the machine: `tcp://HOST:PORT`, a stream (docs/reference/vision-sources.md). Without it
     /// frames are simulated, or come from where a command is told.
     pub frames: Option<String>,
 }

@@ -27,6 +27,11 @@ impl Message {
         Self::new("text").text("text", text)
     }
 
+    /// True for text that is the same in every language.
+    pub fn is_verbatim(&self) -> bool {
+        self.code == "text"
+    }
+
     /// True for text without a character.
     pub fn is_empty(&self) -> bool {
         self.code == "text" && self.argument("text") == Some(&Argument::Text(String::new()))

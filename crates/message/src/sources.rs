@@ -48,6 +48,7 @@ areas![
     "report",
     "project",
     "server",
+    "panel",
     "cli",
 ];
 

@@ -45,6 +45,9 @@ pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<
         if let Some(cure) = &group.cure {
             writeln!(out, "   {}", Message::new("project-cure").message("cure", cure.clone()))?;
         }
+        if !group.message.is_verbatim() {
+            writeln!(out, "   {}", Message::new("document-code").text("code", group.message.code.clone()))?;
+        }
     }
     Ok(())
 }

@@ -107,8 +107,8 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
 fn goes_on(program: &Program, at: Place) -> Message {
     let pass = at.pass.checked_sub(1).and_then(|i| program.passes.get(i));
     let overlap = pass.map_or(0.0, |pass| pass.sequence.overlap_mm.get());
-    let from = (at.s_mm - overlap).max(0.0);
-    Message::new("cell-note-resumed").pass("pass", at.pass).quantity("at", from, Unit::Mm, 2)
+    let note = Message::new("project-goes-on").pass("pass", at.pass);
+    note.quantity("from", (at.s_mm - overlap).max(0.0), Unit::Mm, 2)
 }
 
 /// Values that are judged: process values, speed and heat input of each pass between its acceleration and deceleration

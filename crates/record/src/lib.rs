@@ -7,7 +7,7 @@
 //! - [`DataFolder`] combines them: a weld is started, recorded and ended in it.
 //! - [`VcdWriter`]: pulses as a value change dump.
 //!
-//! `docs/records.md` has the folder, the tables and the columns.
+//! `docs/reference/records.md` has the folder, the tables and the columns.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

@@ -3,6 +3,7 @@
 mod cell;
 mod front;
 mod http;
+mod lack;
 mod log;
 mod planner;
 mod serve;

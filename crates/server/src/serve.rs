@@ -8,6 +8,7 @@ use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
 use seamwright_cell::realtime::{Shutdown, ShutdownCause};
 use seamwright_machine::Machine;
+use seamwright_message::Message;
 use seamwright_project::files;
 use seamwright_record::{discard_checked, finish_replacing, replace_by_checked};
 use std::net::SocketAddr;
@@ -84,7 +85,13 @@ pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Sh
     // An archive that was checked before the last end must be checked again.
     discard_checked(data).map_err(record)?;
     let mut ready = Some(ready);
-    let mut lives = Lives { settings, shutdown, key: secret().map_err(Error::System)?, listener: None, restored: None };
+    let mut lives = Lives {
+        settings,
+        shutdown,
+        key: secret().map_err(|e| Error::System(e.to_string()))?,
+        listener: None,
+        restored: None,
+    };
     loop {
         files::make_private(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
         // One runtime for stops, sockets and signals, one for the work of handlers: see `front`.
@@ -133,7 +140,7 @@ impl Lives<'_> {
     async fn live(&mut self, ready: impl FnOnce(&str), work: &Handle) -> Result<Option<String>, Error> {
         let settings = self.settings;
         let system = |e: &dyn std::fmt::Display| Error::System(e.to_string());
-        let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0))?;
+        let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0.to_string()))?;
         let names = names(settings, &accounts)?;
         let tls = match &settings.tls {
             Some(tls) => Some(tls::config(tls, &settings.data, &names).await?),
@@ -155,10 +162,10 @@ impl Lives<'_> {
             && let Err(e) = crate::http::begin_with(&panel, job).await
         {
             if self.restored.is_none() {
-                return Err(Error::Settings(e));
+                return Err(Error::Settings(e.to_string()));
             }
             // The restored data may lack this job.
-            panel.cell.hub.event(0.0, happening("not_loaded", [e]));
+            panel.cell.hub.event(0.0, happening(Message::new("server-event-not-loaded").message("reason", e)));
         }
         let renewed = tls.clone().filter(|_| matches!(settings.tls, Some(Tls::Own)));
         let renews = renewed.map(|config| tokio::spawn(tls::renew(config, settings.data.clone(), names.clone())));
@@ -213,9 +220,10 @@ impl Lives<'_> {
 
     fn say_restored(&self, panel: &Panel) {
         if let Some((user, kept)) = &self.restored {
-            let result = format!("restored; what was there before is in {kept}");
-            panel.cell.archive.audit(user, "panel", "restore", ("", ""), &result);
-            panel.cell.hub.event(0.0, happening("restored", [kept.clone()]).by(Some(user.clone())));
+            let (station, command) = (Message::new("server-audit-panel"), Message::new("server-audit-restore"));
+            let result = Message::new("server-event-restored").text("folder", kept);
+            panel.cell.archive.audit(user, station, command, ("", ""), result.clone());
+            panel.cell.hub.event(0.0, happening(result).by(Some(user.clone())));
         }
     }
 }

@@ -7,10 +7,10 @@ export function keyTitle(name: string): string {
   const { language } = words;
   // What looks like a unit may be none: a `single_v` has no volts.
   const whole = keys[name];
-  if (whole) return language === 'en' ? name.replaceAll('_', ' ') : whole[language];
+  if (whole) return whole[language] ?? name.replaceAll('_', ' ');
   const { title, unit } = valueName(name);
   const known = keys[title.replaceAll(' ', '_')];
-  const word = language === 'en' ? title : (known?.[language] ?? named('value', title));
+  const word = known?.[language] ?? (language === 'en' ? title : named('value', title));
   return unit ? `${word} [${unit}]` : word;
 }
 

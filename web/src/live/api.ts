@@ -12,6 +12,7 @@ import type {
   Load,
   Login,
   MachineView,
+  MessageView,
   ParameterChange,
   ParametersView,
   PlaceAnswer,
@@ -46,9 +47,10 @@ export class Refusal extends Error {
   constructor(
     readonly status: number,
     readonly key: string,
-    text: string,
+    /** What the server says; text as it stands if it is not of Seamwright's server. */
+    readonly said: MessageView | string,
   ) {
-    super(text);
+    super(typeof said === 'string' ? said : said.text);
   }
 }
 
@@ -97,8 +99,8 @@ async function answered(path: string, init: RequestInit = {}): Promise<Response>
 /** What a refusal says: the server's own, or what stands before its handlers, which speaks plain text. */
 export function refusal(status: number, said: string): Refusal {
   try {
-    const { key, text } = JSON.parse(said) as Trouble;
-    if (typeof key === 'string' && typeof text === 'string') return new Refusal(status, key, text);
+    const trouble = JSON.parse(said) as Trouble;
+    if (typeof trouble.key === 'string' && typeof trouble.text === 'string' && Array.isArray(trouble.arguments)) return new Refusal(status, trouble.key, trouble);
   } catch {
     // Plain text.
   }

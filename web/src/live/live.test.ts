@@ -166,7 +166,7 @@ test('a refusal speaks by key and text, or plainly where no handler was reached'
     const { key, message } = refusal(status, said);
     return [key, message];
   };
-  expect(of(409, '{"key":"other","text":"another"}')).toEqual(['other', 'another']);
+  expect(of(409, '{"key":"other","code":"text","text":"another","arguments":[]}')).toEqual(['other', 'another']);
   expect(of(422, 'Failed to deserialize the JSON body: tolerance_mm')).toEqual(['input', 'Failed to deserialize the JSON body: tolerance_mm']);
   expect(of(502, '<html>')).toEqual(['server', '<html>']);
   for (const odd of ['', 'null', '[]', '{"key":1}']) expect(of(500, odd)[0]).toBe('server');
@@ -242,7 +242,7 @@ describe('STOP', () => {
   });
 
   test('that a server answers for a cycle that hangs or has ended has failed', async () => {
-    const silent = Promise.resolve({ ok: false, why: { key: 'silent_cycle', of: [], text: '' } });
+    const silent = Promise.resolve({ ok: false, why: { key: 'silent_cycle', code: 'text', text: '', arguments: [] } });
     for (const [socket, age] of [[() => null, 3], [() => silent, 3], [() => null, null]] as const) {
       const stopping = new Stopping({ socket, request: () => stopped('ready', age) });
       void stopping.stop();

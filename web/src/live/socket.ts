@@ -13,7 +13,7 @@ export type LinkEvents = {
 };
 
 /** A command that the connection lost is not known to have been done; nothing is ever sent twice. */
-const LOST: Answer = { ok: false, why: { key: 'lost', of: [], text: 'the connection was lost' } };
+const LOST: Answer = { ok: false, why: { key: 'lost', code: 'panel-lack-lost', text: 'the connection was lost', arguments: [] } };
 const WAITS_MS = [300, 600, 1200, 2500];
 
 /**

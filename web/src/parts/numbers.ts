@@ -1,4 +1,10 @@
-import units from '../../../words/units.json';
+/** Units by the ends of keys and of names of process values. */
+const units = {
+  a: 'A', v: 'V', kv: 'kV', ma: 'mA', w: 'W', kw: 'kW',
+  mm: 'mm', m_min: 'm/min', mm_s: 'mm/s', mm_min: 'mm/min', l_min: 'l/min',
+  hz: 'Hz', khz: 'kHz', deg: '°', s: 's', ms: 'ms', percent: '%',
+  mbar: 'mbar', bar: 'bar', c: '°C', k: 'K', kj_mm: 'kJ/mm',
+};
 
 /** A number with a decimal point in every language, and a true minus sign; what is not there is a dash. */
 export function number(value: number | null | undefined, digits: number): string {

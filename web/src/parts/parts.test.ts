@@ -1,10 +1,10 @@
-import { describe, expect, test, vi } from 'vitest';
+import { describe, expect, test } from 'vitest';
 import { Layers } from './layers.svelte';
 import { meant, type Meaning, type Spot } from './meant';
 import { dayAndTime, digitsFor, duration, limit, number, span, valueName } from './numbers';
 import { canAbort, canHold, hasMeaning, movesHeld, next, powerComes, type Order } from './orders';
 import { programText } from './taught.svelte';
-import type { EventView, MachineView } from '../wire';
+import type { MachineView } from '../wire';
 import { pointPasses } from '../jobs/points';
 
 describe('numbers', () => {
@@ -73,34 +73,6 @@ test('only Modal makes a dialog: it has STOP in it, which is out of reach behind
   expect(makers).toEqual(['./Modal.svelte']);
   expect(sources['./Modal.svelte']).toContain('<Stop />');
 });
-
-test('events are told in the chosen language, what stands in them too', async () => {
-  vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
-  vi.stubGlobal('navigator', { languages: ['en'] });
-  const { said, shipped, titled, words } = await import('../words/index.svelte');
-  const { eventText } = await import('./said');
-  const { lackText } = await import('./lack');
-  const event = (key: string, of: string[], more: Partial<EventView> = {}): EventView => ({
-    number: 1, t: 0, at: '2026-11-22T12:00:00Z', what: '', key, of, why: null, text: 'as the cell says', user: null, ...more,
-  });
-  await words.choose('de');
-  // The cell's sentences come after the panel's own words.
-  await vi.waitFor(() => expect(said('there are too many jobs; allowed: 1000')).toBe('es sind zu viele Aufträge; erlaubt: 1000'), { timeout: 30_000 });
-  expect(shipped('a beam is thin')).toBe('ein Strahl ist dünn');
-  expect(eventText(event('mode', ['dry run', 'hold']))).toBe('Probelauf -> Halt');
-  expect(eventText(event('pass_ends', ['3', '12.50']))).toBe('Lage 3 endet bei 12.50 mm');
-  expect(eventText(event('alarm_of', ['drive fault', 'process and power off', 'theta']))).not.toMatch(/drive fault|power off/);
-  expect(eventText(event('refused', ['start weld', 'x'], { why: { key: 'power', of: [], text: 'no power' } }))).not.toMatch(/start weld|no power|x$/);
-  expect(eventText(event('of a later version', []))).toBe('as the cell says');
-  expect(eventText(event('cleared_of', ['condition not met', 'shielding gas']))).toContain('Schutzgas');
-  expect(lackText({ key: 'condition', of: ['light curtain'], text: '' })).toBe('Bedingung nicht erfüllt: Lichtvorhang.');
-  expect(lackText({ key: 'alarm', of: ['drive fault', 'theta'], text: '' })).toContain('theta');
-  expect([titled('First weld: 60 degrees of the saddle'), titled('mine')]).toEqual(['Erste Naht: 60 Grad des Sattels', 'mine']);
-  await words.choose('en');
-  expect(eventText(event('loaded', ['{1} <b>']))).toBe('loaded: {1} <b>');
-  expect(eventText(event('recorded', ['7', 'good']))).toBe('weld 7 recorded: good');
-  // Loading all words takes a while on a busy computer.
-}, 60_000);
 
 test('a machine that goes back in a hold can be held', () => {
   for (const [mode, speed, moves] of [['hold', -4, true], ['hold', 4, true], ['hold', 0, false], ['weld', 4, false], [null, 4, false]] as const) {

@@ -1,5 +1,4 @@
-import { expect, test } from 'vitest';
-import { caption } from './captions';
+import { expect, test, vi } from 'vitest';
 import { merged, nearest, preferred, rowAt } from './traces';
 
 test('two traces over one path length, each with its own places', () => {
@@ -42,13 +41,17 @@ test('a place has the value of its row, or the nearest one that the trace has', 
   expect(nearest([null, null], 1)).toBe(null);
 });
 
-test('columns of traces have words and units', () => {
+test('columns of traces have words and units', async () => {
+  vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
+  const { words } = await import('../words/index.svelte');
+  const { caption } = await import('./captions');
+  await words.choose('en');
   expect(caption('speed_set_mm_s', 'mm/s')).toBe('Path speed Set mm/s');
   expect(caption('theta_following_error_deg', 'deg')).toBe('theta: Following error °');
   expect(caption('b_2_current_part', '1')).toBe('b_2: Current (1 = 100 %)');
-  expect(caption('deviation_lateral_mm', 'mm')).toBe('Seam deviation sideways mm');
-  expect(caption('correction_height_mm_q', 'mm')).toBe('q: Correction in height mm');
+  expect(caption('deviation_lateral_mm', 'mm')).toBe('Seam deviation lateral mm');
+  expect(caption('correction_height_mm_q', 'mm')).toBe('q: Correction vertical mm');
   expect(caption('wire_feed_m_min_set', '')).toBe('Wire feed Set m/min');
   expect(caption('wire_feed_m_min', '')).toBe('Wire feed Actual m/min');
-  expect(caption('burning', '1')).toBe('Arc or beam burns');
+  expect(caption('burning', '1')).toBe('Arc or beam is on');
 });

@@ -2,7 +2,8 @@ import { expect, test } from 'vitest';
 import type { AuditRow } from '../wire';
 import { begun, further, renewed } from './audit_list';
 
-const page = (from: number, to: number): AuditRow[] => Array.from({ length: from - to + 1 }, (_, i) => ({ id: from - i, at: '', user: '', station: '', command: '', old: '', new: '', result: '' }));
+const said = { code: 'text', text: '', arguments: [] };
+const page = (from: number, to: number): AuditRow[] => Array.from({ length: from - to + 1 }, (_, i) => ({ id: from - i, at: '', user: '', station: said, command: said, old: '', new: '', result: said }));
 const ids = (of: { rows: AuditRow[] }): number[] => of.rows.map((row) => row.id);
 
 test('a page that is full says that there are older ones', () => {

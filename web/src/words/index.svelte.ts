@@ -1,129 +1,138 @@
-import { en, type Key, type Table } from './en';
+import type { AlarmView, MessageView } from '../wire';
+import { ALARMS } from './alarms';
+import { Catalogue, languages, load, whole, type Language, type Tongue } from './catalogue';
+import { ARGUMENTS, type Key } from './panel';
+import { loadShipped } from './shipped';
 
-export type { Key } from './en';
+export { languages, type Language } from './catalogue';
+export type { Key } from './panel';
 
-/** Languages by their codes, each called by its own name. */
-export const languages = { en: 'English', uk: 'Українська', zh: '中文', de: 'Deutsch', ru: 'Русский' } as const;
-export type Language = keyof typeof languages;
-
-/** Why an alarm comes, what follows, what to do. */
-export type AlarmWords = { cause: string; consequence: string; action: string };
-
-/** What there is of a language; alarms by their names in the cell's catalogue. */
-type Tongue = { table: Table; alarms: Record<string, AlarmWords & { title: string }> };
-
-/** Only the words of the chosen language cross the line; English is always there, and the cell's own for alarms. */
-const FILES: Record<Exclude<Language, 'en'>, () => Promise<Tongue>> = {
-  uk: () => import('./uk').then((of) => ({ table: of.uk, alarms: of.alarms })),
-  zh: () => import('./zh').then((of) => ({ table: of.zh, alarms: of.alarms })),
-  de: () => import('./de').then((of) => ({ table: of.de, alarms: of.alarms })),
-  ru: () => import('./ru').then((of) => ({ table: of.ru, alarms: of.alarms })),
-};
-const tongues: Partial<Record<Language, Tongue>> = { en: { table: en, alarms: {} } };
-const AGAIN_MS = 5000;
+const RETRY_MS = 5000;
 const KEPT = 'seamwright.language';
 
-function first(): Language {
-  const codes = [localStorage.getItem(KEPT), ...navigator.languages.map((code) => code.slice(0, 2))];
+/** The language of the address (`?language=de`, for tests also `pseudo`), the one that was chosen here, or the browser's. */
+function first(): Tongue {
+  const asked = typeof location === 'undefined' ? null : new URLSearchParams(location.search).get('language');
+  if (asked === 'pseudo') return asked;
+  const codes = [asked, localStorage.getItem(KEPT), ...navigator.languages.map((code) => code.slice(0, 2))];
   return (codes.find((code) => code !== null && code in languages) as Language | undefined) ?? 'en';
 }
 
 class Words {
-  language = $state<Language>('en');
-  /** Says a sentence of the cell's in a language; they come after the panel's own words, which nothing waits for longer. */
-  sentence = $state.raw((text: string, _: Language, __: (text: string) => string): string => text);
-  /** Says a comment or title of a file that ships. */
-  shipped = $state.raw((text: string, _: Language): string => text);
+  /** Words of the chosen language: the panel's first, then those of the cell's messages. */
+  catalogue = $state.raw(new Catalogue('en', []));
+  /** Comments and titles of supplied files in that language, by their English text. */
+  shipped = $state.raw<Record<string, string>>({});
 
-  /** The language that was chosen here, or the browser's. */
+  get language(): Language {
+    return this.catalogue.language;
+  }
+
+  /** Loads the language of this page, or English. */
   async begin(): Promise<void> {
-    await this.speak(first());
+    const tongue = first();
+    if (await this.speak(tongue)) return;
+    if (tongue !== 'en' && (await this.speak('en'))) return;
+    // The page works without words, STOP above all.
+    setTimeout(() => void this.begin(), RETRY_MS);
   }
 
   async choose(language: Language): Promise<void> {
-    await this.speak(language);
-    localStorage.setItem(KEPT, this.language);
+    if (await this.speak(language)) localStorage.setItem(KEPT, language);
   }
 
-  /** From now on; if its words do not come, it stays as it was. */
-  private async speak(language: Language): Promise<void> {
-    if (language !== 'en') {
-      const got = await FILES[language]().catch(() => null);
-      if (!got) return;
-      tongues[language] = got;
-      void this.learn();
-    }
-    this.language = language;
-    if (typeof document !== 'undefined') document.documentElement.lang = language;
+  /** Changes the language; if its words cannot be loaded, the language stays. */
+  private async speak(tongue: Tongue): Promise<boolean> {
+    const sources = await load(tongue === 'pseudo' ? 'en' : tongue, 'first').catch(() => null);
+    if (!sources) return false;
+    this.catalogue = new Catalogue(tongue, sources);
+    this.shipped = {};
+    if (typeof document !== 'undefined') document.documentElement.lang = this.language;
+    // Messages come with their English text.
+    if (tongue !== 'en') void this.learn(tongue, sources, this.catalogue);
+    return true;
   }
 
-  /** The cell's sentences are shown as they came until they have words; a line that fails is tried again. */
-  private async learn(): Promise<void> {
+  /** Loads the words of the cell's messages, which are in English until then; what fails is tried again. */
+  private async learn(tongue: Tongue, sources: readonly string[], now: Catalogue): Promise<void> {
     try {
-      ({ sentence: this.sentence, shipped: this.shipped } = await import('./sentences'));
+      const [rest, shipped] = await Promise.all([load(now.language, 'rest'), loadShipped(now.language)]);
+      if (this.catalogue !== now) return;
+      [this.catalogue, this.shipped] = [new Catalogue(tongue, [...sources, ...rest]), shipped];
     } catch {
-      setTimeout(() => void this.learn(), AGAIN_MS);
+      setTimeout(() => void this.learn(tongue, sources, now), RETRY_MS);
     }
   }
 }
 
 export const words = new Words();
 
-/** The words of a key in the chosen language, `{0}`, `{1}` .. filled in. */
+const code = (key: string): string => `panel-${key.replace(/[._ ]/g, '-')}`;
+const value = (of: string | number) => (typeof of === 'number' && Number.isInteger(of) ? whole(of) : String(of));
+
+/** The words of a key in the chosen language, with its arguments in the order of `ARGUMENTS`. */
 export function t(key: Key, ...of: (string | number)[]): string {
-  const text = (tongues[words.language]?.table ?? en)[key];
-  return of.length === 0 ? text : text.replace(/\{(\d)\}/g, (_, i: string) => String(of[Number(i)] ?? ''));
+  const names: readonly string[] = key in ARGUMENTS ? ARGUMENTS[key as keyof typeof ARGUMENTS] : [];
+  return words.catalogue.words(code(key), Object.fromEntries(names.map((name, i) => [name, value(of[i] ?? '')]))) ?? key;
 }
 
-/** The words of a key that is made of what the cell sent; what has no words is shown as it came. */
+/** True if there are words for a key that is made of a name from the cell. */
+export function isKey(key: string): key is Key {
+  return words.catalogue.has(code(key));
+}
+
+/** The words of a key that is made of a name from the cell; a name without words is shown as it is. */
 export function named(prefix: string, name: string): string {
-  const key = `${prefix}.${name.replaceAll(' ', '_')}`;
-  return key in en ? t(key as Key) : name;
+  const key = `${prefix}.${name}`;
+  return isKey(key) ? t(key) : name;
 }
 
-const TEMPLATES = new Map(Object.entries(en).flatMap(([key, text]) => (key.startsWith('example.') ? [[text as string, key as Key] as const] : [])));
-
-/** A job's title: that of a template in the chosen language, any other as its file says. */
-export function titled(title: string): string {
-  const key = TEMPLATES.get(title);
-  return key ? t(key) : title;
+/** A message of the cell in the chosen language. Text, as in old records, stays as it is. */
+export function message(of: MessageView | string): string {
+  return typeof of === 'string' ? of : words.catalogue.text(of);
 }
 
-/** A sentence that the cell said of a plan or a weld, in the chosen language; what has no words is shown as it came. */
-export function said(text: string): string {
-  return words.sentence(text, words.language, alarmTitle);
-}
-
-/** A comment or title of a job's or machine's file, in the chosen language if the file ships; a user's own as it is. */
+/** A comment or title of a job's or machine's file in the chosen language if the file is supplied; a user's own as it is. */
 export function shipped(text: string): string {
-  return words.shipped(text, words.language);
+  return words.shipped[text] ?? text;
 }
 
-/** What the note of a weld says, sentence by sentence. */
-export function noted(text: string): string {
-  return text.split('; ').map(said).join('; ');
+/** What an alarm is about: a condition in words, an axis by its name, or what tracking lacks. */
+export function about(of: MessageView | string): string {
+  return named('interlock', message(of));
 }
 
-/** What an alarm is about: a condition or what tracking lacks in words, an axis by its name. */
-export function about(name: string): string {
-  const words = named('interlock', name);
-  return words === name ? said(name) : words;
+/** Title, cause, consequence, or operator action of an alarm, by its number in the catalogue. */
+export function alarmPart(number: number, part: 'title' | 'cause' | 'consequence' | 'action'): string | null {
+  return words.catalogue.words(`alarm-${number}-${part}`, {});
 }
 
-/** What the catalogue calls an alarm and, where the library keeps its name, what it is about. */
-const ALARM = /^([^:(]+?)(?: \((.*)\)|: (.*))?$/s;
+type AlarmWords = Pick<AlarmView, 'name' | 'cause' | 'consequence' | 'action'>;
 
-/** An alarm in the chosen language; one that has no words there keeps those of the cell. */
-export function alarmWords(of: AlarmWords & { name: string }): AlarmWords & { name: string } {
-  const [, name = '', ...more] = ALARM.exec(of.name) ?? [];
-  const row = tongues[words.language]?.alarms[name];
-  if (!row) return of;
-  const { title, ...rest } = row;
-  const detail = more.find((text) => text !== undefined);
-  return { name: detail === undefined ? title : `${title} (${about(detail)})`, ...rest };
+/** An alarm in the chosen language; without words there it keeps those of the cell. */
+export function alarmWords(number: number, of: AlarmWords): AlarmWords {
+  return {
+    name: alarmPart(number, 'title') ?? of.name,
+    cause: alarmPart(number, 'cause') ?? of.cause,
+    consequence: alarmPart(number, 'consequence') ?? of.consequence,
+    action: alarmPart(number, 'action') ?? of.action,
+  };
 }
 
-/** An alarm's title in the chosen language. */
-export function alarmTitle(name: string): string {
-  return alarmWords({ name, cause: '', consequence: '', action: '' }).name;
+/** Title of a recorded alarm, with what it is about. Records of older versions have its name, like `limit switch (x)`. */
+export function alarmTitle(of: MessageView): string {
+  return of.code === 'text' ? titleOf(of.text) : message(of);
+}
+
+function titleOf(name: string): string {
+  const [, stable = name, of = null] = /^(.+?)(?: \((.*)\))?$/s.exec(name) ?? [];
+  const title = alarmPart(ALARMS.indexOf(stable) + 1, 'title');
+  if (title === null) return name;
+  return of === null ? title : `${title} (${about(of)})`;
+}
+
+/** Cause of a recorded alarm. */
+export function alarmCause(of: { name: MessageView; cause: MessageView }): string {
+  if (of.cause.code !== 'text') return message(of.cause);
+  return alarmPart(ALARMS.indexOf(of.name.text.replace(/ \(.*\)$/s, '')) + 1, 'cause') ?? of.cause.text;
 }

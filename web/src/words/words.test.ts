@@ -1,76 +1,145 @@
+import { FluentResource } from '@fluent/bundle';
 import { readdirSync, readFileSync } from 'node:fs';
-import { describe, expect, test } from 'vitest';
-import { alarms as deAlarms, de } from './de';
-import { en, type Key } from './en';
-import { alarms as ruAlarms, ru } from './ru';
-import { alarms as ukAlarms, uk } from './uk';
-import { alarms as zhAlarms, zh } from './zh';
+import { describe, expect, test, vi } from 'vitest';
+import type { MessageView } from '../wire';
+import { ALARMS } from './alarms';
+import { accented, Catalogue, languages, load, type Language } from './catalogue';
+import { ARGUMENTS } from './panel';
 
-const tables = { uk, zh, de, ru };
-/** What is only parameters and marks is the same everywhere. */
-const bare = (text: string): boolean => !/\p{L}/u.test(text.replace(/\{\d\}/g, ''));
-const holes = (text: string): string => [...text.matchAll(/\{\d\}/g)].map((m) => m[0]).sort().join();
+vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
+vi.stubGlobal('navigator', { languages: ['en'] });
 
-describe.each(Object.entries(tables))('%s', (code, table) => {
-  test('has the same holes in its sentences', () => {
-    for (const key of Object.keys(en) as Key[]) expect(holes(table[key]), key).toBe(holes(en[key]));
-  });
+const root = new URL('../../../', import.meta.url);
+const file = (path: string): string => readFileSync(new URL(path, root), 'utf8');
+const ftl = (language: string, area: string): string => file(`messages/${language}/${area}.ftl`);
+const code = (key: string): string => `panel-${key.replace(/[._ ]/g, '-')}`;
 
-  test('nothing is left in English or empty', () => {
-    // Names that are the same there.
-    const same = new Set<Key>(['role.admin']);
-    const left = (Object.keys(en) as Key[]).filter((key) => table[key] === '' || (table[key] === en[key] && en[key].length > 8 && !same.has(key) && !bare(en[key])));
-    expect(left).toEqual([]);
-    if (code === 'de') return;
-    const script = code === 'zh' ? /[\u4e00-\u9fff]/ : /[\u0400-\u04ff]/;
-    expect((Object.keys(en) as Key[]).filter((key) => !script.test(table[key]) && !['record.no'].includes(key) && !bare(en[key]))).toEqual([]);
-  });
+/** Words of an area by their codes; several lines in one. */
+function rows(text: string): Map<string, string> {
+  const found = [...text.matchAll(/^([\w-]+) = (.*(?:\n[ \t]+.*)*)/gm)];
+  return new Map(found.map(([, id = '', words = '']) => [id, words]));
+}
+const english = rows(ftl('en', 'panel'));
+const names = (words: string): string[] => [...new Set([...words.matchAll(/\$(\w+)/g)].map((of) => of[1] ?? ''))].sort();
 
-  test('no sentence is more than 2.4 times as long as the English one has room for', () => {
-    for (const key of Object.keys(en) as Key[]) expect(table[key].length, key).toBeLessThan(en[key].length * 2.4 + 20);
-  });
-});
-
-test.each(Object.entries({ uk: ukAlarms, zh: zhAlarms, de: deAlarms, ru: ruAlarms }))('the alarms are those of the cell: %s', (_, alarms) => {
-  const rust = readFileSync(new URL('../../../crates/cell/src/executive/alarm.rs', import.meta.url), 'utf8');
-  expect(Object.keys(alarms).length).toBe(Number(/const ALL: \[Self; (\d+)\]/.exec(rust)?.[1]));
-  for (const [name, row] of Object.entries(alarms)) {
-    expect(rust).toContain(`"${name}"`);
-    for (const text of Object.values(row)) expect(rust, name).not.toContain(`"${text}"`);
+test('the keys are those of the catalogue, with the same arguments', () => {
+  const source = file('web/src/words/panel.ts');
+  const keys = [...source.matchAll(/^ {2}(?:\| )?'([^']+)'/gm)].map((key) => key[1] ?? '');
+  expect(keys.length).toBeGreaterThan(800);
+  expect(keys.map(code).sort()).toEqual([...english.keys()].sort());
+  for (const key of keys) {
+    const own: readonly string[] = key in ARGUMENTS ? ARGUMENTS[key as keyof typeof ARGUMENTS] : [];
+    expect([...own].sort(), key).toEqual(names(english.get(code(key)) ?? ''));
   }
 });
 
-test('events are those of the cell, in its words', () => {
-  const rust = readFileSync(new URL('../../../crates/server/src/cell/happening.rs', import.meta.url), 'utf8');
-  const rows = [...rust.matchAll(/^ +\("(\w+)", "\w+", "([^"]*)"\),$/gm)].map((row) => [`said.${row[1]}`, row[2]]);
-  // A long row is broken over lines.
-  const broken = [...rust.matchAll(/^ +"(\w+)",\n +"\w+",\n +"([^"]*)",$/gm)].map((row) => [`said.${row[1]}`, row[2]]);
-  const all = Object.fromEntries([...rows, ...broken]) as Record<string, string>;
-  expect(Object.keys(all).length).toBe(Number(/const HAPPENINGS: .*; (\d+)\]/.exec(rust)?.[1]));
-  expect(Object.fromEntries(Object.entries(en).filter(([key]) => key.startsWith('said.')))).toEqual(all);
+describe.each(Object.keys(languages))('%s', (language) => {
+  const own = rows(ftl(language, 'panel'));
+  /** What is left without its arguments. */
+  const bare = (words: string): string => words.replace(/\{[^{}]*\}/g, '');
+
+  test('every area is valid', () => {
+    for (const area of readdirSync(new URL(`messages/${language}/`, root)).filter((name) => name.endsWith('.ftl'))) {
+      const text = file(`messages/${language}/${area}`);
+      expect(new FluentResource(text).body.length, area).toBe([...text.matchAll(/^[\w-]+ =/gm)].length);
+    }
+  });
+
+  test('nothing is left in English', () => {
+    if (language === 'en') return;
+    // Names that are the same there.
+    const same = new Set(['panel-role-admin', 'panel-points-way', 'panel-clearance-least']);
+    const left = [...own].filter(([id, words]) => words === english.get(id) && bare(words).trim().length > 8 && !same.has(id) && /\p{L}/u.test(bare(words)));
+    expect(left).toEqual([]);
+    if (language === 'de') return;
+    const script = language === 'zh' ? /[\u4e00-\u9fff]/ : /[\u0400-\u04ff]/;
+    const foreign = [...own].filter(([id, words]) => !script.test(words) && id !== 'panel-record-no' && /\p{L}/u.test(bare(english.get(id) ?? '')));
+    expect(foreign).toEqual([]);
+  });
+
+  test('no sentence is more than 2.4 times as long as the English one has room for', () => {
+    for (const [id, words] of own) if (!words.includes('->')) expect(words.length, id).toBeLessThan((english.get(id) ?? '').length * 2.4 + 20);
+  });
 });
 
-test('every condition of the machines that ship has words', () => {
-  const folder = new URL('../../../machines/', import.meta.url);
-  const texts = readdirSync(folder).filter((name) => name.endsWith('.toml')).map((name) => readFileSync(new URL(name, folder), 'utf8'));
-  const names = texts.flatMap((text) => [...text.matchAll(/\[\[interlocks\]\]\nname = "([^"]+)"/g)].map((m) => m[1] ?? ''));
-  expect(new Set(names).size).toBeGreaterThan(8);
-  expect(names.filter((name) => en[`interlock.${name.replaceAll(' ', '_')}` as Key] !== name)).toEqual([]);
+describe('messages', () => {
+  // Written by a test of crates/server (wire/message.rs): a message as it crosses the wire, and its text in every language.
+  const cases = JSON.parse(file('web/src/words/formatted.json')) as { message: MessageView; text: Record<Language | 'pseudo', string> }[];
+
+  test.each([...Object.keys(languages), 'pseudo'] as (Language | 'pseudo')[])('are formatted as the cell formats them: %s', async (tongue) => {
+    const language = tongue === 'pseudo' ? 'en' : tongue;
+    const catalogue = new Catalogue(tongue, [...(await load(language, 'first')), ...(await load(language, 'rest'))]);
+    expect(cases.length).toBeGreaterThan(8);
+    for (const { message, text } of cases) expect(catalogue.text(message)).toBe(text[tongue]);
+  });
+
+  test('without words or without an argument are shown in the English of the cell', async () => {
+    const catalogue = new Catalogue('de', await load('de', 'first'));
+    expect(catalogue.text({ code: 'no-such-code', text: 'as the cell says', arguments: [] })).toBe('as the cell says');
+    expect(catalogue.text({ code: 'quantity', text: 'as the cell says', arguments: [] })).toBe('as the cell says');
+  });
+
+  test('round as in Rust, without a negative zero', () => {
+    const catalogue = new Catalogue('en', ['quantity = { $value }']);
+    const text = (value: number, decimals: number): string => catalogue.text({ code: 'quantity', text: '', arguments: [['value', { type: 'quantity', value: { value, unit: '', decimals } }]] });
+    const pairs = [[0.5, 0, '0'], [1.5, 0, '2'], [2.5, 0, '2'], [-2.5, 0, '-2'], [0.125, 2, '0.12'], [0.375, 2, '0.38'], [1.45, 1, '1.4'], [-1e-9, 2, '0.00'], [1234567.5, 1, '1234567.5']] as const;
+    for (const [value, decimals, expected] of pairs) expect(text(value, decimals), `${value}`).toBe(expected);
+  });
+});
+
+test('the panel speaks the language that is chosen', async () => {
+  const { alarmTitle, message, named, shipped, t, words } = await import('./index.svelte');
+  await words.begin();
+  expect([words.language, t('audit.whole', 1), t('audit.whole', 1234), t('link.stale', '2.5')]).toEqual(['en', '1 entry', '1234 entries', 'Data 2.5 s old']);
+  expect(message('as it stands')).toBe('as it stands');
+  await words.choose('de');
+  expect([words.language, t('audit.whole', 2), named('mode', 'dry run'), named('mode', 'unheard of')]).toEqual(['de', '2 Einträge', 'Probelauf', 'unheard of']);
+  // Words of messages and of supplied files come later.
+  await vi.waitFor(() => expect(shipped('a beam is thin')).toBe('ein Strahl ist dünn'), { timeout: 30_000 });
+  expect([shipped('First weld: 60 degrees of the saddle'), shipped('mine')]).toEqual(['Erste Naht: 60 Grad des Sattels', 'mine']);
+  const old = (text: string): MessageView => ({ code: 'text', text, arguments: [['text', { type: 'text', value: text }]] });
+  expect([alarmTitle(old('drive fault (theta)')), alarmTitle(old('nothing of the cell (x)'))]).toEqual(['Antriebsstörung (theta)', 'nothing of the cell (x)']);
+  await words.choose('en');
+}, 60_000);
+
+test('the pseudo-language is asked for in the address', async () => {
+  vi.stubGlobal('location', { search: '?language=pseudo' });
+  const { t, words } = await import('./index.svelte');
+  await words.begin();
+  expect([words.language, t('all'), t('recording', 7)]).toEqual(['en', accented('All'), accented('Record ') + '7']);
+  vi.stubGlobal('location', { search: '' });
+});
+
+test('the alarms are those of the cell, in its order', () => {
+  const rust = file('crates/cell/src/executive/alarm.rs');
+  const count = Number(/const ALL: \[Self; (\d+)\]/.exec(rust)?.[1]);
+  expect(ALARMS.length).toBe(count);
+  for (const name of ALARMS) expect(rust).toContain(`"${name}"`);
+});
+
+test('every condition of the supplied machines has words', () => {
+  const files = readdirSync(new URL('machines/', root)).filter((name) => name.endsWith('.toml'));
+  const conditions = files.flatMap((name) => [...file(`machines/${name}`).matchAll(/\[\[interlocks\]\]\nname = "([^"]+)"/g)].map((m) => m[1] ?? ''));
+  expect(new Set(conditions).size).toBeGreaterThan(8);
+  expect(conditions.filter((name) => english.get(code(`interlock.${name}`)) !== name)).toEqual([]);
 });
 
 test('every template has its title in every language', () => {
-  const folder = new URL('../../../examples/', import.meta.url);
-  const titles = readdirSync(folder).filter((name) => name.endsWith('.toml')).map((name) => [`example.${name.replace('.toml', '')}`, /^title = "(.*)"$/m.exec(readFileSync(new URL(name, folder), 'utf8'))?.[1]]);
+  const files = readdirSync(new URL('examples/', root)).filter((name) => name.endsWith('.toml'));
+  const titles = files.map((name) => /^title = "(.*)"$/m.exec(file(`examples/${name}`))?.[1] ?? '');
   expect(titles.length).toBeGreaterThan(15);
-  expect(Object.fromEntries(Object.entries(en).filter(([key]) => key.startsWith('example.')))).toEqual(Object.fromEntries(titles));
+  for (const language of Object.keys(languages).filter((code) => code !== 'en')) {
+    const own = JSON.parse(file(`messages/${language}/shipped.json`)) as Record<string, string>;
+    expect(titles.filter((title) => !own[title]), language).toEqual([]);
+  }
 });
 
 test('every kind of finding that a plan can have has a name', () => {
-  const crates = ['motion', 'weld', 'program'].map((crate) => new URL(`../../../crates/${crate}/src/`, import.meta.url));
+  const crates = ['motion', 'weld', 'program'].map((crate) => new URL(`crates/${crate}/src/`, root));
   const files = crates.flatMap((crate) => readdirSync(crate, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.rs')).map((name) => new URL(name, crate)));
-  const texts = files.map((file) => readFileSync(file, 'utf8')).filter((text) => text.includes('Finding'));
+  const texts = files.map((of) => readFileSync(of, 'utf8')).filter((text) => text.includes('Finding'));
   // As they are written: in the finding itself, by a helper, or in a choice of two.
   const kinds = texts.flatMap((text) => [...text.matchAll(/(?:kind: |finding\(|stretches\(\()"(\w+)"|kind: if [^{]*\{ "(\w+)" \} else \{ "(\w+)" \}/g)].flatMap((m) => m.slice(1).filter(Boolean)));
   expect(new Set(kinds).size).toBeGreaterThan(15);
-  expect([...new Set(kinds)].filter((kind) => !(`finding.${kind}` in en))).toEqual([]);
+  expect([...new Set(kinds)].filter((kind) => !english.has(code(`finding.${kind}`)))).toEqual([]);
 });

@@ -282,8 +282,8 @@ mod tests {
 
     #[test]
     fn the_document_has_the_catalogue() {
-        let text = include_str!("../../../../docs/executive.md");
-        assert!(text.contains(&catalogue()), "docs/executive.md needs this table:\n{}", catalogue());
+        let text = include_str!("../../../../docs/explanation/executive.md");
+        assert!(text.contains(&catalogue()), "docs/explanation/executive.md needs this table:\n{}", catalogue());
         for (i, alarm) in Alarm::ALL.into_iter().enumerate() {
             assert_eq!(alarm.number(), i + 1);
         }

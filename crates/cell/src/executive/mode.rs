@@ -316,7 +316,7 @@ mod tests {
 
     #[test]
     fn the_document_has_the_table() {
-        let text = include_str!("../../../../docs/executive.md");
-        assert!(text.contains(&table()), "docs/executive.md needs this table:\n{}", table());
+        let text = include_str!("../../../../docs/explanation/executive.md");
+        assert!(text.contains(&table()), "docs/explanation/executive.md needs this table:\n{}", table());
     }
 }

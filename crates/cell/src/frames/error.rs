@@ -1,4 +1,3 @@
-use crate::foreign;
 use seamwright_message::{Message, Unit, display_by_message};
 use seamwright_vision::FrameError as Shape;
 use std::path::Path;
@@ -160,7 +159,7 @@ impl FrameError {
             Self::Time { frame, t_s, before: Some(before) } => {
                 of("cell-frame-time-order", frame).value("time", *t_s, Unit::S).value("before", *before, Unit::S)
             }
-            Self::Shape { frame, shape } => of("cell-frame-shape", frame).message("why", foreign::error(shape)),
+            Self::Shape { frame, shape } => of("cell-frame-shape", frame).message("why", shape.message()),
         }
     }
 

@@ -1,5 +1,4 @@
 use super::{FrameError, FrameSource, TimedFrame, checked_time, decode};
-use crate::foreign;
 use image::{ImageBuffer, ImageFormat, Luma};
 use seamwright_message::{Message, Unit};
 use seamwright_vision::Image;
@@ -174,7 +173,7 @@ impl Recorder {
         let name = format!("{:06}.png", self.count);
         let path = self.folder.join(&name);
         let failed = |why: Message| FrameError::Image { file: path.display().to_string(), why };
-        frame.image.frame().map_err(|e| failed(foreign::error(&e)))?;
+        frame.image.frame().map_err(|e| failed(e.message()))?;
         let count = || failed(Message::new("cell-pixel-count"));
         let side = |n: usize| u32::try_from(n).map_err(|e| failed(Message::verbatim(e.to_string())));
         let written = match &frame.image {

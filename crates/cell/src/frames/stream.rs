@@ -18,7 +18,7 @@ pub const MAX_FRAME_AXES: u16 = 64;
 /// Size of the pieces in which pixels are read, bytes, so that an invalid header cannot allocate memory without data.
 const PIECE: usize = 1 << 16;
 
-/// Frames from a byte stream: of a beam's scanner, or any camera outside of a file. `docs/vision-sources.md` describes
+/// Frames from a byte stream: of a beam's scanner, or any camera outside of a file. `docs/reference/vision-sources.md` describes
 /// the header.
 #[derive(Debug)]
 pub struct FrameStream<R> {

@@ -1,6 +1,5 @@
 //! The machine that carries the camera.
 
-use crate::foreign;
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine, Sensor, Surroundings};
@@ -77,7 +76,7 @@ impl<'a> Carrier<'a> {
     pub fn positions(&self, eye: &EyePose) -> Result<Joints, Message> {
         let axes = self.solve(eye)?;
         match self.machine.outside(&axes) {
-            Some(v) => Err(foreign::error(&self.machine.range_error(&v))),
+            Some(v) => Err(self.machine.range_error(&v).message()),
             None => Ok(axes),
         }
     }
@@ -99,7 +98,7 @@ impl<'a> Carrier<'a> {
             // Shifts and turns separately: a machine with too few axes turns as far as it can, and the position is
             // still reached.
             let pose = Pose { point: torch.point + off, direction: (turn * torch.direction).normalize() };
-            let next = self.machine.inverse_near(pose, &q).map_err(|e| foreign::error(&e))?.joints;
+            let next = self.machine.inverse_near(pose, &q).map_err(|e| e.message())?.joints;
             let stands = next.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-6);
             q = next;
             if stands {

@@ -1,7 +1,6 @@
 //! Teaching by the operator (SADDLE-2020): the nominal seam is moved to points to which the operator has jogged.
 
 use crate::eyes::SeamLine;
-use crate::foreign;
 use glam::DVec3;
 use seamwright_geometry::MonotoneCurve;
 use seamwright_message::{Message, Unit};
@@ -48,7 +47,7 @@ pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<V
             true => MonotoneCurve::periodic(&rows, nominal.length()),
             false => MonotoneCurve::level(&rows),
         };
-        curve.map_err(|e| foreign::error(&e))
+        curve.map_err(|e| e.message())
     };
     let (across, above) = (curve(|o| o.1)?, curve(|o| o.2)?);
     let count = (nominal.length() / every).ceil().clamp(1.0, 1e7);

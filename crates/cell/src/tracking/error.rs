@@ -1,4 +1,3 @@
-use crate::foreign;
 use seamwright_message::{Message, Unit, display_by_message};
 
 /// Reason why a weld cannot be tracked in simulation.
@@ -99,8 +98,8 @@ impl Error {
             .text("pass", pass),
             Self::SlidesAside { machine, head } => of("cell-slides-aside", machine).pass("head", *head),
             Self::Distortion(message) | Self::Frame(message) => message.clone(),
-            Self::Settings(error) => foreign::error(error),
-            Self::Beam(error) => foreign::error(error),
+            Self::Settings(error) => error.message(),
+            Self::Beam(error) => error.message(),
             Self::NoEye { machine } => of("cell-no-beam-camera", machine),
             Self::NoReplay { machine } => of("cell-no-replay", machine),
             Self::Carried(why) => Message::new("cell-gun-not-carried").message("why", why.clone()),

@@ -3,7 +3,6 @@ use super::leading::Leading;
 use super::live_beam::{BeamSample, BeamSummary, LiveBeam};
 use super::scenario::Seam;
 use crate::executive::{Seen, Tracked};
-use crate::foreign;
 use arrayvec::ArrayVec;
 use glam::{DVec2, DVec3};
 use seamwright_machine::{Joints, Machine};
@@ -131,9 +130,9 @@ pub(super) enum Why {
 impl Why {
     fn message(&self) -> Message {
         match self {
-            Self::Sensor(cause) => foreign::cause(*cause),
+            Self::Sensor(cause) => cause.message(),
             Self::NotSeen => Message::new("cell-joint-not-seen"),
-            Self::Misfit(misfit) => foreign::error(misfit),
+            Self::Misfit(misfit) => misfit.message(),
         }
     }
 }
@@ -330,7 +329,7 @@ impl<'a> LiveHead<'a> {
         };
         let told = self.alarms.iter().map(|(at_mm, alarm, why)| AlarmAt {
             at_mm: *at_mm,
-            alarm: foreign::alarm(*alarm),
+            alarm: alarm.message(),
             cause: why.map(|why| why.message()),
         });
         HeadReport { used, stopped_mm: self.stopped_mm, alarms: told.collect(), beam, found: self.found() }

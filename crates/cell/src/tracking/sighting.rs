@@ -1,6 +1,5 @@
 //! Distance that a torch can go back before a pass so that its sensors see the start.
 
-use crate::foreign;
 use seamwright_clearance::Limits;
 use seamwright_machine::{Course, Joints, MAX_AXES, Surroundings};
 use seamwright_message::Message;
@@ -32,7 +31,7 @@ impl Sighting {
         let stretches = match around.along(self, self.places.len(), &limits) {
             Ok(profile) => profile.stretches,
             // A failed check counts as not clear.
-            Err(error) => return (0.0, Some(foreign::error(&error))),
+            Err(error) => return (0.0, Some(error.message())),
         };
         let first = stretches.into_iter().min_by(|a, b| a.from.total_cmp(&b.from));
         first.map_or((whole, None), |stretch| {

@@ -6,7 +6,6 @@ use super::off_path::OffPath;
 use super::sighting::{STEP_MM, Sighting};
 use super::{Correction, LiveHead};
 use crate::executive::{Guided, Planned, SeamOrders, Seen, Tracked, Trouble};
-use crate::foreign;
 use arrayvec::ArrayVec;
 use seamwright_machine::{Joints, Machine, Surroundings};
 use seamwright_message::{Message, Unit};
@@ -329,7 +328,7 @@ fn detail(head: usize, alarm: Alarm) -> u8 {
 pub fn trouble(detail: u8) -> Option<Message> {
     let alarm = Alarm::ALL.into_iter().find(|alarm| *alarm as u8 == detail % ROOM)?;
     Some(match usize::from(detail / ROOM) {
-        0 => foreign::alarm(alarm),
-        head => Message::new("cell-alarm-of-head").message("alarm", foreign::alarm(alarm)).pass("head", head + 1),
+        0 => alarm.message(),
+        head => Message::new("cell-alarm-of-head").message("alarm", alarm.message()).pass("head", head + 1),
     })
 }

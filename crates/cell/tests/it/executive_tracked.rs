@@ -117,7 +117,7 @@ fn a_sensor_that_falls_silent_and_is_mended() {
     assert!(alarms.iter().all(|r| r.alarm == Alarm::Tracking), "{alarms:?}");
     let stop = alarms.iter().find(|r| r.reaction == Reaction::ProcessOff).unwrap();
     assert!(alarms[0].reaction == Reaction::Tell && alarms[0].place.s_mm < stop.place.s_mm - 20.0, "{alarms:?}");
-    assert_eq!(seamwright_cell::tracking::trouble(stop.detail).unwrap().to_string(), "joint lost");
+    assert_eq!(seamwright_cell::tracking::trouble(stop.detail).unwrap().code, "tracking-joint-lost");
     let after = script.cycles.iter().filter(|c| c.t > stop.t + 1e-9 && c.mode == Mode::Hold);
     assert!(after.clone().count() > 1000 && after.clone().all(|c| !c.on), "off at once");
     let again = samples.iter().filter(|s| s.travels() && s.set.t > at + lasts_s);

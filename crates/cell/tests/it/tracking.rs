@@ -1,4 +1,4 @@
-//! Simulated welding with tracking: quick versions of the tests that `seamwright bench tracking` runs in full.
+//! Simulated welding with tracking: quick versions of the tests that `seamwright tools bench tracking` runs in full.
 
 use glam::DVec2;
 use seamwright_cell::tracking::faults::fault_rows;
@@ -43,7 +43,7 @@ fn no_cross_talk() {
     assert_eq!(still[1], moving[1]);
 }
 
-/// Extent of the tests: `SEAMWRIGHT_SOAK` requests everything that `seamwright bench tracking` prints, with many
+/// Extent of the tests: `SEAMWRIGHT_SOAK` requests everything that `seamwright tools bench tracking` prints, with many
 /// seeds.
 fn soak() -> Option<u64> {
     std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|s| s.parse().ok())

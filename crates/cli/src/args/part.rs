@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct PartArgs {
-    /// How the part differs from the planned one: misplaced, bent, moved by heat, with tacks (docs/tracking.md). The seam is
+    /// How the part differs from the planned one: misplaced, bent, moved by heat, with tacks (docs/explanation/tracking.md). The seam is
     /// then tracked by the machine's stripe sensors, or by its beam
     #[arg(long, value_name = "FILE")]
     pub(crate) distortion: Option<PathBuf>,

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// Where and how a weld is recorded.
 #[derive(Debug, Default, Args)]
 pub(crate) struct RecordArgs {
-    /// Record the weld in the library of this data folder (docs/records.md), made if missing
+    /// Record the weld in the library of this data folder (docs/reference/records.md), made if missing
     #[arg(long, value_name = "DIR")]
     pub(crate) data: Option<PathBuf>,
     /// Number of the part, as the shop has it

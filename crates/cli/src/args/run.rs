@@ -17,10 +17,10 @@ When they end the cell stops and switches off.
 Example:
   printf 'on\\nhome\\nwait ready\\narm\\nweld\\nwait ready\\n' | seamwright run examples/ellipse.toml -o out/run
 
-With --data the weld is recorded (docs/records.md), and its place is on the disk twenty times a second: after a power failure
+With --data the weld is recorded (docs/reference/records.md), and its place is on the disk twenty times a second: after a power failure
 `run` says where it was, and --from goes on from there, with the overlap of the pass.
 
-The devices are those of the machine file ([devices.NAME], docs/machine.md), simulated ones for the rest. Exit code 1 if an order is
+The devices are those of the machine file ([devices.NAME], docs/reference/machine.md), simulated ones for the rest. Exit code 1 if an order is
 refused, 3 if a device cannot be reached or the cell ends in a fault."
 )]
 pub(crate) struct RunArgs {
@@ -41,7 +41,7 @@ pub(crate) struct RunArgs {
     /// CPU that the cycle stays on
     #[arg(long, value_name = "N")]
     pub(crate) cpu: Option<usize>,
-    /// A fault of a device, simulated or not, like drives:silent@12.5 or inputs:disconnect@3+0.5 (docs/faults.md); may be repeated
+    /// A fault of a device, simulated or not, like drives:silent@12.5 or inputs:disconnect@3+0.5 (docs/explanation/faults.md); may be repeated
     #[arg(long, value_name = "SPEC")]
     pub(crate) fault: Vec<Fault>,
     /// Seed of the simulated devices

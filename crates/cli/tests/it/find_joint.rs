@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Rows with at least this confidence are confident (docs/cli.md).
+/// Rows with at least this confidence are confident (docs/reference/cli.md).
 const CONFIDENT: f64 = 0.5;
 
 #[derive(Debug)]

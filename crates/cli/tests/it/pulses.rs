@@ -233,7 +233,7 @@ fn bad_input() {
     assert!(output.status.code() == Some(2) && text.contains("saddle.toml:") && text.contains("stepper"), "{text}");
 }
 
-/// `run` on drives by pulses, as in docs/machine.md: the pulses are in the file, within the driver's times, and all
+/// `run` on drives by pulses, as in docs/reference/machine.md: the pulses are in the file, within the driver's times, and all
 /// step lines end low.
 #[test]
 fn a_cell_whose_drives_are_pulses() {

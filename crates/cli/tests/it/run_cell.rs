@@ -165,8 +165,8 @@ fn a_weld_survives_the_power() {
         shown.lines().find(|line| line.trim_start().starts_with("note")).unwrap_or_default().to_owned()
     };
     let [left, ended] = ["interrupted", "good"].map(note);
-    assert!(left.contains("resumed in pass 1 from 103.00 mm; recovered"), "{left}");
-    assert!(ended.ends_with(&format!("resumed in pass 1 from {:.2} mm", welded - 2.0)), "{ended}");
+    assert!(left.contains("goes on in pass 1 from 103.00 mm; recovered"), "{left}");
+    assert!(ended.ends_with(&format!("goes on in pass 1 from {:.2} mm", welded - 2.0)), "{ended}");
     good(&["records", "verify", "--data", &data]);
 }
 

@@ -149,7 +149,7 @@ fn roles_are_there_once_over_all_devices() {
 /// The map in the documentation is valid.
 #[test]
 fn the_documented_map_is_read() {
-    let page = include_str!("../../../../docs/machine.md");
+    let page = include_str!("../../../../docs/reference/machine.md");
     let map = page.split("```toml").find(|block| block.trim_start().starts_with("[devices.")).unwrap();
     let map = map.split("```").next().unwrap();
     let device = read(&format!("\n{map}")).unwrap().remove(0);

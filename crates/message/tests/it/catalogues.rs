@@ -74,3 +74,57 @@ fn every_unit_has_words() {
         }
     }
 }
+
+/// Words of a pattern outside of its arguments, of at least four letters.
+fn words(pattern: &Pattern<&str>, found: &mut Vec<String>) {
+    for element in &pattern.elements {
+        match element {
+            PatternElement::TextElement { value } => {
+                let quoted = value.split('`').step_by(2);
+                let words = quoted.flat_map(|text| text.split(|c: char| !c.is_alphabetic()));
+                found.extend(words.filter(|word| word.chars().count() > 3).map(str::to_owned));
+            }
+            PatternElement::Placeable { expression: Expression::Select { variants, .. } } => {
+                variants.iter().for_each(|variant| words(&variant.value, found));
+            }
+            PatternElement::Placeable { .. } => {}
+        }
+    }
+}
+
+/// Codes of a language with their text as written, and whether it has words of its own.
+fn texts(language: Language) -> BTreeMap<String, (String, bool)> {
+    let mut texts = BTreeMap::new();
+    for area in AREAS {
+        let text = source(language, area);
+        let Ok(resource) = parse(text.as_ref()) else { continue };
+        for entry in &resource.body {
+            let Entry::Message(message) = entry else { continue };
+            let mut found = Vec::new();
+            message.value.iter().for_each(|pattern| words(pattern, &mut found));
+            texts.insert(message.id.name.to_owned(), (format!("{:?}", message.value), !found.is_empty()));
+        }
+    }
+    texts
+}
+
+/// Words that are the same in every language: names, units, formats. One code a line.
+const INTERNATIONAL: &str = include_str!("../../../../messages/international.txt");
+
+#[test]
+fn translations_differ_from_english() {
+    let english = texts(Language::English);
+    let international: BTreeSet<&str> = INTERNATIONAL.lines().filter(|line| !line.starts_with('#')).collect();
+    let mut same = BTreeSet::new();
+    for language in Language::ALL.into_iter().filter(|language| *language != Language::English) {
+        for (code, (text, has_words)) in texts(language) {
+            if has_words && english[&code].0 == text {
+                same.insert(code);
+            }
+        }
+    }
+    let new: Vec<&String> = same.iter().filter(|code| !international.contains(code.as_str())).collect();
+    assert!(new.is_empty(), "not translated: {new:?}");
+    let gone: Vec<&&str> = international.iter().filter(|code| !same.contains(**code)).collect();
+    assert!(gone.is_empty(), "in messages/international.txt, but translated or gone: {gone:?}");
+}

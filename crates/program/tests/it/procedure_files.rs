@@ -1,7 +1,7 @@
 //! Procedure files: their content, and the message of each mistake.
 
 use seamwright_document::DocumentError;
-use seamwright_program::{PROCEDURES, Pass, Procedure, Program, Role};
+use seamwright_program::{PROCEDURES, Pass, Procedure, Program, Role, Run};
 
 const TEXT: &str = "schema = 1\nnumber = \"WPS 7\"\ntitle = \"t\"\nprocess = 135\nwire_diameter_mm = 1.2\n\
     [[runs]]\nname = \"root\"\npositions = [\"PA\", \"PB\"]\nspeed_mm_s = [4, 6]\nheat_input_kj_mm = [0.4, 0.8]\n\
@@ -33,14 +33,16 @@ fn pass(name: &str, role: Option<Role>) -> Pass {
 #[test]
 fn runs_are_found_by_name_and_by_number() {
     let p = Procedure::read("w.toml", TEXT).unwrap().value;
-    let run = |number, name| p.run_of(number, &pass(name, None)).map(seamwright_program::Run::label);
+    let label =
+        |run: &Run| run.name.map(|role| role.name().to_owned()).or(run.passes.as_ref().map(ToString::to_string));
+    let run = |number, name| p.run_of(number, &pass(name, None)).and_then(label);
     assert_eq!(run(1, "root").as_deref(), Some("root"));
     assert_eq!(run(1, "root 1.2").as_deref(), Some("root"));
     assert_eq!(run(1, "rooted"), None);
-    assert_eq!(run(3, "fill 2.1").as_deref(), Some("passes 2-4, 7"));
+    assert_eq!(run(3, "fill 2.1").as_deref(), Some("2-4, 7"));
     assert_eq!((run(5, "fill 2.4"), run(1, "pass 1")), (None, None));
     // The role of a pass takes precedence over its name.
-    let of = |name, role| p.run_of(9, &pass(name, Some(role))).map(seamwright_program::Run::label);
+    let of = |name, role| p.run_of(9, &pass(name, Some(role))).and_then(label);
     assert_eq!(of("north, part 1", Role::Root).as_deref(), Some("root"));
     assert_eq!(of("root, part 1", Role::Fill), None);
     let again = toml::to_string(&p).unwrap();

@@ -1,7 +1,7 @@
 //! The library: one SQLite file of the inputs and results of all welds.
 //!
 //! It is in write-ahead mode and synced at every commit: data are on the disk when a call returns. Reading never waits
-//! for writing. `docs/records.md` has the tables.
+//! for writing. `docs/reference/records.md` has the tables.
 
 mod alarm;
 mod audit;

@@ -251,7 +251,7 @@ fn head_lines(check: &Check, h: &HeadCheck, lines: &mut Lines) {
         let text = match &p.margin {
             Some((by, axis)) => {
                 let (speed, radius) = h.singular.typical;
-                let unit = p.at.first().map_or(Unit::One, |a| check.unit_of(&a.0));
+                let unit = p.at.first().map_or(Unit::One, |a| super::tables::unit(check, &a.0));
                 Message::new("report-check-text-margin")
                     .text("place", place)
                     .significant("distance", *by, unit, 3)

@@ -15,6 +15,12 @@ pub(super) fn small(value: f64, language: Language) -> String {
     significant(value, 2, language)
 }
 
+/// Returns the unit of the axis called `name`.
+pub(super) fn unit(check: &Check, name: &str) -> Unit {
+    let axis = check.axes.iter().find(|a| a.name == name);
+    axis.and_then(|a| Unit::from_symbol(a.unit)).unwrap_or(Unit::One)
+}
+
 fn head<const N: usize>(codes: [&'static str; N], language: Language) -> Vec<String> {
     codes.map(|code| language.words(code)).into()
 }
@@ -26,7 +32,7 @@ pub(super) fn axes(check: &Check, language: Language) -> Table {
             || language.words("report-check-no-end-stops"),
             |(low, high)| {
                 let range = Message::new("report-range").significant("from", low, Unit::One, 5);
-                range.significant("to", high, check.unit_of(&a.name), 5).in_language(language)
+                range.significant("to", high, unit(check, &a.name), 5).in_language(language)
             },
         );
         vec![
@@ -131,7 +137,7 @@ pub(super) fn structure(check: &Check, language: Language) -> Table {
 
 /// Describes a singular configuration with its positions.
 pub(super) fn place(check: &Check, place: &SingularPlace, language: Language) -> String {
-    place.description(|name| check.unit_of(name)).in_language(language)
+    place.description(|name| unit(check, name)).in_language(language)
 }
 
 pub(super) fn singular(check: &Check, of: &HeadCheck, language: Language) -> Table {
@@ -139,7 +145,7 @@ pub(super) fn singular(check: &Check, of: &HeadCheck, language: Language) -> Tab
         let margin = p.margin.as_ref().map_or_else(
             || "–".to_owned(),
             |(by, axis)| {
-                let unit = p.at.first().map_or(Unit::One, |a| check.unit_of(&a.0));
+                let unit = p.at.first().map_or(Unit::One, |a| unit(check, &a.0));
                 Message::new("report-check-margin")
                     .significant("distance", *by, unit, 3)
                     .axis("axis", axis)

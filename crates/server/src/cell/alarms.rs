@@ -1,4 +1,5 @@
 use super::names::{Names, shelvable};
+use crate::lack::panel_word;
 use crate::view::written;
 use crate::wire::{AlarmView, Shelving, WhoWhen};
 use seamwright_cell::executive::{Alarm, AlarmList, AlarmState, Ask, Note, Raised, Reaction};
@@ -110,23 +111,25 @@ impl Mirror {
     /// # Errors
     /// In words, if the alarm is not listed or its reaction is not `Tell`. Alarms that stop the process or prevent its
     /// start are never hidden.
-    pub(super) fn shelve(&mut self, names: &Names, asked: &Shelving, by: &str) -> Result<String, String> {
+    pub(super) fn shelve(&mut self, names: &Names, asked: &Shelving, by: &str) -> Result<Message, Message> {
         let wanted = (asked.number, asked.detail);
         if asked.minutes > MAX_MINUTES {
-            return Err(format!("{} min; allowed: up to {MAX_MINUTES}", asked.minutes));
+            return Err(Message::new("server-shelve-time").number("minutes", f64::from(asked.minutes), 0).number(
+                "max",
+                f64::from(MAX_MINUTES),
+                0,
+            ));
         }
         let views = self.views(names);
         let Some(view) = views.into_iter().find(|view| key(view) == wanted) else {
-            return Err("this alarm is not on the list; allowed: one that is".to_owned());
+            return Err(Message::new("server-alarm-not-listed"));
         };
         if asked.minutes > 0 && !view.tells {
-            return Err(format!(
-                "`{}` does more than tell ({}); allowed: alarms that only tell",
-                view.name, view.reaction
-            ));
+            let message = Message::new("server-alarm-reacts").message("alarm", title(&view));
+            return Err(message.message("reaction", panel_word("reaction", &view.reaction)));
         }
         self.shelf.retain(|shelved| key(&shelved.view) != wanted);
-        let name = view.name.clone();
+        let name = title(&view);
         if asked.minutes > 0 {
             let time = Duration::from_secs(60 * u64::from(asked.minutes));
             let until = Moment(Moment::now().0 + i64::from(asked.minutes) * 60_000);
@@ -173,6 +176,12 @@ impl Mirror {
     }
 }
 
+/// Returns the title of a shown alarm.
+fn title(view: &AlarmView) -> Message {
+    let known = Alarm::ALL.into_iter().find(|alarm| alarm.number() == usize::from(view.number));
+    known.map_or_else(|| Message::verbatim(&*view.name), |alarm| alarm.entry().title)
+}
+
 /// Returns the view of a library alarm; `None` if this version has no such alarm.
 fn returned(kept: &library::Alarm) -> Option<AlarmView> {
     let (alarm, of) = Alarm::from_title(&kept.name)?;
@@ -180,7 +189,7 @@ fn returned(kept: &library::Alarm) -> Option<AlarmView> {
     Some(AlarmView {
         number: alarm.number() as u8,
         name: entry.name.to_owned(),
-        of: of.map(|of| of.to_string()),
+        of: of.map(Into::into),
         cause: entry.cause.to_string(),
         consequence: entry.consequence.to_string(),
         action: entry.action.to_string(),
@@ -218,7 +227,7 @@ mod tests {
                 };
                 let view = returned(&kept).unwrap();
                 assert_eq!((usize::from(view.number), view.state.as_str()), (alarm.number(), "returned"));
-                assert_eq!(view.of.map_or(String::new(), |of| format!(" ({of})")), of);
+                assert_eq!(view.of.map_or(String::new(), |of| format!(" ({})", of.text)), of);
             }
         }
     }

@@ -3,6 +3,8 @@
 use super::happening::happening;
 use super::hub::Hub;
 use super::refusals::Refusals;
+use super::stored::stored;
+use crate::lack::action_word;
 use crate::log;
 use seamwright_message::Message;
 use seamwright_record::library::{Alarm, AuditEntry};
@@ -88,8 +90,11 @@ impl Waiting {
             entries.extend(self.refusals.due(now, ends).into_iter().map(Entry::Audit));
         }
         if self.left_out > 0 && !entries.is_empty() {
-            let text = format!("{} entries were left out", std::mem::take(&mut self.left_out));
-            entries.insert(0, Entry::Audit(entry("", "panel", "audit", ("", ""), &text)));
+            let left_out =
+                Message::new("server-audit-left-out").count("n", std::mem::take(&mut self.left_out) as usize);
+            let [station, command, result] =
+                [Message::new("server-audit-panel"), action_word("audit"), left_out].map(stored);
+            entries.insert(0, Entry::Audit(entry("", &station, &command, ("", ""), &result)));
         }
         match entries.is_empty() {
             false => Next::Write(entries),
@@ -125,7 +130,7 @@ pub(crate) fn hides(c: char) -> bool {
 }
 
 /// Returns foreign text as one line, with hidden characters escaped.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let mut out = String::new();
     for (i, c) in text.chars().enumerate() {
         match c {
@@ -140,15 +145,16 @@ fn plain(text: &str) -> String {
     out
 }
 
+/// Creates an entry from columns that are [`stored`] already.
 pub(super) fn entry(user: &str, station: &str, command: &str, (old, new): (&str, &str), result: &str) -> AuditEntry {
     AuditEntry {
         at: Moment::now(),
         user: plain(user),
-        station: plain(station),
-        command: plain(command),
+        station: station.to_owned(),
+        command: command.to_owned(),
         old: plain(old),
         new: plain(new),
-        result: plain(result),
+        result: result.to_owned(),
     }
 }
 
@@ -204,7 +210,7 @@ impl Writer {
         while let Err(e) = write(&mut self.data, item) {
             if !self.fails {
                 let t = self.hub.latest().map_or(0.0, |s| s.t);
-                self.hub.event(t, happening("audit_fails", [e.to_string()]));
+                self.hub.event(t, happening(Message::new("server-event-audit-fails").message("reason", e.message())));
                 log::warning(&format!("the audit log cannot be written: {e}"));
             }
             self.fails = true;
@@ -270,8 +276,16 @@ impl Archive {
     }
 
     /// Adds an entry to the audit log: user, station, command, change and result.
-    pub(crate) fn audit(&self, user: &str, station: &str, command: &str, change: (&str, &str), result: &str) {
-        let (item, room) = (entry(user, station, command, change, result), self.0.0.room);
+    pub(crate) fn audit(
+        &self,
+        user: &str,
+        station: impl Into<Message>,
+        command: impl Into<Message>,
+        change: (&str, &str),
+        result: impl Into<Message>,
+    ) {
+        let [station, command, result] = [station.into(), command.into(), result.into()].map(stored);
+        let (item, room) = (entry(user, &station, &command, change, &result), self.0.0.room);
         self.add(|waiting| match waiting.orders.len() < room {
             true => waiting.orders.push_back(item),
             false => waiting.left_out += 1,
@@ -280,8 +294,15 @@ impl Archive {
 
     /// Adds an entry that may be repeated without limit (a refusal, an acknowledgement, a change of control): repeats are
     /// counted.
-    pub(crate) fn repeatable(&self, user: &str, station: &str, command: &str, result: &str) {
-        let [user, station, command, result] = [user, station, command, result].map(plain);
+    pub(crate) fn repeatable(
+        &self,
+        user: &str,
+        station: impl Into<Message>,
+        command: impl Into<Message>,
+        result: impl Into<Message>,
+    ) {
+        let [station, command] = [station.into(), command.into()].map(stored);
+        let (user, result) = (plain(user), result.into());
         self.add(|waiting| waiting.refusals.add(&user, &station, &command, &result, Instant::now()));
     }
 
@@ -307,6 +328,11 @@ impl Archive {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::from_stored;
+
+    fn words(entry: &AuditEntry) -> String {
+        from_stored(entry.result.clone()).to_string()
+    }
 
     #[test]
     fn foreign_texts_are_one_line_that_looks_like_what_it_is() {
@@ -336,14 +362,14 @@ mod tests {
         let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 8).unwrap();
         let busy = hold(folder.path());
         for i in 0..100 {
-            archive.audit("ada", "panel 1", &format!("stop {i}"), ("", ""), "taken");
+            archive.audit("ada", "panel 1", format!("stop {i}"), ("", ""), "taken");
         }
         busy.execute_batch("COMMIT").unwrap();
         assert!(archive.close());
         let data = DataFolder::open_to_read(folder.path()).unwrap();
         let entries = data.library().audit_entries(200).unwrap();
         // The writer may have begun with some before the rest came: then they are counted in two entries.
-        let counted = entries.iter().filter_map(|e| e.result.strip_suffix(" entries were left out"));
+        let counted = entries.iter().filter_map(|e| words(e).strip_suffix(" entries were left out").map(str::to_owned));
         let left_out: usize = counted.map(|count| count.parse::<usize>().unwrap()).sum();
         let orders = entries.iter().filter(|e| e.command.starts_with("stop ")).count();
         assert!((85..100).contains(&left_out) && left_out + orders == 100, "{left_out}, {orders}: {entries:?}");
@@ -359,7 +385,7 @@ mod tests {
         for i in 0..1000 {
             if i % 200 == 0 {
                 archive.alarm(None, alarm(&format!("alarm {i}")));
-                archive.audit("ada", "panel 1", &format!("order {i}"), ("", ""), "taken");
+                archive.audit("ada", "panel 1", format!("order {i}"), ("", ""), "taken");
             }
             archive.acknowledge("eve", Some(Message::verbatim("alarm 0")));
             archive.acknowledge("eve", None);
@@ -371,11 +397,11 @@ mod tests {
         let data = DataFolder::open_to_read(folder.path()).unwrap();
         let entries = data.library().audit_entries(1000).unwrap();
         assert_eq!(entries.iter().filter(|e| e.command.starts_with("order ")).count(), 5, "{entries:?}");
-        assert!(!entries.iter().any(|e| e.result.contains("left out")), "{entries:?}");
+        assert!(!entries.iter().any(|e| words(e).contains("left out")), "{entries:?}");
         // All but the last were acknowledged after they were raised.
         let listed = data.library().listed_alarms().unwrap();
         assert_eq!(listed.iter().map(|alarm| alarm.name.to_string()).collect::<Vec<_>>(), ["last"]);
-        assert!(entries.iter().any(|e| e.result.contains("control taken: 999 more")), "{entries:?}");
+        assert!(entries.iter().any(|e| words(e).contains("control taken: 999 more")), "{entries:?}");
     }
 
     /// Endless refusals on a stalled disk displace no alarm and no order; they are counted.
@@ -387,7 +413,7 @@ mod tests {
         for i in 0..20_000 {
             archive.repeatable("eve", "panel", "users.read", "refused: role");
             if i % 500 == 0 {
-                archive.audit("ada", "panel 1", &format!("order {i}"), ("", ""), "taken");
+                archive.audit("ada", "panel 1", format!("order {i}"), ("", ""), "taken");
             }
             if i % 4000 == 0 {
                 archive.alarm(None, alarm(&format!("alarm {i}")));

@@ -2,6 +2,7 @@
 
 use super::prepared::{Prepared, SEED};
 use seamwright_cell::executive::{Devices, Orders, Reports, Slack};
+use seamwright_message::Message;
 use seamwright_project::devices::{self, Lines};
 use std::path::Path;
 use std::sync::{Arc, Weak};
@@ -62,7 +63,7 @@ impl CellDevices {
         // Connecting waits for answers, which the panel's threads must not do.
         let connect = || devices::of_machine(machine, beside, values, &[], SEED).map_err(|e| e.text());
         let connected = std::thread::scope(|scope| scope.spawn(connect).join());
-        let (cell, lines) = connected.map_err(|_| "the devices cannot be connected".to_owned())??;
+        let (cell, lines) = connected.map_err(|_| Message::new("server-devices-not-connected").to_string())??;
         let there = Arc::new(());
         let values = (!machine.devices.is_empty()).then(|| values.to_vec());
         let fingerprint = prepared.fingerprint().to_owned();

@@ -10,10 +10,12 @@ use super::progress::{Left, Parts, Progress, ToWeld};
 use super::recorder::Recorder;
 use super::safe_outputs::SafeOutputs;
 use super::stillness::Stillness;
-use crate::wire::{FromCell, LackView, Shelving, WorkView};
+use crate::lack::{Lack, lack};
+use crate::wire::{FromCell, Shelving, WorkView};
 use rtrb::{Consumer, Producer, PushError};
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Origin};
 use seamwright_cell::realtime::{Footing, Outside, Shown, Shutdown};
+use seamwright_message::Message;
 use seamwright_record::{DataFolder, Plan};
 use std::collections::{HashMap, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -42,7 +44,7 @@ pub(crate) enum ToDesk {
     /// Loads another program.
     Load(Box<Loading>, Loaded),
     /// Shelves or unshelves an alarm, by a user.
-    Shelve(Shelving, String, oneshot::Sender<Result<(), String>>),
+    Shelve(Shelving, String, oneshot::Sender<Result<(), Message>>),
     /// Switches everything off, then ends.
     Quit,
 }
@@ -63,7 +65,7 @@ pub(crate) struct Loading {
 }
 
 /// Receiver of the result of loading a program.
-pub(crate) type Loaded = oneshot::Sender<Result<(), LackView>>;
+pub(crate) type Loaded = oneshot::Sender<Result<(), Lack>>;
 
 /// Handles messages of the cycle: informs clients, records welds, forwards commands.
 pub(super) struct Desk {
@@ -82,7 +84,7 @@ pub(super) struct Desk {
     pub(super) safe_outputs: SafeOutputs,
     waiting: VecDeque<Command>,
     /// Missing conditions reported so far, by station and command number.
-    pub(super) lacks: HashMap<(u32, u32), Vec<LackView>>,
+    pub(super) lacks: HashMap<(u32, u32), Vec<Lack>>,
     loading: Option<Box<Pending>>,
     now: Option<Shown>,
     shown: Instant,
@@ -182,7 +184,7 @@ impl Desk {
                 self.look();
             }
             if let Some(cause) = shutdown.cause() {
-                self.tell(happening("stopped_by", [cause.to_string()]));
+                self.tell(happening(Message::new("server-event-stopped-by").message("cause", cause.message())));
                 self.recorder.stopped_by(&cause.message());
             }
             self.recorder.close();
@@ -198,7 +200,7 @@ impl Desk {
         if !footing.is_whole() {
             let text = footing.to_string();
             eprintln!("note: the cycle runs without real-time rights: {text}");
-            self.tell(happening("no_realtime", [text]));
+            self.tell(happening(Message::new("server-event-no-realtime").message("reason", footing.message())));
         }
         self.granted = true;
     }
@@ -218,7 +220,7 @@ impl Desk {
             self.hub.alarms(self.mirror.views(&self.names));
         }
         if self.hub.forget_silent() {
-            self.tell(happening("control_lost", []));
+            self.tell(happening(Message::new("server-event-control-lost")));
         }
         loop {
             match self.from.try_recv() {
@@ -268,8 +270,9 @@ impl Desk {
         if matches!(command.ask, Ask::Jog(_)) {
             return;
         }
-        let why = LackView { key: "busy".to_owned(), of: vec![], text: "too much is asked at once".to_owned() };
-        self.hub.tell(command.origin.station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
+        let why = lack("busy", Message::new("server-busy"));
+        self.hub
+            .tell(command.origin.station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why.into()) });
     }
 
     /// Brings everything to rest, then switches the power off.
@@ -289,7 +292,7 @@ impl Desk {
             && self.trouble.as_ref() != Some(&trouble)
         {
             self.outside.fail();
-            self.tell(happening("record_fails", [trouble.clone()]));
+            self.tell(happening(Message::new("server-event-record-fails").text("reason", &trouble)));
             self.trouble = Some(trouble);
         }
         // A weld without a result restores the previous position. If the weld itself was left, that note arrives before
@@ -333,19 +336,18 @@ impl Desk {
     }
 
     /// Returns the reason for which a program cannot be loaded, if any.
-    fn unfit(&self, loading: &Loading) -> Option<LackView> {
-        let lack = |key: &str, text: &str| Some(LackView { key: key.to_owned(), of: vec![], text: text.to_owned() });
+    fn unfit(&self, loading: &Loading) -> Option<Lack> {
         let prepared = &loading.prepared;
         if self.loading.is_some() {
-            return lack("moving", "another program is being loaded: wait a moment");
+            return Some(lack("moving", Message::new("server-loading")));
         }
         let connected = || self.hub.connection().is_some_and(|to| to.serves_it(prepared));
         if prepared.devices.is_none() && !connected() {
-            return lack("work", "the devices are not connected for it: try again");
+            return Some(lack("work", Message::new("server-not-connected")));
         }
         let off = self.now.is_none_or(|now| now.mode == Mode::Off);
         if prepared.fingerprint() != self.names.fingerprint && !off {
-            return lack("mode", "it needs other devices: switch the drives off first");
+            return Some(lack("mode", Message::new("server-needs-other-devices")));
         }
         let moves = |now: Shown| now.mode.moves() || now.mode == Mode::Hold || now.phase.is_some();
         self.now.is_some_and(moves).then(|| self.names.lack(Missing::Moving))
@@ -368,8 +370,7 @@ impl Desk {
         let heads = view.as_ref().map_or(0, |view| view.tracked);
         if let Err(PushError::Full(prepared)) = self.next.push(prepared) {
             self.drop_task(prepared);
-            let text = "the cell does not answer: try again".to_owned();
-            drop(answer.send(Err(LackView { key: "moving".to_owned(), of: vec![], text })));
+            drop(answer.send(Err(lack("moving", Message::new("server-cell-silent")))));
             return;
         }
         self.waiting.push_back(Command { origin: Origin::default(), number: 0, ask: Ask::Load });
@@ -402,19 +403,22 @@ impl Desk {
             }
         }
         if let Some(view) = &pending.view {
-            self.tell(happening("loaded", [view.title.clone()]).by(Some(pending.user)));
+            self.tell(happening(Message::new("server-event-loaded").text("job", &view.title)).by(Some(pending.user)));
         }
         self.hub.set_around(pending.around);
         self.hub.set_work(pending.view);
         drop(pending.answer.send(Ok(())));
     }
 
-    fn shelve(&mut self, asked: &Shelving, user: &str) -> Result<(), String> {
+    fn shelve(&mut self, asked: &Shelving, user: &str) -> Result<(), Message> {
         let name = self.mirror.shelve(&self.names, asked, user)?;
         self.hub.alarms(self.mirror.views(&self.names));
         let happened = match asked.minutes {
-            0 => happening("unshelved", [name]),
-            minutes => happening("shelved", [name, minutes.to_string()]),
+            0 => happening(Message::new("server-event-unshelved").message("alarm", name)),
+            minutes => {
+                let message = Message::new("server-event-shelved").message("alarm", name);
+                happening(message.number("minutes", f64::from(minutes), 0))
+            }
         };
         self.tell(happened.by(Some(user.to_owned())));
         Ok(())

@@ -181,12 +181,9 @@ impl Hub {
 
     /// Sends an event to all clients.
     pub(crate) fn event(&self, t: f64, happened: Happening) {
-        let (what, text, Happening { key, of, user, why }) = happened.told();
         let mut told = self.told();
         told.numbers += 1;
-        let at = written(Moment::now());
-        let (what, key) = (what.to_owned(), key.to_owned());
-        let event = EventView { number: told.numbers, t, at, what, key, of, why, text, user };
+        let event = happened.view(told.numbers, t, written(Moment::now()));
         told.events.push_back(event.clone());
         if told.events.len() > RECENT {
             told.events.pop_front();
@@ -385,6 +382,7 @@ impl Told {
 mod tests {
     use super::*;
     use crate::cell::happening;
+    use seamwright_message::Message;
 
     /// An operator always gets one page, and further pages do not take the places of other operators.
     #[test]
@@ -413,7 +411,8 @@ mod tests {
             (0..8).map(|i| hub.connect(&format!("user {i}"), Role::Operator).unwrap()).collect();
         // The token is lost with the disconnected client.
         hub.take_control(others[0].0, false).unwrap();
-        (0..2 * WAITING).for_each(|i| hub.event(0.0, happening("order", [format!("{i}")])));
+        (0..2 * WAITING)
+            .for_each(|i| hub.event(0.0, happening(Message::new("server-event-order").text("order", format!("{i}")))));
         assert!(hub.clients() == 0 && hub.holder().is_none());
     }
 

@@ -18,6 +18,7 @@ mod refusals;
 mod safe_outputs;
 mod start;
 mod stillness;
+mod stored;
 
 pub(crate) use archive::hides;
 pub(crate) use around::Around;
@@ -28,3 +29,4 @@ pub(crate) use hub::{Connected, Hub, Refusal, Text};
 pub(crate) use names::WHY;
 pub(crate) use prepared::{Planned, Prepared, Task, fingerprint};
 pub(crate) use start::Cell;
+pub(crate) use stored::from_stored;

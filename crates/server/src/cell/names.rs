@@ -1,5 +1,6 @@
 use super::stillness::Stillness;
-use crate::wire::{Ages, AlarmView, AxisStatus, LackView, LeftView, ProcessStatus, RealtimeView, Status};
+use crate::lack::{Lack, lack};
+use crate::wire::{Ages, AlarmView, AxisStatus, LeftView, ProcessStatus, RealtimeView, Status};
 use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
 use seamwright_cell::realtime::{Footing, Shown};
 use seamwright_machine::{AxisKind, Joints, Level, Machine};
@@ -33,11 +34,6 @@ impl Names {
         stillness.cycle(c.t, rests, &c.reports.drives.position, &rotary);
     }
 
-    /// Returns the axis or condition of an alarm, or the trouble that tracking reports.
-    pub(super) fn detail(&self, alarm: Alarm, detail: u8) -> Option<String> {
-        self.about(alarm, detail).map(|of| of.to_string())
-    }
-
     /// Returns what an alarm is about, as data.
     pub(super) fn about(&self, alarm: Alarm, detail: u8) -> Option<Message> {
         alarm.about(detail, &self.axes(), &self.conditions())
@@ -48,7 +44,7 @@ impl Names {
         AlarmView {
             number: raised.alarm.number() as u8,
             name: entry.name.to_owned(),
-            of: self.detail(raised.alarm, raised.detail),
+            of: self.about(raised.alarm, raised.detail).map(Into::into),
             cause: entry.cause.to_string(),
             consequence: entry.consequence.to_string(),
             action: entry.action.to_string(),
@@ -71,34 +67,27 @@ impl Names {
         }
     }
 
-    pub(super) fn lack(&self, missing: Missing) -> LackView {
-        let (axes, conditions) = (self.axes(), self.conditions());
-        let text = missing.message(&axes, &conditions).to_string();
-        let one = |names: &[&str], i: u8| names.get(usize::from(i)).map(|n| (*n).to_owned()).into_iter().collect();
-        let (key, of): (_, Vec<String>) = match missing {
-            Missing::Mode(refused) => ("mode", refused.allowed().map(mode).map(str::to_owned).collect()),
-            Missing::Moving => ("moving", vec![]),
-            Missing::References(bits) => {
-                let known = axes.iter().enumerate().filter(|(i, _)| bits >> i & 1 == 1);
-                ("references", known.map(|(_, name)| (*name).to_owned()).collect())
-            }
-            Missing::HomesFirst(i) => ("homes_first", one(&axes, i)),
-            Missing::Power => ("power", vec![]),
-            Missing::Silent(device) => ("silent", vec![device.name().to_owned()]),
-            Missing::Condition(i) => ("condition", one(&conditions, i)),
-            Missing::Alarm(alarm, i) => {
-                let mut of = vec![alarm.entry().name.to_owned()];
-                of.extend(self.detail(alarm, i));
-                ("alarm", of)
-            }
-            Missing::Arming => ("arming", vec![]),
-            Missing::Source => ("source", vec![]),
-            Missing::NotAtStart(i) => ("not_at_start", one(&axes, i)),
-            Missing::Work => ("work", vec![]),
-            Missing::Value => ("value", vec![]),
-            Missing::Motion => ("motion", vec![]),
-        };
-        LackView { key: key.to_owned(), of, text }
+    pub(super) fn lack(&self, missing: Missing) -> Lack {
+        let message = missing.message(&self.axes(), &self.conditions());
+        lack(
+            match missing {
+                Missing::Mode(_) => "mode",
+                Missing::Moving => "moving",
+                Missing::References(_) => "references",
+                Missing::HomesFirst(_) => "homes_first",
+                Missing::Power => "power",
+                Missing::Silent(_) => "silent",
+                Missing::Condition(_) => "condition",
+                Missing::Alarm(..) => "alarm",
+                Missing::Arming => "arming",
+                Missing::Source => "source",
+                Missing::NotAtStart(_) => "not_at_start",
+                Missing::Work => "work",
+                Missing::Value => "value",
+                Missing::Motion => "motion",
+            },
+            message,
+        )
     }
 
     pub(super) fn status(&self, c: &Shown, extra: Extra<'_>) -> Status {

@@ -4,10 +4,11 @@ use super::desk::{Desk, Welding};
 use super::happening::happening;
 use super::names::WHY;
 use super::progress::{Left, Progress};
-use crate::wire::{FromCell, LackView};
-use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Raised};
+use crate::lack::Lack;
+use crate::wire::FromCell;
+use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Place, Raised};
 use seamwright_cell::realtime::Footing;
-use seamwright_message::{Language, Message};
+use seamwright_message::{Message, Unit};
 
 impl Desk {
     pub(super) fn noted(&mut self, t: f64, note: Note) {
@@ -25,7 +26,7 @@ impl Desk {
         }
         match note {
             Note::Mode(from, to) => {
-                self.tell(happening("mode", [from, to].map(|mode| mode.name().to_owned())));
+                self.tell(happening(mode_changes(from, to)));
                 if to == Mode::Weld && from != Mode::Hold {
                     self.welding = Some(Welding::default());
                     self.begin_record();
@@ -44,18 +45,25 @@ impl Desk {
             Note::Refused(command, missing) => self.refused(command, missing),
             Note::Alarm(raised) => self.alarm(t, &raised),
             Note::Cleared(alarm, detail) => {
-                let name = alarm.entry().name.to_owned();
-                self.tell(match self.names.detail(alarm, detail) {
-                    Some(of) => happening("cleared_of", [name, of]),
-                    None => happening("cleared", [name]),
-                });
+                let title = alarm.entry().title;
+                self.tell(happening(match self.names.about(alarm, detail) {
+                    Some(of) => Message::new("server-event-cleared-of").message("alarm", title).message("object", of),
+                    None => Message::new("server-event-cleared").message("alarm", title),
+                }));
             }
             Note::Missed(cycles, longest_ms) => {
-                self.tell(happening("cycles_missed", [cycles.to_string(), format!("{longest_ms:.0}")]));
+                self.tell(happening(
+                    Message::new("server-event-cycles-missed").count("cycles", cycles as usize).quantity(
+                        "longest",
+                        longest_ms,
+                        Unit::Ms,
+                        0,
+                    ),
+                ));
             }
             Note::PassEnds(place) => {
                 self.welding.iter_mut().for_each(|welding| welding.passes += 1);
-                self.tell(happening("pass_ends", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
+                self.tell(happening(at_place("server-event-pass-ends", &place)));
             }
             Note::Left(place) => {
                 self.welding.iter_mut().for_each(|welding| welding.is_left = true);
@@ -65,7 +73,7 @@ impl Desk {
                     self.parts.note(of, Progress::Left(left.clone()));
                     (self.left, self.left_before) = (Some(left), None);
                 }
-                self.tell(happening("left", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
+                self.tell(happening(at_place("server-event-left", &place)));
             }
         }
     }
@@ -97,7 +105,7 @@ impl Desk {
             }
             Err(e) => {
                 self.outside.fail();
-                self.tell(happening("not_recorded", [e.to_string()]));
+                self.tell(happening(Message::new("server-event-not-recorded").message("reason", e.message())));
             }
         }
     }
@@ -107,7 +115,10 @@ impl Desk {
         if let Ask::Why(_) = command.ask {
             let lacks = self.lacks.remove(&(station, command.number)).unwrap_or_default();
             if let Some((ask, _)) = WHY.get(command.number as usize) {
-                self.hub.tell(station, &FromCell::Why { ask: (*ask).to_owned(), lacks });
+                self.hub.tell(
+                    station,
+                    &FromCell::Why { ask: (*ask).to_owned(), lacks: lacks.into_iter().map(Into::into).collect() },
+                );
             }
             return;
         }
@@ -116,23 +127,27 @@ impl Desk {
             self.archive.acknowledge(user.as_deref().unwrap_or_default(), one.clone());
         }
         if !matches!(command.ask, Ask::Jog(_)) {
-            self.tell(happening("order", [command.ask.name().to_owned()]).by(user.clone()));
+            self.tell(
+                happening(Message::new("server-event-order").message("order", command.ask.message())).by(user.clone()),
+            );
         }
         if station > 0 {
             self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: true, why: None });
         }
-        let station = if station > 0 { format!("panel {station}") } else { String::from("panel") };
         let text = match command.ask {
-            Ask::Override(part) => format!("override {:.0} %", part * 100.0),
-            Ask::AcknowledgeOne(..) => {
-                format!("acknowledge {}", one.unwrap_or_default().in_language(Language::English))
+            Ask::Override(part) => {
+                Message::new("server-audit-override").quantity("override", part * 100.0, Unit::Percent, 0)
             }
-            ask => ask.name().to_owned(),
+            Ask::AcknowledgeOne(..) => {
+                Message::new("server-audit-acknowledge").message("alarm", one.unwrap_or_default())
+            }
+            ask => ask.message(),
         };
+        let (station, accepted) = (page(station), Message::new("server-audit-accepted"));
         let user = user.as_deref().unwrap_or("");
         match command.ask {
-            Ask::Acknowledge | Ask::AcknowledgeOne(..) => self.archive.repeatable(user, &station, &text, "taken"),
-            _ => self.archive.audit(user, &station, &text, ("", ""), "taken"),
+            Ask::Acknowledge | Ask::AcknowledgeOne(..) => self.archive.repeatable(user, station, text, accepted),
+            _ => self.archive.audit(user, station, text, ("", ""), accepted),
         }
     }
 
@@ -145,23 +160,39 @@ impl Desk {
     }
 
     /// Reports a refused command to clients and audit log.
-    pub(super) fn refuse(&self, command: Command, why: LackView) {
+    pub(super) fn refuse(&self, command: Command, why: Lack) {
         let station = command.origin.station;
         let user = self.hub.user(station);
-        let refused = happening("refused", [command.ask.name().to_owned(), why.text.clone()]);
-        self.tell(refused.because(why.clone()).by(user.clone()));
-        let from = format!("panel {station}");
-        self.archive.repeatable(user.as_deref().unwrap_or(""), &from, command.ask.name(), &why.text);
-        self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
+        let order = command.ask.message();
+        let refused = Message::new("server-event-refused").message("order", order.clone());
+        self.tell(happening(refused.message("reason", why.message.clone())).by(user.clone()));
+        self.archive.repeatable(user.as_deref().unwrap_or(""), page(station), order, why.message.clone());
+        self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why.into()) });
     }
 
     fn alarm(&mut self, t: f64, raised: &Raised) {
-        let (alarm, reaction) = (raised.alarm.entry().name.to_owned(), raised.reaction.name().to_owned());
         let about = self.names.about(raised.alarm, raised.detail);
-        self.tell(match &about {
-            Some(of) => happening("alarm_of", [alarm, reaction, of.to_string()]),
-            None => happening("alarm", [alarm, reaction]),
-        });
+        let code = if about.is_some() { "server-event-alarm-of" } else { "server-event-alarm" };
+        let event = Message::new(code).message("alarm", raised.alarm.entry().title);
+        let event = event.message("reaction", raised.reaction.message());
+        self.tell(happening(about.iter().cloned().fold(event, |event, of| event.message("object", of))));
         self.recorder.alarm(t, raised, &raised.alarm.title_of(about));
+    }
+}
+
+fn mode_changes(from: Mode, to: Mode) -> Message {
+    let [from, to] = [from, to].map(|mode| mode.message());
+    Message::new("server-event-mode").message("from", from).message("to", to)
+}
+
+fn at_place(code: &'static str, place: &Place) -> Message {
+    Message::new(code).pass("pass", place.pass).quantity("s", place.s_mm, Unit::Mm, 2)
+}
+
+/// Returns the words for a page, or for the panel itself.
+fn page(station: u32) -> Message {
+    match station {
+        0 => Message::new("server-audit-panel"),
+        _ => Message::new("server-audit-panel-number").number("number", f64::from(station), 0),
     }
 }

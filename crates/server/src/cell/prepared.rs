@@ -3,6 +3,7 @@ use super::guiding::{Guiding, Sensing};
 use seamwright_cell::SimulatedCell;
 use seamwright_cell::executive::{Place, Start, Work};
 use seamwright_machine::{Clamped, Joints, Machine, MachineDevices, Surroundings};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_project::load::Loaded;
 use seamwright_project::part::Part;
@@ -200,12 +201,9 @@ fn start(
 ) -> Result<Start, String> {
     let length = place.pass.checked_sub(1).and_then(|i| motion.passes.get(i)).map(|pass| pass.path.length());
     if !length.is_some_and(|length| (0.0..length).contains(&place.s_mm)) {
-        return Err(format!(
-            "pass {}, {} mm: there is nothing left to weld; allowed: a pass from 1 to {}, within its length",
-            place.pass,
-            place.s_mm,
-            motion.passes.len()
-        ));
+        let message = Message::new("server-nothing-to-weld").pass("pass", place.pass);
+        let message = message.value("s", place.s_mm, Unit::Mm).count("passes", motion.passes.len());
+        return Err(message.to_string());
     }
     Start::at_place(&loaded.machine, around, motion, at, place).map_err(|e| e.to_string())
 }

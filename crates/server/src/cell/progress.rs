@@ -1,8 +1,10 @@
 //! Weld progress of parts: finished passes and the position where a weld was left, by program and part, from the
 //! library and since.
 
-use crate::wire::{LackView, LeftView};
+use crate::lack::{Lack, lack};
+use crate::wire::LeftView;
 use seamwright_cell::executive::{Note, Place};
+use seamwright_message::{Message, Unit};
 use seamwright_project::weld_events;
 use seamwright_record::journal::Position;
 use seamwright_record::library::{Library, Query, WeldRecord, WeldResult};
@@ -152,27 +154,20 @@ impl Parts {
 
     /// Returns the reason for which the loaded weld needs confirmation: it would weld a finished pass again, beyond the
     /// requested overlap.
-    pub(super) fn finished(&self, now: &ToWeld, library: Option<&Library>) -> Option<LackView> {
+    pub(super) fn finished(&self, now: &ToWeld, library: Option<&Library>) -> Option<Lack> {
         let (part, start) = (&now.plan.part, now.start);
         match self.of(now, library)? {
             Progress::Left(left) if left.part == *part => {
                 let (pass, s_mm) = left.at;
                 let again = start.0 < pass || (start.0 == pass && start.1 < s_mm - now.overlap_mm - SAME_MM);
-                let text = format!(
-                    "part \"{part}\" is welded up to pass {pass}, {s_mm:.2} mm: from pass {}, {:.2} mm finished weld would be welded \
-                     again; go on there, or confirm",
-                    start.0, start.1
-                );
-                let of = vec![part.clone(), pass.to_string(), format!("{s_mm:.2}")];
-                again.then(|| LackView { key: "finished_pass".to_owned(), of, text })
+                let message = Message::new("server-finished-pass").text("part", part).pass("pass", pass as usize);
+                again.then(|| lack("finished_pass", message.quantity("s", s_mm, Unit::Mm, 2)))
             }
             // Each weld without a part number is another part.
             Progress::Whole(record) if !part.is_empty() => {
                 let record = record.map_or_else(|| "–".to_owned(), |id| id.to_string());
-                let text = format!(
-                    "part \"{part}\" is welded whole (weld {record}): it would be welded again; confirm, or name another part"
-                );
-                Some(LackView { key: "finished_part".to_owned(), of: vec![part.clone(), record], text })
+                let message = Message::new("server-finished-part").text("part", part).text("weld", record);
+                Some(lack("finished_part", message))
             }
             Progress::Left(_) | Progress::Whole(_) => None,
         }
@@ -263,8 +258,11 @@ mod tests {
             ((3, 0.0), false),
         ] {
             let lack = parts.finished(&to_weld("N-1", start), None);
-            assert_eq!(lack.as_ref().map(|lack| lack.key.as_str()), again.then_some("finished_pass"), "{start:?}");
-            assert!(lack.is_none_or(|lack| lack.of == ["N-1", "2", "6.00"]), "{start:?}");
+            assert_eq!(lack.as_ref().map(|lack| lack.key), again.then_some("finished_pass"), "{start:?}");
+            assert!(
+                lack.is_none_or(|lack| lack.message.to_string().contains("“N-1” is welded up to pass 2, 6.00 mm")),
+                "{start:?}"
+            );
             // Another part is not affected.
             assert_eq!(parts.finished(&to_weld("N-2", start), None), None);
         }
@@ -285,7 +283,7 @@ mod tests {
         assert_eq!(parts.finished(&unnumbered, None), None);
         // A complete part is finished; a part without a number never is.
         parts.note(&continued, Progress::Whole(Some(3)));
-        assert_eq!(parts.finished(&first, None).map(|lack| lack.key), Some("finished_part".to_owned()));
+        assert_eq!(parts.finished(&first, None).map(|lack| lack.key), Some("finished_part"));
         parts.note(&unnumbered, Progress::Whole(Some(4)));
         assert_eq!(parts.finished(&unnumbered, None), None);
     }

@@ -2,6 +2,8 @@ use super::archive::Archive;
 use super::happening::happening;
 use super::hub::Hub;
 use super::names::Names;
+use super::stored::stored;
+use crate::lack::panel_word;
 use seamwright_cell::executive::{Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::{Footing, Shown};
 use seamwright_message::{Message, Unit};
@@ -176,9 +178,23 @@ impl Recorder {
             let t = hub.latest().map_or(0.0, |s| s.t);
             match finish(open, &folder) {
                 Ok(result) => {
-                    hub.event(t, happening("recorded", [id.to_string(), result.name().to_owned()]));
+                    hub.event(
+                        t,
+                        happening(
+                            Message::new("server-event-recorded")
+                                .number("weld", id as f64, 0)
+                                .message("result", panel_word("result", result.name())),
+                        ),
+                    );
                 }
-                Err(e) => hub.event(t, happening("record_not_whole", [id.to_string(), e.to_string()])),
+                Err(e) => hub.event(
+                    t,
+                    happening(
+                        Message::new("server-event-record-not-whole")
+                            .number("weld", id as f64, 0)
+                            .message("reason", e.message()),
+                    ),
+                ),
             }
         };
         self.closing.retain(|record| !record.is_finished());
@@ -261,11 +277,11 @@ fn settle(open: Open, folder: &Path) -> Result<WeldResult, Error> {
     let entry = AuditEntry {
         at: Moment::now(),
         user: open.welder,
-        station: "panel".to_owned(),
-        command: format!("weld {id} of part {:?}", weld.part),
+        station: stored(Message::new("server-audit-panel")),
+        command: stored(Message::new("server-audit-weld").number("weld", id as f64, 0).text("part", &weld.part)),
         old: String::new(),
         new: String::new(),
-        result: weld.result.name().to_owned(),
+        result: stored(panel_word("result", weld.result.name())),
     };
     data.library_mut().audit(&entry)?;
     Ok(result)

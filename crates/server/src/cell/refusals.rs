@@ -1,6 +1,8 @@
 //! Refusals on their way to the audit log: counted and summed up, so that repetition fills neither queue nor disk.
 
 use super::archive::entry;
+use super::stored::stored;
+use seamwright_message::{Message, Unit};
 use seamwright_record::library::AuditEntry;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
@@ -22,6 +24,7 @@ struct Kind {
 #[derive(Debug)]
 struct Counted {
     station: String,
+    result: Message,
     since: Instant,
     count: u64,
 }
@@ -35,17 +38,19 @@ pub(super) struct Refusals {
 
 impl Refusals {
     /// Counts a refusal; the first of its kind gets an entry at once.
-    pub(super) fn add(&mut self, user: &str, station: &str, command: &str, result: &str, now: Instant) {
-        let mut kind = Kind { user: user.to_owned(), command: command.to_owned(), result: result.to_owned() };
+    pub(super) fn add(&mut self, user: &str, station: &str, command: &str, result: &Message, now: Instant) {
+        let result_text = stored(result.clone());
+        let mut kind = Kind { user: user.to_owned(), command: command.to_owned(), result: result_text.clone() };
         if self.kinds.len() >= MAX_KINDS && !self.kinds.contains_key(&kind) {
-            (kind.user, kind.command) = (String::new(), "others".to_owned());
+            (kind.user, kind.command) = (String::new(), stored(Message::new("server-audit-others")));
         }
         if let Some(counted) = self.kinds.get_mut(&kind) {
             counted.count += 1;
             return;
         }
-        self.first.push(entry(&kind.user, station, &kind.command, ("", ""), result));
-        self.kinds.insert(kind, Counted { station: station.to_owned(), since: now, count: 0 });
+        self.first.push(entry(&kind.user, station, &kind.command, ("", ""), &result_text));
+        let (station, result) = (station.to_owned(), result.clone());
+        self.kinds.insert(kind, Counted { station, result, since: now, count: 0 });
     }
 
     /// Takes the entries that are due; `all`: also those still being counted.
@@ -57,8 +62,9 @@ impl Refusals {
                 return true;
             }
             if counted.count > 0 {
-                let result =
-                    format!("{}: {} more in {:.0} s", kind.result, counted.count, elapsed.as_secs_f64().ceil());
+                let result = Message::new("server-audit-more").message("result", counted.result.clone());
+                let result = result.count("n", counted.count as usize);
+                let result = stored(result.quantity("time", elapsed.as_secs_f64().ceil(), Unit::S, 0));
                 entries.push(entry(&kind.user, &counted.station, &kind.command, ("", ""), &result));
             }
             let goes_on = counted.count > 0 && !all;
@@ -80,19 +86,26 @@ impl Refusals {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::from_stored;
+
+    fn words(entry: &AuditEntry) -> String {
+        from_stored(entry.result.clone()).to_string()
+    }
 
     #[test]
     fn repeated_refusals_become_one_entry_a_minute() {
         let (mut refusals, begin) = (Refusals::default(), Instant::now());
-        (0..313).for_each(|_| refusals.add("eve", "panel", "users.read", "refused: role", begin));
+        (0..313).for_each(|_| {
+            refusals.add("eve", "panel", "users.read", &Message::new("server-audit-refused-role"), begin)
+        });
         assert_eq!(refusals.due(begin, false).len(), 1);
         assert!(refusals.due(begin + SUM_UP / 2, false).is_empty());
         let due = refusals.due(begin + SUM_UP, false);
         assert_eq!(due.len(), 1);
-        assert_eq!((due[0].user.as_str(), due[0].result.as_str()), ("eve", "refused: role: 312 more in 60 s"));
+        assert_eq!((due[0].user.as_str(), words(&due[0])), ("eve", "refused: role: 312 more in 60 s".to_owned()));
         // Without further refusals the next one counts as the first again.
         assert!(refusals.due(begin + 2 * SUM_UP, false).is_empty());
-        refusals.add("eve", "panel", "users.read", "refused: role", begin + 2 * SUM_UP);
+        refusals.add("eve", "panel", "users.read", &Message::new("server-audit-refused-role"), begin + 2 * SUM_UP);
         assert_eq!(refusals.due(begin + 2 * SUM_UP, true).len(), 1);
         assert_eq!(refusals.next(begin), None);
     }
@@ -100,11 +113,13 @@ mod tests {
     #[test]
     fn made_up_names_take_bounded_memory_and_entries() {
         let (mut refusals, begin) = (Refusals::default(), Instant::now());
-        (0..10_000).for_each(|i| refusals.add(&format!("name {i}"), "panel", "log in", "refused", begin));
+        (0..10_000).for_each(|i| {
+            refusals.add(&format!("name {i}"), "panel", "log in", &Message::new("server-audit-refused"), begin)
+        });
         let entries = refusals.due(begin, true);
         assert!(entries.len() <= MAX_KINDS + 2, "{}", entries.len());
-        let summed: u64 = entries.iter().filter_map(|e| e.result.split(' ').nth(1)?.parse::<u64>().ok()).sum();
-        let firsts = entries.iter().filter(|e| e.result == "refused").count() as u64;
+        let summed: u64 = entries.iter().filter_map(|e| words(e).split(' ').nth(1)?.parse::<u64>().ok()).sum();
+        let firsts = entries.iter().filter(|e| words(e) == "refused").count() as u64;
         assert_eq!(summed + firsts, 10_000);
     }
 }

@@ -3,6 +3,7 @@
 use super::connection::{CellDevices, Connection};
 use super::happening::happening;
 use super::hub::Hub;
+use seamwright_message::Message;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
@@ -46,7 +47,8 @@ impl SafeOutputs {
             let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".into()));
             if let Err(why) = &safe {
                 eprintln!("error: device `{name}`: its outputs are not confirmed to be safe: {why}");
-                self.hub.event(0.0, happening("safe_unconfirmed", [name.clone(), why.to_string()]));
+                let message = Message::new("server-event-safe-unconfirmed").text("device", name);
+                self.hub.event(0.0, happening(message.message("reason", why.clone())));
             }
             let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
             match safe {

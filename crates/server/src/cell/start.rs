@@ -13,6 +13,7 @@ use super::recorder::Recorder;
 use super::safe_outputs::SafeOutputs;
 use seamwright_cell::realtime::{Shutdown, Urgent, live};
 use seamwright_machine::{Clamped, Machine, MachineDevices};
+use seamwright_message::Message;
 use seamwright_record::DataFolder;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Sender, channel};
@@ -68,19 +69,23 @@ impl Cell {
         hub.set_machine(machine);
         hub.set_around(Arc::new(Around::new(machine, &Clamped::default())?));
         for weld in &interrupted {
-            hub.event(0.0, happening("record_interrupted", [weld.weld.id.to_string()]));
+            hub.event(
+                0.0,
+                happening(Message::new("server-event-record-interrupted").number("weld", weld.weld.id as f64, 0)),
+            );
         }
         if let Some(at) = &last {
-            hub.event(0.0, happening("left_before", [at.weld.to_string()]));
+            hub.event(0.0, happening(Message::new("server-event-left-before").number("weld", at.weld as f64, 0)));
         }
         if damaged {
-            hub.event(0.0, happening("journal_damaged", []));
+            hub.event(0.0, happening(Message::new("server-event-journal-damaged")));
         }
         for weld in &lost {
-            hub.event(0.0, happening("weld_lost", [weld.to_string()]));
+            hub.event(0.0, happening(Message::new("server-event-weld-lost").text("weld", weld.to_string())));
         }
         for alarm in &unknown {
-            hub.event(0.0, happening("alarm_before", [alarm.name.to_string(), alarm.raised.to_string()]));
+            let message = Message::new("server-event-alarm-before").message("alarm", alarm.name.clone());
+            hub.event(0.0, happening(message.text("time", alarm.raised.to_string())));
         }
         let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;
         let (port, outside) = live(shutdown);

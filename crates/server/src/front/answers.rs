@@ -6,6 +6,7 @@ use axum::body::{Body, Bytes};
 use axum::http::{Response, StatusCode};
 use axum::response::IntoResponse as _;
 use hyper::body::{Body as HttpBody, Frame, SizeHint};
+use seamwright_message::Message;
 use std::pin::Pin;
 use std::sync::Arc;
 use std::task::{Context, Poll, ready};
@@ -37,8 +38,8 @@ impl Answers {
     pub(super) fn hold(&self, user: &str, response: Response<Body>) -> Response<Body> {
         let Some(size) = size(response.body()).filter(|size| *size > SMALL) else { return response };
         let Some(taken) = self.0.try_take(user, size) else {
-            let text = "too much of this is asked for at once: try again in a moment";
-            return Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", text).into_response();
+            let message = Message::new("server-slow-down");
+            return Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", message).into_response();
         };
         response.map(|body| Body::new(Counted { body, rest: Bytes::new(), taken: Arc::new(taken) }))
     }

@@ -5,6 +5,7 @@ use crate::http::{MAX_BYTES, MAX_UNKNOWN, Refused};
 use axum::body::Body;
 use axum::http::StatusCode;
 use hyper::body::Body as _;
+use seamwright_message::Message;
 use std::sync::Arc;
 
 /// Maximum size of all large bodies being received, bytes, and of those of one user: a slow sender does not block
@@ -43,8 +44,8 @@ impl Bodies {
 
 async fn collect(body: Body, most: usize) -> Result<Body, Refused> {
     let too_large = || {
-        let text = format!("the request is too large; allowed: up to {} KiB", most >> 10);
-        Refused::new(StatusCode::PAYLOAD_TOO_LARGE, "size", text)
+        let message = Message::new("server-request-too-large").number("max", (most >> 10) as f64, 0);
+        Refused::new(StatusCode::PAYLOAD_TOO_LARGE, "size", message)
     };
     if body.size_hint().lower() > most as u64 {
         return Err(too_large());

@@ -28,6 +28,7 @@ use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use places::{Place, Places};
 use rates::{Asker, Rates};
+use seamwright_message::Message;
 use std::convert::Infallible;
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -192,8 +193,8 @@ impl Front {
             return hand(self.urgent.clone(), request).await;
         }
         if !self.allows(session.as_ref(), of) {
-            let text = "too many requests at once: wait a moment";
-            return closing(Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", text));
+            let message = Message::new("server-too-many-requests");
+            return closing(Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", message));
         }
         let request = match session.is_some() && is_streamed {
             true => request,
@@ -225,7 +226,8 @@ impl Front {
             Some(session) => tokio::time::timeout(self.patience.body, self.bodies.known(&session.user, body)).await,
             None => tokio::time::timeout(self.patience.stranger, self.bodies.stranger(body)).await,
         };
-        let late = |_| Refused::new(StatusCode::REQUEST_TIMEOUT, "slow_down", "the request took too long to arrive");
+        let message = Message::new("server-request-late");
+        let late = |_| Refused::new(StatusCode::REQUEST_TIMEOUT, "slow_down", message);
         Ok(Request::from_parts(parts, collected.map_err(late)??))
     }
 
@@ -233,7 +235,7 @@ impl Front {
     async fn pass_on(&self, request: Request<Body>) -> Response<Body> {
         let mut answering = Ends(self.work.spawn(hand(self.rest.clone(), request)));
         let answered = (&mut answering.0).await;
-        answered.unwrap_or_else(|_| Refused::server("it failed; nothing was changed").into_response())
+        answered.unwrap_or_else(|_| Refused::server(Message::new("server-failed")).into_response())
     }
 }
 

@@ -3,6 +3,7 @@ use crate::wire;
 use axum::Json;
 use axum::http::{StatusCode, header};
 use axum::response::{Html, IntoResponse, Response};
+use seamwright_message::Message;
 use seamwright_project::Failure;
 
 /// A refused or failed request.
@@ -10,37 +11,37 @@ use seamwright_project::Failure;
 pub(crate) struct Refused {
     pub(crate) status: StatusCode,
     pub(crate) key: &'static str,
-    pub(crate) text: String,
+    pub(crate) message: Message,
 }
 
 impl Refused {
-    pub(crate) fn new(status: StatusCode, key: &'static str, text: impl Into<String>) -> Self {
-        Self { status, key, text: text.into() }
+    pub(crate) fn new(status: StatusCode, key: &'static str, message: impl Into<Message>) -> Self {
+        Self { status, key, message: message.into() }
     }
 
     /// Restores the refusal of a child process of this program.
-    pub(crate) fn known(status: u16, key: &str, text: String) -> Self {
+    pub(crate) fn known(status: u16, key: &str, message: Message) -> Self {
         let status = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
         let key = ["input", "not_found"].into_iter().find(|known| *known == key).unwrap_or("server");
-        Self { status, key, text }
+        Self { status, key, message }
     }
 
-    pub(crate) fn input(text: impl Into<String>) -> Self {
-        Self::new(StatusCode::UNPROCESSABLE_ENTITY, "input", text)
+    pub(crate) fn input(message: impl Into<Message>) -> Self {
+        Self::new(StatusCode::UNPROCESSABLE_ENTITY, "input", message)
     }
 
-    pub(crate) fn not_found(text: impl Into<String>) -> Self {
-        Self::new(StatusCode::NOT_FOUND, "not_found", text)
+    pub(crate) fn not_found(message: impl Into<Message>) -> Self {
+        Self::new(StatusCode::NOT_FOUND, "not_found", message)
     }
 
-    pub(crate) fn server(text: impl Into<String>) -> Self {
-        Self::new(StatusCode::INTERNAL_SERVER_ERROR, "server", text)
+    pub(crate) fn server(message: impl Into<Message>) -> Self {
+        Self::new(StatusCode::INTERNAL_SERVER_ERROR, "server", message)
     }
 }
 
 impl IntoResponse for Refused {
     fn into_response(self) -> Response {
-        let trouble = wire::Trouble { key: self.key.to_owned(), text: self.text };
+        let trouble = wire::Trouble { key: self.key.to_owned(), message: self.message.into() };
         (self.status, Json(trouble)).into_response()
     }
 }
@@ -48,15 +49,15 @@ impl IntoResponse for Refused {
 impl From<Failure> for Refused {
     fn from(failure: Failure) -> Self {
         match &failure {
-            Failure::Environment(_) => Self::server(failure.text()),
-            _ => Self::input(failure.text()),
+            Failure::Environment(_) => Self::server(failure.message()),
+            _ => Self::input(failure.message()),
         }
     }
 }
 
 impl From<seamwright_record::Error> for Refused {
     fn from(e: seamwright_record::Error) -> Self {
-        if e.is_input() { Self::not_found(e.to_string()) } else { Self::server(e.to_string()) }
+        if e.is_input() { Self::not_found(e.message()) } else { Self::server(e.message()) }
     }
 }
 
@@ -68,7 +69,7 @@ impl From<users::Trouble> for Refused {
 
 impl From<tokio::task::JoinError> for Refused {
     fn from(_: tokio::task::JoinError) -> Self {
-        Self::server("it failed; nothing was changed")
+        Self::server(Message::new("server-failed"))
     }
 }
 

@@ -1,6 +1,7 @@
 use super::answer::Answer;
 use super::panel::Panel;
 use super::records::reads;
+use crate::cell::from_stored;
 use crate::view::written;
 use crate::wire::AuditRow;
 use axum::extract::{Query, State};
@@ -27,11 +28,11 @@ fn row((id, entry): (i64, AuditEntry)) -> AuditRow {
         id,
         at: written(entry.at),
         user: entry.user,
-        station: entry.station,
-        command: entry.command,
+        station: from_stored(entry.station).into(),
+        command: from_stored(entry.command).into(),
         old: entry.old,
         new: entry.new,
-        result: entry.result,
+        result: from_stored(entry.result).into(),
     }
 }
 

@@ -1,11 +1,14 @@
 //! Messages of a page over its socket, checked against its permissions.
 
+use super::guard::role_refused;
 use super::panel::Panel;
 use crate::cell::{Refusal, ToDesk, WHY, happening};
+use crate::lack::{Lack, action_word, lack, panel_word};
 use crate::users::{Session, may};
-use crate::wire::{AskView, FromCell, LackView, TeachOrder, ToCell};
+use crate::wire::{AskView, FromCell, TeachOrder, ToCell};
 use seamwright_cell::executive::{Alarm, Ask, Command, Origin};
 use seamwright_machine::Joints;
+use seamwright_message::{Message, Unit};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -65,14 +68,17 @@ impl Client {
         let message = match serde_json::from_str::<ToCell>(text) {
             Ok(message) => message,
             Err(e) => {
-                return self.answer(number(text), Err(lack("value", format!("the message is not understood: {e}"))));
+                return self.answer(
+                    number(text),
+                    Err(lack("value", Message::new("server-message-invalid").text("why", e.to_string()))),
+                );
             }
         };
         // A user who was logged out or whose role changed can no longer command, but can still stop.
         let stops = matches!(message, ToCell::Command { ask: AskView::Stop {}, .. });
         if !stops && !self.panel.stands(&self.session, !matches!(message, ToCell::Beat {})) {
             let seq = if let ToCell::Command { seq, .. } = message { seq } else { 0 };
-            return self.answer(seq, Err(lack("login", "the session is over: log in")));
+            return self.answer(seq, Err(lack("login", Message::new("server-session-over"))));
         }
         match message {
             // Like a jog, not answered.
@@ -100,29 +106,39 @@ impl Client {
                     Some(i) => self.send(i as u32, Ask::Why(WHY[i].1)),
                     None => {
                         let names: Vec<&str> = WHY.iter().map(|(name, _)| *name).collect();
-                        self.answer(0, Err(lack("value", format!("`{ask}`; allowed: {}", names.join(", ")))));
+                        self.answer(
+                            0,
+                            Err(lack(
+                                "value",
+                                Message::new("server-unknown-command")
+                                    .text("name", ask)
+                                    .text("allowed", names.join(", ")),
+                            )),
+                        );
                     }
                 }
             }
         }
     }
 
-    fn audit(&self, command: &str, result: &str) {
-        let station = format!("panel {}", self.station);
-        self.panel.cell.archive.audit(&self.session.user, &station, command, ("", ""), result);
+    fn place(&self) -> Message {
+        Message::new("server-audit-panel-number").number("number", f64::from(self.station), 0)
     }
 
-    pub(super) fn allowed(&mut self, action: &str) -> Result<(), LackView> {
+    fn audit(&self, command: Message, result: Message) {
+        self.panel.cell.archive.audit(&self.session.user, self.place(), command, ("", ""), result);
+    }
+
+    pub(super) fn allowed(&mut self, action: &str) -> Result<(), Lack> {
         if may(self.session.role, action) {
             return Ok(());
         }
-        let station = format!("panel {}", self.station);
-        self.panel.cell.archive.repeatable(&self.session.user, &station, action, "refused: role");
-        let needed = crate::users::least(action).map_or(String::new(), |r| format!(" (from {r:?} on)").to_lowercase());
-        Err(lack("role", format!("your role does not allow this{needed}")))
+        let (command, result) = (action_word(action), Message::new("server-audit-refused-role"));
+        self.panel.cell.archive.repeatable(&self.session.user, self.place(), command, result);
+        Err(lack("role", role_refused(self.session.role, action)))
     }
 
-    fn command(&mut self, seq: u32, ask: &AskView) -> Result<(), LackView> {
+    fn command(&mut self, seq: u32, ask: &AskView) -> Result<(), Lack> {
         let again = matches!(ask, AskView::StartWeld { reweld: true });
         let (name, ask) = executive(ask)?;
         // A stop needs neither role, token nor number.
@@ -131,11 +147,11 @@ impl Client {
             // Audited at most once a second: a held key does not fill the disk.
             if self.stopped.is_none_or(|at| at.elapsed() > Duration::from_secs(1)) {
                 self.stopped = Some(Instant::now());
-                self.audit(name, "taken");
+                self.audit(panel_word("do", name), Message::new("server-audit-accepted"));
             }
             // The stop was passed on in any case; a hanging or ended cycle does not take it.
             let heard = self.panel.cell.hub.age().is_some_and(|age| age < FRESH);
-            let why = || lack("silent_cycle", "the cell does not answer: try again");
+            let why = || lack("silent_cycle", Message::new("server-cell-silent"));
             self.answer(seq, heard.then_some(()).ok_or_else(why));
             return Ok(());
         }
@@ -143,18 +159,18 @@ impl Client {
         self.counts(seq)?;
         if ask == Ask::Hold {
             self.panel.cell.urgent.ask(&ask);
-            self.audit(name, "taken");
+            self.audit(panel_word("do", name), Message::new("server-audit-accepted"));
             self.answer(seq, Ok(()));
             return Ok(());
         }
         if !self.panel.cell.hub.controls(self.station, false) {
-            return Err(lack("control", "this page does not have control: take it first"));
+            return Err(lack("control", Message::new("server-no-control")));
         }
         if leaves_rest(&ask) && self.panel.loads.any() {
-            return Err(lack("busy", "a job is being planned to be loaded: wait until it is in the cell"));
+            return Err(lack("busy", Message::new("server-load-announced")));
         }
         if again {
-            self.audit("start weld", "what is finished may be welded again");
+            self.audit(panel_word("do", "start weld"), Message::new("server-audit-reweld"));
             drop(self.panel.cell.desk.send(ToDesk::Reweld(self.of_page(seq, ask))));
             return Ok(());
         }
@@ -162,26 +178,26 @@ impl Client {
         Ok(())
     }
 
-    fn teach(&mut self, seq: u32, order: &TeachOrder) -> Result<(), LackView> {
+    fn teach(&mut self, seq: u32, order: &TeachOrder) -> Result<(), Lack> {
         self.allowed("teach")?;
         self.counts(seq)?;
         // Pausing and stopping need no control token.
         let stops = matches!(order, TeachOrder::Pause {} | TeachOrder::Stop {});
         if !stops && !self.panel.cell.hub.controls(self.station, false) {
-            return Err(lack("control", "this page does not have control: take it first"));
+            return Err(lack("control", Message::new("server-no-control")));
         }
         let result = crate::teaching::order(&self.panel, self.station, order);
-        let said = result.as_ref().map_or_else(|why| why.text.clone(), |()| "taken".to_owned());
-        let (user, station) = (&self.session.user, format!("panel {}", self.station));
-        self.panel.cell.archive.audit(user, &station, &format!("teach: {order}"), ("", ""), &said);
+        let accepted = || Message::new("server-audit-accepted");
+        let said = result.as_ref().map_or_else(|why| why.message.clone(), |()| accepted());
+        self.audit(Message::new("server-audit-teach").message("order", order.message()), said);
         result
     }
 
     /// Refuses a command whose number is not greater than the last.
-    fn counts(&mut self, seq: u32) -> Result<(), LackView> {
+    fn counts(&mut self, seq: u32) -> Result<(), Lack> {
         if seq <= self.commands {
-            let text = format!("command {seq} came before; allowed: greater than {}", self.commands);
-            return Err(lack("replayed", text));
+            let message = Message::new("server-replayed").number("n", f64::from(seq), 0);
+            return Err(lack("replayed", message.number("last", f64::from(self.commands), 0)));
         }
         self.commands = seq;
         Ok(())
@@ -195,19 +211,18 @@ impl Client {
         match hub.take_control(self.station, over) {
             Ok(()) => {
                 let t = hub.latest().map_or(0.0, |s| s.t);
-                let text = if over { "control taken over" } else { "control taken" };
-                let station = format!("panel {}", self.station);
-                self.panel.cell.archive.repeatable(&self.session.user, &station, "take control", text);
-                let key = if over { "control_taken_over" } else { "control_taken" };
-                hub.event(t, happening(key, []).by(Some(self.session.user.clone())));
+                let event =
+                    Message::new(if over { "server-event-control-taken-over" } else { "server-event-control-taken" });
+                let command = action_word("take_control");
+                self.panel.cell.archive.repeatable(&self.session.user, self.place(), command, event.clone());
+                hub.event(t, happening(event).by(Some(self.session.user.clone())));
             }
             Err(Refusal::Jogs) => {
-                self.answer(0, Err(lack("control", "whoever has control moves axes by hand: wait until he lets go")));
+                self.answer(0, Err(lack("control", Message::new("server-control-jogs"))));
             }
             Err(Refusal::Held(by)) => {
-                let mut why = lack("control", format!("{} has control, on page {}", by.user, by.station));
-                why.of = vec![by.user];
-                self.answer(0, Err(why));
+                let message = Message::new("server-control-held").text("user", by.user);
+                self.answer(0, Err(lack("control", message.number("page", f64::from(by.station), 0))));
             }
         }
     }
@@ -221,8 +236,8 @@ impl Client {
         Command { origin: Origin { user: 0, station: self.station }, number, ask }
     }
 
-    fn answer(&self, seq: u32, result: Result<(), LackView>) {
-        let answer = FromCell::Answer { seq, ok: result.is_ok(), why: result.err() };
+    fn answer(&self, seq: u32, result: Result<(), Lack>) {
+        let answer = FromCell::Answer { seq, ok: result.is_ok(), why: result.err().map(Into::into) };
         self.panel.cell.hub.tell(self.station, &answer);
     }
 }
@@ -232,12 +247,8 @@ fn leaves_rest(ask: &Ask) -> bool {
     matches!(ask, Ask::Home | Ask::HomeAxis(_) | Ask::StartJog | Ask::StartTeach | Ask::StartDryRun | Ask::StartWeld)
 }
 
-pub(super) fn lack(key: &str, text: impl Into<String>) -> LackView {
-    LackView { key: key.to_owned(), of: Vec::new(), text: text.into() }
-}
-
 /// Converts a command for the executive; returns it with its name in the table of permissions.
-fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
+fn executive(ask: &AskView) -> Result<(&'static str, Ask), Lack> {
     Ok(match ask {
         AskView::SwitchOn {} => ("switch_on", Ask::SwitchOn),
         AskView::SwitchOff {} => ("switch_off", Ask::SwitchOff),
@@ -253,13 +264,20 @@ fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
         AskView::Reverse {} => ("reverse", Ask::Reverse),
         AskView::Stop {} => ("stop", Ask::Stop),
         AskView::Override { part } if (0.0..=1.0).contains(part) => ("override", Ask::Override(*part)),
-        AskView::Override { part } => return Err(lack("value", format!("override {part}; allowed: 0 to 1"))),
+        AskView::Override { part } => {
+            return Err(lack("value", Message::new("server-override-range").value("value", *part, Unit::One)));
+        }
         AskView::Reset {} => ("reset", Ask::Reset),
         AskView::Acknowledge { one: None } => ("acknowledge", Ask::Acknowledge),
         AskView::Acknowledge { one: Some((number, detail)) } => {
             let alarm = Alarm::ALL.into_iter().find(|alarm| alarm.number() == usize::from(*number));
             let alarm = alarm.ok_or_else(|| {
-                lack("value", format!("there is no alarm {number}; allowed: 1 to {}", Alarm::ALL.len()))
+                lack(
+                    "value",
+                    Message::new("server-no-alarm")
+                        .number("number", f64::from(*number), 0)
+                        .count("max", Alarm::ALL.len()),
+                )
             })?;
             ("acknowledge", Ask::AcknowledgeOne(alarm, *detail))
         }

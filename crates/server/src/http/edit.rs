@@ -4,6 +4,7 @@ use crate::wire::EditAnswer;
 use axum::Json;
 use axum::extract::State;
 use seamwright_document::DocumentError;
+use seamwright_message::Message;
 use seamwright_program::edit::{Editor, Operation};
 use serde::Deserialize;
 use std::sync::Arc;
@@ -25,30 +26,36 @@ pub(super) async fn edit(State(panel): State<Arc<Panel>>, Json(edit): Json<Edit>
 }
 
 /// Returns the text after all operations, or the reason why one of them fails.
-fn edited(edit: &Edit) -> Result<EditAnswer, String> {
+fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
     if edit.operations.len() > MAX_OPERATIONS {
-        return Err(format!("too many operations; allowed: up to {MAX_OPERATIONS} at once"));
+        return Err(Message::new("server-too-many-operations").count("max", MAX_OPERATIONS));
     }
     let mut editor = Editor::new("job.toml", &edit.text).map_err(|e| told(&e))?;
     let several = edit.operations.len() > 1;
     let reports = editor.apply_all(&edit.operations).map_err(|(i, e)| match told(&e) {
-        text if several => format!("operation {}: {text}", i + 1),
-        text => text,
+        why if several => Message::new("server-operation").count("n", i + 1).message("why", why),
+        why => why,
     })?;
     let words = reports.into_iter().map(|report| report.words.to_string()).collect();
     Ok(EditAnswer { text: editor.text().to_owned(), words })
 }
 
-/// Formats an error without its line: the line belongs to a text that the user does not see.
-fn told(e: &DocumentError) -> String {
-    let of = match (e.key.as_str(), e.value.as_str()) {
-        ("", _) => String::new(),
-        (key, "") => format!("{key}: "),
-        (key, value) => format!("{key} = {value}: "),
+/// Describes an error without its line: the line belongs to a text that the user does not see.
+fn told(e: &DocumentError) -> Message {
+    let mut message = match (e.key.as_str(), e.value.as_str()) {
+        ("", _) => e.message.clone(),
+        (key, "") => Message::new("server-at-key").key("key", key).message("what", e.message.clone()),
+        (key, value) => {
+            Message::new("server-at-value").key("key", key).text("value", value).message("what", e.message.clone())
+        }
     };
-    let allowed = e.allowed.as_ref().map(|allowed| format!("; allowed: {allowed}")).unwrap_or_default();
-    let help = e.help.as_ref().map(|help| format!("; {help}")).unwrap_or_default();
-    format!("{of}{}{allowed}{help}", e.message)
+    if let Some(allowed) = &e.allowed {
+        message = Message::new("server-and-allowed").message("what", message).message("allowed", allowed.clone());
+    }
+    if let Some(help) = &e.help {
+        message = Message::new("server-and-help").message("what", message).message("help", help.clone());
+    }
+    message
 }
 
 #[cfg(test)]
@@ -61,7 +68,7 @@ mod tests {
         let points = include_str!("../../../../examples/points.toml");
         let wrong = |text: &str, operations: &str| {
             let edit = Edit { text: text.to_owned(), operations: serde_json::from_str(operations).unwrap() };
-            edited(&edit).unwrap_err()
+            edited(&edit).unwrap_err().to_string()
         };
         let (done, pass_7) = (r#"{"op":"delete_points","pass":1,"from":2}"#, r#"{"op":"duplicate_pass","pass":7}"#);
         let text = wrong(points, &format!("[{pass_7}]"));

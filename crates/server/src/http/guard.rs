@@ -1,11 +1,14 @@
 use super::answer::Refused;
 use super::login::same;
 use super::panel::Panel;
+use crate::lack::{action_word, panel_word};
 use crate::users::{Session, may};
+use crate::wire::Role;
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
+use seamwright_message::Message;
 use std::sync::Arc;
 
 /// Header that requests with changes must carry.
@@ -40,8 +43,8 @@ pub(super) async fn host(State(panel): State<Arc<Panel>>, request: Request, next
     let headers = request.headers();
     let host = text(headers, header::HOST.as_str()).unwrap_or_default();
     if !panel.hosts.iter().any(|known| known.eq_ignore_ascii_case(host)) {
-        let text = format!("this panel is not known as `{host}`; allowed: {}", panel.hosts.join(", "));
-        return secured(Refused::new(StatusCode::FORBIDDEN, "origin", text).into_response());
+        let message = Message::new("server-unknown-host").text("host", host).text("allowed", panel.hosts.join(", "));
+        return secured(Refused::new(StatusCode::FORBIDDEN, "origin", message).into_response());
     }
     let scheme = if panel.tls { "https" } else { "http" };
     if let Some(origin) = text(headers, header::ORIGIN.as_str())
@@ -58,8 +61,7 @@ pub(super) async fn host(State(panel): State<Arc<Panel>>, request: Request, next
 }
 
 fn foreign() -> Response {
-    let text = "requests from pages of other origins are refused";
-    Refused::new(StatusCode::FORBIDDEN, "origin", text).into_response()
+    Refused::new(StatusCode::FORBIDDEN, "origin", Message::new("server-other-origin")).into_response()
 }
 
 /// Adds the headers of every answer.
@@ -97,25 +99,32 @@ pub(super) async fn need(State(need): State<Need>, mut request: Request, next: N
     }
 }
 
+/// Describes that a role does not allow an action, and which role does.
+pub(super) fn role_refused(role: Role, action: &str) -> Message {
+    let name = |role: Role| panel_word("role", &format!("{role:?}").to_lowercase());
+    let needed = crate::users::least(action);
+    let message = Message::new(if needed.is_some() { "server-role-from" } else { "server-role" });
+    let message = message.message("role", name(role)).message("action", action_word(action));
+    needed.into_iter().fold(message, |message, needed| message.message("needed", name(needed)))
+}
+
 fn allowed(need: &Need, action: &str, method: &Method, headers: &HeaderMap) -> Result<Session, Refused> {
     let panel = &need.panel;
     let session = cookie(headers, panel.tls).and_then(|cookie| panel.sessions.of(cookie));
     let session = session.filter(|session| panel.stands(session, true));
     let Some(session) = session else {
-        let text = "nobody is logged in here, or the session is over: log in";
-        return Err(Refused::new(StatusCode::UNAUTHORIZED, "login", text));
+        return Err(Refused::new(StatusCode::UNAUTHORIZED, "login", Message::new("server-not-logged-in")));
     };
     if !may(session.role, action) {
-        let needed = crate::users::least(action).map_or(String::new(), |role| format!("; allowed: from {role:?} on"));
-        panel.cell.archive.repeatable(&session.user, "panel", action, "refused: role");
-        let text = format!("as {:?} you may not do this ({action}){needed}", session.role);
-        return Err(Refused::new(StatusCode::FORBIDDEN, "role", text.to_lowercase()));
+        let refused = Message::new("server-audit-refused-role");
+        panel.cell.archive.repeatable(&session.user, Message::new("server-audit-panel"), action_word(action), refused);
+        return Err(Refused::new(StatusCode::FORBIDDEN, "role", role_refused(session.role, action)));
     }
     if writes(method) {
         let token = text(headers, TOKEN).unwrap_or_default();
         if !same(token.as_bytes(), session.token.as_bytes()) {
-            let text = format!("the header `{TOKEN}` must carry the session's token");
-            return Err(Refused::new(StatusCode::FORBIDDEN, "token", text));
+            let message = Message::new("server-token").text("header", TOKEN);
+            return Err(Refused::new(StatusCode::FORBIDDEN, "token", message));
         }
         is_of(need.takes, headers)?;
     }
@@ -131,8 +140,8 @@ fn is_of(takes: &str, headers: &HeaderMap) -> Result<(), Refused> {
     if kind.split(';').next().is_some_and(|kind| kind.trim() == takes) {
         return Ok(());
     }
-    let text = format!("content-type `{kind}` is not taken; allowed: {takes}");
-    Err(Refused::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, "input", text))
+    let message = Message::new("server-content-type").text("kind", kind).text("allowed", takes);
+    Err(Refused::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, "input", message))
 }
 
 fn text<'a>(headers: &'a HeaderMap, name: &str) -> Option<&'a str> {

@@ -1,10 +1,12 @@
 //! Jogging of axes from a page.
 
-use super::client::{Client, lack};
-use crate::wire::{JogOf, LackView};
+use super::client::Client;
+use crate::lack::{Lack, lack};
+use crate::wire::JogOf;
 use glam::DVec3;
 use seamwright_cell::executive::{Ask, REDUCED_MM_S};
 use seamwright_machine::{Joints, MAX_AXES};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::jog::{self, TipFrame};
 
 /// Maximum step of a key, mm or degrees.
@@ -16,19 +18,22 @@ const DEAD_BAND: f64 = 1e-3;
 
 impl Client {
     /// Checks that the page may jog, and pauses teaching by camera.
-    fn may_jog(&mut self, seq: u32, moves: bool) -> Result<(), LackView> {
+    fn may_jog(&mut self, seq: u32, moves: bool) -> Result<(), Lack> {
         self.allowed("jog")?;
         if seq <= self.jogs {
-            return Err(lack("replayed", "it came before"));
+            return Err(lack(
+                "replayed",
+                Message::new("server-replayed").number("n", f64::from(seq), 0).number("last", f64::from(self.jogs), 0),
+            ));
         }
         self.jogs = seq;
         if !self.panel.cell.hub.controls(self.station, moves) {
-            return Err(lack("control", "this page does not have control"));
+            return Err(lack("control", Message::new("server-no-control")));
         }
         if moves { self.panel.teaching.pause("hand") } else { Ok(()) }
     }
 
-    pub(super) fn jog(&mut self, seq: u32, of: JogOf, speeds: &[f64]) -> Result<(), LackView> {
+    pub(super) fn jog(&mut self, seq: u32, of: JogOf, speeds: &[f64]) -> Result<(), Lack> {
         let moves = speeds.iter().any(|v| v.abs() >= DEAD_BAND);
         self.may_jog(seq, moves)?;
         self.held = None;
@@ -36,7 +41,8 @@ impl Client {
         let command = match of {
             _ if !moves => jog::Command::Rest,
             JogOf::Joints => {
-                let machine = self.panel.cell.hub.machine().ok_or_else(|| lack("work", "there is no machine"))?;
+                let machine =
+                    self.panel.cell.hub.machine().ok_or_else(|| lack("work", Message::new("server-no-machine")))?;
                 let mut all: Joints = [0.0; MAX_AXES];
                 for ((speed, axis), v) in all.iter_mut().zip(&machine.axes).zip(speeds) {
                     *speed = part(*v) * axis.max_speed;
@@ -54,7 +60,7 @@ impl Client {
     }
 
     /// Moves to the target of the first step since the key was released.
-    pub(super) fn step(&mut self, seq: u32, of: JogOf, index: u32, by: f64) -> Result<(), LackView> {
+    pub(super) fn step(&mut self, seq: u32, of: JogOf, index: u32, by: f64) -> Result<(), Lack> {
         // A zero step does not hold the control token.
         self.may_jog(seq, by.abs() >= MIN_STEP)?;
         let target = match self.held {
@@ -67,16 +73,19 @@ impl Client {
     }
 
     /// Returns the target of a step from the set-points.
-    fn stepped(&self, of: JogOf, index: usize, by: f64) -> Result<Joints, LackView> {
+    fn stepped(&self, of: JogOf, index: usize, by: f64) -> Result<Joints, Lack> {
         if !(-MAX_STEP..=MAX_STEP).contains(&by) {
-            return Err(lack("value", format!("a step of {by}; allowed: {MAX_STEP} of either sign")));
+            return Err(lack(
+                "value",
+                Message::new("server-step-range").value("value", by, Unit::One).value("max", MAX_STEP, Unit::One),
+            ));
         }
         let hub = &self.panel.cell.hub;
         let known = hub.machine().zip(hub.set_points());
-        let (machine, mut q) = known.ok_or_else(|| lack("references", "where the axes are is not known"))?;
+        let (machine, mut q) = known.ok_or_else(|| lack("references", Message::new("server-positions-unknown")))?;
         match of {
             JogOf::Joints => {
-                let axis = machine.axes.get(index).ok_or_else(|| lack("value", "there is no such axis"))?;
+                let axis = machine.axes.get(index).ok_or_else(|| lack("value", Message::new("server-no-such-axis")))?;
                 q[index] += axis.from_file(by);
                 if let Some((low, high)) = axis.range {
                     q[index] = q[index].clamp(low, high);
@@ -89,16 +98,19 @@ impl Client {
                 let there = machine.inverse_near(pose, &q).map_err(|e| lack("motion", e.to_string()))?;
                 Ok(there.joints)
             }
-            JogOf::Tip => Err(lack("value", "the tip has x, y and z")),
+            JogOf::Tip => Err(lack("value", Message::new("server-tip-directions"))),
         }
     }
 
-    pub(super) fn go(&mut self, seq: u32, axes: &[f64]) -> Result<(), LackView> {
+    pub(super) fn go(&mut self, seq: u32, axes: &[f64]) -> Result<(), Lack> {
         self.may_jog(seq, true)?;
         self.held = None;
-        let machine = self.panel.cell.hub.machine().ok_or_else(|| lack("work", "there is no machine"))?;
+        let machine = self.panel.cell.hub.machine().ok_or_else(|| lack("work", Message::new("server-no-machine")))?;
         if axes.len() != machine.axes.len() {
-            return Err(lack("value", format!("{} axes; allowed: {}", axes.len(), machine.axes.len())));
+            return Err(lack(
+                "value",
+                Message::new("server-axis-count").count("n", axes.len()).count("allowed", machine.axes.len()),
+            ));
         }
         let target = seamwright_cell::teach::joints(&machine, axes);
         self.send(seq, Ask::Jog(jog::Command::To(target)));

@@ -5,6 +5,7 @@ use crate::wire::{DistortionRow, JobKept, JobRow, JobText};
 use axum::extract::{Path, State};
 use axum::http::StatusCode;
 use axum::{Extension, Json};
+use seamwright_message::{Message, Unit};
 use seamwright_program::Procedure;
 use seamwright_project::Failure;
 use seamwright_project::examples::{DISTORTIONS, EXAMPLES, Example};
@@ -22,8 +23,7 @@ pub(super) fn checked(name: &str) -> Result<&str, Refused> {
     if is_toml && name.len() <= 120 && !name.starts_with(['.', ' ']) && name.chars().all(good) && !name.contains("..") {
         return Ok(name);
     }
-    let allowed = "letters, digits, - _ . ( ) + and spaces, up to 120 bytes, ending in .toml";
-    Err(Refused::input(format!("`{name}` cannot be the name of a job; allowed: {allowed}")))
+    Err(Refused::input(Message::new("server-job-name").text("name", name).value("max", 120.0, Unit::Byte)))
 }
 
 fn example(name: &str) -> Option<&'static str> {
@@ -43,13 +43,13 @@ pub(crate) fn text(panel: &Panel, name: &str) -> Result<String, Refused> {
     if path.is_file() {
         return Ok(files::read(&path)?);
     }
-    example(name).map(str::to_owned).ok_or_else(|| Refused::not_found(format!("there is no job `{name}`")))
+    example(name).map(str::to_owned).ok_or_else(|| Refused::not_found(Message::new("server-no-job").text("job", name)))
 }
 
 /// Returns the sorted names of own jobs.
 pub(super) fn own(panel: &Panel) -> Result<Vec<String>, Refused> {
     let entries = std::fs::read_dir(panel.jobs())
-        .map_err(|e| Refused::server(format!("the folder of jobs cannot be read: {e}")))?;
+        .map_err(|e| Refused::server(Message::new("server-jobs-unreadable").text("why", e.to_string())))?;
     let files = entries.filter_map(Result::ok).filter(|entry| entry.path().is_file());
     let names = files.filter_map(|entry| entry.file_name().into_string().ok());
     let mut names: Vec<String> = names.filter(|name| checked(name).is_ok()).collect();
@@ -129,7 +129,7 @@ pub(super) async fn put(
 fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<JobRow, Refused> {
     let name = checked(name)?;
     if example(name).is_some() {
-        return Err(Refused::input(format!("`{name}` is the name of an example: save it under another name")));
+        return Err(Refused::input(Message::new("server-template-name").text("job", name)));
     }
     // A job may be incomplete; an invalid procedure would invalidate every job that names it.
     if kind(&job.text) == Kind::Procedure {
@@ -138,16 +138,21 @@ fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<J
     let path = panel.jobs().join(name);
     let old = if path.is_file() { files::read(&path)? } else { String::new() };
     if job.over.as_ref().is_some_and(|over| *over != old) {
-        let text = format!("another text is kept as `{name}`");
-        return Err(Refused::new(StatusCode::CONFLICT, "other", text));
+        return Err(Refused::new(StatusCode::CONFLICT, "other", Message::new("server-other-text").text("job", name)));
     }
     if !path.is_file() && own(panel)?.len() >= MAX_JOBS {
-        return Err(Refused::input(format!("there are too many jobs; allowed: {MAX_JOBS}")));
+        return Err(Refused::input(Message::new("server-too-many-jobs").count("max", MAX_JOBS)));
     }
     files::write(&path, &job.text)?;
     let hash = |text: &str| seamwright_record::sha256(text.as_bytes());
     let (old, new) = (hash(&old), hash(&job.text));
-    panel.cell.archive.audit(&session.user, "panel", &format!("save job {name}"), (&old, &new), "saved");
+    panel.cell.archive.audit(
+        &session.user,
+        Message::new("server-audit-panel"),
+        Message::new("server-audit-save-job").text("job", name),
+        (&old, &new),
+        Message::new("server-audit-saved"),
+    );
     Ok(JobRow { name: name.to_owned(), title: title(&job.text), example: false })
 }
 
@@ -165,10 +170,18 @@ fn remove(panel: &Panel, session: &Session, name: &str) -> Result<(), Refused> {
     let name = checked(name)?;
     let path = panel.jobs().join(name);
     if !path.is_file() {
-        return Err(Refused::not_found(format!("there is no job `{name}` of your own")));
+        return Err(Refused::not_found(Message::new("server-no-own-job").text("job", name)));
     }
     let old = seamwright_record::sha256(files::read(&path)?.as_bytes());
-    std::fs::remove_file(&path).map_err(|e| Refused::server(format!("{name}: cannot be removed: {e}")))?;
-    panel.cell.archive.audit(&session.user, "panel", &format!("delete job {name}"), (&old, ""), "deleted");
+    std::fs::remove_file(&path).map_err(|e| {
+        Refused::server(Message::new("server-job-not-deleted").text("job", name).text("why", e.to_string()))
+    })?;
+    panel.cell.archive.audit(
+        &session.user,
+        Message::new("server-audit-panel"),
+        Message::new("server-audit-delete-job").text("job", name),
+        (&old, ""),
+        Message::new("server-audit-deleted"),
+    );
     Ok(())
 }

@@ -8,6 +8,7 @@ use axum::extract::{ConnectInfo, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{AppendHeaders, IntoResponse, Response};
 use axum::{Extension, Json};
+use seamwright_message::{Message, Unit};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -37,8 +38,8 @@ const ANSWER: Duration = Duration::from_millis(300);
 
 /// Returns the wait after wrong passwords as a refusal.
 fn slowed(wait: Duration) -> Refused {
-    let text = format!("too many wrong passwords: wait {:.0} s", wait.as_secs_f64().ceil());
-    Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", text)
+    let message = Message::new("server-wrong-passwords").quantity("wait", wait.as_secs_f64().ceil(), Unit::S, 0);
+    Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", message)
 }
 
 /// Checks the password of `user`: one at a time, and slower after each wrong one. Returns the checked role and hash if
@@ -98,24 +99,36 @@ pub(super) async fn login(
     Json(login): Json<Login>,
 ) -> Result<Response, Refused> {
     if headers.get(TOKEN).is_none_or(|v| v != "login") {
-        let text = format!("the header `{TOKEN}` must say `login`");
-        return Err(Refused::new(StatusCode::FORBIDDEN, "token", text));
+        let message = Message::new("server-header").text("header", TOKEN).text("value", "login");
+        return Err(Refused::new(StatusCode::FORBIDDEN, "token", message));
     }
     if login.user.len() > MAX_LOGIN_BYTES || login.password.len() > MAX_LOGIN_BYTES {
-        return Err(Refused::input(format!("name or password is too long; allowed: up to {MAX_LOGIN_BYTES} bytes")));
+        return Err(Refused::input(Message::new("server-login-too-long").value(
+            "max",
+            MAX_LOGIN_BYTES as f64,
+            Unit::Byte,
+        )));
     }
     let name = if login.user.is_empty() { OWNER.to_owned() } else { login.user };
     let right = checked(&panel, (&from, &headers), &name, login.password).await?;
-    let station = format!("panel at {}", address(&from));
+    let station = Message::new("server-audit-panel-at").text("address", address(&from).to_string());
     if right.is_some() {
-        panel.cell.archive.audit(&name, &station, "log in", ("", ""), "logged in");
+        panel.cell.archive.audit(
+            &name,
+            station.clone(),
+            Message::new("server-audit-log-in"),
+            ("", ""),
+            Message::new("server-audit-logged-in"),
+        );
     } else {
-        panel.cell.archive.repeatable(&name, &station, "log in", "refused");
+        panel.cell.archive.repeatable(
+            &name,
+            station,
+            Message::new("server-audit-log-in"),
+            Message::new("server-audit-refused"),
+        );
     }
-    let wrong = || {
-        let text = "name or password is wrong, or the address is an old one";
-        Refused::new(StatusCode::UNAUTHORIZED, "login", text)
-    };
+    let wrong = || Refused::new(StatusCode::UNAUTHORIZED, "login", Message::new("server-login-wrong"));
     let right = right.ok_or_else(wrong)?;
     if let Some(before) = cookie(&headers, panel.tls) {
         panel.sessions.end(before);
@@ -127,7 +140,7 @@ pub(super) async fn login(
         panel.sessions.end(&cookie);
         return Err(wrong());
     }
-    log::info(&format!("{name} logged in at the {station}"));
+    log::info(&format!("{name} logged in from {}", address(&from)));
     let mut set = vec![(header::SET_COOKIE, set_cookie(&panel, cookie_name(panel.tls), &cookie, ""))];
     let device = named_cookie(&headers, device_name(panel.tls));
     if device.and_then(|cookie| panel.devices.of(cookie, &name)).is_none() {
@@ -170,7 +183,13 @@ pub(super) async fn logout(
     if let Some(cookie) = cookie(&headers, panel.tls) {
         panel.sessions.end(cookie);
     }
-    panel.cell.archive.audit(&session.user, "panel", "log out", ("", ""), "logged out");
+    panel.cell.archive.audit(
+        &session.user,
+        Message::new("server-audit-panel"),
+        Message::new("server-audit-log-out"),
+        ("", ""),
+        Message::new("server-audit-logged-out"),
+    );
     let gone = set_cookie(&panel, cookie_name(panel.tls), "", "; Max-Age=0");
     (StatusCode::NO_CONTENT, AppendHeaders([(header::SET_COOKIE, gone)])).into_response()
 }

@@ -5,12 +5,13 @@ use crate::wire::{AlarmEntry, DeviceView, MachineView, WorkView};
 use axum::Json;
 use axum::extract::{Query, State};
 use seamwright_cell::executive::Alarm;
+use seamwright_message::Message;
 use seamwright_project::load::machine_among;
 use serde::Deserialize;
 use std::sync::Arc;
 
 pub(super) async fn machine(State(panel): State<Arc<Panel>>) -> Answer<MachineView> {
-    let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server("there is no machine"))?;
+    let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))?;
     Ok(Json(machine_view(&machine)))
 }
 
@@ -29,7 +30,8 @@ pub(super) async fn machine_of_job(
     let folder = panel.jobs();
     let look = move || {
         let machine = machine_among(&of.name, &folder)?;
-        let machine = machine.ok_or_else(|| Refused::not_found(format!("there is no machine `{}`", of.name)))?;
+        let machine = machine
+            .ok_or_else(|| Refused::not_found(Message::new("server-no-machine-named").text("name", &of.name)))?;
         Ok(machine_view(&machine))
     };
     panel.reading.run(look).await.map(Json)
@@ -37,10 +39,10 @@ pub(super) async fn machine_of_job(
 
 pub(super) async fn devices(State(panel): State<Arc<Panel>>) -> Answer<Vec<DeviceView>> {
     let hub = &panel.cell.hub;
-    let machine = hub.machine().ok_or_else(|| Refused::server("there is no machine"))?;
+    let machine = hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))?;
     let (status, work) = (hub.latest(), hub.work());
     let values = work.as_ref().map_or(&[][..], |work| &work.values);
-    let connection = hub.connection().ok_or_else(|| Refused::server("there are no devices"))?;
+    let connection = hub.connection().ok_or_else(|| Refused::server(Message::new("server-no-devices")))?;
     let mut views = device_views(&machine, &connection.lines, values, status.as_ref());
     let simulated = simulated_view(&machine, values, status.as_ref());
     if !simulated.signals.is_empty() {

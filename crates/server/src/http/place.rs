@@ -2,6 +2,7 @@ use super::answer::Refused;
 use crate::wire::{PlaceAnswer, PlaceMethod, PlaceText, TouchedPoint};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::{Touch, best_fit, chuck, outliers, plane_line_point, rms, three_points};
+use seamwright_message::{Message, Unit};
 use seamwright_program::Program;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::offset;
@@ -21,7 +22,7 @@ struct Found {
     /// The part's frame in the work frame.
     offset: DAffine3,
     residuals: Vec<f64>,
-    notes: Vec<String>,
+    notes: Vec<Message>,
 }
 
 /// Finds the pose of a job's part; files that it names are in `jobs`.
@@ -53,19 +54,37 @@ fn check(asked: &PlaceText) -> Result<(), Refused> {
         PlaceMethod::Chuck => &["face", "round"],
     };
     if !(0.0..=LARGEST_MM).contains(&asked.probe_radius_mm) {
-        return Err(Refused::input(format!("probe_radius_mm {}: allowed: 0 to {LARGEST_MM}", asked.probe_radius_mm)));
+        return Err(Refused::input(
+            Message::new("server-probe-radius").value("value", asked.probe_radius_mm, Unit::Mm).value(
+                "max",
+                LARGEST_MM,
+                Unit::Mm,
+            ),
+        ));
     }
     if asked.points.len() > MAX_POINTS {
-        return Err(Refused::input(format!("{} points; allowed: up to {MAX_POINTS}", asked.points.len())));
+        return Err(Refused::input(
+            Message::new("server-too-many-points").count("n", asked.points.len()).count("max", MAX_POINTS),
+        ));
     }
     for (i, point) in asked.points.iter().enumerate() {
         let number = i + 1;
         if !features.contains(&point.feature.as_str()) {
             let allowed = features.join(", ");
-            return Err(Refused::input(format!("point {number}: feature `{}`; allowed: {allowed}", point.feature)));
+            return Err(Refused::input(
+                Message::new("server-feature")
+                    .count("point", number)
+                    .text("feature", &point.feature)
+                    .text("allowed", allowed),
+            ));
         }
         if point.tip.iter().any(|v| v.is_nan() || v.abs() > FARTHEST_MM) {
-            return Err(Refused::input(format!("point {number}: allowed: up to {FARTHEST_MM:.0} mm")));
+            return Err(Refused::input(Message::new("server-point-far").count("point", number).quantity(
+                "max",
+                FARTHEST_MM,
+                Unit::Mm,
+                0,
+            )));
         }
     }
     Ok(())
@@ -73,14 +92,14 @@ fn check(asked: &PlaceText) -> Result<(), Refused> {
 
 /// Converts the reason for which points do not determine a pose.
 fn refused(e: &seamwright_geometry::Error) -> Refused {
-    Refused::input(format!("{e}; allowed: more points, spread over what they should tell, or another method"))
+    Refused::input(Message::new("server-more-points").text("why", e.to_string()))
 }
 
 /// Fits the surfaces to the points by least squares.
 fn fitted(loaded: &Loaded, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let program = &loaded.welding.program;
     let Some(seam) = &program.value.seam else {
-        return Err(Refused::input("the job has no seam whose surfaces could have been touched; allowed: a job"));
+        return Err(Refused::input(Message::new("server-no-surfaces")));
     };
     let surfaces = SeamSurfaces::new(program, seam).map_err(seamwright_project::Failure::from)?;
     let touch = |point: &TouchedPoint| {
@@ -90,9 +109,10 @@ fn fitted(loaded: &Loaded, points: &[TouchedPoint], radius: f64) -> Result<Found
     let touches: Vec<Touch> = points.iter().map(touch).collect();
     let fit = best_fit(&touches, &program.value.seam_in_work(), false).map_err(|e| refused(&e))?;
     let placed = program.value.work_offset().inverse() * program.value.seam_in_work();
-    let mut notes: Vec<String> = fit.free.iter().map(|free| format!("not seen: {free}; left as it was")).collect();
+    let not_determined = |free: &_| Message::new("server-not-determined").text("what", format!("{free}"));
+    let mut notes: Vec<Message> = fit.free.iter().map(not_determined).collect();
     if fit.deviation.is_none() {
-        notes.push("there are no more points than unknowns: nothing would show a bad one".to_owned());
+        notes.push(Message::new("server-no-spare-points"));
     }
     Ok(Found { offset: fit.transform * placed.inverse(), residuals: fit.residuals, notes })
 }
@@ -124,7 +144,7 @@ fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
     let found = found.map_err(|e| refused(&e))?;
     let [plane, origin, direction] = &found.residuals;
     let residuals = in_order(points, [("plane", plane), ("origin", origin), ("direction", direction)]);
-    let notes = three_alone(plane.len(), "plane").into_iter().collect();
+    let notes = three_alone(plane.len(), "server-three-points-plane").into_iter().collect();
     Ok(Found { offset: found.transform, residuals, notes })
 }
 
@@ -132,25 +152,32 @@ fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
 fn round(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [face, round] = ["face", "round"].map(|feature| of(points, feature));
     let found = chuck(&face, &round, radius, &program.work_offset())
-        .map_err(|e| Refused::input(format!("{e}; allowed: more points, spread over the face and all round")))?;
+        .map_err(|e| Refused::input(Message::new("server-more-points-round").text("why", e.to_string())))?;
     let [face, round, _] = &found.residuals;
     let residuals = in_order(points, [("face", face), ("round", round)]);
-    let mut notes: Vec<String> =
-        found.radius_mm.map(|r| format!("diameter of the round: {:.3} mm", 2.0 * r)).into_iter().collect();
-    notes.push("not seen: the turn about the axis; left as it was".to_owned());
-    notes.extend([(face.len(), "face"), (round.len(), "round")].into_iter().filter_map(|(n, of)| three_alone(n, of)));
+    let mut notes: Vec<Message> = found
+        .radius_mm
+        .map(|r| Message::new("server-round-diameter").quantity("diameter", 2.0 * r, Unit::Mm, 3))
+        .into_iter()
+        .collect();
+    notes.push(Message::new("server-not-determined").message("what", Message::new("server-turn-about-axis")));
+    notes.extend(
+        [(face.len(), "server-three-points-face"), (round.len(), "server-three-points-round")]
+            .into_iter()
+            .filter_map(|(n, of)| three_alone(n, of)),
+    );
     Ok(Found { offset: found.transform, residuals, notes })
 }
 
 /// Returns a note if three points determine a feature without redundancy.
-fn three_alone(points: usize, of: &str) -> Option<String> {
-    (points == 3).then(|| format!("{of}: three points only, nothing would show a bad one"))
+fn three_alone(points: usize, code: &'static str) -> Option<Message> {
+    (points == 3).then(|| Message::new(code))
 }
 
 fn answer(text: &str, found: Found) -> Result<PlaceAnswer, Refused> {
-    let transform = offset::rounded(&found.offset).ok_or_else(|| Refused::input("the points give no place"))?;
+    let transform = offset::rounded(&found.offset).ok_or_else(|| Refused::input(Message::new("server-no-position")))?;
     let placed = offset::put_into(text, NAME, &transform).map_err(|e| Refused::input(e.to_string()))?;
-    let text = placed.ok_or_else(|| Refused::input("`offsets` is no table; allowed: [offsets.NAME]"))?;
+    let text = placed.ok_or_else(|| Refused::input(Message::new("server-offsets-no-table")))?;
     Ok(PlaceAnswer {
         text,
         move_mm: transform.move_mm.get().to_array(),
@@ -158,6 +185,6 @@ fn answer(text: &str, found: Found) -> Result<PlaceAnswer, Refused> {
         rms_mm: rms(&found.residuals),
         outliers: outliers(&found.residuals),
         residuals_mm: found.residuals,
-        notes: found.notes,
+        notes: found.notes.into_iter().map(Into::into).collect(),
     })
 }

@@ -14,6 +14,7 @@ use axum::response::{IntoResponse as _, Response};
 use axum::{Extension, Json};
 use seamwright_cell::executive::Place;
 use seamwright_cell::tracking::Distortion;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::part::Part;
@@ -112,9 +113,7 @@ fn part(number: &str) -> Result<(), Refused> {
     if number.chars().count() <= MAX_PART_CHARS && !number.chars().any(crate::cell::hides) {
         return Ok(());
     }
-    Err(Refused::input(format!(
-        "the number of the part cannot be that; allowed: up to {MAX_PART_CHARS} characters that are seen"
-    )))
+    Err(Refused::input(Message::new("server-part-number").count("max", MAX_PART_CHARS)))
 }
 
 pub(super) async fn load(
@@ -125,10 +124,11 @@ pub(super) async fn load(
 ) -> Answer<WorkView> {
     checked(&load.job)?;
     part(load.part.as_deref().unwrap_or_default())?;
-    let (what, job) = (format!("load {}", load.job), load.job.clone());
+    let (what, job) = (Message::new("server-audit-load").text("job", &load.job), load.job.clone());
     let result = put_in(&panel, load, page_asking(&session, &headers)).await;
-    let said = result.as_ref().map_or_else(|refused| refused.text.clone(), |_| "loaded".to_owned());
-    panel.cell.archive.audit(&session.user, "panel", &what, ("", &job), &said);
+    let loaded = |_: &_| Message::new("server-audit-loaded");
+    let said = result.as_ref().map_or_else(|refused| refused.message.clone(), loaded);
+    panel.cell.archive.audit(&session.user, Message::new("server-audit-panel"), what, ("", &job), said);
     result.map(|view| Json((*view).clone()))
 }
 
@@ -141,8 +141,7 @@ const ANNOUNCED: Duration = Duration::from_millis(100);
 /// Refuses while the machine moves, welds or is held.
 fn at_rest(panel: &Panel) -> Result<(), Refused> {
     if panel.cell.hub.latest().is_some_and(|status| !AT_REST.contains(&status.mode.as_str())) {
-        let text = "the machine moves or is held: stop it first";
-        return Err(Refused::new(StatusCode::CONFLICT, "busy", text));
+        return Err(Refused::new(StatusCode::CONFLICT, "busy", Message::new("server-machine-moves")));
     }
     Ok(())
 }
@@ -164,7 +163,7 @@ async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkVi
         loading(panel, &load, &text, user)
     });
     let loading = loading.await?;
-    let view = loading.view.clone().ok_or_else(|| Refused::server("a job without a picture"))?;
+    let view = loading.view.clone().ok_or_else(|| Refused::server(Message::new("server-no-drawing")))?;
     give(panel, connected(panel, loading).await?).await?;
     panel.teaching.leave(&panel.cell.hub, (&view.job, &view.machine));
     Ok(view)
@@ -172,11 +171,11 @@ async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkVi
 
 /// Sends a program to the desk and waits for its answer.
 async fn give(panel: &Panel, loading: Loading) -> Result<(), Refused> {
-    let gone = || Refused::server("the cell has ended");
+    let gone = || Refused::server(Message::new("server-cell-ended"));
     let (answer, answered) = oneshot::channel();
     panel.cell.desk.send(ToDesk::Load(Box::new(loading), answer)).map_err(|_| gone())?;
     let taken = answered.await.map_err(|_| gone())?;
-    taken.map_err(|lack| Refused::new(StatusCode::CONFLICT, "busy", lack.text))
+    taken.map_err(|lack| Refused::new(StatusCode::CONFLICT, "busy", lack.message))
 }
 
 /// Adds the required devices if those of the cell serve another program. Real devices are released first, by loading a
@@ -191,9 +190,7 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
     let (own, folder) = panel.cell.devices.clone();
     let its = &loading.prepared.machine().devices;
     if !its.is_empty() && *its != own {
-        let text =
-            "its machine file names devices other than those of the machine file that the panel was started with";
-        return Err(Refused::input(format!("{text}\n   allowed: the same [devices], or none")));
+        return Err(Refused::input(Message::new("server-other-devices")));
     }
     if let Some(now) = now.filter(Connection::is_real) {
         let prepared = Box::new(Prepared::bare(loading.prepared.machine()).map_err(Refused::input)?);
@@ -204,7 +201,7 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
         let begin = Instant::now();
         while now.is_there() {
             if begin.elapsed() > Duration::from_secs(GO_S) {
-                return Err(Refused::server("the devices do not let go: start the panel anew"));
+                return Err(Refused::server(Message::new("server-devices-held")));
             }
             tokio::time::sleep(Duration::from_millis(20)).await;
         }
@@ -218,9 +215,9 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
 }
 
 /// Loads a job at the start of the panel.
-pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), String> {
+pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), Message> {
     let load = Load { job: job.to_owned(), from: None, overlap_mm: None, part: None, distortion: None };
-    put_in(panel, load, Page::default()).await.map(drop).map_err(|refused| refused.text)
+    put_in(panel, load, Page::default()).await.map(drop).map_err(|refused| refused.message)
 }
 
 /// A planned job to be loaded.
@@ -293,7 +290,11 @@ fn overlap(load: &Load) -> Result<f64, Refused> {
     if (0.0..=MAX_OVERLAP_MM).contains(&overlap_mm) {
         return Ok(overlap_mm);
     }
-    Err(Refused::input(format!("an overlap of {overlap_mm} mm is not possible; allowed: up to {MAX_OVERLAP_MM} mm")))
+    Err(Refused::input(Message::new("server-overlap").value("value", overlap_mm, Unit::Mm).value(
+        "max",
+        MAX_OVERLAP_MM,
+        Unit::Mm,
+    )))
 }
 
 /// Returns the part to be welded, for simulated devices.
@@ -323,10 +324,10 @@ pub(super) struct OfAxis {
 
 pub(super) async fn tuning(State(panel): State<Arc<Panel>>, Query(of): Query<OfAxis>) -> Answer<TuningView> {
     let answer = alone(&panel, move |panel| {
-        let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server("there is no machine"))?;
+        let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))?;
         let axis = machine.axes.iter().find(|axis| axis.name == of.axis).ok_or_else(|| {
             let names: Vec<&str> = machine.axes.iter().map(|axis| axis.name.as_str()).collect();
-            Refused::not_found(format!("there is no axis `{}`; allowed: {}", of.axis, names.join(", ")))
+            Refused::not_found(Message::new("server-no-axis").text("axis", &of.axis).text("allowed", names.join(", ")))
         })?;
         Ok(tuning_view(axis, machine.servo_period_s))
     });
@@ -352,7 +353,7 @@ pub(super) async fn report(
     let text = panel.reading.run(move || text(&asked, &named.job)).await?;
     let question = Question::Report { name, text, language };
     let page = panel.planner.ask(page_asking(&session, &headers), question, panel.jobs()).await?;
-    let html = String::from_utf8(page).map_err(|_| Refused::server("it failed; nothing was changed"))?;
+    let html = String::from_utf8(page).map_err(|_| Refused::server(Message::new("server-failed")))?;
     Ok(page_of(html))
 }
 

@@ -8,7 +8,7 @@ use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
-use seamwright_record::InvalidMoment;
+use seamwright_message::Message;
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
 use seamwright_record::trace::{Outline, Trace};
 use seamwright_record::{DataFolder, Moment};
@@ -39,12 +39,15 @@ pub(super) struct Asked {
     to: Option<String>,
 }
 
+fn wrong_query(name: &str, why: String) -> Refused {
+    Refused::input(Message::new("server-query").text("name", name).text("why", why))
+}
+
 impl Asked {
     fn query(self) -> Result<Find, Refused> {
         let some = |text: Option<String>| text.filter(|t| !t.is_empty());
         let moment = |name: &str, text: Option<String>| {
-            let wrong = |e: InvalidMoment| Refused::input(format!("{name}: {e}"));
-            some(text).map(|t| t.parse::<Moment>().map_err(wrong)).transpose()
+            some(text).map(|t| t.parse::<Moment>().map_err(|e| wrong_query(name, e.to_string()))).transpose()
         };
         Ok(Find {
             part: some(self.part),
@@ -54,7 +57,7 @@ impl Asked {
             procedure: some(self.procedure),
             machine: None,
             result: some(self.result)
-                .map(|r| r.parse::<WeldResult>().map_err(|e| Refused::input(format!("result: {e}"))))
+                .map(|r| r.parse::<WeldResult>().map_err(|e| wrong_query("result", e.to_string())))
                 .transpose()?,
             text: some(self.text),
         })
@@ -70,7 +73,7 @@ fn row(weld: &WeldRecord) -> RecordRow {
         begun: written(weld.begun),
         ended: weld.ended.map(written),
         result: weld.result.name().to_owned(),
-        note: weld.note.to_string(),
+        note: (&weld.note).into(),
         machine: weld.machine.0.clone(),
         procedure: weld.procedure.as_ref().map(|(number, _)| number.clone()),
         welder: weld.welder.clone(),
@@ -124,8 +127,8 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
                 .alarms
                 .iter()
                 .map(|a| RecordedAlarm {
-                    name: a.name.to_string(),
-                    cause: a.cause.to_string(),
+                    name: (&a.name).into(),
+                    cause: (&a.cause).into(),
                     pass: a.place.pass,
                     s_mm: a.place.s_mm,
                     t_s: a.place.t_s,
@@ -136,7 +139,7 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
                 .events
                 .iter()
                 .map(|e| RecordedEvent {
-                    text: e.text.to_string(),
+                    message: (&e.text).into(),
                     pass: e.place.pass,
                     s_mm: e.place.s_mm,
                     t_s: e.place.t_s,
@@ -165,22 +168,23 @@ pub(super) async fn trace(
     let most = wanted.most.unwrap_or(2000);
     let columns: Vec<String> = wanted.columns.split(',').map(|c| c.trim().to_owned()).collect();
     if columns.len() > MAX_COLUMNS || columns.len() * most > MAX_VALUES {
-        let text = format!(
-            "{} columns of {most} rows are too much; allowed: up to {MAX_COLUMNS} columns, {MAX_VALUES} values",
-            columns.len()
-        );
-        return Err(Refused::input(text));
+        let message = Message::new("server-too-many-values").count("columns", columns.len()).count("rows", most);
+        return Err(Refused::input(message.count("max-columns", MAX_COLUMNS).count("max-values", MAX_VALUES)));
     }
     let least = Outline::least(columns.len());
     if !(least..=MAX_ROWS).contains(&most) {
-        return Err(Refused::input(format!("most={most}; allowed: {least} to {MAX_ROWS}")));
+        return Err(Refused::input(
+            Message::new("server-row-count").count("value", most).count("min", least).count("max", MAX_ROWS),
+        ));
     }
     reads(&panel, move |data| {
         let traces = traces(data, id)?;
         let known = traces.first().map_or(&[][..], Trace::columns);
         if let Some(unknown) = columns.iter().find(|c| known.iter().all(|k| k.name != **c)) {
             let names: Vec<&str> = known.iter().map(|c| c.name.as_str()).collect();
-            return Err(Refused::input(format!("there is no column `{unknown}`; allowed: {}", names.join(", "))));
+            return Err(Refused::input(
+                Message::new("server-no-column").text("column", unknown).text("allowed", names.join(", ")),
+            ));
         }
         let names: Vec<&str> = columns.iter().map(String::as_str).collect();
         let rows: u64 = traces.iter().map(Trace::rows).sum();
@@ -205,7 +209,8 @@ pub(super) struct Spoken {
 /// Returns the language of this code; English without a code.
 pub(super) fn spoken(code: Option<String>) -> Result<Language, Refused> {
     let known = |code: String| {
-        code.parse::<Language>().map_err(|e| Refused::input(format!("there is no language `{code}`; {e}")))
+        code.parse::<Language>()
+            .map_err(|e| Refused::input(Message::new("server-no-language").text("language", &code).text("allowed", e)))
     };
     Ok(code.map(known).transpose()?.unwrap_or_default())
 }
@@ -254,7 +259,13 @@ pub(super) async fn backup(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
 ) -> Result<Response, Refused> {
-    panel.cell.archive.audit(&session.user, "panel", "backup", ("", ""), "begun");
+    panel.cell.archive.audit(
+        &session.user,
+        Message::new("server-audit-panel"),
+        Message::new("server-audit-backup"),
+        ("", ""),
+        Message::new("server-audit-begun"),
+    );
     // Password hashes are only for users who may change passwords.
     let with_users = may(session.role, "users.write");
     let (to, mut from) = tokio::sync::mpsc::channel(PIECES);
@@ -277,7 +288,7 @@ pub(super) async fn backup(
         });
         if let Err(e) = written.await {
             // The client receives a truncated archive.
-            drop(failed.send_timeout(Err(std::io::Error::other(e.text)), PATIENCE).await);
+            drop(failed.send_timeout(Err(std::io::Error::other(e.message.to_string())), PATIENCE).await);
         }
     });
     // A failure before the first piece becomes a normal refusal.

@@ -10,6 +10,7 @@ use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::{Extension, Json};
 use futures_util::StreamExt as _;
+use seamwright_message::{Message, Unit};
 use seamwright_record::library::{Query, WeldResult};
 use seamwright_record::{DataFolder, Error, check_archive, discard_checked, has_checked};
 use std::fs::File;
@@ -35,13 +36,12 @@ fn off(panel: &Panel) -> Result<(), Refused> {
     if mode == "off" {
         return Ok(());
     }
-    let text = format!("the machine is not off ({mode}); allowed: with the drives switched off");
-    Err(Refused::new(StatusCode::CONFLICT, "busy", text))
+    Err(Refused::new(StatusCode::CONFLICT, "busy", Message::new("server-not-off")))
 }
 
 fn too_large(most: u64) -> Refused {
-    let text = format!("allowed: archives of up to {} MiB; `seamwright records restore` takes larger ones", most >> 20);
-    Refused::new(StatusCode::PAYLOAD_TOO_LARGE, "size", text)
+    let message = Message::new("server-archive-too-large").value("max", (most >> 20) as f64, Unit::MiB);
+    Refused::new(StatusCode::PAYLOAD_TOO_LARGE, "size", message)
 }
 
 /// Converts the error of an archive; the panel has words for its key.
@@ -52,7 +52,7 @@ fn unfit(e: &Error) -> Refused {
         Error::ReadOnly { .. } | Error::Busy { .. } => (StatusCode::INTERNAL_SERVER_ERROR, "server"),
         _ => (StatusCode::UNPROCESSABLE_ENTITY, "archive"),
     };
-    Refused::new(status, key, e.to_string())
+    Refused::new(status, key, e.message())
 }
 
 /// Receives an archive and checks it completely; replaces nothing.
@@ -78,8 +78,14 @@ pub(super) async fn take(
         checked
     });
     let ((), checked) = tokio::join!(feed(body, to), checked);
-    let said = checked.as_ref().map_or_else(|e| e.text.clone(), |_| "checked".to_owned());
-    panel.cell.archive.audit(&session.user, "panel", "check archive", ("", ""), &said);
+    let said = checked.as_ref().map_or_else(|e| e.message.clone(), |_| Message::new("server-audit-checked"));
+    panel.cell.archive.audit(
+        &session.user,
+        Message::new("server-audit-panel"),
+        Message::new("server-audit-check-archive"),
+        ("", ""),
+        said,
+    );
     checked.map(Json)
 }
 
@@ -105,7 +111,9 @@ fn keep(upload: &Path, mut from: Receiver<Piece>, most: u64) -> Result<(), Refus
         std::io::ErrorKind::StorageFull => {
             Refused::new(StatusCode::INSUFFICIENT_STORAGE, "archive_room", e.to_string())
         }
-        _ => Refused::server(format!("{}: {e}", upload.display())),
+        _ => Refused::server(
+            Message::new("server-file-trouble").text("file", upload.display().to_string()).text("why", e.to_string()),
+        ),
     };
     let mut file = File::create(upload).map_err(failed)?;
     let mut bytes = 0;
@@ -119,7 +127,7 @@ fn keep(upload: &Path, mut from: Receiver<Piece>, most: u64) -> Result<(), Refus
                 file.write_all(&piece).map_err(failed)?;
             }
             Some(None) => return Ok(()),
-            None => return Err(Refused::input("the archive broke off on its way")),
+            None => return Err(Refused::input(Message::new("server-archive-broke-off"))),
         }
     }
 }
@@ -132,8 +140,7 @@ fn checked(panel: &Panel, upload: &Path) -> Result<ArchiveView, Refused> {
     let fits = match &users {
         Err(e) => Err(Refused::new(StatusCode::UNPROCESSABLE_ENTITY, "archive", e.0.clone())),
         Ok(users) if panel.accounts.has_admin() && !users.has_admin() => {
-            let text = "nobody in it can administer: nobody could use the panel after it";
-            Err(Refused::new(StatusCode::UNPROCESSABLE_ENTITY, "archive", text))
+            Err(Refused::new(StatusCode::UNPROCESSABLE_ENTITY, "archive", Message::new("server-archive-no-admin")))
         }
         Ok(users) => Ok(users.list().len()),
     };
@@ -161,20 +168,24 @@ pub(super) async fn begin(
     let running = Query { result: Some(WeldResult::Running), ..Query::default() };
     let find = move || -> Result<bool, Refused> {
         if !has_checked(&data) {
-            return Err(Refused::not_found("no archive was checked: send one first"));
+            return Err(Refused::not_found(Message::new("server-no-archive")));
         }
         Ok(DataFolder::open_to_read(&data)?.library().find(&running)?.is_empty())
     };
     if !panel.reading.run(find).await? {
-        let text = "the record of a weld is still being written: wait until it is there";
-        return Err(Refused::new(StatusCode::CONFLICT, "busy", text));
+        return Err(Refused::new(StatusCode::CONFLICT, "busy", Message::new("server-record-being-written")));
     }
     // Excludes other backups and archives meanwhile; only one archive is restored.
     let Some(turn) = panel.backing_up.now() else {
-        let text = "a backup is being made or checked: wait until it has ended";
-        return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "busy", text));
+        return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "busy", Message::new("server-backup-runs")));
     };
-    panel.cell.archive.audit(&session.user, "panel", "restore", ("", ""), "begun");
+    panel.cell.archive.audit(
+        &session.user,
+        Message::new("server-audit-panel"),
+        Message::new("server-audit-restore"),
+        ("", ""),
+        Message::new("server-audit-begun"),
+    );
     panel.restores.send_replace(Some(Arc::new((session.user, turn))));
     Ok(StatusCode::ACCEPTED)
 }

@@ -2,7 +2,7 @@
 
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
-use super::setup::{OfCell, of_cell, tell};
+use super::setup::{Changed, OfCell, of_cell, tell};
 use crate::users::Session;
 use crate::view::{SENSOR_KEYS, height_view, sensors_view, steps};
 use crate::wire::{HeightView, SensorAnswer, SensorChange, SensorsView};
@@ -15,6 +15,7 @@ use seamwright_cell::eyes::plate;
 use seamwright_cell::frames::decode;
 use seamwright_geometry::{HeightTable, MapParameters};
 use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_message::{Message, Unit};
 use seamwright_project::overlay::Overlay;
 use seamwright_project::own_machine::{OwnMachine, Setting, Step};
 use seamwright_vision::Image;
@@ -50,12 +51,11 @@ pub(super) struct Plate {
 fn camera<'a>(machine: &'a Machine, of: &Plate) -> Result<(&'a Sensor, MapParameters), Refused> {
     let sensor = sensor(machine, &of.name)?;
     let Sight::Camera(camera) = &sensor.sight else {
-        let text = format!("`{}` is no camera; allowed: a sensor with `map.heights`", of.name);
-        return Err(Refused::input(text));
+        return Err(Refused::input(Message::new("server-no-camera").text("sensor", &of.name)));
     };
     if !of.pitch_mm.is_finite() || of.pitch_mm <= 0.0 || !of.z_mm.is_finite() {
-        let text = format!("pitch_mm {}, z_mm {}; allowed: a pitch greater than 0", of.pitch_mm, of.z_mm);
-        return Err(Refused::input(text));
+        let message = Message::new("server-grid").value("pitch", of.pitch_mm, Unit::Mm).value("z", of.z_mm, Unit::Mm);
+        return Err(Refused::input(message));
     }
     let believed = nearest(&camera.table, -of.z_mm).map_err(|e| Refused::input(e.to_string()))?;
     Ok((sensor, believed))
@@ -69,7 +69,7 @@ fn nearest(table: &HeightTable, height: f64) -> Result<MapParameters, seamwright
 fn sensor<'a>(machine: &'a Machine, name: &str) -> Result<&'a Sensor, Refused> {
     let names = || machine.sensors.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", ");
     let found = machine.sensors.iter().find(|sensor| sensor.name == name);
-    found.ok_or_else(|| Refused::input(format!("there is no sensor `{name}`; allowed: {}", names())))
+    found.ok_or_else(|| Refused::input(Message::new("server-no-sensor").text("sensor", name).text("allowed", names())))
 }
 
 fn view(of: &OfCell, panel: &Panel) -> Result<SensorsView, Refused> {
@@ -90,9 +90,7 @@ pub(super) async fn picture(State(panel): State<Arc<Panel>>, Query(asked): Query
         let (sensor, believed) = camera(&machine, &asked)?;
         let count: usize = sensor.size_px.iter().product();
         if !machine.devices.is_empty() || count > MAX_PX {
-            return Err(Refused::input(format!(
-                "it is not simulated; allowed: simulated devices, up to {MAX_PX} pixels"
-            )));
+            return Err(Refused::input(Message::new("server-not-simulated").count("max", MAX_PX as usize)));
         }
         let (image, _) = plate(&believed, asked.pitch_mm, asked.seed).map_err(|e| Refused::input(e.to_string()))?;
         let frame = image.frame().map_err(|e| Refused::server(e.to_string()))?;
@@ -113,28 +111,37 @@ pub(super) async fn find(
         let (sensor, believed) = camera(&machine, &asked)?;
         Ok(match decode(&png) {
             Ok(image) => seen(&image, sensor, &believed, &asked),
-            Err(e) => none("picture", vec![], e.to_string()),
+            Err(e) => none("picture", vec![], e.to_string().into()),
         })
     };
     panel.drawing.run(found).await.map(Json)
 }
 
 /// Returns an answer without a map, with the reason.
-fn none(verdict: &str, of: Vec<String>, text: String) -> SensorAnswer {
+fn none(verdict: &str, of: Vec<String>, message: Message) -> SensorAnswer {
     let (was, found, dots) = (None, None, Vec::new());
-    SensorAnswer { verdict: verdict.to_owned(), of, text, was, found, dots, rms_px: 0.0, max_px: 0.0 }
+    SensorAnswer {
+        verdict: verdict.to_owned(),
+        of,
+        message: message.into(),
+        was,
+        found,
+        dots,
+        rms_px: 0.0,
+        max_px: 0.0,
+    }
 }
 
 fn seen(image: &Image, sensor: &Sensor, believed: &MapParameters, plate: &Plate) -> SensorAnswer {
     let frame = match image.frame() {
         Ok(frame) => frame,
-        Err(e) => return none("picture", vec![], e.to_string()),
+        Err(e) => return none("picture", vec![], e.to_string().into()),
     };
     let (has, [width, height]) = ([frame.width(), frame.height()], sensor.size_px);
     if has != sensor.size_px {
-        let text = format!("the picture has {} x {} pixels; allowed: {width} x {height}", has[0], has[1]);
-        let of = [has, sensor.size_px].map(|size| format!("{} x {}", size[0], size[1]));
-        return none("size", of.to_vec(), text);
+        let of = [has, [width, height]].map(|size| format!("{} x {}", size[0], size[1]));
+        let message = Message::new("server-picture-size").text("pixels", &of[0]).text("allowed", &of[1]);
+        return none("size", of.to_vec(), message);
     }
     let grid = Grid { pitch_mm: plate.pitch_mm, centre_px: Some(believed.centre_px), limit_px: LIMIT_PX };
     let found = match identify(&frame, &grid) {
@@ -151,10 +158,10 @@ fn seen(image: &Image, sensor: &Sensor, believed: &MapParameters, plate: &Plate)
     SensorAnswer {
         verdict: if far { "far" } else { "good" }.to_owned(),
         of: if far { vec![format!("{:.0}", 100.0 * change)] } else { vec![] },
-        text: if far {
-            format!("the scale differs by {:.0} %: are pitch and height right?", 100.0 * change)
+        message: if far {
+            Message::new("server-scale-differs").quantity("difference", 100.0 * change, Unit::Percent, 0).into()
         } else {
-            String::new()
+            Message::default().into()
         },
         was: Some(height_view(plate.z_mm, believed)),
         found: Some(height_view(plate.z_mm, &is)),
@@ -173,7 +180,7 @@ fn refused(e: &GridError) -> SensorAnswer {
         GridError::Residual { rms, max } => ("residual", vec![format!("{rms:.2}"), format!("{max:.2}")]),
         GridError::Pitch(_) | GridError::Map(_) => ("map", vec![]),
     };
-    none(verdict, of, e.to_string())
+    none(verdict, of, e.to_string().into())
 }
 
 pub(super) async fn keep(
@@ -210,7 +217,7 @@ pub(super) async fn keep(
         let name = name.clone();
         let kept = of.keep(text)?;
         let view = view(&kept, panel)?;
-        tell(panel, &session.user, ("sensor_changed", &name, &view.file), (&old.join(", "), &new.join(", ")));
+        tell(panel, &session.user, (Changed::Sensor, &name, &view.file), (&old.join(", "), &new.join(", ")));
         Ok(view)
     };
     panel.planning.run(kept).await.map(Json)
@@ -221,10 +228,17 @@ fn known(key: &str, numbers: &[f64]) -> Result<(&'static [&'static str], &'stati
     let path = |(tables, key, ..): &(&[&str], &str, &str, u32)| [tables, &[*key][..]].concat().join(".");
     let Some(row) = SENSOR_KEYS.iter().find(|row| path(row) == key) else {
         let allowed: Vec<String> = SENSOR_KEYS.iter().map(path).collect();
-        return Err(Refused::input(format!("there is no `{key}`; allowed: {}", allowed.join(", "))));
+        return Err(Refused::input(
+            Message::new("server-no-sensor-key").text("key", key).text("allowed", allowed.join(", ")),
+        ));
     };
     if !numbers.is_empty() && numbers.len() != row.3 as usize {
-        return Err(Refused::input(format!("`{key}` has {} numbers; allowed: {}", numbers.len(), row.3)));
+        return Err(Refused::input(
+            Message::new("server-number-count")
+                .text("key", key)
+                .count("n", numbers.len())
+                .count("allowed", row.3 as usize),
+        ));
     }
     Ok((row.0, row.1))
 }
@@ -233,7 +247,9 @@ fn known(key: &str, numbers: &[f64]) -> Result<(&'static [&'static str], &'stati
 /// between them.
 fn with_heights(own: &OwnMachine, name: &str, had: usize, heights: &[HeightView]) -> Result<String, Refused> {
     if heights.len() > MAX_HEIGHTS {
-        return Err(Refused::input(format!("{} planes; allowed: up to {MAX_HEIGHTS}", heights.len())));
+        return Err(Refused::input(
+            Message::new("server-too-many-planes").count("n", heights.len()).count("max", MAX_HEIGHTS),
+        ));
     }
     let rows: Vec<Vec<(&str, Setting)>> = heights.iter().map(row).collect();
     let map = steps(name, &["map"]);

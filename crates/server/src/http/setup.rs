@@ -12,6 +12,7 @@ use axum::{Extension, Json};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::{outliers, pivot, rms};
 use seamwright_machine::{Joints, MAX_AXES, Machine};
+use seamwright_message::{Message, Unit};
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::own_machine::{OwnMachine, Setting, Step};
 use std::sync::Arc;
@@ -34,7 +35,7 @@ pub(super) struct OfCell {
 
 pub(super) fn of_cell(panel: &Panel) -> Result<OfCell, Refused> {
     let Some(work) = panel.cell.hub.work() else {
-        return Err(Refused::not_found("there is no job in the cell; allowed: load one of this machine first"));
+        return Err(Refused::not_found(Message::new("server-no-job-loaded")));
     };
     let jobs = panel.jobs();
     let loaded: Loaded = load_foreign(&work.job, &super::jobs::text(panel, &work.job)?, &jobs)?;
@@ -93,18 +94,23 @@ pub(super) async fn change(
         let of = of_cell(panel)?;
         let names: Vec<&str> = of.machine.axes.iter().map(|axis| axis.name.as_str()).collect();
         let Some(axis) = of.machine.axes.iter().find(|axis| axis.name == asked.axis) else {
-            return Err(Refused::input(format!("there is no axis `{}`; allowed: {}", asked.axis, names.join(", "))));
+            return Err(Refused::input(
+                Message::new("server-no-axis").text("axis", &asked.axis).text("allowed", names.join(", ")),
+            ));
         };
-        let axis_table = of.own.axis_table(&axis.name).ok_or_else(|| Refused::server("the axis is not in its file"))?;
+        let axis_table =
+            of.own.axis_table(&axis.name).ok_or_else(|| Refused::server(Message::new("server-axis-not-in-file")))?;
         let drive_table = [Step::Table("drives"), Step::Table(&axis.name)];
         let (mut of_axis, mut of_drive) = (Vec::new(), Vec::new());
         for (key, value) in &asked.values {
             let Some((_, group, kind)) = PARAMETERS.iter().find(|(known, ..)| known == key) else {
                 let allowed: Vec<&str> = PARAMETERS.iter().map(|(key, ..)| *key).collect();
-                return Err(Refused::input(format!("there is no parameter `{key}`; allowed: {}", allowed.join(", "))));
+                return Err(Refused::input(
+                    Message::new("server-no-parameter").text("key", key).text("allowed", allowed.join(", ")),
+                ));
             };
             if kind.is_some_and(|kind| kind != axis.kind) {
-                return Err(Refused::input(format!("`{key}` is of another kind of axis; allowed: those of the list")));
+                return Err(Refused::input(Message::new("server-other-kind-of-axis").text("key", key)));
             }
             let list = if *group == "axis" { &mut of_axis } else { &mut of_drive };
             list.push((key.as_str(), Setting::Number(*value)));
@@ -132,28 +138,47 @@ pub(super) async fn change(
         let name = asked.axis.clone();
         let kept = of.keep(text)?;
         let (view, file) = (kept.view(panel)?, kept.file(panel));
-        tell(panel, &session.user, ("machine_changed", &name, &file), (old.trim(), new.trim()));
+        tell(panel, &session.user, (Changed::Axis, &name, &file), (old.trim(), new.trim()));
         Ok(view)
     };
     panel.planning.run(changed).await.map(Json)
 }
 
+/// Part of a machine file that was changed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Changed {
+    Axis,
+    Tool,
+    Sensor,
+}
+
 /// Reports a change to all pages and the audit log.
-pub(super) fn tell(panel: &Panel, user: &str, (key, name, file): (&'static str, &str, &str), change: (&str, &str)) {
-    let what = match key {
-        "tool_changed" => "tool",
-        "sensor_changed" => "sensor",
-        _ => "axis",
+pub(super) fn tell(panel: &Panel, user: &str, (changed, name, file): (Changed, &str, &str), change: (&str, &str)) {
+    let (audit, event) = match changed {
+        Changed::Axis => ("server-audit-set-axis", Message::new("server-event-machine-changed").text("subject", name)),
+        Changed::Tool => ("server-audit-set-tool", Message::new("server-event-tool-changed").text("head", name)),
+        Changed::Sensor => {
+            ("server-audit-set-sensor", Message::new("server-event-sensor-changed").text("sensor", name))
+        }
     };
-    panel.cell.archive.audit(user, "panel", &format!("set {what} {name} in {file}"), change, "kept");
+    let command = Message::new(audit).text("name", name).text("file", file);
+    panel.cell.archive.audit(
+        user,
+        Message::new("server-audit-panel"),
+        command,
+        change,
+        Message::new("server-audit-kept"),
+    );
     let t = panel.cell.hub.latest().map_or(0.0, |status| status.t);
-    panel.cell.hub.event(t, happening(key, [name.to_owned(), file.to_owned()]).by(Some(user.to_owned())));
+    panel.cell.hub.event(t, happening(event.text("file", file)).by(Some(user.to_owned())));
 }
 
 fn head(machine: &Machine, head: u32) -> Result<usize, Refused> {
     let count = machine.heads.len();
     let known = usize::try_from(head).ok().filter(|head| *head < count);
-    known.ok_or_else(|| Refused::input(format!("there is no head {head}; allowed: 0 to {}", count - 1)))
+    known.ok_or_else(|| {
+        Refused::input(Message::new("server-no-head").number("head", f64::from(head), 0).count("max", count - 1))
+    })
 }
 
 pub(super) async fn find_tool(State(panel): State<Arc<Panel>>, Json(asked): Json<ToolTouches>) -> Answer<ToolAnswer> {
@@ -162,7 +187,9 @@ pub(super) async fn find_tool(State(panel): State<Arc<Panel>>, Json(asked): Json
         let machine = of_cell(&on)?.machine;
         let head = head(&machine, asked.head)?;
         if asked.touches.len() > MAX_TOUCHES {
-            return Err(Refused::input(format!("{} touches; allowed: up to {MAX_TOUCHES}", asked.touches.len())));
+            return Err(Refused::input(
+                Message::new("server-too-many-touches").count("n", asked.touches.len()).count("max", MAX_TOUCHES),
+            ));
         }
         let frames: Result<Vec<DAffine3>, Refused> = asked.touches.iter().map(|t| frame(&machine, head, t)).collect();
         tool(&machine, head, &frames?)
@@ -174,8 +201,8 @@ pub(super) async fn find_tool(State(panel): State<Arc<Panel>>, Json(asked): Json
 fn frame(machine: &Machine, head: usize, touch: &[f64]) -> Result<DAffine3, Refused> {
     let axes = &machine.axes;
     if touch.len() != axes.len() || touch.iter().any(|v| !v.is_finite() || v.abs() > 1e6) {
-        let allowed = format!("{} positions, mm or degrees, up to 1000000", axes.len());
-        return Err(Refused::input(format!("a touch is {touch:?}; allowed: {allowed}")));
+        let message = Message::new("server-touch").text("touch", format!("{touch:?}")).count("n", axes.len());
+        return Err(Refused::input(message));
     }
     let mut q: Joints = [0.0; MAX_AXES];
     q.iter_mut().zip(axes).zip(touch).for_each(|((q, axis), value)| *q = axis.from_file(*value));
@@ -183,10 +210,8 @@ fn frame(machine: &Machine, head: usize, touch: &[f64]) -> Result<DAffine3, Refu
 }
 
 fn tool(machine: &Machine, head: usize, frames: &[DAffine3]) -> Result<ToolAnswer, Refused> {
-    let fit = pivot(frames).map_err(|e| {
-        let allowed = "three touches or more of one point, the torch tilted by 20 degrees or more between them";
-        Refused::input(format!("{e}; allowed: {allowed}"))
-    })?;
+    let fit =
+        pivot(frames).map_err(|e| Refused::input(Message::new("server-more-touches").text("why", e.to_string())))?;
     let was = machine.heads[head].tip;
     let worst = fit.residuals.iter().copied().fold(0.0, f64::max);
     let verdict = if worst > AGREE_MM || fit.deviation.max_element() > 0.5 * AGREE_MM {
@@ -225,7 +250,13 @@ pub(super) async fn keep_tool(
         let of = of_cell(panel)?;
         let head = head(&of.machine, asked.head)?;
         if asked.tip_mm.iter().any(|v| v.is_nan() || v.abs() > FARTHEST_MM) {
-            return Err(Refused::input(format!("tip_mm {:?}; allowed: up to {FARTHEST_MM} mm", asked.tip_mm)));
+            return Err(Refused::input(
+                Message::new("server-tip-far").text("tip", format!("{:?}", asked.tip_mm)).value(
+                    "max",
+                    FARTHEST_MM,
+                    Unit::Mm,
+                ),
+            ));
         }
         let name = of.machine.heads[head].name.clone();
         let was = of.machine.heads[head].tip;
@@ -236,7 +267,7 @@ pub(super) async fn keep_tool(
         let (view, file) = (kept.view(panel)?, kept.file(panel));
         let written = |tip: DVec3| format!("tip_mm {:?}", tip.to_array());
         let change = (written(was), written(DVec3::from_array(asked.tip_mm)));
-        tell(panel, &session.user, ("tool_changed", &name, &file), (&change.0, &change.1));
+        tell(panel, &session.user, (Changed::Tool, &name, &file), (&change.0, &change.1));
         Ok(view)
     };
     panel.planning.run(kept).await.map(Json)
@@ -247,12 +278,13 @@ pub(super) async fn shelve(
     Extension(session): Extension<Session>,
     Json(asked): Json<Shelving>,
 ) -> Result<StatusCode, Refused> {
-    let gone = || Refused::server("the cell has ended");
+    let gone = || Refused::server(Message::new("server-cell-ended"));
     let (answer, answered) = oneshot::channel();
-    let command = format!("shelve alarm {} {} for {} min", asked.number, asked.detail, asked.minutes);
+    let command = Message::new("server-audit-shelve").number("alarm", f64::from(asked.number), 0);
+    let command = command.number("detail", f64::from(asked.detail), 0).number("minutes", f64::from(asked.minutes), 0);
     panel.cell.desk.send(ToDesk::Shelve(asked, session.user.clone(), answer)).map_err(|_| gone())?;
     let result = answered.await.map_err(|_| gone())?;
-    let said = result.as_ref().map_or_else(String::as_str, |()| "taken");
-    panel.cell.archive.audit(&session.user, "panel", &command, ("", ""), said);
+    let said = result.as_ref().map_or_else(Message::clone, |()| Message::new("server-audit-accepted"));
+    panel.cell.archive.audit(&session.user, Message::new("server-audit-panel"), command, ("", ""), said);
     result.map(|()| StatusCode::NO_CONTENT).map_err(Refused::input)
 }

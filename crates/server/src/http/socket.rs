@@ -30,8 +30,8 @@ pub(super) async fn live(
 ) -> Response {
     // Browsers send cookies with sockets of foreign pages too: the guard has compared their origin with the host.
     let Some(connected) = panel.cell.hub.connect(&session.user, session.role) else {
-        let text = "too many pages are open: close one";
-        return Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", text).into_response();
+        let message = seamwright_message::Message::new("server-too-many-pages");
+        return Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", message).into_response();
     };
     let leaves = Leaves { panel: Arc::clone(&panel), station: connected.0 };
     upgrade.max_message_size(MAX_MESSAGE_BYTES).max_frame_size(MAX_MESSAGE_BYTES).on_upgrade(move |socket| async move {

@@ -1,9 +1,11 @@
 use super::login::{From, address};
 use super::panel::Panel;
+use crate::lack::panel_word;
 use crate::wire::Stopped;
 use axum::Json;
 use axum::extract::State;
 use seamwright_cell::executive::Ask;
+use seamwright_message::Message;
 use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -17,8 +19,14 @@ pub(super) async fn stop(State(panel): State<Arc<Panel>>, from: From) -> Json<St
     let mut stopped = panel.stopped.lock().unwrap_or_else(PoisonError::into_inner);
     if stopped.is_none_or(|at| at.elapsed() > ONCE) {
         *stopped = Some(Instant::now());
-        let station = format!("panel at {}", address(&from));
-        panel.cell.archive.audit("", &station, "stop", ("", ""), "taken");
+        let station = Message::new("server-audit-panel-at").text("address", address(&from).to_string());
+        panel.cell.archive.audit(
+            "",
+            station,
+            panel_word("do", "stop"),
+            ("", ""),
+            Message::new("server-audit-accepted"),
+        );
     }
     let hub = &panel.cell.hub;
     let mode = hub.latest().map_or_else(String::new, |status| status.mode);

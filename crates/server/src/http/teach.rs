@@ -7,20 +7,21 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
+use seamwright_message::Message;
 use std::sync::Arc;
 
 /// Returns the standing position of the machine, for recording a point. Refused during motion: a passed position would
 /// be outdated when recorded.
 pub(super) async fn position(State(panel): State<Arc<Panel>>) -> Answer<StandingView> {
-    let refused = |text: String| Refused::new(StatusCode::CONFLICT, "busy", text);
+    let refused = |message: Message| Refused::new(StatusCode::CONFLICT, "busy", message);
     let hub = &panel.cell.hub;
     let known = hub.latest().zip(hub.machine());
-    let (status, machine) = known.ok_or_else(|| refused("the cell does not answer: try again".to_owned()))?;
+    let (status, machine) = known.ok_or_else(|| refused(Message::new("server-cell-silent")))?;
     if !status.stands {
-        return Err(refused("the axes have not come to rest: wait a moment".to_owned()));
+        return Err(refused(Message::new("server-axes-moving")));
     }
     if let Some((axis, _)) = machine.axes.iter().zip(&status.axes).find(|(_, axis)| !axis.referenced) {
-        return Err(refused(format!("the reference of {} is not known: home first", axis.name)));
+        return Err(refused(Message::new("server-not-homed").axis("axis", &axis.name)));
     }
     Ok(Json(StandingView { axes: status.axes.iter().map(|axis| axis.position).collect(), tip: status.tip }))
 }
@@ -32,7 +33,7 @@ pub(super) async fn taught(State(panel): State<Arc<Panel>>) -> Answer<TaughtView
 
 /// Returns the newest picture of the camera.
 pub(super) async fn picture(State(panel): State<Arc<Panel>>) -> Result<Response, Refused> {
-    let png = panel.teaching.picture().ok_or_else(|| Refused::not_found("there is no picture yet"))?;
+    let png = panel.teaching.picture().ok_or_else(|| Refused::not_found(Message::new("server-no-image")))?;
     Ok(([(header::CONTENT_TYPE, "image/png")], png.to_vec()).into_response())
 }
 

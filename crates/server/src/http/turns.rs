@@ -1,6 +1,7 @@
 use super::answer::Refused;
 use axum::http::StatusCode;
 use seamwright_cell::realtime::contained;
+use seamwright_message::Message;
 use std::sync::Arc;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot};
 
@@ -26,13 +27,10 @@ impl Turns {
     }
 
     async fn take(&self) -> Result<Turn, Refused> {
-        let busy = |_| {
-            let text = "too much of this is asked for at once: try again in a moment";
-            Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", text)
-        };
+        let busy = |_| Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", Message::new("server-slow-down"));
         let place = Arc::clone(&self.places).try_acquire_owned().map_err(busy)?;
         let turn = Arc::clone(&self.running).acquire_owned().await;
-        Ok(Turn([place, turn.map_err(|_| Refused::server("the panel is ending"))?]))
+        Ok(Turn([place, turn.map_err(|_| Refused::server(Message::new("server-panel-ends")))?]))
     }
 
     /// Runs `work` in its turn, in a separate thread with lower priority than the cycle's. The turn lasts until the
@@ -49,7 +47,7 @@ impl Turns {
         let run = move || {
             lower_priority();
             // A panic in a plan costs its answer, not the cell.
-            let fault = |_| Err(Refused::server("it failed by a fault of the program: please report it"));
+            let fault = |_| Err(Refused::server(Message::new("server-program-fault")));
             let result = contained(work).unwrap_or_else(fault);
             // Freed first: the receiver of the answer may take the next turn.
             drop(turn);
@@ -57,8 +55,8 @@ impl Turns {
             drop(answer.send(result));
         };
         let spawned = std::thread::Builder::new().name("panel-work".to_owned()).spawn(run);
-        spawned.map_err(|e| Refused::server(format!("no thread can be started: {e}")))?;
-        answered.await.map_err(|_| Refused::server("it failed; nothing was changed"))?
+        spawned.map_err(|e| Refused::server(Message::new("server-no-thread").text("why", e.to_string())))?;
+        answered.await.map_err(|_| Refused::server(Message::new("server-failed")))?
     }
 }
 

@@ -6,6 +6,7 @@ use crate::wire::{OwnPassword, UserChange, UserRow};
 use axum::extract::{Path, State};
 use axum::http::{HeaderMap, StatusCode};
 use axum::{Extension, Json};
+use seamwright_message::Message;
 use std::sync::Arc;
 
 pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<UserRow>> {
@@ -25,8 +26,13 @@ pub(super) async fn again(
     if checked(panel, from, &session.user, password.unwrap_or_default()).await?.is_some() {
         return Ok(());
     }
-    panel.cell.archive.repeatable(&session.user, "panel", "own password", "refused");
-    Err(Refused::new(StatusCode::FORBIDDEN, "password", "your own password is needed for this, and it is wrong"))
+    panel.cell.archive.repeatable(
+        &session.user,
+        Message::new("server-audit-panel"),
+        Message::new("server-audit-own-password"),
+        Message::new("server-audit-refused"),
+    );
+    Err(Refused::new(StatusCode::FORBIDDEN, "password", Message::new("server-own-password")))
 }
 
 pub(super) async fn put(
@@ -39,7 +45,11 @@ pub(super) async fn put(
 ) -> Answer<UserRow> {
     again(&panel, (&from, &headers), &session, change.own_password.clone()).await?;
     if change.only_new == Some(true) && panel.accounts.has(&name) {
-        return Err(Refused::new(StatusCode::CONFLICT, "exists", format!("there is a user `{name}` already")));
+        return Err(Refused::new(
+            StatusCode::CONFLICT,
+            "exists",
+            Message::new("server-user-exists").text("user", name),
+        ));
     }
     let old = panel.accounts.role(&name).map_or(String::new(), |role| format!("{role:?}"));
     let (changed, user) = (Arc::clone(&panel), name.clone());
@@ -50,7 +60,13 @@ pub(super) async fn put(
     panel.devices.forget(&name);
     super::login::keep_devices(&panel);
     let new = format!("{:?}{}", row.role, if row.enabled { "" } else { ", disabled" });
-    panel.cell.archive.audit(&session.user, "panel", &format!("change user {name}"), (&old, &new), "changed");
+    panel.cell.archive.audit(
+        &session.user,
+        Message::new("server-audit-panel"),
+        Message::new("server-audit-change-user").text("user", &name),
+        (&old, &new),
+        Message::new("server-audit-changed"),
+    );
     Ok(Json(row))
 }
 
@@ -65,11 +81,17 @@ pub(super) async fn delete(
     again(&panel, (&from, &headers), &session, own.own_password).await?;
     let (changed, user) = (Arc::clone(&panel), name.clone());
     if !panel.saving.run(move || Ok(changed.accounts.remove(&user)?)).await? {
-        return Err(Refused::not_found(format!("there is no user `{name}`")));
+        return Err(Refused::not_found(Message::new("server-no-user").text("user", name)));
     }
     panel.sessions.end_all_of(&name);
     panel.devices.forget(&name);
     super::login::keep_devices(&panel);
-    panel.cell.archive.audit(&session.user, "panel", &format!("delete user {name}"), ("", ""), "deleted");
+    panel.cell.archive.audit(
+        &session.user,
+        Message::new("server-audit-panel"),
+        Message::new("server-audit-delete-user").text("user", &name),
+        ("", ""),
+        Message::new("server-audit-deleted"),
+    );
     Ok(StatusCode::NO_CONTENT)
 }

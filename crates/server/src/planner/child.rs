@@ -3,6 +3,7 @@
 use super::question::Question;
 use super::{Header, MAX_ANSWER, MEMORY_BYTES, Token};
 use crate::http::Refused;
+use seamwright_message::{Message, Unit};
 use std::io::{BufRead as _, BufReader, Read, Write as _};
 use std::path::Path;
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
@@ -36,7 +37,7 @@ pub(super) fn ask(
     token: &Token,
     patience: Duration,
 ) -> Result<Vec<u8>, Refused> {
-    let failed = |e: std::io::Error| Refused::server(format!("no process can be started to plan: {e}"));
+    let failed = |e: std::io::Error| Refused::server(Message::new("server-no-process").text("why", e.to_string()));
     let text = serde_json::to_vec(question).map_err(|e| Refused::server(e.to_string()))?;
     let mut command = Command::new(program);
     command.arg("answer-one-question").arg("--jobs").arg(jobs);
@@ -44,7 +45,7 @@ pub(super) fn ask(
     let mut child = Ended(command.spawn().map_err(failed)?);
     let pipes = (child.0.stdin.take(), child.0.stdout.take(), child.0.stderr.take());
     let (Some(stdin), Some(stdout), Some(stderr)) = pipes else {
-        return Err(Refused::server("no process can be started to plan: it has no pipes"));
+        return Err(Refused::server(Message::new("server-no-pipes")));
     };
     let (to, said) = channel();
     std::thread::spawn(move || to.send(talk(stdin, &text, stdout, stderr)));
@@ -52,7 +53,7 @@ pub(super) fn ask(
     loop {
         match said.recv_timeout(LOOK) {
             Ok(said) => return said,
-            Err(RecvTimeoutError::Disconnected) => return Err(Refused::server("it failed; nothing was changed")),
+            Err(RecvTimeoutError::Disconnected) => return Err(Refused::server(Message::new("server-failed"))),
             Err(RecvTimeoutError::Timeout) if token.is_cancelled() => return Err(super::superseded()),
             Err(RecvTimeoutError::Timeout) if begin.elapsed() > patience => return Err(super::too_long(patience)),
             Err(RecvTimeoutError::Timeout) => {}
@@ -80,12 +81,12 @@ fn heard(out: ChildStdout) -> Option<Said> {
             let mut body = Vec::new();
             out.read_to_end(&mut body).ok()?;
             if body.len() != bytes {
-                let text = format!("the plan is too large to be shown; allowed: up to {} MiB", MAX_ANSWER >> 20);
-                return (bytes >= MAX_ANSWER - line.len()).then(|| Err(Refused::input(text)));
+                let message = Message::new("server-plan-too-large").value("max", (MAX_ANSWER >> 20) as f64, Unit::MiB);
+                return (bytes >= MAX_ANSWER - line.len()).then(|| Err(Refused::input(message)));
             }
             Some(Ok(body))
         }
-        Header::Refused { status, key, text } => Some(Err(Refused::known(status, &key, text))),
+        Header::Refused { status, key, message } => Some(Err(Refused::known(status, &key, message))),
     }
 }
 
@@ -95,10 +96,7 @@ fn why(err: ChildStderr) -> Refused {
     drop(err.take(MAX_SAID).read_to_end(&mut said));
     let said = String::from_utf8_lossy(&said);
     if said.contains("memory allocation of") || said.contains("cannot allocate memory") {
-        let gib = MEMORY_BYTES >> 30;
-        let text = format!("planning this needs more than {gib} GiB of memory; allowed: fewer passes, beads or points");
-        return Refused::input(text);
+        return Refused::input(Message::new("server-planning-memory").number("max", (MEMORY_BYTES >> 30) as f64, 0));
     }
-    let line = said.lines().next().unwrap_or("it ended without a word");
-    Refused::server(format!("planning failed; the cell is not touched by it: {line}"))
+    Refused::server(Message::new("server-planning-failed").text("why", said.lines().next().unwrap_or("–")))
 }

@@ -14,6 +14,7 @@ pub use worker::answer_one_question;
 
 use crate::http::{Refused, Turns};
 use axum::http::StatusCode;
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -38,13 +39,13 @@ enum Header {
     /// This number of bytes follows.
     Answer { bytes: usize },
     /// No bytes follow.
-    Refused { status: u16, key: String, text: String },
+    Refused { status: u16, key: String, message: Message },
 }
 
 impl Header {
     fn of(refused: &Refused) -> Self {
-        let (status, key, text) = (refused.status.as_u16(), refused.key.to_owned(), refused.text.clone());
-        Self::Refused { status, key, text }
+        let (status, key, message) = (refused.status.as_u16(), refused.key.to_owned(), refused.message.clone());
+        Self::Refused { status, key, message }
     }
 }
 
@@ -73,13 +74,11 @@ impl Token {
 }
 
 fn superseded() -> Refused {
-    Refused::new(StatusCode::CONFLICT, "superseded", "a newer text was asked about, or it was cancelled")
+    Refused::new(StatusCode::CONFLICT, "superseded", Message::new("server-superseded"))
 }
 
 fn too_long(patience: Duration) -> Refused {
-    let text =
-        format!("planning this takes longer than {} s; allowed: fewer passes, beads or points", patience.as_secs());
-    Refused::input(text)
+    Refused::input(Message::new("server-planning-time").value("max", patience.as_secs_f64(), Unit::S))
 }
 
 /// Maximum number of questions of one user and sort at a time, over all its pages.
@@ -211,8 +210,7 @@ impl Planner {
         older.for_each(|running| running.token.cancel());
         let wanted = table.running.values().filter(|running| !running.token.is_cancelled());
         if wanted.filter(|running| running.sort == sort && running.page.user == page.user).count() >= MAX_OF_USER {
-            let text = "too much of this is asked for at once: try again in a moment";
-            return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", text));
+            return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", Message::new("server-slow-down")));
         }
         table.next += 1;
         let (number, token) = (table.next, Arc::<Token>::default());

@@ -3,6 +3,7 @@
 use crate::http::{Refused, found_place, try_load};
 use crate::view::{clamped_views, sections, work_view};
 use crate::wire::{DraftAnswer, Load, PlaceText, PlanAnswer, PostAnswer, WrongView};
+use seamwright_message::Message;
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
@@ -126,7 +127,7 @@ fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {
         "pmac" => Dialect::Pmac,
         other => {
             let allowed = "sinumerik, linuxcnc, grblhal, pmac";
-            return Err(Refused::input(format!("there is no dialect `{other}`; allowed: {allowed}")));
+            return Err(Refused::input(Message::new("server-no-dialect").text("name", other).text("allowed", allowed)));
         }
     };
     let loaded = load_foreign(JOB, text, jobs)?;

@@ -22,7 +22,7 @@ case "$(cat)" in
 *long*) echo $$ > "$3/pid.new"; mv "$3/pid.new" "$3/pid"; exec sleep 600;;
 *memory*) echo 'memory allocation of 13 bytes failed' >&2; kill -ABRT $$;;
 *panic*) echo 'thread main panicked at x.rs:1' >&2; exit 101;;
-*refused*) echo '{"refused":{"status":422,"key":"input","text":"no"}}';;
+*refused*) echo '{"refused":{"status":422,"key":"input","message":{"code":"text","arguments":[["text",{"type":"text","value":"no"}]]}}}';;
 *cut*) printf '{"answer":{"bytes":5}}\n{';;
 *) printf '{"answer":{"bytes":2}}\n{}';;
 esac
@@ -110,13 +110,21 @@ fn failures_of_the_process_are_answers() {
     };
     let (long, short) = (Duration::from_secs(120), Duration::from_millis(200));
     let memory = ask("memory", long).unwrap_err();
-    assert!(memory.status == StatusCode::UNPROCESSABLE_ENTITY && memory.text.contains("2 GiB"), "{}", memory.text);
+    assert!(
+        memory.status == StatusCode::UNPROCESSABLE_ENTITY && memory.message.to_string().contains("2 GiB"),
+        "{}",
+        memory.message
+    );
     let panic = ask("panic", long).unwrap_err();
-    assert!(panic.status == StatusCode::INTERNAL_SERVER_ERROR && panic.text.contains("x.rs:1"), "{}", panic.text);
+    assert!(
+        panic.status == StatusCode::INTERNAL_SERVER_ERROR && panic.message.to_string().contains("x.rs:1"),
+        "{}",
+        panic.message
+    );
     let late = ask("long", short).unwrap_err();
-    assert!(late.text.contains("longer than"), "{}", late.text);
+    assert!(late.message.to_string().contains("longer than"), "{}", late.message);
     let refused = ask("refused", long).unwrap_err();
-    assert_eq!((refused.status.as_u16(), refused.key, refused.text.as_str()), (422, "input", "no"));
+    assert_eq!((refused.status.as_u16(), refused.key, refused.message.to_string()), (422, "input", "no".to_owned()));
     // A truncated answer is an error.
     assert!(ask("cut", long).is_err());
 }

@@ -1,5 +1,6 @@
 //! Addresses to which the cell connects for camera frames.
 
+use seamwright_message::Message;
 use std::net::IpAddr;
 
 /// Allowed addresses, chosen at the start of the panel: `HOST` with any port, or `HOST:PORT`. A machine file names the
@@ -16,21 +17,18 @@ impl Cameras {
     ///
     /// # Errors
     /// In words, if the address is not on the list.
-    pub(crate) fn check(&self, address: &str) -> Result<(), String> {
+    pub(crate) fn check(&self, address: &str) -> Result<(), Message> {
         let host = address.rsplit_once(':').map_or(address, |(host, _)| host);
         let is = |known: &String| known.eq_ignore_ascii_case(address) || known.eq_ignore_ascii_case(host);
         if is_this_computer(host) || self.0.iter().any(is) {
             return Ok(());
         }
-        let own = if self.0.is_empty() {
-            "this computer".to_owned()
-        } else {
-            format!("this computer, {}", self.0.join(", "))
-        };
-        Err(format!(
-            "the machine file names a camera at {address}, to which this cell does not connect\n   allowed: {own}; more with \
-             `seamwright serve --camera HOST:PORT`"
-        ))
+        Err(match self.0.as_slice() {
+            [] => Message::new("server-camera-address").text("address", address),
+            known => {
+                Message::new("server-camera-address-list").text("address", address).text("allowed", known.join(", "))
+            }
+        })
     }
 }
 
@@ -60,7 +58,7 @@ mod tests {
             "2130706433:80",
         ];
         for address in elsewhere {
-            assert!(none.check(address).unwrap_err().contains("--camera"), "{address}");
+            assert!(none.check(address).unwrap_err().to_string().contains("--camera"), "{address}");
         }
         let some = Cameras::new(vec!["192.168.1.20:7000".to_owned(), "camera.shop".to_owned()]);
         for (address, is_allowed) in [

@@ -5,6 +5,7 @@ use super::rig::{Asked, CellRig, Sees, Station};
 use super::state::{Field, Found, Open, State, Wish};
 use crate::cell::happening;
 use crate::http::{Panel, Turn, job_text};
+use crate::lack::panel_word;
 use crate::wire::{TaughtLook, TaughtPointView, TeachPhase};
 use glam::DVec3;
 use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine};
@@ -12,6 +13,7 @@ use seamwright_cell::frames::LiveFrames;
 use seamwright_cell::teach::{Look, teach, truth};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_message::Message;
 use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::teaching::{self, Ground, Outcome, Picture, from_nominal};
@@ -38,24 +40,34 @@ pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
         Ok(Some(found)) => {
             let stopped = panel.teaching.state().wish == Wish::Stop;
             let key = if stopped { "stopped" } else { found.outcome.ended };
-            (key, found.outcome.finding.as_ref().filter(|_| !stopped).map(ToString::to_string), Some(found))
+            (key, found.outcome.finding.clone().filter(|_| !stopped).map(Message::from), Some(found))
         }
-        Err(failure) => ("failed", Some(failure.text()), None),
+        Err(failure) => ("failed", Some(failure.message()), None),
     };
-    hub.event(t, happening("teach_ended", [open.job.clone(), key.to_owned()]));
+    hub.event(
+        t,
+        happening(
+            Message::new("server-event-teach-ended")
+                .text("job", &open.job)
+                .message("result", panel_word("teach-end", key)),
+        ),
+    );
     panel.teaching.ended(hub, |state| {
-        (state.view.key, state.view.why, state.found) = (Some(key.to_owned()), why, found.map(Arc::new));
+        (state.view.key, state.view.why, state.found) =
+            (Some(key.to_owned()), why.map(Into::into), found.map(Arc::new));
     });
 }
 
 /// Runs a session. `None`: it was stopped before the search began.
 fn session(panel: &Arc<Panel>, open: &Open) -> Result<Option<Found>, Failure> {
     let hub = &panel.cell.hub;
-    let text = job_text(panel, &open.job).map_err(|refused| Failure::input(refused.text))?;
+    let text = job_text(panel, &open.job).map_err(|refused| Failure::input(refused.message))?;
     let loaded = load_foreign(&open.job, &text, &panel.jobs())?;
     let machine = &loaded.machine;
     if hub.machine().is_none_or(|cell| cell.name != machine.name) {
-        return Err(Failure::input(format!("{} is for {}, not for this cell", open.job, machine.name)));
+        return Err(Failure::input(
+            Message::new("server-teach-other-machine").text("job", &open.job).text("machine", &machine.name),
+        ));
     }
     let nominal = teaching::nominal(&loaded)?;
     let outcome = outcome(panel, open, &loaded, &nominal)?;
@@ -84,8 +96,8 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
         drawn: RefCell::new(None),
     };
     let Some(point) = station.place() else { return Ok(None) };
-    let begin = teaching::start(nominal, point)
-        .ok_or_else(|| Failure::input("the start is not near the nominal seam".to_owned()))?;
+    let begin =
+        teaching::start(nominal, point).ok_or_else(|| Failure::input(Message::new("server-teach-start-far")))?;
     let mut outcome = crawl((loaded, nominal), open, &ground, &station, begin)?;
     outcome.truth = actual.map(|actual| truth(&actual, &outcome.smooth));
     Ok(Some(outcome))
@@ -99,7 +111,9 @@ fn eye<'a>(
     nominal: &SeamLine,
 ) -> Result<(Sees<'a>, Option<SeamLine>), Failure> {
     // The job's machine file may be older than the cell's.
-    let Some(cell) = panel.cell.hub.machine() else { return Err(Failure::input("there is no machine".to_owned())) };
+    let Some(cell) = panel.cell.hub.machine() else {
+        return Err(Failure::input(Message::new("server-no-machine")));
+    };
     let own = cell.sensors.iter().find(|s| s.name == sensor.name);
     if let Some((own, address)) = own.and_then(|own| Some((own, own.frames.as_ref()?))) {
         panel.cameras.check(address).map_err(Failure::input)?;
@@ -109,13 +123,13 @@ fn eye<'a>(
         return Ok((Sees::Camera(camera, Duration::from_secs_f64(own.latency_s)), None));
     }
     if !cell.devices.is_empty() {
-        let text = format!("the machine's devices are real, and sensors.{} has no `frames`", sensor.name);
-        return Err(Failure::input(text));
+        return Err(Failure::input(Message::new("server-teach-no-frames").text("sensor", &sensor.name)));
     }
     let actual = DISTORTION.of(nominal, u64::from(open.seed));
     let appearance = Appearance { tacks: open.tack_mm.into_iter().collect(), ..Appearance::default() };
     let eye = Eye::new(machine, sensor, actual.clone(), appearance, u64::from(open.seed));
-    let eye = eye.ok_or_else(|| Failure::input(format!("{} is no camera", sensor.name)))?;
+    let eye =
+        eye.ok_or_else(|| Failure::input(Message::new("server-teach-sensor-no-camera").text("sensor", &sensor.name)))?;
     Ok((Sees::Simulated(Box::new(eye)), Some(actual)))
 }
 
@@ -136,10 +150,7 @@ fn camera(machine: &Machine) -> Result<(&Sensor, &HeightTable), Failure> {
     let sensor = machine.sensors.iter().find(|sensor| table(sensor));
     match sensor.map(|sensor| (sensor, &sensor.sight)) {
         Some((sensor, Sight::Camera(camera))) => Ok((sensor, &camera.table)),
-        _ => {
-            let allowed = "a machine with a camera: [sensors.<name>] with kind = \"camera\" in its file";
-            Err(Failure::input(format!("{} has no camera\n   allowed: {allowed}", machine.name)))
-        }
+        _ => Err(Failure::input(Message::new("server-teach-no-camera").text("machine", &machine.name))),
     }
 }
 

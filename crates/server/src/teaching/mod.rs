@@ -19,9 +19,11 @@ pub(crate) use program::program;
 pub(crate) use state::{Open, Teaching};
 
 use crate::http::Panel;
-use crate::wire::{LackView, TeachOrder};
+use crate::lack::{Lack, lack};
+use crate::wire::TeachOrder;
 use glam::{DVec2, DVec3};
 use seamwright_machine::Machine;
+use seamwright_message::{Message, Unit};
 use state::Wish;
 use std::sync::Arc;
 
@@ -30,15 +32,11 @@ const STEPS_MM: (f64, f64) = (1.0, 100.0);
 /// Maximum length of a tack that may be passed without asking, mm.
 const MAX_TACK_MM: f64 = 100.0;
 
-fn lack(key: &str, text: impl Into<String>) -> LackView {
-    LackView { key: key.to_owned(), of: Vec::new(), text: text.into() }
-}
-
 /// Handles an order of the page `station`, which has control.
 ///
 /// # Errors
 /// If the order is invalid in this phase, or its numbers are not allowed.
-pub(crate) fn order(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), LackView> {
+pub(crate) fn order(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), Lack> {
     let teaching = &panel.teaching;
     match order {
         TeachOrder::Open { .. } => open(panel, station, order),
@@ -47,9 +45,9 @@ pub(crate) fn order(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Res
                 (Some(px), None) => teaching.seen_at(DVec2::from_array(*px)),
                 (None, Some(at)) => Some(DVec3::from_array(*at)),
                 (None, None) => teaching.middle(),
-                _ => return Err(lack("value", "a pixel and a place; allowed: one of them, or neither")),
+                _ => return Err(lack("value", Message::new("server-teach-point"))),
             };
-            let point = point.ok_or_else(|| lack("value", "there is no work in the picture there"))?;
+            let point = point.ok_or_else(|| lack("value", Message::new("server-teach-no-work")))?;
             teaching.here(station, point)
         }
         TeachOrder::End {} => teaching.end_here(),
@@ -59,27 +57,33 @@ pub(crate) fn order(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Res
     }
 }
 
-fn open(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), LackView> {
+fn open(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), Lack> {
     let TeachOrder::Open { step_mm, longest_tack_mm, seed, tack_mm } = *order else {
-        return Err(lack("value", "no order to open the eye"));
+        return Err(lack("value", Message::new("server-teach-order")));
     };
     for (what, value, (least, most)) in
         [("step_mm", step_mm, STEPS_MM), ("longest_tack_mm", longest_tack_mm, (f64::MIN_POSITIVE, MAX_TACK_MM))]
     {
         if !(least..=most).contains(&value) {
-            return Err(lack("value", format!("{what} {value}; allowed: {least:.0} to {most}")));
+            return Err(lack(
+                "value",
+                Message::new("server-teach-range")
+                    .key("key", what)
+                    .value("value", value, Unit::Mm)
+                    .quantity("min", least, Unit::Mm, 0)
+                    .value("max", most, Unit::Mm),
+            ));
         }
     }
     if tack_mm.is_some_and(|(from, to)| !(from.is_finite() && to.is_finite() && from < to)) {
-        return Err(lack("value", "tack_mm; allowed: from before to, both finite"));
+        return Err(lack("value", Message::new("server-teach-tack")));
     }
     let sees = |machine: &Machine| machine.devices.is_empty() || machine.sensors.iter().any(|s| s.frames.is_some());
     if !panel.cell.hub.machine().is_some_and(|machine| sees(&machine)) {
-        let text = "the machine's devices are real, and its file names no camera's `frames`: teach by jogging";
-        return Err(lack("work", text));
+        return Err(lack("work", Message::new("server-teach-real-devices")));
     }
     let work = panel.cell.hub.work();
-    let work = work.ok_or_else(|| lack("work", "no program is loaded: its seam says where the joint is nominally"))?;
+    let work = work.ok_or_else(|| lack("work", Message::new("server-teach-no-program")))?;
     let job = work.job.clone();
     panel.teaching.open(&panel.cell.hub, station, (&job, &work.machine))?;
     let open = Open { job, step_mm, longest_tack_mm, seed, tack_mm };

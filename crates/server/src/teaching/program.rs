@@ -3,6 +3,7 @@ use super::state::Found;
 use crate::wire::{TaughtProgram, TeachProgram};
 use glam::DVec3;
 use seamwright_geometry::reduce::Method;
+use seamwright_message::{Message, Unit};
 use seamwright_project::Failure;
 use seamwright_project::teaching::{self, Figures, bridged};
 use seamwright_tracking::teach::Kind;
@@ -13,8 +14,10 @@ use std::sync::Arc;
 /// # Errors
 /// If no points were taught, or numbers are not allowed.
 pub(crate) fn program(teaching: &Teaching, asked: &TeachProgram) -> Result<TaughtProgram, Failure> {
-    let wrong =
-        |what: &str, value: f64, most: f64| Failure::input(format!("{what} {value}; allowed: above 0, up to {most}"));
+    let wrong = |what: &str, value: f64, most: f64| {
+        let message = Message::new("server-teach-above").key("key", what);
+        Failure::input(message.value("value", value, Unit::One).value("max", most, Unit::One))
+    };
     for (what, value, most) in [("tolerance_mm", asked.tolerance_mm, 5.0), ("attitude_deg", asked.attitude_deg, 90.0)] {
         if !(value > 0.0 && value <= most) {
             return Err(wrong(what, value, most));
@@ -24,11 +27,15 @@ pub(crate) fn program(teaching: &Teaching, asked: &TeachProgram) -> Result<Taugh
         "greedy" => Kind::Arcs(Method::Greedy),
         "fewest" => Kind::Arcs(Method::Fewest),
         "spline" => Kind::Spline,
-        other => return Err(Failure::input(format!("method `{other}`; allowed: greedy, fewest, spline"))),
+        other => {
+            return Err(Failure::input(
+                Message::new("server-teach-method").text("method", other).text("allowed", "greedy, fewest, spline"),
+            ));
+        }
     };
     let found: Option<Arc<Found>> = teaching.state().found.clone();
     let found = found.filter(|found| found.outcome.smooth.len() > 1);
-    let found = found.ok_or_else(|| Failure::input("nothing was taught that a program could be made of".to_owned()))?;
+    let found = found.ok_or_else(|| Failure::input(Message::new("server-teach-nothing")))?;
     let Found { loaded, nominal, outcome } = &*found;
     let limits = (asked.tolerance_mm, asked.attitude_deg.to_radians());
     let (reduced, text) = teaching::reduced((loaded, nominal), &outcome.smooth, limits, kind, "taught.toml")?;

@@ -111,7 +111,7 @@ impl Station<'_> {
                 // The operator would otherwise keep looking at an old picture.
                 Err(error) => {
                     shown = Some((Instant::now(), now));
-                    self.teaching().change(self.hub(), |state| state.view.why = Some(error.to_string()));
+                    self.teaching().change(self.hub(), |state| state.view.why = Some(error.message().into()));
                 }
             }
             self.teaching().wait(PICTURES);
@@ -178,7 +178,7 @@ impl Rig for CellRig<'_, '_> {
             match self.once(eye)? {
                 Came::There => return Ok(()),
                 Came::Interrupted => {}
-                Came::Blocked => return Err("the cell has stopped the axes on the way: see its alarms".into()),
+                Came::Blocked => return Err(Message::new("server-teach-blocked")),
             }
         }
         // The session is stopped: no frame follows either.
@@ -205,7 +205,7 @@ impl Operator for Asked<'_, '_> {
         let (teaching, hub) = (self.station.teaching(), self.station.hub());
         // The picture in which the joint was lost stays for a moment, with its detection.
         teaching.change(hub, |state| {
-            (state.view.phase, state.view.why) = (TeachPhase::Asks, Some(why.to_string()));
+            (state.view.phase, state.view.why) = (TeachPhase::Asks, Some(why.into()));
         });
         let said = self.station.watch(Teaching::said);
         self.station.runs();

@@ -1,9 +1,10 @@
-use super::lack;
 use crate::cell::Hub;
-use crate::wire::{LackView, TaughtView, TeachPhase, TeachView};
+use crate::lack::{Lack, lack};
+use crate::wire::{TaughtView, TeachPhase, TeachView};
 use glam::{DAffine3, DVec2, DVec3};
 use seamwright_cell::eyes::SeamLine;
 use seamwright_geometry::HeightTable;
+use seamwright_message::Message;
 use seamwright_project::load::Loaded;
 use seamwright_project::teaching::Outcome;
 use seamwright_tracking::teach::Answer;
@@ -91,10 +92,10 @@ impl Teaching {
     }
 
     /// Opens a session of the page `station`, along the seam of a job on its machine.
-    pub(super) fn open(&self, hub: &Hub, station: u32, (job, machine): (&str, &str)) -> Result<(), LackView> {
+    pub(super) fn open(&self, hub: &Hub, station: u32, (job, machine): (&str, &str)) -> Result<(), Lack> {
         let mut state = self.state();
         if state.lives {
-            return Err(lack("busy", "a session is open: stop it first"));
+            return Err(lack("busy", Message::new("server-teach-is-open")));
         }
         // Picture numbers continue, so that an old picture is never taken for a new one.
         let picture = state.view.picture;
@@ -129,15 +130,14 @@ impl Teaching {
     }
 
     /// Sets the joint position `point`, given by the operator on page `station`.
-    pub(super) fn here(&self, station: u32, point: DVec3) -> Result<(), LackView> {
+    pub(super) fn here(&self, station: u32, point: DVec3) -> Result<(), Lack> {
         let mut state = self.state();
         if !matches!(state.view.phase, TeachPhase::Places | TeachPhase::Asks) {
-            return Err(lack("mode", "nobody asks where the joint is"));
+            return Err(lack("mode", Message::new("server-teach-not-asked")));
         }
         let foot = state.field.as_ref().filter(|_| point.is_finite()).and_then(|f| f.nominal.foot(point));
         let Some(foot) = foot else {
-            let text = "the place is not near the nominal seam; allowed: within 15 mm of it";
-            return Err(lack("value", text));
+            return Err(lack("value", Message::new("server-teach-far")));
         };
         (state.said, state.station, state.wish) = (Some(Answer::Point(point, Some(foot.along))), station, Wish::Run);
         drop(state);
@@ -146,10 +146,10 @@ impl Teaching {
     }
 
     /// Ends the joint where it was lost.
-    pub(super) fn end_here(&self) -> Result<(), LackView> {
+    pub(super) fn end_here(&self) -> Result<(), Lack> {
         let mut state = self.state();
         if state.view.phase != TeachPhase::Asks {
-            return Err(lack("mode", "nobody asks where the joint is"));
+            return Err(lack("mode", Message::new("server-teach-not-asked")));
         }
         state.said = Some(Answer::End);
         drop(state);
@@ -158,7 +158,7 @@ impl Teaching {
     }
 
     /// Pauses with a reason for [`TeachView::key`]; no effect if no session is following.
-    pub(crate) fn pause(&self, why: &str) -> Result<(), LackView> {
+    pub(crate) fn pause(&self, why: &str) -> Result<(), Lack> {
         let mut state = self.state();
         if state.lives && state.wish == Wish::Run && state.view.phase == TeachPhase::Runs {
             (state.wish, state.view.key) = (Wish::Pause, Some(why.to_owned()));
@@ -169,10 +169,10 @@ impl Teaching {
     }
 
     /// Resumes for page `station`.
-    pub(super) fn resume(&self, station: u32) -> Result<(), LackView> {
+    pub(super) fn resume(&self, station: u32) -> Result<(), Lack> {
         let mut state = self.state();
         if !state.lives || state.wish != Wish::Pause {
-            return Err(lack("mode", "nothing is paused"));
+            return Err(lack("mode", Message::new("server-teach-not-paused")));
         }
         (state.wish, state.station) = (Wish::Run, station);
         drop(state);
@@ -180,10 +180,10 @@ impl Teaching {
         Ok(())
     }
 
-    pub(super) fn wish(&self, wish: Wish) -> Result<(), LackView> {
+    pub(super) fn wish(&self, wish: Wish) -> Result<(), Lack> {
         let mut state = self.state();
         if !state.lives {
-            return Err(lack("mode", "no session is open"));
+            return Err(lack("mode", Message::new("server-teach-not-open")));
         }
         state.wish = wish;
         drop(state);

@@ -108,7 +108,7 @@ async fn a_job_is_planned_beside_the_cell_before_it_is_loaded() {
     let planner = Planner::new(Some(program()));
     let bench = Bench::planned_by(folder, &[HOST], shipped("ellipse-xy").unwrap().text, planner);
     let refused = begin_with(&bench.panel, "memory.toml").await.unwrap_err();
-    assert!(refused.contains("GiB of memory"), "{refused}");
+    assert!(refused.to_string().contains("GiB of memory"), "{refused}");
     assert!(bench.panel.cell.hub.work().is_none() && !bench.panel.loads.any());
 }
 

@@ -172,7 +172,7 @@ async fn a_device_let_go_without_an_answer_is_reported_and_holds_nobody_up() {
                 })
                 .await;
             if told["kind"] == "event" {
-                assert_eq!(told["of"][0], "welder", "{told}");
+                assert_eq!(told["arguments"][0][1]["value"], "welder", "{told}");
                 return longest;
             }
             longest = longest.max(last.elapsed());

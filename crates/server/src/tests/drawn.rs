@@ -296,7 +296,7 @@ async fn touched_points_tell_where_the_part_stands() {
     };
     let (status, answer) = bench.ask(ask(&points)).await;
     assert_eq!(status, StatusCode::OK, "{answer}");
-    // Values from docs/job.md for these points.
+    // Values from docs/reference/job.md for these points.
     for (found, moved) in numbers(&answer["move_mm"]).iter().zip([1.5, -0.8, 0.6]) {
         assert!((found - moved).abs() < 0.2, "{answer}");
     }

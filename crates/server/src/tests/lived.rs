@@ -241,7 +241,10 @@ async fn one_page_commands_and_the_others_watch() {
     assert_eq!(second.ask(json!({ "do": "home" })).await["why"]["key"], "control");
     second.say(&json!({ "kind": "take_control", "over": false })).await;
     let held = second.until("a refusal", |v| v["kind"] == "answer" && v["ok"] == false).await;
-    assert_eq!((&held["why"]["key"], &held["why"]["of"][0]), (&json!("control"), &json!("Operator")));
+    assert_eq!(
+        (&held["why"]["key"], &held["why"]["arguments"][0][1]["value"]),
+        (&json!("control"), &json!("Operator"))
+    );
     second.say(&json!({ "kind": "take_control", "over": true })).await;
     first.until("the loss", |v| v["kind"] == "control" && v["mine"] == false).await;
     assert_eq!(first.ask(json!({ "do": "home" })).await["why"]["key"], "control");

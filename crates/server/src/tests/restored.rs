@@ -188,6 +188,7 @@ async fn the_cell_begins_anew_with_restored_data() {
     assert!(kept.join("jobs/mine.toml").is_file());
     let old = seamwright_record::DataFolder::open_to_read(&kept).unwrap();
     let last = old.library().audit_entries(5).unwrap();
-    let begun = |e: &&AuditEntry| e.user == "owner" && e.command == "restore" && e.result == "begun";
+    let begun =
+        |e: &&AuditEntry| e.user == "owner" && e.command.contains("audit-restore") && e.result.contains("audit-begun");
     assert_eq!(last.iter().filter(begun).count(), 1, "{last:?}");
 }

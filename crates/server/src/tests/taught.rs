@@ -187,7 +187,7 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     page.taken(json!({ "do": "resume" })).await;
     // A tack hides the joint: the operator is asked, and points beyond it.
     page.phase("asks").await;
-    assert!(page.taught["why"].as_str().is_some_and(|why| !why.is_empty()), "{}", page.taught);
+    assert!(page.taught["why"]["text"].as_str().is_some_and(|why| !why.is_empty()), "{}", page.taught);
     let picture = bench.raw(owner.request("GET", "/api/teach/picture", None)).await;
     assert_eq!(picture.headers()["content-type"], "image/png");
     let bytes = picture.into_body().collect().await.unwrap().to_bytes();
@@ -272,7 +272,7 @@ async fn a_machine_file_connects_the_cell_to_no_camera_of_its_choice() {
     page.taken(json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null })).await;
     page.phase("ended").await;
     assert_eq!(page.taught["key"], "failed", "{}", page.taught);
-    let why = page.taught["why"].as_str().unwrap();
+    let why = page.taught["why"]["text"].as_str().unwrap();
     assert!(why.contains("192.0.2.1:7000") && why.contains("does not connect"), "{why}");
 }
 
@@ -328,7 +328,7 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
     let open = json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null });
     page.taken(open.clone()).await;
     page.phase("places").await;
-    let told = |v: &Value| v["why"].as_str().is_some_and(|why| why.contains("127.0.0.1"));
+    let told = |v: &Value| v["why"]["text"].as_str().is_some_and(|why| why.contains("127.0.0.1"));
     page.until("why", |v| v["kind"] == "teach" && told(v)).await;
     assert_eq!(page.taught["phase"], "places", "{}", page.taught);
     page.taken(json!({ "do": "stop" })).await;
@@ -338,7 +338,7 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
     page.taken(open).await;
     page.phase("ended").await;
     assert_eq!(page.taught["key"], "failed", "{}", page.taught);
-    assert!(page.taught["why"].as_str().unwrap().contains("127.0.0.1"), "{}", page.taught);
+    assert!(page.taught["why"]["text"].as_str().unwrap().contains("127.0.0.1"), "{}", page.taught);
 }
 
 /// Returns the true joint of the loaded job in the camera simulator, and that job.

@@ -1,5 +1,6 @@
 use super::passwords::Passwords;
 use crate::wire::{Role, UserRow};
+use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -13,13 +14,16 @@ pub(crate) const OWNER: &str = "owner";
 /// Maximum number of users.
 pub(crate) const MAX_USERS: usize = 200;
 
-/// Error of a user or password, in words with the allowed values.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{0}")]
-pub(crate) struct Trouble(pub(crate) String);
+/// Error of a user or password.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Trouble(pub(crate) Message);
 
-fn trouble<T>(text: impl Into<String>) -> Result<T, Trouble> {
-    Err(Trouble(text.into()))
+fn trouble<T>(message: Message) -> Result<T, Trouble> {
+    Err(Trouble(message))
+}
+
+fn unreadable(path: &Path, why: &dyn std::fmt::Display) -> Message {
+    Message::new("server-file-unreadable").text("file", path.display().to_string()).text("why", why.to_string())
 }
 
 /// The users of a data folder, in `users.json`.
@@ -54,9 +58,9 @@ impl Accounts {
     pub(crate) fn open(folder: &Path) -> Result<Self, Trouble> {
         let path = folder.join("users.json");
         let users = match std::fs::read_to_string(&path) {
-            Ok(text) => serde_json::from_str(&text).map_err(|e| Trouble(format!("{}: {e}", path.display())))?,
+            Ok(text) => serde_json::from_str(&text).map_err(|e| Trouble(unreadable(&path, &e)))?,
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => Vec::new(),
-            Err(e) => return trouble(format!("{}: cannot be read: {e}", path.display())),
+            Err(e) => return trouble(unreadable(&path, &e)),
         };
         Ok(Self { path, users: Mutex::new(users), changes: Mutex::new(()), passwords: Passwords::default() })
     }
@@ -114,16 +118,15 @@ impl Accounts {
     ) -> Result<UserRow, Trouble> {
         let good = |c: char| c.is_alphanumeric() || "-_. ".contains(c);
         if name.trim() != name || name.is_empty() || name.chars().count() > MAX_CHARS || !name.chars().all(good) {
-            return trouble("the name is not allowed: letters, digits, - _ . and spaces between them, up to 128");
+            return trouble(Message::new("server-user-name").count("max", MAX_CHARS));
         }
         if name.eq_ignore_ascii_case(OWNER) {
-            return trouble(format!("`{name}` is whoever has the printed address: take another name"));
+            return trouble(Message::new("server-user-owner").text("user", name));
         }
         let hash = match password {
             Some(p) if !(MIN_PASSWORD_CHARS..=MAX_CHARS).contains(&p.chars().count()) => {
-                return trouble(format!(
-                    "the password is too short or too long; allowed: {MIN_PASSWORD_CHARS} to {MAX_CHARS} characters"
-                ));
+                let message = Message::new("server-password-length");
+                return trouble(message.count("min", MIN_PASSWORD_CHARS).count("max", MAX_CHARS));
             }
             Some(p) => Some(self.passwords.hash(p)?),
             None => None,
@@ -136,11 +139,11 @@ impl Accounts {
                 (user.role, user.enabled) = (role, enabled);
                 user.hash = hash.unwrap_or_else(|| user.hash.clone());
             }
-            (None, None) => return trouble("a new user needs a password"),
+            (None, None) => return trouble(Message::new("server-password-needed")),
             (None, Some(hash)) if !full => {
                 changed.push(User { name: name.to_owned(), role, enabled, hash });
             }
-            (None, Some(_)) => return trouble(format!("there are too many users; allowed: {MAX_USERS}")),
+            (None, Some(_)) => return trouble(Message::new("server-too-many-users").count("max", MAX_USERS)),
         }
         self.keep(changed)?;
         Ok(UserRow { name: name.to_owned(), role, enabled })
@@ -163,13 +166,13 @@ impl Accounts {
     fn keep(&self, changed: Vec<User>) -> Result<(), Trouble> {
         let admin = |users: &[User]| users.iter().any(|u| u.enabled && u.role == Role::Admin);
         if !changed.is_empty() && !admin(&changed) {
-            return trouble("somebody must be left who can administer: make another enabled user `admin` first");
+            return trouble(Message::new("server-last-admin"));
         }
         if changed.is_empty() && admin(&self.users()) {
-            return trouble("somebody must be left who can administer");
+            return trouble(Message::new("server-last-admin"));
         }
-        let text = serde_json::to_string_pretty(&changed).map_err(|e| Trouble(e.to_string()))?;
-        seamwright_project::files::write_secret(&self.path, &(text + "\n")).map_err(|e| Trouble(e.text()))?;
+        let text = serde_json::to_string_pretty(&changed).map_err(|e| Trouble(e.to_string().into()))?;
+        seamwright_project::files::write_secret(&self.path, &(text + "\n")).map_err(|e| Trouble(e.text().into()))?;
         *self.users() = changed;
         Ok(())
     }

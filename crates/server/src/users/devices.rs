@@ -2,6 +2,7 @@
 
 use super::secret;
 use crate::log;
+use seamwright_message::Message;
 use seamwright_project::files;
 use seamwright_record::{Moment, sha256};
 use serde::{Deserialize, Serialize};
@@ -68,7 +69,7 @@ impl Devices {
     ///
     /// # Errors
     /// See [`secret`].
-    pub(crate) fn remember(&self, user: &str) -> Result<String, String> {
+    pub(crate) fn remember(&self, user: &str) -> Result<String, Message> {
         let cookie = secret()?;
         let mut known = self.known();
         let own = known.values().filter(|device| device.user == user).count();

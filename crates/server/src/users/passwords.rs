@@ -3,6 +3,7 @@
 use super::Trouble;
 use argon2::password_hash::phc::{Output, ParamsString, PasswordHash, Salt};
 use argon2::{ARGON2ID_IDENT, Algorithm, Argon2, Block, Params, Version};
+use seamwright_message::Message;
 use std::sync::{Mutex, PoisonError};
 
 /// Maximum cost of a hash that is checked, memory in KiB and passes: a restored archive may contain any value.
@@ -21,7 +22,8 @@ impl Passwords {
     /// # Errors
     /// If the system provides no random numbers or no memory.
     pub(super) fn hash(&self, password: &str) -> Result<String, Trouble> {
-        let failed = |e: &dyn std::fmt::Display| Trouble(format!("the password cannot be hashed: {e}"));
+        let failed =
+            |e: &dyn std::fmt::Display| Trouble(Message::new("server-password-hash").text("why", e.to_string()));
         let mut random = [0u8; 16];
         getrandom::fill(&mut random).map_err(|e| failed(&e))?;
         let salt = Salt::new(&random).map_err(|e| failed(&e))?;

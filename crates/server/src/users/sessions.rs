@@ -1,4 +1,5 @@
 use crate::wire::Role;
+use seamwright_message::Message;
 use seamwright_record::sha256;
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -16,9 +17,9 @@ const MAX_OF_USER: usize = 20;
 ///
 /// # Errors
 /// If the system provides no random numbers.
-pub(crate) fn secret() -> Result<String, String> {
+pub(crate) fn secret() -> Result<String, Message> {
     let mut bytes = [0u8; 32];
-    getrandom::fill(&mut bytes).map_err(|e| format!("no random numbers: {e}"))?;
+    getrandom::fill(&mut bytes).map_err(|e| Message::new("server-no-random").text("why", e.to_string()))?;
     Ok(bytes.iter().map(|b| format!("{b:02x}")).collect())
 }
 
@@ -50,7 +51,7 @@ impl Sessions {
     ///
     /// # Errors
     /// See [`secret`].
-    pub(crate) fn begin(&self, user: &str, role: Role) -> Result<(String, Session), String> {
+    pub(crate) fn begin(&self, user: &str, role: Role) -> Result<(String, Session), Message> {
         let (cookie, token) = (secret()?, secret()?);
         let (id, now) = (sha256(cookie.as_bytes()), Instant::now());
         let session = Session { id: id.clone(), user: user.to_owned(), role, token, made: now, used: now, seen: now };

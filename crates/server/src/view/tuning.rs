@@ -8,8 +8,8 @@ pub(crate) fn tuning_view(axis: &Axis, period_s: f64) -> TuningView {
     let tuned = tune_axis(axis, period_s);
     let refused = match &tuned {
         Ok(_) => None,
-        Err(Error::Drive { reason, .. }) => Some(reason.to_string()),
-        Err(other) => Some(other.to_string()),
+        Err(Error::Drive { reason, .. }) => Some(reason.into()),
+        Err(other) => Some(other.message().into()),
     };
     let tuned = tuned.ok();
     let margins = tuned.as_ref().map(|t| t.margins);

@@ -1,4 +1,4 @@
-use super::SolidView;
+use super::{MessageView, SolidView};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -311,7 +311,7 @@ pub struct TuningView {
     /// The machine file describes no drive: an assumed one was tuned.
     pub assumed_drive: bool,
     /// Why it cannot be tuned.
-    pub refused: Option<String>,
+    pub refused: Option<MessageView>,
     /// Open loop: frequency, Hz, gain, dB, phase, degrees.
     pub response: Vec<[f64; 3]>,
     /// Gain margin, dB, and the frequency at which it is, Hz; none: the phase never comes to -180 degrees.
@@ -332,6 +332,7 @@ pub struct Trouble {
     /// Stable key: `login`, `password`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`,
     /// `server`.
     pub key: String,
-    /// In English words, with what is allowed.
-    pub text: String,
+    /// Description with the allowed values.
+    #[serde(flatten)]
+    pub message: MessageView,
 }

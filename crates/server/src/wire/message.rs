@@ -88,3 +88,57 @@ impl From<&Quantity> for QuantityView {
         Self { value: quantity.value, unit, decimals: quantity.decimals }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use seamwright_message::{Catalogue, Unit};
+    use serde_json::json;
+
+    fn messages() -> Vec<Message> {
+        let quantity = |value, unit, decimals| Quantity { value, unit, decimals };
+        let speed = Argument::Range(quantity(1.5, Unit::MmPerS, 1), quantity(2.25, Unit::MmPerS, 1));
+        vec![
+            Message::verbatim("a name: {x}"),
+            Message::new("document-between").value("min", 0.5, Unit::Mm).value("max", 1000.0, Unit::Mm),
+            Message::new("document-at-least").quantity("min", -118.2664, Unit::Deg, 1),
+            Message::new("document-at-most").quantity("max", 0.125, Unit::KiloJPerMm, 2),
+            Message::new("document-more-than").number("min", 2.5, 0),
+            Message::new("quantity").with("value", speed),
+            Message::new("quantity").message("value", Message::new("document-too-large")),
+            Message::new("quantity").pass("value", 12),
+            Message::new("quantity")
+                .list("value", [Argument::Axis("x".into()), Argument::Count(1200), Argument::Pass(3)]),
+            Message::new("panel-audit-whole").count("n", 1),
+            Message::new("panel-audit-whole").count("n", 3),
+            Message::new("panel-audit-whole").count("n", 12_345),
+            Message::new("document-unknown-key").key("key", "weld.speed_mm_s"),
+            Message::new("document-up-to")
+                .value("max", 1e6, Unit::MmPerS3)
+                .message("reason", Message::new("document-bound-hour")),
+        ]
+    }
+
+    /// The panel formats these as this program does: a test of `web/src/words` reads the file. `SEAMWRIGHT_BLESS=1`
+    /// rewrites it.
+    #[test]
+    fn the_panel_has_messages_to_compare_with() {
+        let cases: Vec<_> = messages()
+            .iter()
+            .map(|message| {
+                let mut text: serde_json::Map<_, _> = Language::ALL
+                    .map(|of| (of.code().to_owned(), message.in_language(of).into()))
+                    .into_iter()
+                    .collect();
+                text.insert("pseudo".to_owned(), Catalogue::pseudo().text(message).into());
+                json!({ "message": MessageView::from(message), "text": text })
+            })
+            .collect();
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/src/words/formatted.json");
+        if std::env::var_os("SEAMWRIGHT_BLESS").is_some() {
+            std::fs::write(path, serde_json::to_string_pretty(&cases).unwrap() + "\n").unwrap();
+        }
+        let file: Vec<serde_json::Value> = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+        assert!(file == cases, "{path}: SEAMWRIGHT_BLESS=1 writes it anew");
+    }
+}

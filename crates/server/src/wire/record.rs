@@ -1,3 +1,4 @@
+use super::MessageView;
 use schemars::JsonSchema;
 use serde::Serialize;
 use ts_rs::TS;
@@ -21,7 +22,7 @@ pub struct RecordRow {
     /// `running`, `good`, `deviating`, `stopped`, ...
     pub result: String,
     /// What else there is to say.
-    pub note: String,
+    pub note: MessageView,
     /// Name of the machine.
     pub machine: String,
     /// Number of the procedure.
@@ -76,8 +77,9 @@ pub struct JudgedView {
 /// An event of a recorded weld.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RecordedEvent {
-    /// What happened, in English.
-    pub text: String,
+    /// What happened.
+    #[serde(flatten)]
+    pub message: MessageView,
     /// The pass, from 1.
     pub pass: Option<u32>,
     /// Path length, mm.
@@ -90,9 +92,9 @@ pub struct RecordedEvent {
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RecordedAlarm {
     /// Name.
-    pub name: String,
+    pub name: MessageView,
     /// Cause.
-    pub cause: String,
+    pub cause: MessageView,
     /// The pass, from 1.
     pub pass: Option<u32>,
     /// Path length, mm.
@@ -125,13 +127,13 @@ pub struct AuditRow {
     /// Who.
     pub user: String,
     /// Where from.
-    pub station: String,
+    pub station: MessageView,
     /// What.
-    pub command: String,
+    pub command: MessageView,
     /// The value before, and after.
     pub old: String,
     /// See `old`.
     pub new: String,
     /// What came of it.
-    pub result: String,
+    pub result: MessageView,
 }

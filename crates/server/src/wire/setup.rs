@@ -1,3 +1,4 @@
+use super::MessageView;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -192,8 +193,9 @@ pub struct SensorAnswer {
     pub verdict: String,
     /// What belongs to it, by the verdict.
     pub of: Vec<String>,
-    /// The same in English, with what is allowed; empty if it is good.
-    pub text: String,
+    /// Description with the allowed values; empty if it is good.
+    #[serde(flatten)]
+    pub message: MessageView,
     /// The plane as it is believed to be at that height, and as it was found; none if it was not.
     pub was: Option<HeightView>,
     /// See `was`.

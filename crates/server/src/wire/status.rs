@@ -1,3 +1,4 @@
+use super::MessageView;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -182,7 +183,7 @@ pub struct AlarmView {
     /// Stable name.
     pub name: String,
     /// Which axis or condition, if it is about one.
-    pub of: Option<String>,
+    pub of: Option<MessageView>,
     /// Why it came, what it leads to, what to do.
     pub cause: String,
     /// See `cause`.
@@ -246,14 +247,11 @@ pub struct EventView {
     pub at: String,
     /// `mode`, `order`, `refused`, `alarm`, `cleared`, `pass`, `left`, `record`, `control`, `work`, `teach`.
     pub what: String,
-    /// Which sentence it is: a stable key, `said.KEY` among the panel's words.
+    /// Stable key: the code of the message without `server-event-`, with `_` for `-`.
     pub key: String,
-    /// What stands in that sentence for `{0}`, `{1}` ..: names, places and numbers; what the system says in English.
-    pub of: Vec<String>,
-    /// Why it was refused.
-    pub why: Option<LackView>,
-    /// All that in English words.
-    pub text: String,
+    /// Description.
+    #[serde(flatten)]
+    pub message: MessageView,
     /// Who asked, if somebody did.
     pub user: Option<String>,
 }
@@ -263,8 +261,7 @@ pub struct EventView {
 pub struct LackView {
     /// Stable key.
     pub key: String,
-    /// Names in it: axes, a condition, an alarm, modes in which it would be allowed.
-    pub of: Vec<String>,
-    /// In English words, with what to do.
-    pub text: String,
+    /// Description with the operator action.
+    #[serde(flatten)]
+    pub message: MessageView,
 }

@@ -1,6 +1,7 @@
+use super::MessageView;
 use schemars::JsonSchema;
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 use ts_rs::TS;
 
 /// Orders to the teaching by eye, see [`super::ToCell::Teach`].
@@ -35,21 +36,30 @@ pub enum TeachOrder {
     Stop {},
 }
 
-/// As the audit log has it.
-impl fmt::Display for TeachOrder {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+impl TeachOrder {
+    /// Returns the order for the audit log.
+    pub(crate) fn message(&self) -> Message {
         match self {
             Self::Open { step_mm, longest_tack_mm, seed, tack_mm } => {
-                write!(f, "Open: step {step_mm} mm, tacks up to {longest_tack_mm} mm, seed {seed}")?;
-                tack_mm.map_or(Ok(()), |(from, to)| write!(f, ", a tack from {from} to {to} mm"))
+                let code = if tack_mm.is_some() { "server-audit-teach-open-tack" } else { "server-audit-teach-open" };
+                let message = Message::new(code).value("step", *step_mm, Unit::Mm);
+                let message = message.value("tacks", *longest_tack_mm, Unit::Mm).number("seed", f64::from(*seed), 0);
+                tack_mm.iter().fold(message, |message, (from, to)| {
+                    message.value("from", *from, Unit::Mm).value("to", *to, Unit::Mm)
+                })
             }
-            Self::Here { px: Some([x, y]), .. } => write!(f, "Here: pixel {x:.1}, {y:.1}"),
-            Self::Here { at: Some([x, y, z]), .. } => write!(f, "Here: X {x:.2} Y {y:.2} Z {z:.2} mm"),
-            Self::Here { .. } => f.write_str("Here: where the eye looks"),
-            Self::End {} => f.write_str("End"),
-            Self::Pause {} => f.write_str("Pause"),
-            Self::Resume {} => f.write_str("Resume"),
-            Self::Stop {} => f.write_str("Stop"),
+            Self::Here { px: Some([x, y]), .. } => {
+                Message::new("server-audit-teach-pixel").number("x", *x, 1).number("y", *y, 1)
+            }
+            Self::Here { at: Some([x, y, z]), .. } => {
+                let message = Message::new("server-audit-teach-point").quantity("x", *x, Unit::Mm, 2);
+                message.quantity("y", *y, Unit::Mm, 2).quantity("z", *z, Unit::Mm, 2)
+            }
+            Self::Here { .. } => Message::new("server-audit-teach-middle"),
+            Self::End {} => Message::new("server-audit-teach-end"),
+            Self::Pause {} => Message::new("server-audit-teach-pause"),
+            Self::Resume {} => Message::new("server-audit-teach-resume"),
+            Self::Stop {} => Message::new("server-audit-teach-stop"),
         }
     }
 }
@@ -85,8 +95,8 @@ pub struct TeachView {
     /// Why it is paused: `operator`, `hand`, `control`, `mode`; how it ended: `closed`, `joint-end`, `operator`, `lost`, `limit`,
     /// `too-long`, `stopped`, `failed`.
     pub key: Option<String>,
-    /// More of that, in English words.
-    pub why: Option<String>,
+    /// More of that.
+    pub why: Option<MessageView>,
     /// Way along the joint that was taught, and length of the nominal seam, mm.
     pub way_mm: f64,
     /// See `way_mm`.

@@ -304,7 +304,7 @@ pub struct PlaceAnswer {
     /// Root of their mean square, mm.
     pub rms_mm: f64,
     /// What the points do not see, and what else is to be said.
-    pub notes: Vec<String>,
+    pub notes: Vec<MessageView>,
 }
 
 /// What a text of a job is, asked before it is kept: see `POST /api/plan`.

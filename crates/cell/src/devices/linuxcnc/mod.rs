@@ -1,7 +1,7 @@
 //! LinuxCNC's HAL as the real-time engine of the drives. Its `streamer` takes our set-points from a store, its
 //! `sampler` reports the result.
 //!
-//! LinuxCNC runs as a set of programs, connected through pipes. `docs/linuxcnc.md` describes HAL's task and the signals
+//! LinuxCNC runs as a set of programs, connected through pipes. `docs/reference/linuxcnc.md` describes HAL's task and the signals
 //! for the hardware.
 
 mod attendant;

@@ -1,6 +1,5 @@
 use super::super::{Error, World};
 use crate::eyes::{Appearance, Eye, Random, SeamLine};
-use crate::foreign;
 use crate::frames::FrameSource;
 use crate::teach::Midline;
 use glam::{DAffine3, DVec2, DVec3};
@@ -196,7 +195,7 @@ impl<M: Midline> BeamEye for Pixels<'_, M> {
         self.eye.expose(glance.t_s, glance.axes);
         let frame = self.eye.next().map_err(|e| Error::Frame(e.message()))?;
         let Some(frame) = frame else { return Ok(()) };
-        let picture = frame.image.frame().map_err(|e| Error::Frame(foreign::error(&e)))?;
+        let picture = frame.image.frame().map_err(|e| Error::Frame(e.message()))?;
         let camera = self.machine.camera_frame(self.sensor, glance.axes);
         let height = frame.height_mm.unwrap_or(0.0);
         let (from, known) = glance.from;

@@ -3,7 +3,6 @@ use super::head::{END_MM, LOOK_S, STEP_MM, UnderWay};
 use super::tally::BeamTally;
 use super::{BeamEye, BeamHead, BeamScene, Glance};
 use crate::drives::Drives;
-use crate::foreign;
 use glam::{DVec2, DVec3};
 use seamwright_machine::Joints;
 use seamwright_servo::SetPoint;
@@ -166,7 +165,7 @@ impl<'a> Gun<'a> {
         if carried != 0.0 {
             let mut pose = machine.forward(&axes);
             pose.point += carried * (scene.taught.frame)(s).lateral;
-            axes = machine.inverse_near(pose, &axes).map_err(|e| Error::Carried(foreign::error(&e)))?.joints;
+            axes = machine.inverse_near(pose, &axes).map_err(|e| Error::Carried(e.message()))?.joints;
         }
         let [last, before, _] = *set;
         *set = [axes, last, before];

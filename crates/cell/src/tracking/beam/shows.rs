@@ -3,7 +3,6 @@
 use super::super::{Error, Seam};
 use super::{BeamEye, BeamHead, BeamOutcome, BeamScene, Offsets, Pixels, placed_wrong, weld};
 use crate::eyes::{Appearance, SeamLine};
-use crate::foreign;
 use crate::gate::{Gate, Limit};
 use crate::teach::JointFollower;
 use glam::DVec3;
@@ -179,7 +178,7 @@ fn pass_rows(
     ];
     let Some(record) = tracked.record else { return Ok(rows) };
     // Through its file, as it is stored with the program.
-    let record = DeviationRecord::from_csv("stored", &record.to_csv()).map_err(|e| Error::Frame(foreign::error(&e)))?;
+    let record = DeviationRecord::from_csv("stored", &record.to_csv()).map_err(|e| Error::Frame(e.message()))?;
     let (again, shift) = job.replayed(record.clone(), actual, eye, seed + 1000)?;
     rows.push(most("replayed, 99 % within", weld, again.p99_mm, TRACKED_MM, "mm"));
     rows.push(most(

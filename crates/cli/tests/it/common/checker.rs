@@ -42,7 +42,7 @@ fn axes(item: &Item, limits: &mut Limits) {
             })
         };
         let (speed, acceleration) = (number("max_speed_#_s").unwrap(), number("max_acceleration_#_s2").unwrap());
-        // Default of docs/machine.md: without a jerk, full acceleration within 20 ms.
+        // Default of docs/reference/machine.md: without a jerk, full acceleration within 20 ms.
         let jerk = number("max_jerk_#_s3").unwrap_or(50.0 * acceleration);
         limits.insert(name.to_owned(), [speed, acceleration, jerk]);
     }
