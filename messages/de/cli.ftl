@@ -41,11 +41,11 @@ cli-label-clearance = Abstand
 cli-label-passes = Lagen
 cli-label-pass = Lage { $pass }
 cli-label-takes = Verbrauch
-cli-label-transfers = Eilgang
+cli-label-transfers = Leerfahrten
 cli-label-wrote = geschrieben
 cli-label-welded = geschweißt
 cli-label-path-error = Bahnabweichung
-cli-label-tip-speed = TCP-Geschwindigkeit
+cli-label-tip-speed = TCP-Geschw.
 cli-label-axis = Achse { $axis }
 
 # Summary of a weld.
@@ -89,12 +89,12 @@ cli-section-joint = ein [joint] mit seiner Vorbereitung
 cli-list-machine = Maschine
 cli-list-axes = Achsen
 cli-list-example = Beispiel
-cli-list-procedure = WPS
+cli-list-procedure = Schweißanweisung
 cli-list-process = Verfahren
 cli-list-title = Titel
 cli-no-machine = { $name }: diese Maschine gibt es nicht
 cli-no-example = { $name }: dieses Beispiel gibt es nicht
-cli-no-procedure = { $name }: diese WPS gibt es nicht
+cli-no-procedure = { $name }: diese Schweißanweisung gibt es nicht
 
 # Lateness of the cycle.
 cli-latency-cycles = { $cycles ->
@@ -254,12 +254,12 @@ cli-place-side-unknown = die Seite, auf der der Taster einen einzelnen Punkt ber
 cli-place-radius-with-three-points = 0 bei three-point, oder eine andere --method
 cli-place-undetermined = die Punkte bestimmen die Lage des Teils nicht
 cli-place-no-seam = das Programm hat keine Naht, deren Flächen angetastet sein könnten
-cli-place-no-nozzle = die Naht hat keinen Stutzen, also keinen Rundlauf
+cli-place-no-nozzle = die Naht hat keinen Stutzen, also keinen Rundlauffehler
 cli-place-nozzle = [seam.nozzle], oder eine andere --method
 cli-place-no-redundancy = es gibt nicht mehr Punkte als Unbekannte: ein schlechter fiele nicht auf
 cli-place-radius-unknown = die Punkte bestimmen den Radius nicht: der Nennradius wird verwendet
 cli-place-radius-off = der Radius weicht um { $deviation } vom Nennradius ab: Rohr und Taster prüfen
-cli-place-no-rotary-axis = die Maschine hat keine Drehachse um die Nennachse des Stutzens: der Rundlauf bezieht sich auf die Nennachse
+cli-place-no-rotary-axis = die Maschine hat keine Drehachse um die Nennachse des Stutzens: der Rundlauffehler bezieht sich auf die Nennachse
 cli-place-unchangeable = { $file }: lässt sich nicht ändern: { $why }
 cli-place-touch-again = ein Residuum ist größer als { $max }: die Punkte erneut antasten; die Seiten zeigen, welcher falsch ist. Ist das Teil nicht besser, mit --largest-mm mehr zulassen
 cli-place-touch-again-round = ein Residuum ist größer als { $max }: die Punkte mit den größten Residuen erneut antasten und prüfen, ob das Rohr rund ist. Ist das Teil nicht besser, mit --largest-mm mehr zulassen
@@ -268,7 +268,7 @@ cli-label-method = Verfahren
 cli-label-offset = Versatz
 cli-label-residuals = Residuen
 cli-label-sides = Seiten
-cli-label-run-out = Rundlauf
+cli-label-run-out = Rundlauffehler
 cli-label-tilt = Neigung
 cli-label-uncertainty = Unsicherheit
 cli-label-free = unbestimmt
@@ -374,13 +374,13 @@ cli-pulses-too-fast = { $asked } Impulse in der Sekunde sind bei { $microsteps -
         [one] { $microsteps } Mikroschritt
        *[other] { $microsteps } Mikroschritten
     } nötig, { $max } ist das Maximum
-cli-cure-pulses-too-fast = eine kleinere Geschwindigkeit, weniger `microsteps` oder ein größeres `max_pulse_hz` der Endstufe, oder ein feineres --tick-ns
+cli-cure-pulses-too-fast = eine kleinere Geschwindigkeit, weniger `microsteps` oder ein größeres `max_pulse_hz` des Treibers, oder ein feineres --tick-ns
 cli-cure-pulses-crowded = ein längeres --period-ms, eine kleinere Beschleunigung oder Geschwindigkeit
 cli-cure-fewer-microsteps = weniger Mikroschritte
 cli-pulses-crowded = Achse { $axis } bei t = { $time }: { $fault }
-cli-pulses-crowded-in-transfer = Achse { $axis } bei t = { $time }, im Eilgang: { $fault }
+cli-pulses-crowded-in-transfer = Achse { $axis } bei t = { $time }, in einer Leerfahrt: { $fault }
 cli-pulses-bound-frequency = mehr bräuchten über { $max } Impulse in der Sekunde
-cli-pulses-bound-driver = die Endstufe hat keine feinere Einstellung
+cli-pulses-bound-driver = der Treiber hat keine feinere Einstellung
 cli-pulses-bound-none = selbst diese sind zu schnell
 cli-pulses-resolution = Achse { $axis } fährt { $resolution } je Impuls mit { $microsteps ->
         [one] { $microsteps } Mikroschritt
@@ -389,7 +389,7 @@ cli-pulses-resolution = Achse { $axis } fährt { $resolution } je Impuls mit { $
 cli-pulses-note = Hinweis (Auflösung): { $note }
 cli-pulses-by-resolution = Auflösung
 cli-pulses-by-frequency = Frequenz
-cli-pulses-by-driver = Endstufe
+cli-pulses-by-driver = Treiber
 cli-pulses-axis = { $axis }: { $microsteps } Mikroschritte nach { $bound }, { $resolution } je Impuls ({ $wanted } gewünscht), { $pulses } Impulse von { $start } bis { $end } Schritten, bis { $highest } von { $max }
 cli-pulses-axis-loses = { $axis }, Motor verliert { $steps ->
         [one] { $steps } Vollschritt

@@ -41,7 +41,7 @@ cli-label-clearance = зазор
 cli-label-passes = проходы
 cli-label-pass = проход { $pass }
 cli-label-takes = расход
-cli-label-transfers = переходы
+cli-label-transfers = холостые ходы
 cli-label-wrote = записано
 cli-label-welded = сварено
 cli-label-path-error = ошибка пути
@@ -398,7 +398,7 @@ cli-cure-pulses-too-fast = меньшая скорость, меньше `micros
 cli-cure-pulses-crowded = более длинный --period-ms, меньшее ускорение или меньшая скорость
 cli-cure-fewer-microsteps = меньше микрошагов
 cli-pulses-crowded = ось { $axis } на t = { $time }: { $fault }
-cli-pulses-crowded-in-transfer = ось { $axis } на t = { $time }, во время перехода: { $fault }
+cli-pulses-crowded-in-transfer = ось { $axis } на t = { $time }, во время холостого хода: { $fault }
 cli-pulses-bound-frequency = для большего нужно свыше { $max } импульсов в секунду
 cli-pulses-bound-driver = у драйвера нет более мелкой настройки
 cli-pulses-bound-none = даже эти слишком быстры

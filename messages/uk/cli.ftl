@@ -41,7 +41,7 @@ cli-label-clearance = зазор
 cli-label-passes = проходи
 cli-label-pass = прохід { $pass }
 cli-label-takes = витрата
-cli-label-transfers = переходи
+cli-label-transfers = холості ходи
 cli-label-wrote = записано
 cli-label-welded = зварено
 cli-label-path-error = похибка шляху
@@ -398,7 +398,7 @@ cli-cure-pulses-too-fast = менша швидкість, менше `microsteps
 cli-cure-pulses-crowded = довший --period-ms, менше прискорення або менша швидкість
 cli-cure-fewer-microsteps = менше мікрокроків
 cli-pulses-crowded = вісь { $axis } на t = { $time }: { $fault }
-cli-pulses-crowded-in-transfer = вісь { $axis } на t = { $time }, під час переходу: { $fault }
+cli-pulses-crowded-in-transfer = вісь { $axis } на t = { $time }, під час холостого ходу: { $fault }
 cli-pulses-bound-frequency = для більшого потрібно понад { $max } імпульсів за секунду
 cli-pulses-bound-driver = драйвер не має дрібнішого налаштування
 cli-pulses-bound-none = навіть ці зашвидкі

@@ -41,7 +41,7 @@ cli-label-clearance = 间隙
 cli-label-passes = 焊道
 cli-label-pass = 焊道 { $pass }
 cli-label-takes = 消耗
-cli-label-transfers = 空行程
+cli-label-transfers = 空程
 cli-label-wrote = 已写入
 cli-label-welded = 已焊
 cli-label-path-error = 路径误差
@@ -66,8 +66,8 @@ cli-summary-path-error = 最大 { $max }，RMS { $rms }（仿真）
 cli-summary-tip-speed = { $from } 至 { $to }，RMS 偏差 { $rms }（仿真）
 cli-summary-too-short = 焊缝太短，无法评判
 cli-summary-following-error = 跟随误差 { $error }，RMS { $rms }
-cli-summary-tracked = 99 % 焊程距接头 { $p99 }，最大 { $max }；不跟踪时为 { $plain-p99 } 和 { $plain-max }
-cli-summary-untracked = 99 % 焊程距接头 { $p99 }，最大 { $max }；未跟踪
+cli-summary-tracked = 99 % 焊程距接缝 { $p99 }，最大 { $max }；不跟踪时为 { $plain-p99 } 和 { $plain-max }
+cli-summary-untracked = 99 % 焊程距接缝 { $p99 }，最大 { $max }；未跟踪
 cli-summary-stopped = 停于 { $at }
 cli-summary-alarm = 在 { $at }：{ $alarm }
 cli-summary-beam = 偏转最大 { $deflection }（范围 { $range }），电子枪随动 { $carried }；束流离开焊缝占时 { $away }，最长 { $longest }
@@ -287,7 +287,7 @@ cli-joint-zone = 左 < 右，在 0 至 { $right } 内；上 < 下，在 0 至 { 
 cli-outside-zone = 在检测区之外
 cli-outside-image = 在图像之外
 cli-joint-start = x 从 { $left } 至 { $right }，y 从 { $top } 至 { $bottom }
-cli-joint-none-at-start = 起点处没有接头：试用其他 --start、--direction-deg 或 --width-px
+cli-joint-none-at-start = 起点处没有接缝：试用其他 --start、--direction-deg 或 --width-px
 cli-stripe-neither = 既非图像也非文本
 cli-stripe-formats = PNG、JPEG 或 PNM，或含列 y_mm,z_mm 的 CSV
 cli-not-a-position = 不是位置
@@ -299,8 +299,8 @@ cli-stripe-no-sensors = 该机床没有传感器：[sensors.NAME]
 cli-stripe-no-such-sensor = { $machine } 没有该传感器
 cli-stripe-sees-none = 该传感器看不到激光条纹
 cli-stripe-kind = kind = "stripe" 的传感器
-cli-stripe-hint = 提示：上下颠倒后有接头：把图像转 180 度或镜像，使上方背离板材
-cli-stripe-no-joint = 没有接头：{ $why }
+cli-stripe-hint = 提示：上下颠倒后有接缝：把图像转 180 度或镜像，使上方背离板材
+cli-stripe-no-joint = 没有接缝：{ $why }
 cli-stripe-unsure = 置信度 { $confidence } 低于 { $min }，不可跟踪
 cli-stripe-unsure-because = 置信度 { $confidence } 低于 { $min }，不可跟踪：{ $why }
 
@@ -318,7 +318,7 @@ cli-cure-pulses-too-fast = 降低速度，减小驱动器的 `microsteps` 或增
 cli-cure-pulses-crowded = 更长的 --period-ms、更低的加速度或速度
 cli-cure-fewer-microsteps = 减小细分
 cli-pulses-crowded = 轴 { $axis }，t = { $time }：{ $fault }
-cli-pulses-crowded-in-transfer = 轴 { $axis }，t = { $time }，空行程中：{ $fault }
+cli-pulses-crowded-in-transfer = 轴 { $axis }，t = { $time }，空程中：{ $fault }
 cli-pulses-bound-frequency = 再细就要超过每秒 { $max } 个脉冲
 cli-pulses-bound-driver = 驱动器没有更细的设置
 cli-pulses-bound-none = 即使如此也过快
@@ -406,7 +406,7 @@ cli-teach-start-off-seam = 起点 { $start } 不在名义焊缝附近
 cli-teach-start-near = --start 距其 15 mm 以内，在机床的工件坐标系中
 cli-direction-without-length = 方向没有长度
 cli-three-finite-numbers = 三个不全为 0 的有限数
-cli-teach-answers = X,Y,Z（mm，工件坐标系）或 X,Y,Z,DX,DY,DZ：由此按该方向继续；end：接头到此为止；stop：放弃
+cli-teach-answers = X,Y,Z（mm，工件坐标系）或 X,Y,Z,DX,DY,DZ：由此按该方向继续；end：接缝到此为止；stop：放弃
 cli-teach-lost = 行走 { $way } 后丢失，在 { $point }：{ $why }
 cli-teach-seen = 最后图像：{ $file }
 cli-teach-bad-answer = 不是三个或六个数，也不是 end 或 stop

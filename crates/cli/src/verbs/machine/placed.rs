@@ -15,7 +15,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// Width of the labels.
-const LABEL: usize = 13;
+const LABEL: usize = 12;
 
 /// Result of a method.
 pub(super) struct Fitted {
@@ -172,7 +172,7 @@ impl Placed {
     /// Lines with labels.
     fn lines(&self, text: &mut String) {
         let mut line = |code, value: Message| {
-            _ = writeln!(text, "{}{value}", padded(&Message::new(code).to_string(), LABEL));
+            _ = writeln!(text, "{} {value}", padded(&Message::new(code).to_string(), LABEL));
         };
         let method = Message::new("cli-place-method").text("method", &self.method);
         line("cli-label-method", method.count("points", self.residuals.len()));
