@@ -115,7 +115,7 @@ fn play<I: Iterator<Item = Joints>>(
         .quantity("way", way, Unit::Mm, 3)
         .quantity("speed", fastest, Unit::MmPerS, 3);
     let slower = Message::new("cli-follow-slower").value("speed", speed, Unit::MmPerS);
-    let stops = Message::new("cli-follow-stops").count("stops", law.stops() as usize);
+    let stops = Message::new("cli-follow-stops").count("stops", law.stops());
     let slower = (fastest < 0.99 * speed).then_some(slower);
     let stops = (law.stops() > 0).then_some(stops);
     let all = std::iter::once(done).chain(slower).chain(stops);

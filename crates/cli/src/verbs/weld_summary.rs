@@ -191,7 +191,7 @@ fn beam_message(beam: &BeamSummary) -> Message {
         .quantity("away", beam.away_percent, Unit::Percent, 2)
         .quantity("longest", beam.longest_away_ms, Unit::Ms, 1);
     if let Some(fit) = &beam.fit {
-        let points = Message::new("cli-summary-beam-fit").message("beam", message).count("points", fit.points as usize);
+        let points = Message::new("cli-summary-beam-fit").message("beam", message).count("points", fit.points);
         message = points.quantity("distance", fit.within_mm, Unit::Mm, 3);
     }
     match beam.replayed {

@@ -23,7 +23,7 @@ fn text(detail: &WeldDetail) -> String {
     let mut text = format!("{heading}\n");
     about(&mut text, weld);
     for v in &detail.values {
-        line(&mut text, Message::new("cli-label-pass").pass("pass", v.pass as usize), value(v));
+        line(&mut text, &Message::new("cli-label-pass").pass("pass", v.pass as usize), value(v));
     }
     detail.alarms.iter().for_each(|found| labelled(&mut text, "cli-label-alarm", alarm(found)));
     detail.events.iter().for_each(|event| {
@@ -33,13 +33,13 @@ fn text(detail: &WeldDetail) -> String {
     text
 }
 
-fn line(text: &mut String, label: Message, value: impl Display) {
+fn line(text: &mut String, label: &Message, value: impl Display) {
     // Writing to a String cannot fail.
     let _ = writeln!(text, "  {} {value}", padded(&label.to_string(), LABEL));
 }
 
 fn labelled(text: &mut String, code: &'static str, value: impl Display) {
-    line(text, Message::new(code), value);
+    line(text, &Message::new(code), value);
 }
 
 /// Lines about the whole weld.
