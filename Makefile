@@ -1,6 +1,6 @@
 # One place for every command. `make` alone lists them.
 
-.PHONY: help run test bench peers soak fmt lint
+.PHONY: help run test bench peers soak book fmt lint
 
 help:
 	@echo "make run    a simulated cell with its panel: open the address that it prints"
@@ -8,8 +8,9 @@ help:
 	@echo "make bench  speed and memory of this build on this machine"
 	@echo "make peers  compare with other programs (LinuxCNC); installs what is missing, needs root"
 	@echo "make soak   the property tests with a hundred times the cases; ten minutes of broken part programs, ten of many who watch the panel"
+	@echo "make book   the documentation as a book with offline search: target/book/index.html"
 	@echo "make fmt    format the sources"
-	@echo "make lint   clippy with warnings as errors"
+	@echo "make lint   clippy with warnings as errors, spelling, words to avoid"
 
 run:
 	cargo run --release
@@ -26,8 +27,12 @@ peers:
 soak:
 	SEAMWRIGHT_SOAK=100 PROPTEST_CASES=25600 SEAMWRIGHT_FUZZ_S=600 cargo test --release --workspace -- --include-ignored
 
+book:
+	scripts/book
+
 fmt:
 	cargo fmt --all
 
 lint:
 	cargo clippy --workspace --all-targets -- -D warnings
+	scripts/language

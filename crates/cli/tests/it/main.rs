@@ -2,6 +2,7 @@
 
 mod beam;
 mod bench_tracking;
+mod book;
 mod certificate;
 mod commands;
 mod common;

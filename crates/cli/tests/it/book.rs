@@ -1,0 +1,68 @@
+//! The commands in the book run as printed.
+
+use crate::common::root;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Pages below `folder`.
+fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            pages(&path, found);
+        } else if path.extension().is_some_and(|end| end == "md") {
+            found.push(path);
+        }
+    }
+}
+
+/// The blocks of a page that are fenced as `sh`, one after another.
+fn script(page: &str) -> String {
+    let mut script = String::new();
+    let mut lines = page.lines();
+    while lines.by_ref().any(|line| line.trim_start() == "```sh") {
+        for line in lines.by_ref().take_while(|line| line.trim_start() != "```") {
+            script.push_str(line);
+            script.push('\n');
+        }
+    }
+    script
+}
+
+/// Runs the blocks of every page in `part` of the book in an empty folder each.
+fn run_part(part: &str) {
+    let mut found = Vec::new();
+    pages(&root().join("docs").join(part), &mut found);
+    let program = Path::new(env!("CARGO_BIN_EXE_seamwright")).parent().unwrap().display().to_string();
+    let path = format!("{program}:{}", std::env::var("PATH").unwrap());
+    let mut run = 0;
+    for page in found {
+        let script = script(&std::fs::read_to_string(&page).unwrap());
+        if script.is_empty() {
+            continue;
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let output = Command::new("bash")
+            .args(["-e", "-o", "pipefail", "-c", &script])
+            .current_dir(folder.path())
+            .env("PATH", &path)
+            .env("LC_ALL", "C.UTF-8")
+            .output()
+            .unwrap();
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{}: {}\n{script}\n{errors}", page.display(), output.status);
+        assert!(!errors.contains("is now `seamwright"), "{}: a former name of a verb: {errors}", page.display());
+        run += 1;
+    }
+    assert!(run > 0, "no commands in docs/{part}");
+}
+
+#[test]
+fn commands_of_the_tutorials_run() {
+    run_part("tutorials");
+}
+
+#[test]
+fn commands_of_the_how_to_guides_run() {
+    run_part("how-to");
+}
