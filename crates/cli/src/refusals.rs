@@ -25,7 +25,7 @@ pub(crate) fn in_file(file: &str, why: impl Into<Message>) -> Message {
     Message::new("project-in-file").text("file", file).message("why", why.into())
 }
 
-/// A file that cannot be read.
+/// Fails for an unreadable file.
 pub(crate) fn unreadable(file: &str, error: &io::Error) -> Failure {
     Failure::input(Message::new("project-unreadable").text("file", file).message("why", outside(error)))
 }
