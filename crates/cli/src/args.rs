@@ -28,13 +28,13 @@ use std::path::PathBuf;
 
 /// Plans, checks, simulates and posts CNC welds of seams that curve through space.
 ///
-/// Without a verb the cell is started with its panel: open the address that is printed.
+/// Without a verb it starts the cell with its panel: open the printed address.
 #[derive(Debug, Parser)]
 #[command(
     version,
     about,
     long_about,
-    after_help = "Exit codes: 0 done; 1 cannot be welded as asked; 2 bad input; 3 the environment failed.",
+    after_help = "Exit codes: 0 done; 1 the weld cannot be made as requested; 2 invalid input; 3 the environment failed.",
     args_conflicts_with_subcommands = true
 )]
 pub(crate) struct Cli {
@@ -43,7 +43,7 @@ pub(crate) struct Cli {
     /// Language of messages, reports and plots: en, uk, zh, de, ru [default: that of LC_ALL, LC_MESSAGES or LANG]
     #[arg(long, global = true, value_name = "CODE")]
     pub(crate) language: Option<String>,
-    /// Without a verb: as of `serve`.
+    /// Without a verb: the options of `serve`.
     #[command(flatten)]
     pub(crate) serve: serve::ServeArgs,
 }
@@ -52,7 +52,7 @@ pub(crate) struct Cli {
 pub(crate) enum Verb {
     /// Plan a job: weld program, checks, timing, report
     Plan(PlanArgs),
-    /// The checks alone; exit code 1 if the weld cannot be made as asked
+    /// Run the checks of a plan only; exit code 1 if the weld cannot be made as requested
     Check(CheckArgs),
     /// Weld in simulation: drives, friction, encoders; trace and report
     Simulate(SimulateArgs),
@@ -78,9 +78,9 @@ pub(crate) enum Verb {
     Machine(machine::MachineArgs),
     /// The joint in an image: its line, or the features of a laser stripe
     Vision(VisionArgs),
-    /// Single results as tables: seam, sections, set-points, pulses, reduced and followed points
+    /// Tables of single results: seam, sections, set-points, pulses, reduced and followed points
     Tools(ToolsArgs),
-    /// List the example jobs and procedures that ship, or print one to copy
+    /// List the shipped example jobs and procedures, or print one to copy
     Examples(ExamplesArgs),
     /// Print the JSON Schema of a file format
     Schema(SchemaArgs),
@@ -90,7 +90,7 @@ pub(crate) enum Verb {
     /// Write a manual page of every verb to a folder
     #[command(hide = true)]
     Man(shell::ManArgs),
-    /// Names of before the verbs were grouped
+    /// Former names of verbs
     #[command(flatten)]
     Former(former::Former),
 }
@@ -123,13 +123,13 @@ pub(crate) enum ToolsVerb {
     Section(SectionArgs),
     /// The timed set-points of every axis, streamed
     Motion(MotionArgs),
-    /// Step and direction pulses for steppers, with the microstepping chosen
+    /// Step and direction pulses for steppers, with the selected microstepping
     Pulses(PulsesArgs),
     /// Set-points along taught points of any number, at constant speed
     Follow(follow::FollowArgs),
-    /// Taught points to lines and arcs whose ends are points
+    /// Reduce taught points to lines and arcs whose ends are points
     Reduce(reduce::ReduceArgs),
-    /// The textbook interpolators beside the exact one
+    /// Compare textbook interpolators with the exact one
     Interpolate(InterpolateArgs),
     /// Run the acceptance benchmarks of this build
     Bench(bench::BenchArgs),
@@ -150,7 +150,7 @@ pub(crate) struct SeamArgs {
     pub(crate) json: bool,
 }
 
-/// Places along the seam.
+/// Positions along the seam.
 #[derive(Debug, Args)]
 pub(crate) struct PlacesArgs {
     /// This many points at equal arc length from the start of the weld to its end, both included [default: 101; 9
@@ -175,7 +175,7 @@ pub(crate) struct SectionArgs {
     pub(crate) job: PathBuf,
     #[command(flatten)]
     pub(crate) places: PlacesArgs,
-    /// Draw the sections to this file, all at one scale
+    /// Draw the sections to this file, at the same scale
     #[arg(long, value_name = "FILE")]
     pub(crate) svg: Option<PathBuf>,
     /// JSON instead of CSV
@@ -191,10 +191,10 @@ pub(crate) struct PlanArgs {
     /// Folder for program.toml, report.json and report.html; made if missing [default: out/ and the job's name]
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
-    /// Write the plots of the report as SVG files too, into the folder plots/
+    /// Also write the plots of the report as SVG files, into the folder plots/
     #[arg(long)]
     pub(crate) plots: bool,
-    /// Write the part program for this control too, with its proof in the report; may be given several times
+    /// Also write the part program for this control, with its proof in the report; may be repeated
     #[arg(long, value_enum, value_name = "DIALECT")]
     pub(crate) post: Vec<post::DialectArg>,
     #[command(flatten)]
@@ -210,7 +210,7 @@ pub(crate) struct PlanArgs {
     after_help = "Examples:
   seamwright check examples/saddle.toml
   seamwright check jobs/*.toml
-Of several jobs the greatest exit code counts; with --json each is an object with its job and findings, or its error."
+With several jobs the highest exit code counts; with --json each is an object with its job and findings, or its error."
 )]
 pub(crate) struct CheckArgs {
     /// Job or program files, or names of examples
@@ -223,21 +223,21 @@ pub(crate) struct CheckArgs {
     pub(crate) json: bool,
 }
 
-/// What planning may take.
+/// Limits of planning.
 #[derive(Debug, Args)]
 pub(crate) struct PlanningArgs {
-    /// Longest time of planning's searches, of all passes together, s; if it is over, the findings say how far they came
+    /// Time limit of planning's searches over all passes, s; at the limit the findings report the progress
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     pub(crate) time_limit: f64,
 }
 
-/// What a control with a fine level of its own gets.
+/// Data for a control with its own fine interpolation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum ExportArg {
-    /// Control points of a uniform cubic B-spline, as PMAC's SPLINE1 mode takes them: its curve then passes through our
+    /// Control points of a uniform cubic B-spline, for PMAC's SPLINE1 mode: its curve then passes through our
     /// set-points. 24 points at rest lead in, from t_s below 0, and out
     Spline1,
-    /// Positions, and the axes' speeds at them in columns of their own, for moves by position, velocity and time (PVT)
+    /// Positions, and the axes' speeds in separate columns, for moves by position, velocity and time (PVT)
     Pvt,
 }
 
@@ -257,21 +257,21 @@ pub(crate) struct MotionArgs {
     /// Period of the set-points, ms [default: the machine's servo period]
     #[arg(long, value_name = "T")]
     pub(crate) period_ms: Option<f64>,
-    /// Exact set-points only every so many ms, a whole multiple of the period; those between by a cubic spline without
+    /// Interval of exact set-points, ms, a whole multiple of the period; between them a cubic spline without
     /// jumps in speed or acceleration
     #[arg(long, value_name = "C")]
     pub(crate) coarse_ms: Option<f64>,
-    /// Set-points for a control that joins them by a fine level of its own
+    /// Set-points for a control with its own fine interpolation
     #[arg(long, value_enum, conflicts_with = "coarse_ms")]
     pub(crate) export: Option<ExportArg>,
-    /// The run under an operator's commands from this CSV: t_s,command,value, where command is override (value:
+    /// Run under an operator's commands from this CSV: t_s,command,value, where command is override (value:
     /// percent, 0 to 150), hold, resume, reverse, step (value: mm to weld) or abort
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["coarse_ms", "export"])]
     pub(crate) commands: Option<PathBuf>,
-    /// Also the air moves from home to the first weld and from the last back home
+    /// Include the transfer moves from home to the first weld and from the last back home
     #[arg(long)]
     pub(crate) air: bool,
-    /// Write what each pass reaches and which limit binds where to this file, as JSON
+    /// Write the speeds of each pass and its binding limits to this file, as JSON
     #[arg(long, value_name = "FILE")]
     pub(crate) certificate: Option<PathBuf>,
     #[command(flatten)]
@@ -291,7 +291,7 @@ pub(crate) struct MotionArgs {
 10,5,0,0,0,-1' | seamwright machine kinematics ellipse-xy --inverse"
 )]
 pub(crate) struct KinematicsArgs {
-    /// Machine that ships, or a machine file
+    /// Shipped machine, or a machine file
     pub(crate) machine: String,
     /// Axis positions (mm, degrees) to torch tip and direction in the work frame
     #[arg(long, group = "way", required_unless_present = "inverse")]
@@ -299,10 +299,10 @@ pub(crate) struct KinematicsArgs {
     /// Torch tip and direction to axis positions
     #[arg(long, group = "way")]
     pub(crate) inverse: bool,
-    /// Head of a machine with two [default: the first]
+    /// Head of a machine with two heads [default: the first]
     #[arg(long, value_name = "NAME")]
     pub(crate) head: Option<String>,
-    /// With --inverse: rows are one path; each row is solved near the one before, counting turns
+    /// With --inverse: the rows are one path; solve each row near the previous one, counting turns
     #[arg(long, requires = "inverse")]
     pub(crate) continuous: bool,
     /// JSON instead of CSV
@@ -366,10 +366,10 @@ pub(crate) struct InterpolateArgs {
     pub(crate) curve: CurveArg,
     #[arg(long, value_enum, default_value = "exact")]
     pub(crate) method: MethodArg,
-    /// Exact method: what is equal in every step
+    /// Exact method: the constant quantity of every step
     #[arg(long, value_enum, default_value = "arc")]
     pub(crate) step: StepArg,
-    /// Eccentric-angle method: which formula
+    /// Eccentric-angle method: the formula
     #[arg(long, value_enum, default_value = "printed")]
     pub(crate) rule: RuleArg,
     /// Speed, mm/s [default: the paper's]
@@ -411,7 +411,7 @@ pub(crate) struct InterpolateArgs {
     /// Saddle: angle to sweep, degrees
     #[arg(long, default_value_t = 360.0, allow_hyphen_values = true)]
     pub(crate) sweep_deg: f64,
-    /// Print statistics, a row a method, instead of points
+    /// Print statistics, one row per method, instead of points
     #[arg(long)]
     pub(crate) summary: bool,
     /// Draw the paths and their errors to this file
@@ -437,7 +437,7 @@ pub(crate) struct ExamplesArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ListArgs {
-    /// Print this one's file instead of the list
+    /// Print the file of this entry instead of the list
     pub(crate) name: Option<String>,
     /// JSON instead of a table
     #[arg(long, conflicts_with = "name")]
@@ -456,7 +456,7 @@ pub(crate) enum Format {
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = "Example: seamwright schema job > job.schema.json")]
 pub(crate) struct SchemaArgs {
-    /// Which file format
+    /// File format
     #[arg(value_enum)]
     pub(crate) format: Format,
 }

@@ -4,8 +4,10 @@
 
 mod args;
 mod clock;
+mod labels;
 mod planning;
 mod progress;
+mod refusals;
 mod rows;
 mod verbs;
 
@@ -110,7 +112,7 @@ fn report(failure: &Failure) -> ExitCode {
     let _ = match failure {
         Failure::Findings(findings) => failure::write_findings(&mut err, findings),
         Failure::Printed | Failure::ReaderGone => Ok(()),
-        _ => writeln!(err, "error: {}", failure.text()),
+        _ => writeln!(err, "{}", Message::new("cli-error").text("error", failure.text())),
     };
     ExitCode::from(failure.exit_code())
 }

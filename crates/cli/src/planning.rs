@@ -4,8 +4,9 @@ use crate::args::PlanningArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::progress::Progress;
+use crate::refusals::{at_most, not_allowed};
 use crate::verbs::positive;
-use seamwright_message::Message;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::{SearchProgress, WeldMotion};
 use seamwright_program::Finding;
 use seamwright_project::part::Part;
@@ -49,7 +50,7 @@ fn with_option(mut findings: Vec<Finding>) -> Vec<Finding> {
 fn within<T>(args: &PlanningArgs, plan: impl FnOnce(&Planning) -> Result<T, Failure>) -> Result<T, Failure> {
     let limit = positive("--time-limit", args.time_limit)?;
     if limit > MAX_LIMIT_S {
-        return Err(Failure::input(format!("--time-limit {limit}: not allowed\n   allowed: up to {MAX_LIMIT_S} s")));
+        return Err(not_allowed("--time-limit", limit, at_most(MAX_LIMIT_S, Unit::S)));
     }
     let bar = Progress::of_searches();
     let show = |progress: &SearchProgress| bar.searched(progress);

@@ -1,4 +1,5 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use seamwright_message::Message;
 use seamwright_motion::SearchProgress;
 use std::time::Duration;
 
@@ -14,27 +15,28 @@ const PER_MILLE: u64 = 1000;
 const STRIDE: u64 = 4096;
 
 impl Progress {
-    /// For `total` steps of `what`.
-    pub(crate) fn new(what: &'static str, total: u64) -> Self {
+    /// For `total` steps of the work that the words of `code` name.
+    pub(crate) fn new(code: &'static str, total: u64) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr_with_hz(10));
         // The template is fixed; were it wrong, the plain bar would do.
         let style = ProgressStyle::with_template("{msg} {wide_bar} {percent}% {eta}");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        bar.set_message(what);
+        bar.set_message(Message::new(code).to_string());
         bar.enable_steady_tick(Duration::from_millis(500));
         Self { bar, count: 0 }
     }
 
     /// A bar for the searches of planning.
     pub(crate) fn of_searches() -> Self {
-        Self::new("planning", PER_MILLE)
+        Self::new("cli-progress-planning", PER_MILLE)
     }
 
     /// Shows how far a search has come.
     pub(crate) fn searched(&self, progress: &SearchProgress) {
         let SearchProgress { pass, passes, stage, part, begins, .. } = progress;
         if *begins {
-            self.bar.set_message(format!("pass {pass} of {passes}: {stage}"));
+            let message = Message::new("cli-progress-pass").pass("pass", *pass).pass("passes", *passes);
+            self.bar.set_message(message.message("stage", stage.message()).to_string());
         }
         self.bar.set_position((part * PER_MILLE as f64) as u64);
     }

@@ -1,5 +1,5 @@
-use seamwright_message::Message;
-use std::fmt;
+use seamwright_message::{Language, Message};
+use std::fmt::{self, Write};
 use std::ops::Range;
 
 /// An error in a document, with its address.
@@ -30,8 +30,16 @@ pub struct DocumentError {
 
 impl std::error::Error for DocumentError {}
 
-impl fmt::Display for DocumentError {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+impl DocumentError {
+    /// Returns the error in `language`, as `Display` prints it in that of the process.
+    pub fn in_language(&self, language: Language) -> String {
+        let mut text = String::new();
+        // Writing to a String cannot fail.
+        let _ = self.write(&mut text, language);
+        text
+    }
+
+    fn write(&self, f: &mut impl Write, language: Language) -> fmt::Result {
         write!(f, "{}", self.file)?;
         if self.line > 0 {
             write!(f, ":{}:{}", self.line, self.column)?;
@@ -42,7 +50,7 @@ impl fmt::Display for DocumentError {
                 write!(f, " = {}", self.value)?;
             }
         }
-        writeln!(f, ": {}", self.message)?;
+        writeln!(f, ": {}", self.message.in_language(language))?;
         if self.line > 0 {
             let number = self.line.to_string();
             let margin = " ".repeat(number.len());
@@ -52,15 +60,23 @@ impl fmt::Display for DocumentError {
             writeln!(f, " {margin} | {}{mark}", " ".repeat(self.column.saturating_sub(1)))?;
         }
         if let Some(allowed) = &self.allowed {
-            writeln!(f, "   {}", Message::new("document-allowed").message("allowed", allowed.clone()))?;
+            let allowed = Message::new("document-allowed").message("allowed", allowed.clone());
+            writeln!(f, "   {}", allowed.in_language(language))?;
         }
         if let Some(help) = &self.help {
-            writeln!(f, "   {}", Message::new("document-help").message("help", help.clone()))?;
+            let help = Message::new("document-help").message("help", help.clone());
+            writeln!(f, "   {}", help.in_language(language))?;
         }
         if !self.message.is_verbatim() {
             writeln!(f, "   {}", Message::new("document-code").text("code", self.message.code.clone()))?;
         }
         Ok(())
+    }
+}
+
+impl fmt::Display for DocumentError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.write(f, Language::of_process())
     }
 }
 

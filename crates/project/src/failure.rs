@@ -1,7 +1,7 @@
 //! Reasons why a command ends without its result.
 
 use seamwright_document::DocumentError;
-use seamwright_message::{Argument, Message, Unit};
+use seamwright_message::{Argument, Language, Message, Unit};
 use seamwright_program::{Finding, FindingGroup, FindingPlace, Severity, group_findings};
 use std::fmt;
 use std::io::{self, Write};
@@ -224,6 +224,15 @@ impl Failure {
             Self::Cancelled => Message::new("project-planning-cancelled"),
             Self::Printed | Self::ReaderGone => Message::new("project-failed"),
         }
+    }
+
+    /// Words of the failure in `language`; findings stay in the language of the process.
+    pub fn text_in(&self, language: Language) -> String {
+        let text = match self {
+            Self::Document(error) => error.in_language(language),
+            other => other.message().in_language(language),
+        };
+        text.trim_end().to_owned()
     }
 
     /// Words of the failure.

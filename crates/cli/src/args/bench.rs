@@ -10,20 +10,20 @@ pub(crate) struct BenchArgs {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum BenchVerb {
-    /// Finding joints in simulated frames and stripes whose truth is known: each gate, its value and its limit
+    /// Joint detection in simulated frames and stripes: each requirement, its value and its limit
     Vision(BenchVisionArgs),
-    /// Tracking simulated seams while they are welded: how far each weld is from its seam, beside the papers'
+    /// Tracking of simulated seams during welding: deviation of each weld from its seam, with the papers'
     /// algorithms and without tracking
     Tracking(BenchTrackingArgs),
-    /// Every fault of every device in every situation of a cell, against what must follow
+    /// Every fault of every device in every situation of a cell, against the required reaction
     Faults(BenchFaultsArgs),
 }
 
 #[derive(Debug, Args)]
 #[command(after_help = "Example: seamwright tools bench faults --seeds 10
-The cell is that of the example saddle. Exit code 1 if a case does not end as it must.")]
+The cell is that of the example saddle. Exit code 1 if a case does not end as required.")]
 pub(crate) struct BenchFaultsArgs {
-    /// Moments at which each fault comes
+    /// Number of moments at which each fault occurs
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     pub(crate) seeds: u64,
     /// JSON instead of markdown
@@ -35,10 +35,10 @@ pub(crate) struct BenchFaultsArgs {
 #[command(after_help = "Example: seamwright tools bench tracking --seeds 10 > tracking.md
 Welds are the same for the same number. Gates that are not kept are marked; they do not change the exit code.")]
 pub(crate) struct BenchTrackingArgs {
-    /// Welds of each kind; the worst counts
+    /// Number of welds of each kind; the worst counts
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub(crate) seeds: u64,
-    /// One table only
+    /// Print only this table
     #[arg(long, value_enum)]
     pub(crate) table: Option<TrackingTable>,
     /// JSON instead of markdown
@@ -53,7 +53,7 @@ pub(crate) enum TrackingTable {
     Seams,
     /// A long T-joint and a saddle
     Parts,
-    /// Sensors and slides that fail
+    /// Failing sensors and slides
     Faults,
     /// Beam mode
     Beam,
@@ -63,7 +63,7 @@ pub(crate) enum TrackingTable {
 #[command(after_help = "Example: seamwright tools bench vision --frames 200 > vision.md
 Frames are the same for the same number. Gates that are not kept are marked; they do not change the exit code.")]
 pub(crate) struct BenchVisionArgs {
-    /// Frames of each kind
+    /// Number of frames of each kind
     #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u64).range(1..=100_000))]
     pub(crate) frames: u64,
     /// JSON instead of markdown

@@ -21,19 +21,19 @@ from 1; point 0 is the start. What was done stands in FILE.edits."
 pub(crate) struct EditArgs {
     /// Program file
     pub(crate) file: PathBuf,
-    /// What to do
+    /// Operation
     #[command(subcommand)]
     pub(crate) operation: Option<EditVerb>,
-    /// JSON list of operations, made one after the other, all or none (see `seamwright schema operation`)
+    /// JSON list of operations, applied in order, all or none (see `seamwright schema operation`)
     #[arg(long, value_name = "OPS.json")]
     pub(crate) script: Option<PathBuf>,
     /// Report as JSON
     #[arg(long, global = true)]
     pub(crate) json: bool,
-    /// Show what would change and write nothing
+    /// Show the changes without writing
     #[arg(long, global = true)]
     pub(crate) dry_run: bool,
-    /// Write the result to this file; FILE and its history stay
+    /// Write the result to this file; FILE and its history are unchanged
     #[arg(short, long, value_name = "OUT", global = true)]
     pub(crate) output: Option<PathBuf>,
 }
@@ -52,11 +52,11 @@ pub(crate) enum EditVerb {
         /// Columns and their numbers
         #[arg(long, value_name = "NAME=V,..", value_delimiter = ',', value_parser = named, required_unless_present = "speeds")]
         set: Vec<(String, Finite)>,
-        /// Columns of the place and their speeds, a second, of cubics that end and begin there
+        /// Columns of the position and their speeds per second, of cubics that end or start there
         #[arg(long, value_name = "NAME=V,..", value_delimiter = ',', value_parser = named)]
         speeds: Vec<(String, Finite)>,
     },
-    /// Insert a point: with its numbers, or halfway to the next
+    /// Insert a point with its numbers, or halfway to the next
     #[command(after_help = "Example: seamwright edit p.toml insert-point --pass 1 --after 3 --numbers 10,0,5,180,2")]
     InsertPoint {
         /// The pass, from 1
@@ -80,7 +80,7 @@ pub(crate) enum EditVerb {
         #[arg(long)]
         to: Option<usize>,
     },
-    /// Change the way to the points of a span: rapid, line, arc, spline, cubic (with the spline's speeds), taught
+    /// Change the interpolation of a span: rapid, line, arc, spline, cubic (with the spline's speeds), taught
     #[command(after_help = "Example: seamwright edit p.toml interpolate --pass 1 --span 2 --along arc --via-mm 10,5,0")]
     Interpolate {
         /// The pass, from 1
@@ -91,13 +91,13 @@ pub(crate) enum EditVerb {
         span: usize,
         #[arg(long, value_parser = ["rapid", "line", "arc", "spline", "cubic", "taught"])]
         along: String,
-        /// The point that an arc goes through
+        /// A point on the arc
         #[arg(long, value_name = "X,Y,Z", value_parser = place, allow_hyphen_values = true)]
         via_mm: Option<Point>,
         /// Axis of a helix
         #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
         normal: Option<Direction>,
-        /// Time or speed, of points that were reached by rapid
+        /// Time or speed of points that were reached by rapid
         #[arg(long, value_parser = positive)]
         pace: Option<Positive>,
     },
@@ -133,7 +133,7 @@ pub(crate) enum EditVerb {
         #[arg(long, value_parser = positive)]
         seam_length_mm: Option<Positive>,
     },
-    /// Begin a closed run at another point, a pass elsewhere on the seam, or the weld at another angle
+    /// Shift the start of a closed run to another point, of a pass along the seam, or of the weld to another angle
     #[command(after_help = "Example: seamwright edit p.toml shift-start --pass 1 --point 4")]
     ShiftStart {
         #[arg(long)]
@@ -215,7 +215,7 @@ pub(crate) enum EditVerb {
         s_mm: Option<[NonNegative; 2]>,
         #[arg(long)]
         name: String,
-        /// A number, or where a ramp begins and ends
+        /// A number, or start and end of a ramp
         #[arg(long, value_name = "V or FROM,TO", value_delimiter = ',', value_parser = finite, allow_hyphen_values = true, num_args = 1..=2)]
         value: Vec<Finite>,
     },
@@ -230,7 +230,7 @@ pub(crate) enum EditVerb {
         #[arg(long, default_value_t = 10)]
         step: usize,
     },
-    /// Points joined by lines become few lines and arcs
+    /// Reduce points joined by lines to lines and arcs
     #[command(after_help = "Example: seamwright edit p.toml reduce --pass 1 --tolerance-mm 0.05 --axis-tolerance 0.1")]
     Reduce {
         /// The pass, from 1
@@ -242,19 +242,19 @@ pub(crate) enum EditVerb {
         #[arg(long, value_parser = positive)]
         axis_tolerance: Option<Positive>,
     },
-    /// Set the work offset in force
+    /// Set the active work offset
     #[command(after_help = "Example: seamwright edit p.toml set-offset --name table")]
     SetOffset {
-        /// Without it none is in force
+        /// Without it no offset is active
         #[arg(long)]
         name: Option<String>,
     },
-    /// Set a variable, or take it out
+    /// Set or remove a variable
     #[command(after_help = "Example: seamwright edit p.toml set-variable --name lift --value 3.5")]
     SetVariable {
         #[arg(long)]
         name: String,
-        /// Without it the variable is taken out
+        /// Without it the variable is removed
         #[arg(long, value_parser = finite, allow_hyphen_values = true)]
         value: Option<Finite>,
     },
@@ -276,7 +276,7 @@ pub(crate) enum EditVerb {
     /// Add a pass from a JSON file
     #[command(after_help = "Example: seamwright edit p.toml add-pass --at 1 --from pass.json")]
     AddPass {
-        /// Its place in the order [default: last]
+        /// Its position in the order [default: last]
         #[arg(long)]
         at: Option<usize>,
         /// The pass, with the keys of the program file
@@ -290,7 +290,7 @@ pub(crate) enum EditVerb {
         #[arg(long)]
         pass: usize,
     },
-    /// Move a pass to another place in the order
+    /// Move a pass to another position in the order
     #[command(after_help = "Example: seamwright edit p.toml move-pass --pass 3 --to 1")]
     MovePass {
         /// The pass, from 1
@@ -299,7 +299,7 @@ pub(crate) enum EditVerb {
         #[arg(long)]
         to: usize,
     },
-    /// Put a copy of a pass behind it
+    /// Insert a copy of a pass behind it
     #[command(after_help = "Example: seamwright edit p.toml duplicate-pass --pass 1 --name second")]
     DuplicatePass {
         /// The pass, from 1
@@ -326,10 +326,10 @@ pub(crate) enum EditVerb {
     /// Undo the last edit
     #[command(after_help = "Example: seamwright edit p.toml undo")]
     Undo(StepArgs),
-    /// Make the last edit undone again
+    /// Redo the last undone edit
     #[command(after_help = "Example: seamwright edit p.toml redo")]
     Redo(StepArgs),
-    /// What was done, and what was undone
+    /// List the edits, and the undone ones
     #[command(after_help = "Example: seamwright edit p.toml history")]
     History,
 }
@@ -358,7 +358,7 @@ pub(crate) struct EventArgs {
 
 #[derive(Debug, Clone, Args)]
 pub(crate) struct StepArgs {
-    /// Also if the file was changed by hand since, as far as it goes
+    /// Also after a change by hand, as far as possible
     #[arg(long)]
     pub(crate) force: bool,
 }

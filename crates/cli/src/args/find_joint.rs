@@ -17,7 +17,7 @@ there is no joint at the start."
 pub(crate) struct FindJointArgs {
     /// Image, PNG, JPEG or PNM (- for standard input): the joint is a dark line on lighter metal
     pub(crate) image: PathBuf,
-    /// Place on the joint, pixels
+    /// Position on the joint, pixels
     #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y", required = true)]
     pub(crate) start: Vec<f64>,
     /// Rough direction of the joint there, degrees
@@ -26,7 +26,7 @@ pub(crate) struct FindJointArgs {
     /// Width of the joint at half its depth, pixels, 1 to 400 [default: found at the start]
     #[arg(long, value_name = "W")]
     pub(crate) width_px: Option<f64>,
-    /// Detection zone: the line is followed within these rims [default: the whole image]
+    /// Detection zone: left, top, right, bottom [default: the whole image]
     #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "LEFT,TOP,RIGHT,BOTTOM")]
     pub(crate) zone_px: Option<Vec<f64>>,
     /// Draw midline, start, motion and detection zone over the image to this PNG

@@ -9,12 +9,12 @@ use clap::Args;
 It only reads, outputs too: a cell may run at the same time, and a watchdog is not kept alive. Exit code 3 if a device cannot be
 reached.")]
 pub(crate) struct IoArgs {
-    /// Machine that ships, or a machine file, with devices on Modbus
+    /// Shipped machine, or a machine file, with devices on Modbus
     pub(crate) machine: String,
-    /// Again after so many seconds, until it is ended
+    /// Read again after this number of seconds, until stopped
     #[arg(long, value_name = "S")]
     pub(crate) every_s: Option<f64>,
-    /// So many times in all
+    /// Number of readings
     #[arg(long, value_name = "N", requires = "every_s")]
     pub(crate) times: Option<u64>,
     /// JSON instead of CSV

@@ -15,13 +15,13 @@ pub(crate) struct MachineArgs {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum MachineVerb {
-    /// List the machines that ship
+    /// List the shipped machines
     List(ListMachinesArgs),
-    /// Print the file of a machine that ships
+    /// Print the file of a shipped machine
     Show(ShowArgs),
-    /// The work offset from touched points: where the part stands in the machine
+    /// Find the work offset from touched points: the position of the part in the machine
     Place(PlaceArgs),
-    /// Test a machine file on itself: inverse, Jacobian, units, singular places, reach; draw its axes
+    /// Test a machine file: inverse, Jacobian, units, singular configurations, reach; draw its axes
     Check(CheckMachineArgs),
     /// Tune the position loops on the drives of a machine file, in simulation, and measure their margins
     Tune(TuneArgs),
@@ -29,9 +29,9 @@ pub(crate) enum MachineVerb {
     Kinematics(KinematicsArgs),
     /// Synchronised point-to-point move of all axes, jerk-limited and checked for collisions, as set-points
     Move(MoveArgs),
-    /// The registers of a machine's devices by name: raw, scaled, age; once or live
+    /// Read the registers of a machine's devices by name: raw, scaled, age; once or live
     Io(IoArgs),
-    /// How late a cycle of a fixed period begins on this computer
+    /// Measure the latency of a cyclic thread on this computer
     Latency(LatencyArgs),
 }
 
@@ -45,7 +45,7 @@ pub(crate) struct ListMachinesArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "Example: seamwright machine show torch-5axis > machine.toml")]
 pub(crate) struct ShowArgs {
-    /// Machine that ships
+    /// Shipped machine
     pub(crate) name: String,
 }
 
@@ -53,9 +53,9 @@ pub(crate) struct ShowArgs {
 #[command(after_help = "Example: seamwright machine tune machines/saddle-4axis.toml -o out/tuning
 Exit code 1 if an axis cannot be tuned to a gain margin of 6 dB and a phase margin of 35 degrees.")]
 pub(crate) struct TuneArgs {
-    /// Machine that ships, or a machine file
+    /// Shipped machine, or a machine file
     pub(crate) machine: String,
-    /// Only this axis
+    /// Tune only this axis
     #[arg(long, value_name = "NAME")]
     pub(crate) axis: Option<String>,
     /// Folder for tuning.toml and a Bode plot of each axis, bode-AXIS.svg; made if missing
@@ -70,7 +70,7 @@ pub(crate) struct TuneArgs {
 #[command(after_help = "Example: seamwright machine check machines/torch-5axis.toml -o out/torch-5axis
 Exit code 1 if a test fails; remarks on unusual values do not count.")]
 pub(crate) struct CheckMachineArgs {
-    /// Machine that ships, or a machine file
+    /// Shipped machine, or a machine file
     pub(crate) machine: String,
     /// Folder for check.html, check.json and machine.svg; made if missing
     #[arg(short, long, value_name = "DIR")]
@@ -88,7 +88,7 @@ pub(crate) struct CheckMachineArgs {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PlaceMethod {
-    /// Three or more points with their nominal places (nx_mm,ny_mm,nz_mm)
+    /// Three or more points with their nominal positions (nx_mm,ny_mm,nz_mm)
     ThreePoint,
     /// Touches of three faces: plane (z = 0), line (y = 0, along x), point (x = 0)
     PlaneLinePoint,
@@ -106,26 +106,26 @@ pub(crate) enum PlaceMethod {
 pub(crate) struct PlaceArgs {
     /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
-    /// Touched points, CSV: x_mm,y_mm,z_mm in the work frame, or a column an axis of the machine; and feature or
+    /// Touched points, CSV: x_mm,y_mm,z_mm in the work frame, or one column per axis of the machine; and feature or
     /// nx_mm,ny_mm,nz_mm as the method needs; - for standard input
     #[arg(long, value_name = "FILE")]
     pub(crate) points: PathBuf,
-    /// How the points tell where the part stands
+    /// Method of computing the position of the part
     #[arg(long, value_enum, default_value = "best-fit")]
     pub(crate) method: PlaceMethod,
     /// Name of the work offset
     #[arg(long, default_value = "measured")]
     pub(crate) name: String,
-    /// Radius of the probe's ball, whose centre the points are; 0 for points on the surface
+    /// Radius of the probe's ball, if the points are its centres; 0 for points on the surface
     #[arg(long, default_value_t = 0.0, value_name = "R")]
     pub(crate) probe_radius_mm: f64,
-    /// Greatest residual that is accepted, mm
+    /// Maximum accepted residual, mm
     #[arg(long, default_value_t = 1.0, value_name = "MM")]
     pub(crate) largest_mm: f64,
     /// JSON instead of text
     #[arg(long)]
     pub(crate) json: bool,
-    /// Write the job to this file with the offset in it and in force; the rest stays as it is, with its comments
+    /// Write the job with the active offset to this file; the rest and its comments are preserved
     #[arg(short, long, value_name = "NEWJOB")]
     pub(crate) output: Option<PathBuf>,
 }

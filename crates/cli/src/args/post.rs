@@ -19,7 +19,7 @@ pub(crate) enum DialectArg {
 pub(crate) enum FeedArg {
     /// Times of blocks: G93; PMAC: TM
     InverseTime,
-    /// mm/min along what the control counts: G94; PMAC: mm/s
+    /// mm/min along the path of the control: G94; PMAC: mm/s
     PerMinute,
 }
 
@@ -56,29 +56,29 @@ pub(crate) struct PostArgs {
     /// The control
     #[arg(long, value_enum)]
     pub(crate) dialect: DialectArg,
-    /// What the blocks' words mean
+    /// Meaning of the blocks' words
     #[arg(long, value_enum, default_value = "joint")]
     pub(crate) level: LevelArg,
-    /// How times of blocks are said
+    /// Feed words of blocks
     #[arg(long, value_enum, default_value = "inverse-time")]
     pub(crate) feed: FeedArg,
-    /// What blocks are: pvt, spline1 or linear for PMAC [default: pvt], linear or poly for Sinumerik [default: linear]
+    /// Type of blocks: pvt, spline1 or linear for PMAC [default: pvt], linear or poly for Sinumerik [default: linear]
     #[arg(long, value_enum)]
     pub(crate) interpolation: Option<InterpolationArg>,
-    /// Greatest distance of the blocks' path from the seam, mm
+    /// Maximum distance of the blocks' path from the seam, mm
     #[arg(long, default_value_t = 0.01, value_name = "MM")]
     pub(crate) tolerance_mm: f64,
-    /// Greatest deviation of the tip's speed inside blocks longer than 10 ms, between run-up and run-down, percent of the
-    /// planned one; passes that weave are not held to it
+    /// Maximum deviation of the tip's speed inside blocks longer than 10 ms, outside acceleration and deceleration phases,
+    /// percent of the planned speed; not for weaving passes
     #[arg(long, default_value_t = 1.0, value_name = "PERCENT")]
     pub(crate) speed_percent: f64,
-    /// How far the torch stands back along its axis before and after the weld, mm [default: the job's air.retract_mm]
+    /// Retract distance of the torch along its axis before and after the weld, mm [default: the job's air.retract_mm]
     #[arg(long, value_name = "MM")]
     pub(crate) retract_mm: Option<f64>,
-    /// Print how the text read back compares with the plan; it is always read back, and not written if it does not hold
+    /// Print the comparison of the part program, read back, with the plan; a program that differs is never written
     #[arg(long)]
     pub(crate) verify: bool,
-    /// Write that comparison to this file, as JSON
+    /// Write this comparison to this file, as JSON
     #[arg(long, value_name = "FILE")]
     pub(crate) proof: Option<PathBuf>,
     /// Write to this file instead of standard output

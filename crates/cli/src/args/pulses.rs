@@ -19,13 +19,13 @@ pub(crate) struct PulsesArgs {
     /// Period of the set-points, ms, a whole number of ticks [default: the machine's servo period]
     #[arg(long, value_name = "T")]
     pub(crate) period_ms: Option<f64>,
-    /// Tick of the timer that makes the pulses, ns
+    /// Tick of the pulse timer, ns
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) tick_ns: u32,
-    /// Also the air moves from home to the first weld and from the last back home
+    /// Include the transfer moves from home to the first weld and from the last back home
     #[arg(long)]
     pub(crate) air: bool,
-    /// Also play the pulses on a model of the motors; exit code 1 if one loses steps
+    /// Also simulate the motors with these pulses; exit code 1 if a motor loses steps
     #[arg(long)]
     pub(crate) motors: bool,
     /// Write the lines as a value change dump (GTKWave) to this file and print a summary, instead of pulses as CSV

@@ -6,16 +6,16 @@ use seamwright_record::Moment;
 use seamwright_record::library::WeldResult;
 use std::path::PathBuf;
 
-/// Where and how a weld is recorded.
+/// Recording of a weld.
 #[derive(Debug, Default, Args)]
 pub(crate) struct RecordArgs {
     /// Record the weld in the library of this data folder (docs/reference/records.md), made if missing
     #[arg(long, value_name = "DIR")]
     pub(crate) data: Option<PathBuf>,
-    /// Number of the part, as the shop has it
+    /// Number of the part in the shop
     #[arg(long, value_name = "ID", requires = "data", default_value = "", hide_default_value = true)]
     pub(crate) part: String,
-    /// Who welds
+    /// Name of the welder
     #[arg(long, value_name = "NAME", requires = "data")]
     pub(crate) welder: Option<String>,
 }
@@ -33,23 +33,23 @@ pub(crate) struct RecordsArgs {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Action {
-    /// Welds, the newest first
+    /// List the welds, the newest first
     List(ListArgs),
-    /// Everything the library has of a weld
+    /// Show the record of a weld
     Show(ShowArgs),
-    /// A weld's trace, report and figures as files
+    /// Export the trace, report and figures of a weld
     Export(ExportArgs),
-    /// Check the database, the audit log and the hash of every file; exit code 1 if something is wrong
+    /// Check the database, the audit log and the hash of every file; exit code 1 if there are problems
     Verify(VerifyArgs),
-    /// Everything of a data folder as one file; a running panel may go on
+    /// Write a data folder to one file, also while the panel runs
     Backup(BackupArgs),
-    /// A data folder from such a file
+    /// Restore a data folder from a backup
     Restore(RestoreArgs),
-    /// Make whole what crashes left: traces become readable, welds interrupted ones
+    /// Recover welds after a crash: their traces become readable, their result is interrupted
     Recover(RecoverArgs),
 }
 
-/// Which data folder.
+/// The data folder.
 #[derive(Debug, Args)]
 pub(crate) struct DataArgs {
     /// Data folder [default: $SEAMWRIGHT_DATA, or seamwright in $XDG_DATA_HOME]
@@ -65,25 +65,25 @@ pub(crate) struct DataArgs {
 pub(crate) struct ListArgs {
     #[command(flatten)]
     pub(crate) data: DataArgs,
-    /// Of this part
+    /// Only welds of this part
     #[arg(long, value_name = "ID")]
     pub(crate) part: Option<String>,
-    /// Begun at this date (UTC) or later: 2026-11-21, "2026-11-21 14:05"
+    /// Only welds begun at this date (UTC) or later: 2026-11-21, "2026-11-21 14:05"
     #[arg(long, value_name = "DATE")]
     pub(crate) since: Option<Moment>,
-    /// Begun at this date (UTC) or before; a day counts to its end
+    /// Only welds begun at this date (UTC) or before; a day counts to its end
     #[arg(long, value_name = "DATE", value_parser = end)]
     pub(crate) until: Option<Moment>,
-    /// By the procedure of this number
+    /// Only welds by the procedure of this number
     #[arg(long, value_name = "NUMBER")]
     pub(crate) procedure: Option<String>,
-    /// On this machine
+    /// Only welds on this machine
     #[arg(long, value_name = "NAME")]
     pub(crate) machine: Option<String>,
-    /// With this result: good, deviating, stopped, interrupted, running
+    /// Only welds with this result: good, deviating, stopped, interrupted, running
     #[arg(long, value_name = "RESULT")]
     pub(crate) result: Option<WeldResult>,
-    /// With this text in part, title, welder, note, job, program or alarms
+    /// Only welds with this text in part, title, welder, note, job, program or alarms
     #[arg(long, value_name = "TEXT")]
     pub(crate) text: Option<String>,
 }
@@ -144,7 +144,7 @@ pub(crate) struct BackupArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "Example: seamwright records restore cell.tar --data new-cell")]
 pub(crate) struct RestoreArgs {
-    /// What `records backup` or the panel wrote
+    /// Backup, written by `records backup` or the panel
     pub(crate) archive: PathBuf,
     #[command(flatten)]
     pub(crate) data: DataArgs,

@@ -16,13 +16,13 @@ polyline by more than the tolerance; points may turn back by up to the tolerance
 pub(crate) struct ReduceArgs {
     /// CSV of points, or - for standard input
     pub(crate) points: PathBuf,
-    /// How far a point may be from its line or arc, mm
+    /// Maximum distance of a point from its line or arc, mm
     #[arg(long, value_name = "T")]
     pub(crate) tolerance_mm: f64,
-    /// How far a further column may be from its linear course, in its own unit [default: the number of --tolerance-mm]
+    /// Maximum deviation of a further column from its linear course, in its own unit [default: the number of --tolerance-mm]
     #[arg(long, value_name = "A")]
     pub(crate) axis_tolerance: Option<f64>,
-    /// How the points are cut into runs
+    /// Method of dividing the points into runs
     #[arg(long, value_enum, default_value_t = MethodArg::Fewest)]
     pub(crate) method: MethodArg,
     /// Draw points, lines, arcs and their ends to this file
@@ -33,11 +33,11 @@ pub(crate) struct ReduceArgs {
     pub(crate) json: bool,
 }
 
-/// How the points are cut into runs.
+/// Method of dividing the points into runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum MethodArg {
     /// The longest run from the start, then the next (EBW-2004)
     Greedy,
-    /// As few lines and arcs as can be
+    /// Minimum number of lines and arcs
     Fewest,
 }

@@ -9,27 +9,25 @@ use seamwright_cell::executive::Place;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
-#[command(
-    after_help = "Orders come a line each from standard input: on, home, arm, weld, dry, hold, resume, reverse, stop,
-override PERCENT, acknowledge, reset, off, quit; wait MODE, wait N s, wait N mm. `?` says where the cell is and what stands against a weld.
-When they end the cell stops and switches off.
+#[command(after_help = "Standard input has one order per line: on, home, arm, weld, dry, hold, resume, reverse, stop,
+override PERCENT, acknowledge, reset, off, quit; wait MODE, wait N s, wait N mm. `?` reports the state of the cell and the missing permissives.
+At the end of the orders the cell stops and switches off.
 
 Example:
   printf 'on\\nhome\\nwait ready\\narm\\nweld\\nwait ready\\n' | seamwright run examples/ellipse.toml -o out/run
 
-With --data the weld is recorded (docs/reference/records.md), and its place is on the disk twenty times a second: after a power failure
-`run` says where it was, and --from goes on from there, with the overlap of the pass.
+With --data the weld is recorded (docs/reference/records.md), and its position is on the disk twenty times a second: after a power failure
+`run` reports the position, and --from resumes there, with the overlap of the pass.
 
-The devices are those of the machine file ([devices.NAME], docs/reference/machine.md), simulated ones for the rest. Exit code 1 if an order is
-refused, 3 if a device cannot be reached or the cell ends in a fault."
-)]
+The devices are those of the machine file ([devices.NAME], docs/reference/machine.md), the others are simulated. Exit code 1 if an order is
+refused, 3 if a device cannot be reached or the cell ends in a fault.")]
 pub(crate) struct RunArgs {
     /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
     /// Folder for trace.parquet, events.jsonl and run.json; made if missing
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: PathBuf,
-    /// Go on with an earlier weld: the pass, and up to where it is welded, mm from its start
+    /// Resume an earlier weld: the pass, and its welded length from its start, mm
     #[arg(long, value_name = "PASS,MM", value_parser = place)]
     pub(crate) from: Option<Place>,
     #[command(flatten)]
@@ -38,7 +36,7 @@ pub(crate) struct RunArgs {
     pub(crate) planning: PlanningArgs,
     #[command(flatten)]
     pub(crate) part: PartArgs,
-    /// CPU that the cycle stays on
+    /// CPU of the cycle
     #[arg(long, value_name = "N")]
     pub(crate) cpu: Option<usize>,
     /// A fault of a device, simulated or not, like drives:silent@12.5 or inputs:disconnect@3+0.5 (docs/explanation/faults.md); may be repeated
@@ -47,7 +45,7 @@ pub(crate) struct RunArgs {
     /// Seed of the simulated devices
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
-    /// Events as JSON, a line each
+    /// Events as JSON, one per line
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -66,10 +64,10 @@ pub(crate) struct LatencyArgs {
     /// Period of the cycle, ms
     #[arg(long, value_name = "T", default_value_t = 1.0)]
     pub(crate) period_ms: f64,
-    /// How long to measure, s
+    /// Duration of the measurement, s
     #[arg(long, value_name = "S", default_value_t = 10.0)]
     pub(crate) seconds: f64,
-    /// CPU that the cycle stays on
+    /// CPU of the cycle
     #[arg(long, value_name = "N")]
     pub(crate) cpu: Option<usize>,
     /// JSON instead of text

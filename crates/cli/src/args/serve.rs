@@ -7,18 +7,18 @@ use std::path::PathBuf;
 /// Help of the verb; without one the help of the whole program stands there.
 pub(crate) const HELP: &str = "Example: seamwright serve --data cell --open
 
-Open the address that it prints: until there is an administrator with a password, whoever has it is one. It runs until
-Ctrl-C or SIGTERM: then everything stops and the power goes.
-To be reached from elsewhere it needs an administrator, a name and encryption:
+Open the printed address: until an administrator has a password, everybody with the address is an administrator. It runs
+until Ctrl-C or SIGTERM: then everything stops and the power is switched off.
+Access from other computers needs an administrator, a name and encryption:
   seamwright serve --bind 0.0.0.0:8443 --host cell.shop.example --tls
 Without --data the folder is $SEAMWRIGHT_DATA, or else seamwright in $XDG_DATA_HOME (~/.local/share).";
 
 #[derive(Debug, Args)]
 pub(crate) struct ServeArgs {
-    /// Address and port to listen at
+    /// Address and port to listen on
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:8080")]
     pub(crate) bind: SocketAddr,
-    /// A name under which the panel is asked for from elsewhere; may be repeated
+    /// Name of this computer for access from other computers; may be repeated
     #[arg(long, value_name = "NAME")]
     pub(crate) host: Vec<String>,
     /// Encrypt, with a certificate from the cell's own authority (DIR/tls/ca.pem, to be installed in browsers)
@@ -30,19 +30,19 @@ pub(crate) struct ServeArgs {
     /// The certificate's private key (PEM)
     #[arg(long, value_name = "FILE", requires = "cert")]
     pub(crate) key: Option<PathBuf>,
-    /// Where the frames of a machine's camera may come from, beside this computer; may be repeated
+    /// Allowed source of camera frames beside this computer; may be repeated
     #[arg(long, value_name = "HOST[:PORT]")]
     pub(crate) camera: Vec<String>,
     /// Data folder: records, jobs, users
     #[arg(long, value_name = "DIR")]
     pub(crate) data: Option<PathBuf>,
-    /// Machine that ships, or machine file [default: that of the job]
+    /// Shipped machine, or a machine file [default: that of the job]
     #[arg(long, value_name = "FILE")]
     pub(crate) machine: Option<String>,
-    /// Job to begin with: a file, which is taken into the data folder, or the name of one there or of an example [default: first-weld]
+    /// First job: a file, which is copied into the data folder, or the name of a job there or of an example [default: first-weld]
     #[arg(long, value_name = "FILE")]
     pub(crate) job: Option<String>,
-    /// Open it in the browser
+    /// Open the panel in the browser
     #[arg(long)]
     pub(crate) open: bool,
 }

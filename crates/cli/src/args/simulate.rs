@@ -28,7 +28,7 @@ pub(crate) struct SimulateArgs {
     #[command(flatten)]
     pub(crate) part: PartArgs,
     /// A fault of a device, like drives:silent@12.5 or source:wrong@30+0.5 (docs/explanation/faults.md), s from switching on; may be
-    /// repeated. What happens is printed then
+    /// repeated. The events are then printed
     #[arg(long, value_name = "SPEC")]
     pub(crate) fault: Vec<seamwright_cell::devices::Fault>,
     #[command(flatten)]

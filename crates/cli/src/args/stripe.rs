@@ -18,22 +18,22 @@ line on standard error says why."
 pub(crate) struct StripeArgs {
     /// Image of the stripe, or CSV of its profile (- for standard input)
     pub(crate) input: PathBuf,
-    /// The joint that should be there
+    /// Expected joint
     #[arg(long, value_enum)]
     pub(crate) joint: JointArg,
-    /// Machine file or machine that has the sensor
+    /// Machine with the sensor
     #[arg(long, value_name = "M", requires = "sensor", conflicts_with = "mm_per_px")]
     pub(crate) machine: Option<String>,
-    /// The sensor that took the image: its map makes mm of pixels
+    /// Sensor of the image: its map converts pixels to mm
     #[arg(long, value_name = "NAME", requires = "machine")]
     pub(crate) sensor: Option<String>,
-    /// Scale of an image whose pixels are as wide as high, mm; its middle is the origin
+    /// Scale of an image with square pixels, mm; its centre is the origin
     #[arg(long, value_name = "S")]
     pub(crate) mm_per_px: Option<f64>,
     /// Thickness of a lap joint's upper sheet, for the gap below it; without a map in pixels
     #[arg(long, value_name = "T")]
     pub(crate) thickness_mm: Option<f64>,
-    /// Draw what was seen over the image to this PNG
+    /// Draw the detected stripe over the image to this PNG
     #[arg(long, value_name = "FILE.png")]
     pub(crate) overlay: Option<PathBuf>,
     /// JSON instead of CSV

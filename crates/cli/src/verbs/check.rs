@@ -3,6 +3,7 @@ use crate::failure::{Failure, write_findings};
 use crate::load::load;
 use crate::planning;
 use crate::rows::{print_json, print_text};
+use seamwright_message::{Language, Message};
 use seamwright_program::Finding;
 use serde_json::{Value, json};
 use std::io;
@@ -63,7 +64,7 @@ fn several(args: &CheckArgs) -> Result<(), Failure> {
     }
     // Each error was reported with its job.
     match worst {
-        Err(Failure::Input(_) | Failure::Document(_)) => Err(Failure::input("not every job could be read".to_owned())),
+        Err(Failure::Input(_) | Failure::Document(_)) => Err(Failure::input(Message::new("cli-jobs-unreadable"))),
         worst => worst,
     }
 }
@@ -71,7 +72,7 @@ fn several(args: &CheckArgs) -> Result<(), Failure> {
 fn as_json(job: &Path, checked: &Result<Vec<Finding>, Failure>) -> Value {
     match checked {
         Ok(findings) => json!({ "job": job, "findings": findings }),
-        Err(failure) => json!({ "job": job, "error": failure.text() }),
+        Err(failure) => json!({ "job": job, "error": failure.text_in(Language::English) }),
     }
 }
 
@@ -80,7 +81,7 @@ fn as_text(job: &Path, checked: &Result<Vec<Finding>, Failure>) -> String {
     match checked {
         // Writing to memory cannot fail.
         Ok(findings) => drop(write_findings(&mut text, findings)),
-        Err(failure) => text.extend(format!("error: {}\n", failure.text()).bytes()),
+        Err(failure) => text.extend(format!("{}\n", Message::new("cli-error").text("error", failure.text())).bytes()),
     }
     String::from_utf8_lossy(&text).into_owned()
 }

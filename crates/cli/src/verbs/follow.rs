@@ -5,10 +5,12 @@ use crate::args::follow::{CornerArg, FollowArgs};
 use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::load;
+use crate::refusals::{in_file, not_allowed, outside, unreadable};
 use crate::rows::{Cell, Rows};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::law::{LawPoint, LawStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
 use seamwright_program::Finding;
@@ -35,8 +37,9 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     };
     let speed = args.speed_mm_s;
     if !SPEEDS.contains(&speed) {
-        let (least, most) = (SPEEDS.start(), SPEEDS.end());
-        return Err(Failure::input(format!("--speed-mm-s {speed}: not allowed\n   allowed: {least:e} to {most:e}")));
+        let plausible = Message::new("document-between").text("min", format!("{:e}", SPEEDS.start()));
+        let plausible = plausible.text("max", format!("{:e}", SPEEDS.end()));
+        return Err(not_allowed("--speed-mm-s", speed, plausible));
     }
     let window = positive("--window-s", args.window_s)?;
     let tolerance = positive("--tolerance-mm", args.tolerance_mm)?;
@@ -47,25 +50,24 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     let source = args.points.display().to_string();
     let input: Box<dyn BufRead> = match source.as_str() {
         "-" => Box::new(io::stdin().lock()),
-        _ => Box::new(BufReader::new(
-            File::open(&args.points).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?,
-        )),
+        _ => Box::new(BufReader::new(File::open(&args.points).map_err(|e| unreadable(&source, &e))?)),
     };
     let failed = RefCell::new(None);
     let around = Surroundings::new(&machine, &Clamped::default())
-        .map_err(|e| Failure::input(format!("{}: {e}", args.machine)))?;
+        .map_err(|e| Failure::input(in_file(&args.machine, outside(&e))))?;
     let points = Points::open(&machine, &around, &source, input, &failed)?;
     let mut path = TaughtPath::new(&machine, points, speed, corner, tolerance);
     if path.is_empty() {
         return Err(failed.take().unwrap_or_else(|| {
-            Failure::input(format!("{source}: fewer than two different points\n   allowed: at least two"))
+            let message = in_file(&source, Message::new("cli-follow-too-few"));
+            Failure::refused(message, Message::new("cli-at-least-two"))
         }));
     }
     let mut columns: Vec<String> = ["t_s", "s_mm"].map(str::to_owned).into();
     columns.extend(machine.axes.iter().map(|a| a.name.clone()));
     columns.push("speed_mm_s".to_owned());
     let mut rows = Rows::new(columns, args.json)?;
-    let law = LawStream::new(path, window).map_err(|e| Failure::input(format!("{source}: {e}")))?;
+    let law = LawStream::new(path, window).map_err(|e| Failure::input(in_file(&source, &e)))?;
     play(&machine, &source, law, (speed, period), &mut rows)?;
     rows.finish()?;
     failed.take().map_or(Ok(()), Err)
@@ -108,16 +110,17 @@ fn play<I: Iterator<Item = Joints>>(
             break;
         }
     }
-    let mut told = format!("{:.3} s, {way:.3} mm, fastest {fastest:.3} mm/s", law.duration().unwrap_or_default());
-    if fastest < 0.99 * speed {
-        told +=
-            &format!("; the {speed} mm/s asked for are never reached: the axes' limits or the way's length forbid it");
-    }
-    if law.stops() > 0 {
-        told += &format!("; {} stops to plan ahead: a longer --window-s would avoid them", law.stops());
-    }
+    let done = Message::new("cli-follow-done")
+        .quantity("time", law.duration().unwrap_or_default(), Unit::S, 3)
+        .quantity("way", way, Unit::Mm, 3)
+        .quantity("speed", fastest, Unit::MmPerS, 3);
+    let slower = Message::new("cli-follow-slower").value("speed", speed, Unit::MmPerS);
+    let stops = Message::new("cli-follow-stops").count("stops", law.stops());
+    let slower = (fastest < 0.99 * speed).then_some(slower);
+    let stops = (law.stops() > 0).then_some(stops);
+    let all = std::iter::once(done).chain(slower).chain(stops);
     // Errors are ignored: standard error may be closed.
-    let _ = writeln!(io::stderr(), "{told}");
+    let _ = writeln!(io::stderr(), "{}", all.map(|part| part.to_string()).collect::<Vec<_>>().join("; "));
     Ok(())
 }
 
@@ -127,7 +130,7 @@ fn tip<I: Iterator<Item = Joints>>(
     source: &str,
     t: f64,
 ) -> Result<(Option<LawPoint>, f64), Failure> {
-    let point = law.at(t).map_err(|e| Failure::input(format!("{source}: {e}")))?;
+    let point = law.at(t).map_err(|e| Failure::input(in_file(source, &e)))?;
     Ok((point, point.map_or(0.0, |p| law.path().tip_rate(p.s) * p.v)))
 }
 
@@ -188,26 +191,31 @@ impl<'a, R: BufRead> Points<'a, R> {
             let pose = Pose { point: DVec3::new(values[0], values[1], values[2]), direction };
             if direction == DVec3::ZERO {
                 let name = if self.kind == Kind::Seam { "bx,by,bz" } else { "ax,ay,az" };
-                return Some(Err(self.reader.error(name, "0,0,0", "no length", "a direction")));
+                return Some(Err(self.reader.error(
+                    name,
+                    "0,0,0",
+                    Message::new("cli-no-length"),
+                    Message::new("cli-direction"),
+                )));
             }
             match machine.inverse_near(pose, &self.near) {
                 Ok(solution) => {
                     q = solution.joints;
                     None
                 }
-                Err(reason) => Some(reason.to_string()),
+                Err(reason) => Some(reason.message()),
             }
         };
         let problem = problem
-            .or_else(|| machine.outside(&q).map(|v| machine.range_error(&v).to_string()))
+            .or_else(|| machine.outside(&q).map(|v| machine.range_error(&v).message()))
             .or_else(|| self.too_near(&q));
         self.near = q;
-        Some(problem.map_or(Ok(q), |message| Err(self.unreachable(&message))))
+        Some(problem.map_or(Ok(q), |message| Err(self.unreachable(message))))
     }
 
     /// Reports a part of the machine that comes too near to something else. The straight way of the axes to `q` is
     /// checked at every mm or degree.
-    fn too_near(&mut self, q: &Joints) -> Option<String> {
+    fn too_near(&mut self, q: &Joints) -> Option<Message> {
         let from = self.clear.unwrap_or(*q);
         let axes = self.machine.axes.iter().zip(from.iter().zip(q));
         let far = axes.map(|(axis, (a, b))| (axis.to_file(*b) - axis.to_file(*a)).abs()).fold(0.0, f64::max);
@@ -223,21 +231,22 @@ impl<'a, R: BufRead> Points<'a, R> {
                 return None;
             }
             let nearest = self.around.nearest(&at, self.around.greatest_least_mm() + 1.0);
-            let names = nearest.map(|(watch, _)| self.around.names(watch));
-            Some(names.map_or("something comes too near".to_owned(), |(a, b)| format!("{a} comes too near to {b}")))
+            let bodies = nearest.map(|(watch, _)| self.around.bodies(watch));
+            let too_near = |(first, second): (Message, Message)| {
+                Message::new("cli-follow-too-near").message("first", first).message("second", second)
+            };
+            Some(bodies.map_or(Message::new("cli-follow-something-too-near"), too_near))
         })
     }
 
-    fn unreachable(&self, message: &str) -> Failure {
+    fn unreachable(&self, why: Message) -> Failure {
         Failure::Findings(vec![Finding {
             kind: "reach",
-            message: format!("the point in line {}: {message}", self.reader.line()).into(),
+            message: Message::new("cli-follow-point").text("line", self.reader.line().to_string()).message("why", why),
             pass: 1,
             from_mm: 0.0,
             to_mm: 0.0,
-            cure: Some(
-                "change the points, the placement of the work or the machine; the motion ends before this point".into(),
-            ),
+            cure: Some(Message::new("cli-cure-follow")),
             allowed: false,
         }])
     }

@@ -3,8 +3,10 @@ mod plot;
 use crate::args::{CurveArg, InterpolateArgs, MethodArg, RuleArg, StepArg};
 use crate::failure::Failure;
 use crate::files;
+use crate::refusals::of_option;
 use crate::rows::{Cell, Rows};
 use glam::DVec2;
+use seamwright_message::Message;
 use seamwright_motion::textbook::{AngleRule, EqualStep, Method, Request, Shape, Statistics};
 
 const POINT_COLUMNS: [&str; 7] = ["method", "t_s", "phi_deg", "x_mm", "y_mm", "z_mm", "chord_mm"];
@@ -109,7 +111,10 @@ fn ellipse(args: &InterpolateArgs) -> Result<Shape, Failure> {
     let point = |name: &str, given: &Option<Vec<f64>>, or: DVec2| match given.as_deref() {
         None => Ok(or),
         Some(&[x, y]) => Ok(DVec2::new(x, y)),
-        Some(_) => Err(Failure::input(format!("{name}: not a point\n   allowed: x,y in mm, like 0,16"))),
+        Some(_) => {
+            let allowed = Message::new("cli-point-form").text("example", "0,16");
+            Err(Failure::refused(of_option(name, Message::new("cli-not-a-point")), allowed))
+        }
     };
     let (a, b) = (args.a_mm, args.b_mm);
     let start_mm = point("--start-mm", &args.start_mm, DVec2::new(0.0, b))?;

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::load::machine;
 use crate::rows::{Cell, Rows};
 use seamwright_cell::devices::modbus::{Looked, Looker, ModbusError};
+use seamwright_message::{Language, Message};
 use std::time::{Duration, Instant};
 
 const COLUMNS: [&str; 9] = ["t_s", "device", "register", "place", "raw", "value", "unit", "age_s", "trouble"];
@@ -16,15 +17,13 @@ pub(crate) fn run(args: &IoArgs) -> Result<(), Failure> {
     let mut devices: Vec<(&str, Looker)> =
         machine.devices.modbus.iter().map(|d| (d.name.as_str(), Looker::new(d))).collect();
     if devices.is_empty() {
-        return Err(Failure::input(format!(
-            "machine `{}` has no device with registers\n   allowed: a machine file with [devices.NAME.modbus]",
-            machine.name
-        )));
+        let message = Message::new("cli-io-no-device").text("machine", &machine.name);
+        return Err(Failure::refused(message, Message::new("cli-io-machine")));
     }
     let begun = Instant::now();
     // An unreachable device is an error at the start; one that is lost later shows by its ages.
     for (_, looker) in &mut devices {
-        looker.look().map_err(|e| Failure::environment(e.to_string()))?;
+        looker.look().map_err(|e| Failure::environment(&e))?;
     }
     let mut rows = Rows::new(COLUMNS.map(str::to_owned).to_vec(), args.json)?;
     let mut troubles: Vec<Option<ModbusError>> = devices.iter().map(|_| None).collect();
@@ -32,7 +31,7 @@ pub(crate) fn run(args: &IoArgs) -> Result<(), Failure> {
     while left != Some(0) {
         let t = begun.elapsed().as_secs_f64();
         for ((name, looker), trouble) in devices.iter().zip(&troubles) {
-            let trouble = trouble.as_ref().map(ToString::to_string);
+            let trouble = trouble.as_ref().map(|e| e.message().in_language(Language::English));
             for looked in looker.rows() {
                 row(&mut rows, t, name, &looked, trouble.as_deref())?;
             }
@@ -53,7 +52,7 @@ fn row(rows: &mut Rows, t: f64, device: &str, looked: &Looked<'_>, lost: Option<
     let number = |value: Option<f64>| value.map_or(Cell::Empty, Cell::Number);
     let register = looked.register;
     let place = register.place.to_string();
-    let trouble = looked.trouble.map(ToString::to_string);
+    let trouble = looked.trouble.map(|trouble| trouble.in_language(Language::English));
     let age = Some(looked.age_s).filter(|age| age.is_finite());
     rows.row(&[
         Cell::Number(t),

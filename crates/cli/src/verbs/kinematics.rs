@@ -2,9 +2,11 @@ use crate::args::KinematicsArgs;
 use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::load;
+use crate::refusals::refused;
 use crate::rows::{Cell, Rows};
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine, Solution};
+use seamwright_message::{Language, Message};
 use std::io;
 
 const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
@@ -66,20 +68,20 @@ fn head(machine: Machine, name: Option<&str>) -> Result<Machine, Failure> {
     let names: Vec<&str> = machine.heads.iter().map(|h| h.name.as_str()).collect();
     match names.iter().position(|n| *n == name) {
         Some(head) => Ok(machine.with_first_head(head)),
-        None => Err(Failure::input(format!("--head {name}: there is no such head\n   allowed: {}", names.join(", ")))),
+        None => Err(refused("--head", name, Message::new("cli-no-such-head"), names.join(", "))),
     }
 }
 
 /// The positions for a pose: near the row before, or within all ranges and nearest to home.
-fn inverse(machine: &Machine, values: &[f64], near: &Joints, continuous: bool) -> Result<Solution, String> {
+fn inverse(machine: &Machine, values: &[f64], near: &Joints, continuous: bool) -> Result<Solution, Message> {
     let direction = DVec3::new(values[3], values[4], values[5]);
-    let Some(direction) = direction.try_normalize() else { return Err("the direction has no length".to_owned()) };
+    let Some(direction) = direction.try_normalize() else { return Err(Message::new("cli-direction-without-length")) };
     let pose = seamwright_geometry::Pose { point: DVec3::new(values[0], values[1], values[2]), direction };
     if continuous {
-        let solution = machine.inverse_near(pose, near).map_err(|e| e.to_string())?;
-        return machine.outside(&solution.joints).map_or(Ok(solution), |v| Err(machine.range_error(&v).to_string()));
+        let solution = machine.inverse_near(pose, near).map_err(|e| e.message())?;
+        return machine.outside(&solution.joints).map_or(Ok(solution), |v| Err(machine.range_error(&v).message()));
     }
-    let found = machine.reach(pose, near).map_err(|e| e.to_string())?;
+    let found = machine.reach(pose, near).map_err(|e| e.message())?;
     let far = |s: &Solution| -> f64 {
         machine.axes.iter().zip(s.joints.iter().zip(near)).map(|(a, (p, q))| ((p - q) / a.max_speed).powi(2)).sum()
     };
@@ -87,10 +89,10 @@ fn inverse(machine: &Machine, values: &[f64], near: &Joints, continuous: bool) -
     // axis positions.
     let cost = |s: &Solution| (s.attitude_error * 1e6).round() * 1e6 + far(s);
     let best = found.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
-    best.ok_or_else(|| "no positions reach the pose".to_owned())
+    best.ok_or_else(|| Message::new("cli-pose-out-of-reach"))
 }
 
-fn write_solution(machine: &Machine, solution: Result<Solution, String>, rows: &mut Rows) -> Result<(), Failure> {
+fn write_solution(machine: &Machine, solution: Result<Solution, Message>, rows: &mut Rows) -> Result<(), Failure> {
     match solution {
         Ok(s) => {
             let mut cells: Vec<Cell> =
@@ -100,6 +102,8 @@ fn write_solution(machine: &Machine, solution: Result<Solution, String>, rows: &
         }
         Err(reason) => {
             let mut cells = vec![Cell::Empty; machine.axes.len()];
+            // A table is data, so it is English in every language.
+            let reason = reason.in_language(Language::English);
             cells.extend([Cell::Text(&reason), Cell::Empty]);
             rows.row(&cells)
         }

@@ -1,8 +1,10 @@
 use crate::args::run::LatencyArgs;
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::refusals::{between, not_allowed};
 use crate::rows::{print_json, print_text};
 use seamwright_cell::realtime::{Footing, Latency, Pacer};
+use seamwright_message::{Language, Message, Unit};
 use std::fmt::Write;
 
 /// Parts of all cycles whose lateness is printed.
@@ -15,15 +17,14 @@ pub(crate) fn run(args: &LatencyArgs) -> Result<(), Failure> {
         [("--period-ms", args.period_ms, 0.25, 4.0), ("--seconds", args.seconds, 0.1, 86_400.0)]
     {
         if !(low..=high).contains(&value) {
-            return Err(Failure::input(format!("{what} {value}\n   allowed: {low} to {high}")));
+            return Err(not_allowed(what, value, between(low, high)));
         }
     }
     let cycles = (args.seconds * 1e3 / args.period_ms).round() as u64;
-    let progress = Progress::new("cycles", cycles);
+    let progress = Progress::new("cli-progress-cycles", cycles);
     let measured = std::thread::scope(|scope| scope.spawn(|| measure(args, cycles, &progress)).join());
     drop(progress);
-    let (footing, latency) =
-        measured.map_err(|_| Failure::environment("the thread of the cycle ended early".to_owned()))?;
+    let (footing, latency) = measured.map_err(|_| Failure::environment(Message::new("cli-cycle-ended-early")))?;
     if args.json { json(args, &footing, &latency) } else { print_text(&text(args, &footing, &latency)) }
 }
 
@@ -46,7 +47,7 @@ fn json(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> Result<(), 
         "period_ms": args.period_ms,
         "cycles": latency.count(),
         "missed": latency.missed(),
-        "footing": footing.to_string(),
+        "footing": footing.message().in_language(Language::English),
         "late_us": { "median": latency.quantile_us(0.5), "p99": latency.quantile_us(0.99),
             "p99_9": latency.quantile_us(0.999), "most": latency.most_us() },
         "histogram": bins,
@@ -54,11 +55,13 @@ fn json(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> Result<(), 
 }
 
 fn text(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> String {
-    let mut text =
-        format!("{footing}\n{} cycles of {} ms, {} missed\n", latency.count(), args.period_ms, latency.missed());
+    let cycles = Message::new("cli-latency-cycles").count("cycles", latency.count() as usize);
+    let cycles = cycles.value("period", args.period_ms, Unit::Ms).number("missed", latency.missed() as f64, 0);
+    let mut text = format!("{footing}\n{cycles}\n");
+    let us = |value: f64| Message::new("quantity").quantity("value", value, Unit::Us, 1).to_string();
     for part in PARTS {
         // Writing to a String never fails.
-        let _ = writeln!(text, "{:>6} % begin at most {:>10.1} us late", 100.0 * part, latency.quantile_us(part));
+        let _ = writeln!(text, "{}", late(part, &us(latency.quantile_us(part))));
     }
     let mut octaves: Vec<(f64, u64)> = Vec::new();
     for (us, cycles) in latency.bins() {
@@ -70,7 +73,13 @@ fn text(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> String {
     let most = octaves.iter().map(|o| o.1).max().unwrap_or(1) as f64;
     for (upper, cycles) in octaves {
         let bar = "#".repeat((WIDE * (cycles as f64).ln_1p() / most.ln_1p()).round() as usize);
-        let _ = writeln!(text, "{upper:>10.1} us {cycles:>9} {bar}");
+        let _ = writeln!(text, "{:>13} {cycles:>9} {bar}", us(upper));
     }
     text
+}
+
+/// How late this part of all cycles begins at most.
+fn late(part: f64, late: &str) -> Message {
+    let part = Message::new("quantity").value("value", 100.0 * part, Unit::Percent).to_string();
+    Message::new("cli-latency-late").text("part", format!("{part:>8}")).text("late", format!("{late:>13}"))
 }

@@ -33,13 +33,16 @@ pub(crate) mod shell;
 pub(crate) mod simulate;
 pub(crate) mod stripe;
 pub(crate) mod teach;
+mod weld_summary;
 
 use crate::failure::Failure;
+use crate::refusals::not_allowed;
+use seamwright_message::Message;
 
 /// A number from the command line that must be finite and greater than zero.
 pub(crate) fn positive(name: &str, value: f64) -> Result<f64, Failure> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    Err(Failure::input(format!("{name} {value}: not allowed\n   allowed: a finite number greater than 0")))
+    Err(not_allowed(name, value, Message::new("document-positive-number")))
 }

@@ -3,6 +3,8 @@
 use super::positive;
 use crate::args::PlacesArgs;
 use crate::failure::Failure;
+use crate::refusals::{between, not_allowed, of_option, refused};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{is_beyond, part_start, parts_of};
 use seamwright_weld::SeamCurve;
 
@@ -24,12 +26,12 @@ impl Places {
     pub(super) fn new(args: &PlacesArgs, seam: &SeamCurve, points: u32) -> Result<Self, Failure> {
         let length = seam.weld_length();
         if let Some(angles) = &args.phi_deg {
+            let wrong = |phi: &f64, code| Failure::input(of_option(format!("--phi-deg {phi}"), Message::new(code)));
             let place = |phi: &f64| {
                 let s = Some(phi).filter(|p| p.is_finite()).and_then(|p| seam.s_of_phi(p.to_radians()));
-                let s = s.ok_or_else(|| Failure::input(format!("--phi-deg {phi}: this seam has no such angle")))?;
+                let s = s.ok_or_else(|| wrong(phi, "cli-no-such-angle"))?;
                 if is_beyond(s, length) {
-                    let message = format!("--phi-deg {phi}: this angle is not on the part that is welded");
-                    return Err(Failure::input(message));
+                    return Err(wrong(phi, "cli-angle-not-welded"));
                 }
                 Ok((s, *phi))
             };
@@ -39,15 +41,14 @@ impl Places {
             let step = positive("--every-mm", step)?;
             let parts = parts_of(length, step);
             if parts > MAX_POINTS as usize {
-                let allowed = format!("at least {} mm: {MAX_POINTS} points", length / f64::from(MAX_POINTS));
-                return Err(Failure::input(format!("--every-mm {step}: too many points\n   allowed: {allowed}")));
+                let allowed = Message::new("cli-at-least-step").value("step", length / f64::from(MAX_POINTS), Unit::Mm);
+                let allowed = allowed.number("points", f64::from(MAX_POINTS), 0);
+                return Err(refused("--every-mm", step, Message::new("cli-too-many-points"), allowed));
             }
             return Ok(Self::Steps { step, whole: parts as u64 - 1 });
         }
         match args.points.unwrap_or(points) {
-            n if !(2..=MAX_POINTS).contains(&n) => {
-                Err(Failure::input(format!("--points {n}: not allowed\n   allowed: 2 to {MAX_POINTS}")))
-            }
+            n if !(2..=MAX_POINTS).contains(&n) => Err(not_allowed("--points", n, between(2.0, f64::from(MAX_POINTS)))),
             n => Ok(Self::Points(n)),
         }
     }

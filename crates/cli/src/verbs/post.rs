@@ -4,8 +4,10 @@ use crate::failure::Failure;
 use crate::files;
 use crate::load::{Loaded, load};
 use crate::planning;
+use crate::refusals::{at_least, at_most, between, not_allowed, not_json, of_option, refused};
 use crate::rows::print_text;
 use seamwright_document::Positive;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_post::{Control, Dialect, Feed, Interpolation, Level, Options, Verification};
 use seamwright_project::posting::{self, Unproven};
@@ -30,17 +32,17 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
         FeedArg::InverseTime => Feed::InverseTime,
         FeedArg::PerMinute => Feed::PerMinute,
     };
-    let control = Control::new(&loaded.machine, args.dialect.into()).map_err(|e| Failure::input(e.to_string()))?;
+    let control = Control::new(&loaded.machine, args.dialect.into()).map_err(|e| Failure::input(&e))?;
     let motion = planning::plan(&loaded, &args.planning)?;
     if let Some(mm) = args.retract_mm
         && let Some(short) = motion.findings.iter().find(|f| f.kind == "retract")
     {
-        let message = format!("--retract-mm {mm}: {}\n   allowed: as far as the axes reach", short.message);
-        return Err(Failure::input(message));
+        let allowed = Message::new("cli-as-far-as-axes-reach");
+        return Err(refused("--retract-mm", mm, short.message.clone(), allowed));
     }
     let (text, proof) = proven(&loaded, &motion, &control, &options, feed)?;
     if let Some(path) = &args.proof {
-        let json = serde_json::to_string_pretty(&proof).map_err(|e| Failure::environment(e.to_string()))?;
+        let json = serde_json::to_string_pretty(&proof).map_err(not_json)?;
         files::write(path, &(json + "\n"))?;
     }
     if args.verify {
@@ -66,7 +68,7 @@ pub(super) fn proven(
         Unproven::Wrong(lines) => {
             let mut err = io::stderr().lock();
             // Errors are ignored: standard error may be closed.
-            let _ = writeln!(err, "the part program is not what was planned, and is not written:");
+            let _ = writeln!(err, "{}", Message::new("cli-post-differs"));
             lines.iter().for_each(|line| drop(writeln!(err, "  {line}")));
             Failure::Printed
         }
@@ -76,20 +78,16 @@ pub(super) fn proven(
 fn options(args: &PostArgs) -> Result<Options, Failure> {
     let tolerance_mm = positive("--tolerance-mm", args.tolerance_mm)?;
     if tolerance_mm > WIDEST_MM {
-        let message = format!("--tolerance-mm {tolerance_mm}: too coarse\n   allowed: up to {WIDEST_MM}");
-        return Err(Failure::input(message));
+        let allowed = at_most(WIDEST_MM, Unit::One);
+        return Err(refused("--tolerance-mm", tolerance_mm, Message::new("cli-too-coarse"), allowed));
     }
     if tolerance_mm < FINEST_MM {
-        let message = format!(
-            "--tolerance-mm {tolerance_mm}: finer than the words' six decimals\n   allowed: {FINEST_MM} and more"
-        );
-        return Err(Failure::input(message));
+        let fault = Message::new("cli-finer-than-decimals");
+        return Err(refused("--tolerance-mm", tolerance_mm, fault, at_least(FINEST_MM, Unit::One)));
     }
     let speed_percent = positive("--speed-percent", args.speed_percent)?;
     if !(MIN_PERCENT..=MAX_PERCENT).contains(&speed_percent) {
-        let message =
-            format!("--speed-percent {speed_percent}: out of range\n   allowed: {MIN_PERCENT} to {MAX_PERCENT}");
-        return Err(Failure::input(message));
+        return Err(not_allowed("--speed-percent", speed_percent, between(MIN_PERCENT, MAX_PERCENT)));
     }
     let interpolation = match (args.dialect, args.interpolation) {
         (DialectArg::Pmac, None | Some(InterpolationArg::Pvt)) => Interpolation::Pvt,
@@ -97,9 +95,8 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
         (DialectArg::Sinumerik, Some(InterpolationArg::Poly)) => Interpolation::Poly,
         (_, None | Some(InterpolationArg::Linear)) => Interpolation::Linear,
         (_, Some(_)) => {
-            let message = "--interpolation: this control has no such blocks\n   allowed: pvt, spline1, linear for PMAC; \
-                           linear, poly for Sinumerik; linear for LinuxCNC and grblHAL";
-            return Err(Failure::input(message.to_owned()));
+            let message = of_option("--interpolation", Message::new("cli-no-such-blocks"));
+            return Err(Failure::refused(message, Message::new("cli-interpolations")));
         }
     };
     Ok(Options {

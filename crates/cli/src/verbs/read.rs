@@ -6,8 +6,10 @@ use crate::args::read::ReadArgs;
 use crate::failure::Failure;
 use crate::files;
 use crate::load;
+use crate::refusals::{in_file, not_json, outside, refused};
 use crate::rows::{print_json, print_text};
 use seamwright_document::Positive;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_post::{Control, Dialect, Level, ReadOptions, Reading, What, read, to_program};
 use seamwright_program::Program;
 use seamwright_project::posting;
@@ -41,31 +43,32 @@ struct PassSummary<'a> {
 pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
     let blend = positive("--blend-mm", args.blend_mm)?;
     let blend = Positive::new(blend).filter(|_| blend <= WIDEST_MM).ok_or_else(|| {
-        Failure::input(format!("--blend-mm {blend}: too far\n   allowed: up to {WIDEST_MM}, the tolerance of a pass"))
+        let allowed = Message::new("cli-up-to-pass-tolerance").value("max", WIDEST_MM, Unit::One);
+        refused("--blend-mm", blend, Message::new("cli-too-far"), allowed)
     })?;
     let machine = load::machine(&args.machine)?;
     let text = files::read(&args.file)?;
     let file = args.file.display().to_string();
     let dialect = args.dialect.map_or_else(|| Dialect::guess(&file, &text), Into::into);
-    let control = Control::new(&machine, dialect).map_err(|e| Failure::input(format!("{}: {e}", args.machine)))?;
+    let control = Control::new(&machine, dialect).map_err(|e| Failure::input(in_file(&args.machine, &e)))?;
     let start = posting::start(&machine, &control);
     let level = match args.level {
         LevelArg::Joint => Level::Joint,
         LevelArg::Tip => Level::Tip,
     };
     let options = ReadOptions { lenient: args.lenient, level, start: Some(start.clone()) };
-    let mut reading = read(&control, &file, &text, &options).map_err(|e| Failure::input(e.to_string()))?;
+    let mut reading = read(&control, &file, &text, &options).map_err(|e| Failure::input(outside(&e)))?;
     if reading.program.title == file {
         // A text without a title has the name of its file.
         let name = args.file.file_name().unwrap_or_default();
         reading.program.title = name.to_string_lossy().into_owned();
     }
     let program = to_program(&machine, &control, &reading.program, &start, (&args.machine, blend))
-        .map_err(|e| Failure::input(format!("{file}: {e}")))?;
-    let written = program.to_toml().map_err(|e| Failure::environment(e.to_string()))?;
+        .map_err(|e| Failure::input(in_file(&file, &e)))?;
+    let written = program.to_toml().map_err(not_json)?;
     // The written program must be accepted by all other verbs, so it is read back.
     Program::read(&file, &written)?;
-    tell(&file, dialect, &reading, &program)?;
+    describe(&file, dialect, &reading, &program)?;
     if let Some(path) = &args.output {
         files::write(path, &written)?;
     }
@@ -85,16 +88,20 @@ fn moves(reading: &Reading) -> (usize, f64) {
 }
 
 /// Reports on standard error the texts that were read and left out.
-fn tell(file: &str, dialect: Dialect, reading: &Reading, program: &Program) -> Result<(), Failure> {
+fn describe(file: &str, dialect: Dialect, reading: &Reading, program: &Program) -> Result<(), Failure> {
     let mut err = io::stderr().lock();
     let (count, seconds) = moves(reading);
     let passes = program.passes.len();
-    writeln!(err, "{file}: {} program, {count} moves, {seconds:.3} s by its feeds; passes: {passes}", dialect.name())?;
+    let read = Message::new("cli-import").text("file", file).text("dialect", dialect.name()).count("moves", count);
+    let read = read.quantity("time", seconds, Unit::S, 3).number("passes", passes as f64, 0);
+    writeln!(err, "{read}")?;
     for note in &reading.notes {
-        writeln!(err, "note: {note}")?;
+        writeln!(err, "{}", Message::new("project-note").message("note", note.clone()))?;
     }
     for left in &reading.left_out {
-        writeln!(err, "left out: {file}:{}:{}: {}: {}", left.line, left.column, left.text, left.why)?;
+        let place = format!("{file}:{}:{}", left.line, left.column);
+        let line = Message::new("cli-import-left-out").text("place", place).text("words", &left.text);
+        writeln!(err, "{}", line.message("why", left.why.clone()))?;
     }
     Ok(())
 }
@@ -108,6 +115,7 @@ fn summary<'a>(
 ) -> Summary<'a> {
     let (count, seconds) = moves(reading);
     let left_out = reading.left_out.iter();
+    let english = |message: &Message| message.in_language(Language::English);
     Summary {
         seamwright: env!("CARGO_PKG_VERSION"),
         file,
@@ -124,7 +132,7 @@ fn summary<'a>(
                 points: pass.points.as_ref().map_or(0, seamwright_program::Points::count),
             })
             .collect(),
-        left_out: left_out.map(|l| format!("{}:{}: {}: {}", l.line, l.column, l.text, l.why)).collect(),
-        notes: reading.notes.iter().map(ToString::to_string).collect(),
+        left_out: left_out.map(|l| format!("{}:{}: {}: {}", l.line, l.column, l.text, english(&l.why))).collect(),
+        notes: reading.notes.iter().map(english).collect(),
     }
 }

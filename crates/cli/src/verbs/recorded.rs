@@ -4,6 +4,7 @@ use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::Loaded;
+use crate::refusals::not_json;
 use seamwright_message::Message;
 use seamwright_motion::WeldMotion;
 use seamwright_project::recording::{Header, Who, most_rows, record_plan};
@@ -98,7 +99,7 @@ impl Rows {
         stopped: bool,
         output: &mut Output,
     ) -> Result<(), Failure> {
-        let json = serde_json::to_string_pretty(report).map_err(|e| Failure::environment(e.to_string()))?;
+        let json = serde_json::to_string_pretty(report).map_err(not_json)?;
         files.push(("report.json".to_owned(), json + "\n"));
         let result = if stopped { WeldResult::Stopped } else { result(report) };
         self.keep("simulate", &Outcome { result, note: Message::default(), files }, happened, output)
@@ -129,9 +130,10 @@ impl Rows {
             output.take(&file.name, &data.weld_folder(id).join(&file.name))?;
         }
         if !weld.note.is_empty() {
-            let _ = writeln!(std::io::stderr(), "note: weld {id}: {}", weld.note);
+            let note = Message::new("cli-record-weld-note").text("weld", id.to_string());
+            let _ = writeln!(std::io::stderr(), "{}", note.message("note", weld.note.clone()));
         }
-        let _ = writeln!(std::io::stderr(), "recorded: weld {id}");
+        let _ = writeln!(std::io::stderr(), "{}", Message::new("cli-recorded").text("weld", id.to_string()));
         Ok(())
     }
 

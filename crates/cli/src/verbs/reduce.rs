@@ -7,9 +7,12 @@ use crate::args::reduce::{MethodArg, ReduceArgs};
 use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::files;
+use crate::refusals::{in_file, unreadable};
 use crate::rows::{Cell, Rows, print_json};
 use glam::DVec3;
 use seamwright_geometry::reduce::{MAX_COORDINATE_MM, Method, Reduction, Shape, Span, reduce};
+use seamwright_message::{Message, Unit};
+use seamwright_report::format_number;
 use serde_json::{Value, json};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write as _};
@@ -25,9 +28,7 @@ pub(crate) fn run(args: &ReduceArgs) -> Result<(), Failure> {
     let source = args.points.display().to_string();
     let input: Box<dyn BufRead> = match source.as_str() {
         "-" => Box::new(io::stdin().lock()),
-        _ => Box::new(BufReader::new(
-            File::open(&args.points).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?,
-        )),
+        _ => Box::new(BufReader::new(File::open(&args.points).map_err(|e| unreadable(&source, &e))?)),
     };
     let (points, axes) = read(&source, input)?;
     let method = match args.method {
@@ -35,7 +36,7 @@ pub(crate) fn run(args: &ReduceArgs) -> Result<(), Failure> {
         MethodArg::Fewest => Method::Fewest,
     };
     let reduction = reduce(&points, &axes, (tolerance, axis_tolerance), method)
-        .map_err(|e| Failure::input(format!("{source}: {e}")))?;
+        .map_err(|e| Failure::input(in_file(&source, &e)))?;
     if let Some(path) = &args.svg {
         files::write(path, &plot::draw(&points, &reduction.spans))?;
     }
@@ -47,29 +48,31 @@ fn read(source: &str, input: impl BufRead) -> Result<(Vec<DVec3>, Vec<Vec<f64>>)
     let (mut reader, others) = CsvReader::open_with_others(source, input, &PLACE)?;
     let (mut points, mut axes) = (Vec::new(), vec![Vec::new(); others.len()]);
     while let Some(row) = reader.row() {
-        let row =
-            row.map_err(|failure| cured(failure, "correct the line, or take a column of no axis out of the file"))?;
+        let row = row.map_err(|failure| cured(failure, "cli-cure-line-or-column"))?;
         let point = DVec3::new(row[0], row[1], row[2]);
         axes.iter_mut().zip(&row[3..]).for_each(|(column, value)| column.push(*value));
         let far = |(_, value): &(&str, f64)| value.abs() > MAX_COORDINATE_MM;
         if let Some((name, value)) = PLACE.into_iter().zip(point.to_array()).find(far) {
             let allowed = format!("-{MAX_COORDINATE_MM:e} to {MAX_COORDINATE_MM:e}");
-            let error = reader.error(name, &value.to_string(), "too far away", allowed);
-            return Err(cured(error, "correct the line; coordinates are in mm"));
+            let error = reader.error(name, &value.to_string(), Message::new("cli-too-far-away"), allowed);
+            return Err(cured(error, "cli-cure-line-in-mm"));
         }
         points.push(point);
     }
     if points.len() < 2 {
-        let found = points.len();
-        let error = Failure::input(format!("{source}: {found} points\n   allowed: at least two"));
-        return Err(cured(error, "a line of numbers a point, below the header line"));
+        let found = Message::new("cli-points-found").count("points", points.len());
+        let error = Failure::refused(in_file(source, found), Message::new("cli-at-least-two"));
+        return Err(cured(error, "cli-cure-line-per-point"));
     }
     Ok((points, axes))
 }
 
-fn cured(failure: Failure, cure: &str) -> Failure {
+fn cured(failure: Failure, cure: &'static str) -> Failure {
     match failure {
-        Failure::Input(message) => Failure::input(format!("{message}\n   cure: {cure}")),
+        Failure::Input(message) => {
+            let cure = Message::new("project-cure").message("cure", Message::new(cure));
+            Failure::Input(Message::new("cli-with-cure").message("failure", message).message("cure", cure))
+        }
         other => other,
     }
 }
@@ -101,10 +104,11 @@ fn rows(points: usize, reduction: &Reduction) -> Result<(), Failure> {
     rows.finish()?;
     let spans = &reduction.spans;
     let lines = spans.iter().filter(is_line).count();
-    let mut told = format!("{points} points; lines: {lines}, arcs: {}", spans.len() - lines);
-    told += &format!("; greatest error {:.3e} mm; spans needed at least: {}", greatest(spans), reduction.at_least);
+    let summary = Message::new("cli-reduced").count("points", points).number("lines", lines as f64, 0);
+    let summary = summary.number("arcs", (spans.len() - lines) as f64, 0).number("min", reduction.at_least as f64, 0);
+    let error = format_number(greatest(spans), 4).parse().unwrap_or_default();
     // Errors are ignored: standard error may be closed.
-    let _ = writeln!(io::stderr(), "{told}");
+    let _ = writeln!(io::stderr(), "{}", summary.value("error", error, Unit::Mm));
     Ok(())
 }
 

@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::load::load;
 use crate::rows::{Cell, Rows};
+use seamwright_message::Message;
 use seamwright_program::Role;
 use seamwright_report::{Language, sections};
 use seamwright_weld::Welding;
@@ -37,8 +38,8 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     let welding = &loaded.welding;
     let Some(joint) = &welding.joint else {
-        let message = "the job has no joint, so there is nothing to be cut";
-        return Err(welding.program.error_at("joint", message, "a [joint] with its preparation").into());
+        let allowed = Message::new("cli-section-joint");
+        return Err(welding.program.error_at("joint", Message::new("cli-section-no-joint"), allowed).into());
     };
     let seam = loaded.seam()?;
     let places = Places::new(&args.places, seam, SECTIONS)?;
@@ -71,7 +72,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
         })
     })?;
     if let Some(path) = &args.svg {
-        let mut gallery = sections(welding, &drawn, Language::English);
+        let mut gallery = sections(welding, &drawn, Language::of_process());
         gallery.title.clone_from(&welding.program.value.title);
         files::write(path, &gallery.to_svg_standalone())?;
     }

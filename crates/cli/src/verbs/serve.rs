@@ -3,7 +3,9 @@ use crate::examples::EXAMPLES;
 use crate::failure::Failure;
 use crate::files;
 use crate::load::{load_text, machine};
+use crate::refusals::{not_json, outside, refused};
 use crate::rows::print_text;
+use seamwright_message::Message;
 use seamwright_server::{Error, Settings, Tls, serve};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -12,8 +14,10 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
     let data = super::records::folder(args.data.as_deref())?;
     seamwright_record::finish_replacing(&data)?;
     let jobs = data.join("jobs");
-    files::make_private(&jobs)
-        .map_err(|e| Failure::input(format!("--data {}: cannot be made: {e}", data.display())))?;
+    files::make_private(&jobs).map_err(|e| {
+        let message = Message::new("cli-serve-data").text("folder", data.display().to_string());
+        Failure::input(message.message("why", outside(&e)))
+    })?;
     let job = match (&args.job, &args.machine) {
         (Some(job), _) => Some(taken(job, &jobs)?),
         (None, None) => Some(format!("{}.toml", EXAMPLES[0].name)),
@@ -64,7 +68,7 @@ fn this_program() -> Option<PathBuf> {
 
 /// Answers one question of the panel, which has started this process for it.
 pub(crate) fn answer_one_question(args: &QuestionArgs) -> Result<(), Failure> {
-    seamwright_server::answer_one_question(&args.jobs).map_err(|e| Failure::environment(e.to_string()))
+    seamwright_server::answer_one_question(&args.jobs).map_err(not_json)
 }
 
 /// The name of a job in the data folder: a file is taken there first.
@@ -78,16 +82,18 @@ fn taken(job: &str, jobs: &Path) -> Result<String, Failure> {
             return Ok(name);
         }
         let names: Vec<&str> = EXAMPLES.iter().map(|e| e.name).collect();
-        let allowed = format!("a file, a job in {}, or an example: {}", jobs.display(), names.join(", "));
-        return Err(Failure::input(format!("--job {job}: there is no such job\n   allowed: {allowed}")));
+        let allowed = Message::new("cli-serve-jobs").text("folder", jobs.display().to_string());
+        let allowed = allowed.text("examples", names.join(", "));
+        return Err(refused("--job", job, Message::new("cli-serve-no-job"), allowed));
     }
     let text = files::read(file)?;
     let inside = jobs.join(&name);
     let there = if inside.is_file() { Some(files::read(&inside)?) } else { None };
     match there {
-        Some(other) if other != text => Err(Failure::input(format!(
-            "--job {job}: the data folder has another job of that name\n   allowed: a file of another name, or --job {name} from there"
-        ))),
+        Some(other) if other != text => {
+            let allowed = Message::new("cli-serve-other-name").text("name", name);
+            Err(refused("--job", job, Message::new("cli-serve-other-job"), allowed))
+        }
         Some(_) => Ok(name),
         None if EXAMPLES.iter().any(|e| e.text == text && name == format!("{}.toml", e.name)) => Ok(name),
         None => {

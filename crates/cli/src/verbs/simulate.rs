@@ -17,7 +17,7 @@ use seamwright_cell::executive::{Command, Cycle, Executive, Note, Place, Port, S
 use seamwright_cell::realtime::Shown;
 use seamwright_cell::{Conditions, Judge, Sample, SimulatedCell, Summary};
 use seamwright_machine::Machine;
-use seamwright_message::Language;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_project::recording::Header;
 use seamwright_report::{SimulationCurves, WeldReport};
@@ -121,7 +121,7 @@ fn trace(
         rows,
         values: work.values().len(),
         curves: motion.passes.iter().map(curves).collect(),
-        progress: Progress::new("welding in simulation", motion.count(machine.servo_period_s, true)),
+        progress: Progress::new("cli-progress-simulating", motion.count(machine.servo_period_s, true)),
         failed: None,
     };
     let guide = tracking.as_mut().map(|tracking| tracking as _);
@@ -131,7 +131,8 @@ fn trace(
     drop(executive);
     for fault in conditions.faults.iter().filter(|f| matches!(f.when, When::At(t) if t > end)) {
         // Errors are ignored: standard error may be closed.
-        let _ = writeln!(std::io::stderr(), "note: {fault} never came: everything was over at {end:.1} s");
+        let note = Message::new("cli-fault-never-came").text("fault", fault.to_string());
+        let _ = writeln!(std::io::stderr(), "{}", note.quantity("time", end, Unit::S, 1));
     }
     let Watched { judge, rows, curves, failed, .. } = watched;
     match failed {
@@ -184,7 +185,7 @@ impl Port for Watched<'_> {
         let sample = self.judge.sample(cycle);
         if let Err(failure) = self.add(&sample) {
             self.failed = Some(failure);
-            self.desk.give_up("the trace cannot be written");
+            self.desk.give_up(Message::new("cli-run-trace-lost"));
         }
     }
 

@@ -123,7 +123,7 @@ fn every_operation_has_help_with_an_example() {
 fn wrong_use_is_told_and_writes_nothing() {
     let (_folder, path, name) = file();
     let cases: [(&[&str], &str); 8] = [
-        (&[], "what to do is not said"),
+        (&[], "no operation is given"),
         (&["set-point", "--pass", "1", "--point", "1", "--set", "x_mm"], "NAME=NUMBER"),
         (&["set-point", "--pass", "1", "--point", "1", "--set", "x_mm=nan"], "a finite number"),
         (&["mirror", "--normal", "0,0,0"], "not all 0"),

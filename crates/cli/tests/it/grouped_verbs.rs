@@ -1,6 +1,7 @@
 //! The groups of verbs, their former names, the language of the process, and what packages need.
 
 use crate::common::{bad, example, good, run, run_with};
+use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 use std::process::{Command, Output};
@@ -97,6 +98,78 @@ fn an_unknown_language_is_english_with_one_note() {
         assert_eq!((output.status.code(), output.stdout), (Some(0), good(&["examples"]).into_bytes()));
         let note = String::from_utf8(output.stderr).unwrap();
         assert!(note.lines().count() == 1 && note.contains("so this is English"), "{note}");
+    }
+}
+
+/// Words of at least four letters, but for keys, options, and names of files and of findings' kinds.
+fn words_of(text: &str) -> BTreeSet<String> {
+    let is_name = |token: &&str| {
+        token.contains(['/', '[', '_', '`', '='])
+            || token.contains("--")
+            || token.ends_with("):")
+            || token.trim_end_matches(',').ends_with(|c: char| c.is_ascii_alphabetic()) && token.contains('.')
+    };
+    let tokens = text.split_whitespace().filter(|token| !is_name(token)).collect::<Vec<_>>().join(" ").to_lowercase();
+    tokens.split(|c: char| !c.is_alphabetic()).filter(|word| word.chars().count() > 3).map(str::to_owned).collect()
+}
+
+/// Words of names that people have given: in the job and in the machine file.
+fn names_of(report: &Value) -> BTreeSet<String> {
+    let mut text = format!("{} {} ", report["title"], report["machine"]);
+    let mut bodies = String::new();
+    for pass in report["passes"].as_array().unwrap() {
+        text += &format!("{} ", pass["name"]);
+        bodies += &["between", "watched"].map(|key| pass["clearance"][key].to_string()).join(" ");
+        let axes = pass["plan"]["axes"].as_array().unwrap().iter().map(|axis| &axis["axis"]);
+        axes.for_each(|name| text += &format!("{name} "));
+    }
+    let letters = |text: &str| -> BTreeSet<String> {
+        text.to_lowercase().split(|c: char| !c.is_alphabetic()).map(str::to_owned).collect()
+    };
+    let ours = ["part", "fixtures", "zone", "permitted", "forbidden"];
+    let bodies = letters(&bodies).into_iter().filter(|word| !ours.contains(&word.as_str()));
+    letters(&text).into_iter().chain(bodies).collect()
+}
+
+#[test]
+fn summaries_are_in_the_language_that_is_asked_for() {
+    // Words that German shares with English.
+    let shared = ["name", "position", "plan", "simulation", "zone", "alarm"];
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out").display().to_string();
+    for (job, verbs) in [("first-weld", &["check", "plan", "simulate"][..]), ("thick-saddle", &["check", "plan"][..])] {
+        let job = example(job);
+        let report = run(&["plan", &job, "-o", &out, "--json"]).stdout;
+        let names = names_of(&serde_json::from_slice(&report).unwrap());
+        for verb in verbs {
+            let arguments: &[&str] = if *verb == "check" { &[verb, &job] } else { &[verb, &job, "-o", &out] };
+            let words = |language: &str| {
+                let output = run(&[arguments, &["--language", language]].concat());
+                words_of(&[output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap()).join(" "))
+            };
+            let english: BTreeSet<String> = words("en").difference(&names).cloned().collect();
+            assert!(!english.is_empty(), "{verb} {job}");
+            for language in ["de", "uk"] {
+                let left: Vec<String> = words(language).intersection(&english).cloned().collect();
+                let left: Vec<&String> = left.iter().filter(|word| !shared.contains(&word.as_str())).collect();
+                assert!(left.is_empty(), "{verb} {job}, {language}: {left:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn output_for_programs_is_the_same_in_every_language() {
+    let job = example("first-weld");
+    let cases: [&[&str]; 4] = [
+        &["check", &job, "--json"],
+        &["machine", "list", "--json"],
+        &["tools", "seam", &job, "--points", "3"],
+        &["check", &job, "no-such-job", "--json"],
+    ];
+    for arguments in cases {
+        let output = |language: &str| run(&[arguments, &["--language", language]].concat()).stdout;
+        assert_eq!(String::from_utf8_lossy(&output("de")), String::from_utf8_lossy(&output("en")), "{arguments:?}");
     }
 }
 

@@ -33,12 +33,12 @@ fn what_would_collide_is_refused_and_mistakes_are_named() {
     assert!(output.status.code() == Some(1) && output.stdout.is_empty(), "{told}");
     assert!(told.contains("finding (clearance)") && told.contains("torch") && told.contains("where: t ="), "{told}");
     for (arguments, words) in [
-        (vec!["--to", "x=9000"], vec!["--to x=9000", "axis x cannot be there", "allowed: -800 to 800 mm"]),
+        (vec!["--to", "x=9000"], vec!["--to x=9000", "outside the range of axis x", "allowed: -800 to 800 mm"]),
         (vec!["--to", "q=1"], vec!["no such axis", "y, z, a, b, x"]),
         (vec!["--to", "x"], vec!["axis x is not a number", "-800 to 800 mm"]),
         (vec!["--to", "x=nan"], vec!["axis x is not a number"]),
         (vec!["--to", "x=1,x=2"], vec!["given twice"]),
-        (vec!["--to", "x=1", "--from", "b=-91"], vec!["--from b=-91", "allowed: -80 to 80 deg"]),
+        (vec!["--to", "x=1", "--from", "b=-91"], vec!["--from b=-91", "allowed: -80 to 80°"]),
         (vec!["--to", "x=1", "--override-percent", "120"], vec!["--override-percent 120", "up to 100"]),
         (vec!["--to", "x=1", "--override-percent", "1e-9"], vec!["two hours"]),
         (vec!["--to", "x=1", "--period-ms", "0"], vec!["--period-ms 0"]),

@@ -193,7 +193,8 @@ fn microsteps_are_chosen_and_explained() {
 fn too_many_pulses_are_found_before_anything_is_written() {
     let (code, text, written) = changed(&[("max_pulse_hz = 200000", "max_pulse_hz = 50")], &[]);
     assert!(code == 1 && !written, "{text}");
-    for word in ["axis ", " at t = ", "pulses a second", "50 is the most", "cure: ", "max_pulse_hz", "pass 1, s = "] {
+    for word in ["axis ", " at t = ", "pulses a second", "50 is the maximum", "cure: ", "max_pulse_hz", "pass 1, s = "]
+    {
         assert!(text.contains(word), "{word} in {text}");
     }
 }

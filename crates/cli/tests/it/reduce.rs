@@ -24,7 +24,7 @@ fn a_small_path_to_the_last_digit() {
         let (exact, rounding) = text.trim_end().rsplit_once(',').unwrap();
         assert_eq!(exact, format!("{HEADER}line,0,2,,,,,,,,0\narc,2,8,10,5,0,5,0,0,1"));
         assert!(rounding.parse::<f64>().unwrap() < 1e-14);
-        assert!(told.starts_with("9 points; lines: 1, arcs: 1; greatest error"), "{told}");
+        assert!(told.starts_with("9 points; lines: 1, arcs: 1; maximum error"), "{told}");
     }
 }
 
@@ -93,7 +93,7 @@ fn what_is_wrong_is_named_with_its_place() {
             "x_mm,y_mm,z_mm\n0,0,0\n1,0,-2e9\n",
             "-:3: z_mm = `-2000000000`: too far away\n   allowed: -1e9 to 1e9\n   cure:",
         ),
-        ("x_mm,y_mm,z_mm\n0,0,0\n", "-: 1 points\n   allowed: at least two\n   cure:"),
+        ("x_mm,y_mm,z_mm\n0,0,0\n", "-: 1 point\n   allowed: at least two\n   cure:"),
         ("", "-:1: there is no column `x_mm`"),
     ];
     for (points, message) in cases {

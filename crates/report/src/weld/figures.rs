@@ -132,7 +132,7 @@ pub struct ClearanceFigures {
     pub watched: Vec<String>,
     /// Both objects, for the page.
     #[serde(skip)]
-    pub(super) nearest: Option<[Message; 2]>,
+    pub nearest: Option<[Message; 2]>,
     /// All checked objects, for the page.
     #[serde(skip)]
     pub(super) objects: Vec<Message>,

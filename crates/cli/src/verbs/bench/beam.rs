@@ -5,6 +5,7 @@ use seamwright_cell::eyes::{SeamLine, Station};
 use seamwright_cell::gate::{Gate, Limit};
 use seamwright_cell::tracking::beam::{BeamJob, MOVED_MM, beam_rows, moved_since};
 use seamwright_machine::{Machine, shipped};
+use seamwright_message::Message;
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath as _;
 use seamwright_weld::Welding;
@@ -19,16 +20,18 @@ pub(super) fn rows(seeds: u64) -> Result<Vec<Gate>, Failure> {
         [Welding::read("half-ring.toml", JOB)?, Welding::read("half-ring.toml", &JOB.replace(LATER[0], LATER[1]))?];
     let first = &weldings[0];
     let name = &first.program.value.machine;
-    let text = shipped(name).ok_or_else(|| Failure::environment(format!("{name} does not ship")))?.text;
+    let text = shipped(name)
+        .ok_or_else(|| Failure::environment(Message::new("cli-bench-not-shipped").text("machine", name)))?
+        .text;
     let machine = Machine::read(name, text)?;
     let paths = weldings.each_ref().map(|welding| welding.path(0));
     let [a, b] = [0, 1].map(|i: usize| PassMotion::plan(&machine, &paths[i], &weldings[i].program.value.passes[0], 1));
     let planned = |motion: Result<PassMotion, Vec<_>>| {
-        motion.map_err(|_| Failure::environment("the half-ring cannot be planned".to_owned()))
+        motion.map_err(|_| Failure::environment(Message::new("cli-bench-half-ring")))
     };
     let (a, b) = (planned(a)?, planned(b)?);
     let seam = first.seam.as_ref();
-    let seam = seam.ok_or_else(|| Failure::environment("the half-ring has no seam".to_owned()))?;
+    let seam = seam.ok_or_else(|| Failure::environment(Message::new("cli-bench-half-ring")))?;
     let place = first.program.value.seam_in_work();
     let nominal = SeamLine::sampled(paths[0].length(), false, |s| {
         let p = seam.at(s);

@@ -2,6 +2,7 @@ use crate::args::bench::BenchFaultsArgs;
 use crate::failure::Failure;
 use crate::load::load_text;
 use crate::progress::Progress;
+use crate::refusals::outside;
 use crate::rows::{print_json, print_text};
 use crate::verbs::run::bad;
 use seamwright_cell::campaign::{self, Outcome, Stage, TrackedStage};
@@ -34,13 +35,13 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     let mut works = Vec::new();
     for (cell, motion) in cells.iter().zip(&motions) {
         works.push(cell.work(Start::at_home(motion)).map_err(|e| bad(&e))?);
-        works.push(cell.work(start(motion).map_err(|e| Failure::input(e.to_string()))?).map_err(|e| bad(&e))?);
+        works.push(cell.work(start(motion).map_err(|e| Failure::input(outside(&e)))?).map_err(|e| bad(&e))?);
     }
     let [begin, end, tracked_begin, tracked_end] = &works[..] else { return Err(Failure::Printed) };
     let on_sensors = TrackedStage { cell: &cells[1], works: [tracked_begin, tracked_end], near_end };
     let stage = Stage { machine, begin, end, tracked: Some(on_sensors) };
     let cases = campaign::cases(&stage);
-    let progress = Progress::new("faults", args.seeds * cases.len() as u64);
+    let progress = Progress::new("cli-progress-faults", args.seeds * cases.len() as u64);
     let mut outcomes: Vec<Outcome> = Vec::new();
     for seed in 0..args.seeds {
         for case in &cases {

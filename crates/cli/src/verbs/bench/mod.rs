@@ -57,7 +57,7 @@ impl From<&Gate> for Line {
 
 fn vision(args: &BenchVisionArgs) -> Result<(), Failure> {
     let frames = args.frames;
-    let progress = Progress::new("simulated frames", frames * (Kind::ALL.len() as u64 + STEPS_A_SEED));
+    let progress = Progress::new("cli-progress-frames", frames * (Kind::ALL.len() as u64 + STEPS_A_SEED));
     let follower = joint_gates(0..frames, |_, _, _| progress.all(1));
     let stripes = stripe_gates(0..frames, || progress.all(1));
     drop(progress);

@@ -13,6 +13,7 @@ use seamwright_cell::tracking::shows::{heat_rows, misplaced_rows, t_joint_rows};
 use seamwright_cell::tracking::stripes::stripe_rows;
 use seamwright_cell::tracking::{RESERVE, cross_talk};
 use seamwright_machine::{Machine, shipped};
+use seamwright_message::Message;
 use seamwright_weld::Welding;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -58,11 +59,12 @@ impl From<&GateRow> for Row {
 
 pub(super) fn run(args: &BenchTrackingArgs) -> Result<(), Failure> {
     let wanted = |table: TrackingTable| args.table.is_none_or(|only| only == table);
-    let shipped = shipped(MACHINE).ok_or_else(|| Failure::environment(format!("{MACHINE} does not ship")))?;
+    let shipped = shipped(MACHINE)
+        .ok_or_else(|| Failure::environment(Message::new("cli-bench-not-shipped").text("machine", MACHINE)))?;
     let machine = Machine::read(MACHINE, shipped.text)?;
     let mut rows = Vec::new();
     if wanted(TrackingTable::Seams) {
-        let progress = Progress::new("simulated welds", weld_count(args.seeds));
+        let progress = Progress::new("cli-progress-welds", weld_count(args.seeds));
         rows = tracking_gates(&machine, args.seeds, || progress.all(1))?.iter().map(Row::from).collect();
     }
     let mut tables = Vec::new();

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::files;
+use crate::refusals::not_json;
 use seamwright_program::edit::{Editor, History};
 use std::path::{Path, PathBuf};
 
@@ -23,8 +24,7 @@ pub(super) fn read(file: &Path, text: &str) -> Result<(History, bool), Failure> 
 
 /// Writes the file and its history.
 pub(super) fn write(file: &Path, editor: &Editor) -> Result<(), Failure> {
-    let unwritable = |e: serde_json::Error| Failure::environment(e.to_string());
-    let lines = editor.history().to_json_lines(editor.text()).map_err(unwritable)?;
+    let lines = editor.history().to_json_lines(editor.text()).map_err(not_json)?;
     files::write(file, editor.text())?;
     files::write(&path(file), &lines)
 }

@@ -6,8 +6,9 @@ mod operation;
 use crate::args::edit::{EditArgs, EditVerb};
 use crate::failure::Failure;
 use crate::files;
+use crate::refusals::outside;
 use crate::rows::{print_json, print_text};
-use seamwright_message::Message;
+use seamwright_message::{Language, Message};
 use seamwright_program::Program;
 use seamwright_program::edit::{Editor, History, Operation, Patch, Report};
 use seamwright_weld::Job;
@@ -18,15 +19,11 @@ use std::path::Path;
 pub(crate) fn run(args: &EditArgs) -> Result<(), Failure> {
     match (&args.operation, &args.script) {
         (Some(EditVerb::History), None) => history(args),
-        (Some(EditVerb::Undo(step)), None) => back(args, step.force, "undone", Editor::undo),
-        (Some(EditVerb::Redo(step)), None) => back(args, step.force, "done again", Editor::redo),
+        (Some(EditVerb::Undo(step)), None) => back(args, step.force, &UNDO, Editor::undo),
+        (Some(EditVerb::Redo(step)), None) => back(args, step.force, &REDO, Editor::redo),
         (Some(verb), None) => edit(args, &operation::operation(verb)?.into_iter().collect::<Vec<_>>()),
         (None, Some(script)) => edit(args, &operation::json::<Vec<Operation>>(script)?),
-        _ => {
-            let message = "what to do is not said, or twice";
-            let allowed = "one operation, undo, redo, history, or --script OPS.json; see `seamwright edit --help`";
-            Err(Failure::input(format!("{message}\n   allowed: {allowed}")))
-        }
+        _ => Err(Failure::refused(Message::new("cli-edit-no-operation"), Message::new("cli-edit-operations"))),
     }
 }
 
@@ -36,12 +33,13 @@ fn edit(args: &EditArgs, operations: &[Operation]) -> Result<(), Failure> {
     let (history, is_same) = journal::read(&args.file, &text)?;
     if !is_same {
         // Errors are ignored: standard error may be closed.
-        let _ = writeln!(io::stderr(), "note: {name} was changed by hand since its last edit: a new history begins");
+        let _ = writeln!(io::stderr(), "{}", Message::new("cli-edit-new-history").text("file", &name));
     }
     let mut editor = Editor::with_history(&name, &text, if is_same { history } else { History::default() })?;
     let reports = editor.apply_all(operations).map_err(|(i, e)| {
-        let of = if operations.len() > 1 { format!("operation {}: ", i + 1) } else { String::new() };
-        Failure::input(format!("{of}{e}"))
+        let why = outside(&e);
+        let of = |why| Message::new("cli-edit-of-operation").number("number", (i + 1) as f64, 0).message("why", why);
+        Failure::input(if operations.len() > 1 { of(why) } else { why })
     })?;
     finish(args, &text, &editor, &reports)
 }
@@ -53,31 +51,41 @@ fn read_program(file: &Path) -> Result<String, Failure> {
         return Ok(text);
     }
     let stem = file.file_stem().unwrap_or(file.as_os_str()).display();
-    let file = file.display();
-    Err(Failure::input(format!(
-        "{file}: this is a job, and edits are of programs\n   allowed: plan it first: seamwright plan {file}; then edit out/{stem}/program.toml"
-    )))
+    let file = file.display().to_string();
+    let plan = Message::new("cli-edit-plan-first").text("file", &file);
+    let plan = plan.text("program", format!("out/{stem}/program.toml"));
+    Err(Failure::refused(Message::new("cli-edit-job").text("file", file), plan))
 }
+
+/// Codes of the words of a step through the history.
+struct Step {
+    done: &'static str,
+    nothing: &'static str,
+}
+
+const UNDO: Step = Step { done: "cli-edit-undone", nothing: "cli-edit-nothing-to-undo" };
+const REDO: Step = Step { done: "cli-edit-redone", nothing: "cli-edit-nothing-to-redo" };
 
 /// Undoes an edit, or makes it again.
 fn back(
     args: &EditArgs,
     force: bool,
-    how: &str,
+    how: &Step,
     step: fn(&mut Editor) -> Result<Option<Message>, seamwright_document::DocumentError>,
 ) -> Result<(), Failure> {
     let name = args.file.display().to_string();
     let text = read_program(&args.file)?;
     let (history, is_same) = journal::read(&args.file, &text)?;
     if !is_same && !force {
-        let message = format!("{name}: the file was changed by hand since its last edit");
-        return Err(Failure::input(format!("{message}\n   allowed: --force, which goes as far as it can")));
+        let message = Message::new("cli-edit-by-hand").text("file", name);
+        return Err(Failure::refused(message, Message::new("cli-edit-force")));
     }
     let mut editor = Editor::with_history(&name, &text, history)?;
     let Some(words) = step(&mut editor)? else {
-        return Err(Failure::input(format!("{name}: there is nothing to be {how}\n   allowed: see `history`")));
+        let message = Message::new(how.nothing).text("file", name);
+        return Err(Failure::refused(message, Message::new("cli-edit-see-history")));
     };
-    let report = Report { words: format!("{how}: {words}").into(), changed: true, touched: Vec::new() };
+    let report = Report { words: Message::new(how.done).message("edit", words), changed: true, touched: Vec::new() };
     finish(args, &text, &editor, &[report])
 }
 
@@ -98,9 +106,11 @@ fn finish(args: &EditArgs, before: &str, editor: &Editor, reports: &[Report]) ->
             "difference": difference,
         }));
     }
-    let told =
-        |report: &Report| format!("{}{}\n", report.words, if report.changed { "" } else { " (nothing changed)" });
-    let mut out: String = reports.iter().map(told).collect();
+    let line = |report: &Report| match report.changed {
+        true => format!("{}\n", report.words),
+        false => format!("{}\n", Message::new("cli-edit-unchanged").message("edit", report.words.clone())),
+    };
+    let mut out: String = reports.iter().map(line).collect();
     if args.dry_run {
         difference(before, editor.text()).iter().for_each(|line| out.extend([line, "\n"]));
     }
@@ -126,7 +136,9 @@ fn difference(before: &str, after: &str) -> Vec<String> {
 fn history(args: &EditArgs) -> Result<(), Failure> {
     let text = read_program(&args.file)?;
     let (history, is_same) = journal::read(&args.file, &text)?;
-    let names = |patches: &[Patch]| -> Vec<Value> { patches.iter().map(|p| p.name.to_string().into()).collect() };
+    let names = |patches: &[Patch]| -> Vec<Value> {
+        patches.iter().map(|p| p.name.in_language(Language::English).into()).collect()
+    };
     if args.json {
         let (done, undone) = (names(history.done()), names(history.undone()));
         return print_json(&json!({ "done": done, "undone": undone, "changed_by_hand": !is_same }));
@@ -136,10 +148,14 @@ fn history(args: &EditArgs) -> Result<(), Failure> {
         out += &format!("{:>4}  {}\n", i + 1, patch.name);
     }
     for patch in history.undone() {
-        out += &format!("   -  {} (undone)\n", patch.name);
+        let undone = Message::new("cli-edit-undone-entry").message("edit", patch.name.clone());
+        out += &format!("   -  {undone}\n");
     }
     if !is_same {
-        out += "the file was changed by hand since\n";
+        out += &format!("{}\n", Message::new("cli-edit-by-hand-since"));
     }
-    print_text(if out.is_empty() { "no edits\n" } else { &out })
+    if out.is_empty() {
+        out = format!("{}\n", Message::new("cli-edit-none"));
+    }
+    print_text(&out)
 }

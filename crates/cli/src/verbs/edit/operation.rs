@@ -3,7 +3,9 @@
 use crate::args::edit::{EditVerb, EventArgs};
 use crate::failure::Failure;
 use crate::files;
+use crate::refusals::{between, in_file, not_allowed, of_option};
 use seamwright_document::serde_text;
+use seamwright_message::Message;
 use seamwright_program::edit::{
     AddEvent, AddPass, DeleteEvent, DeletePass, DeletePoints, DuplicatePass, InsertPoint, Interpolate, JoinSpans,
     Mirror, MovePass, Offset, Operation, Reduce, Renumber, ReversePass, ScaleSpeed, SetOffset, SetPass, SetPoint,
@@ -43,7 +45,7 @@ pub(super) fn operation(verb: &EditVerb) -> Result<Option<Operation>, Failure> {
             let value = match value[..] {
                 [from, to] => SpanValue::Ramp(Ramp { from, to }),
                 [value] => SpanValue::Steady(value),
-                _ => return Err(Failure::input("--value: one number, or two for a ramp".to_owned())),
+                _ => return Err(Failure::input(of_option("--value", Message::new("cli-edit-value")))),
             };
             O::SetProcess(SetProcess { pass, points, s_mm, name, value })
         }
@@ -53,8 +55,8 @@ pub(super) fn operation(verb: &EditVerb) -> Result<Option<Operation>, Failure> {
         V::SetVariable { name, value } => O::SetVariable(SetVariable { name, value }),
         V::SetPass { pass, name, role, arc, repeat } => {
             let role = role.map(|role| word(&role)).transpose()?;
-            let wrong = || Failure::input("--repeat: not allowed\n   allowed: 1 to 1000".to_owned());
-            let repeat = repeat.map(|times| Repeat::new(times).ok_or_else(wrong)).transpose()?;
+            let wrong = |times| not_allowed("--repeat", times, between(1.0, 1000.0));
+            let repeat = repeat.map(|times| Repeat::new(times).ok_or_else(|| wrong(times))).transpose()?;
             O::SetPass(SetPass { pass, name, role, arc, repeat })
         }
         V::AddPass { at, from } => O::AddPass(AddPass { at, new: Box::new(json(&from)?) }),
@@ -83,6 +85,6 @@ pub(super) fn json<T: DeserializeOwned>(path: &Path) -> Result<T, Failure> {
     let text = files::read(path)?;
     serde_json::from_str(&text).map_err(|e| {
         let fault = serde_text(&e.to_string());
-        Failure::input(format!("{}: {fault}\n   allowed: see `seamwright schema operation`", path.display()))
+        Failure::refused(in_file(&path.display().to_string(), fault), Message::new("cli-edit-see-schema"))
     })
 }

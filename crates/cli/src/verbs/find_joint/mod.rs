@@ -5,8 +5,10 @@ mod draw;
 use crate::args::find_joint::FindJointArgs;
 use crate::failure::Failure;
 use crate::files;
+use crate::refusals::{between, in_file, not_allowed, refused};
 use crate::rows::{Cell, Rows, print_json};
 use seamwright_cell::frames::decode;
+use seamwright_message::{Message, Unit};
 use seamwright_vision::joint::{End, Follower, Joint, Options, Start, State, Zone};
 use seamwright_vision::{Frame, Pixels};
 use serde_json::{Value, json};
@@ -20,8 +22,8 @@ const WIDTHS: (f64, f64) = (1.0, 400.0);
 pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
     let source = args.image.display().to_string();
     let image = decode(&files::read_bytes(&args.image, &source)?)
-        .map_err(|e| Failure::input(format!("{source}: {e}\n   allowed: a whole PNG, JPEG or PNM file")))?;
-    let frame = image.frame().map_err(|e| Failure::input(format!("{source}: {e}")))?;
+        .map_err(|e| Failure::refused(in_file(&source, &e), Message::new("cli-image-whole-file")))?;
+    let frame = image.frame().map_err(|e| Failure::input(in_file(&source, &e)))?;
     check_frame(&frame, &source)?;
     let zone = zone(args, &frame)?;
     let start = start(args, &zone)?;
@@ -40,7 +42,7 @@ pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
     let mut err = io::stderr();
     let nothing = joint.rows.is_empty();
     if nothing {
-        let _ = writeln!(err, "{source}: no joint at the start: try another --start, --direction-deg or --width-px");
+        let _ = writeln!(err, "{}", in_file(&source, Message::new("cli-joint-none-at-start")));
     }
     let _ = writeln!(err, "{}", word(joint.end));
     if nothing { Err(Failure::Printed) } else { Ok(()) }
@@ -50,16 +52,17 @@ pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
 fn check_frame(frame: &Frame, source: &str) -> Result<(), Failure> {
     let (width, height) = (frame.width(), frame.height());
     if width.min(height) < MIN_SIDE {
-        let allowed = format!("at least {MIN_SIDE} pixels to a side");
-        return Err(Failure::input(format!("{source}: {width} x {height} pixels\n   allowed: {allowed}")));
+        let size = Message::new("cli-image-size").text("width", width.to_string()).text("height", height.to_string());
+        let allowed = Message::new("cli-image-at-least").number("min", MIN_SIDE as f64, 0);
+        return Err(Failure::refused(in_file(source, size), allowed));
     }
     let white = match frame.pixels() {
         Pixels::U8(pixels) => pixels.iter().filter(|p| **p == u8::MAX).count(),
         Pixels::U16(pixels) => pixels.iter().filter(|p| **p == u16::MAX).count(),
     };
     if white >= width * height - width * height / 1000 {
-        let allowed = "an exposure that leaves the metal grey: less light, time or gain";
-        return Err(Failure::input(format!("{source}: the image is saturated, all white\n   allowed: {allowed}")));
+        let message = in_file(source, Message::new("cli-image-saturated"));
+        return Err(Failure::refused(message, Message::new("cli-image-exposure")));
     }
     Ok(())
 }
@@ -70,7 +73,7 @@ fn numbers<const N: usize>(name: &str, found: &[f64]) -> Result<[f64; N], Failur
     all.filter(|all| all.iter().all(|v| v.is_finite())).ok_or_else(|| {
         let found: Vec<String> = found.iter().map(f64::to_string).collect();
         let found = found.join(",");
-        Failure::input(format!("{name} {found}: not allowed\n   allowed: {N} finite numbers, apart by commas"))
+        not_allowed(name, found, Message::new("cli-finite-numbers").count("n", N))
     })
 }
 
@@ -84,8 +87,8 @@ fn zone(args: &FindJointArgs, frame: &Frame) -> Result<Zone, Failure> {
     let inside = left >= 0.0 && top >= 0.0 && zone_right <= right && zone_bottom <= bottom;
     if !inside || left >= zone_right || top >= zone_bottom {
         let found = format!("{left},{top},{zone_right},{zone_bottom}");
-        let allowed = format!("left < right within 0 to {right}, top < bottom within 0 to {bottom}");
-        return Err(Failure::input(format!("--zone-px {found}: not allowed\n   allowed: {allowed}")));
+        let allowed = Message::new("cli-joint-zone").value("right", right, Unit::One);
+        return Err(not_allowed("--zone-px", found, allowed.value("bottom", bottom, Unit::One)));
     }
     Ok(Zone { left: left as f32, top: top as f32, right: zone_right as f32, bottom: zone_bottom as f32 })
 }
@@ -94,14 +97,17 @@ fn start(args: &FindJointArgs, zone: &Zone) -> Result<Start, Failure> {
     let [x, y] = numbers("--start", &args.start)?;
     let [left, top, right, bottom] = [zone.left, zone.top, zone.right, zone.bottom].map(f64::from);
     if x < left || x > right || y < top || y > bottom {
-        let what = if args.zone_px.is_some() { "the detection zone" } else { "the image" };
-        let allowed = format!("x from {left} to {right}, y from {top} to {bottom}");
-        return Err(Failure::input(format!("--start {x},{y}: outside {what}\n   allowed: {allowed}")));
+        let fault = Message::new(if args.zone_px.is_some() { "cli-outside-zone" } else { "cli-outside-image" });
+        let allowed = Message::new("cli-joint-start")
+            .value("left", left, Unit::One)
+            .value("right", right, Unit::One)
+            .value("top", top, Unit::One)
+            .value("bottom", bottom, Unit::One);
+        return Err(refused("--start", format!("{x},{y}"), fault, allowed));
     }
     let [direction] = numbers("--direction-deg", &[args.direction_deg])?;
     if let Some(width) = args.width_px.filter(|w| !(WIDTHS.0..=WIDTHS.1).contains(w)) {
-        let allowed = format!("{} to {}", WIDTHS.0, WIDTHS.1);
-        return Err(Failure::input(format!("--width-px {width}: not allowed\n   allowed: {allowed}")));
+        return Err(not_allowed("--width-px", width, between(WIDTHS.0, WIDTHS.1)));
     }
     // Whole turns are taken off before the precision is.
     let direction = (direction % 360.0).to_radians() as f32;

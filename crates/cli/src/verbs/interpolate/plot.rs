@@ -3,7 +3,9 @@
 
 use super::Named;
 use crate::failure::Failure;
+use crate::refusals::of_option;
 use glam::DVec3;
+use seamwright_message::Message;
 use seamwright_motion::textbook::{Path, Point};
 use seamwright_report::{Axis, Chart, Series, Style, sheet};
 
@@ -21,8 +23,9 @@ pub(super) fn draw(requests: &[Named]) -> Result<String, Failure> {
     for (place, Named { name, request }) in requests.iter().enumerate() {
         let points: Vec<Point> = request.interpolate()?.take(MAX_POINTS + 1).collect();
         if points.len() > MAX_POINTS {
-            let message = format!("--svg: {name} has more than {MAX_POINTS} points to draw");
-            return Err(Failure::input(message + "\n   allowed: a coarser pulse or period, or no drawing"));
+            let fault = Message::new("cli-too-many-to-draw").text("method", *name);
+            let message = of_option("--svg", fault.number("max", MAX_POINTS as f64, 0));
+            return Err(Failure::refused(message, Message::new("cli-coarser-or-no-drawing")));
         }
         // Each method has one colour in all charts; the true curve has the first.
         let series = |points: Vec<(f64, f64)>| Series::line(*name, points).coloured(place + 1);
@@ -35,7 +38,11 @@ pub(super) fn draw(requests: &[Named]) -> Result<String, Failure> {
         charts[3].series.push(series(greatest_distances(&path, &points)));
     }
     let shown: Vec<Chart> = charts.into_iter().filter(|c| c.series.iter().any(|s| s.points.len() > 1)).collect();
-    Ok(sheet("Interpolation methods side by side", &shown))
+    Ok(sheet(&words("cli-draw-interpolation"), &shown))
+}
+
+fn words(code: &'static str) -> String {
+    Message::new(code).to_string()
 }
 
 /// Angle gone since the start, degrees.
@@ -45,12 +52,12 @@ fn travelled(path: &Path, p: &Point) -> f64 {
 
 fn true_curve(path: &Path, from: f64, to: f64) -> Series {
     let points = (0..=CURVE).map(|i| path.point(from + (to - from) * f64::from(i) / f64::from(CURVE)));
-    Series::line("true curve", points.map(|p| (p.x, p.y)).collect()).styled(Style::Dashed)
+    Series::line(words("cli-draw-true-curve"), points.map(|p| (p.x, p.y)).collect()).styled(Style::Dashed)
 }
 
 fn paths(path: &Path) -> Chart {
     Chart {
-        title: "Paths, seen along z".to_owned(),
+        title: words("cli-draw-paths"),
         x: Axis::new("x", "mm"),
         y: Axis::new("y", "mm"),
         series: vec![true_curve(path, path.start_rad(), path.end_rad())],
@@ -65,7 +72,7 @@ fn close(path: &Path, requests: &[Named]) -> Chart {
     let half = pulses.map_or(0.0, |pulse| angle_of(path, CLOSE_PULSES * pulse));
     let middle = 0.5 * (path.start_rad() + path.end_rad());
     Chart {
-        title: "Pulse by pulse, around the middle of the path".to_owned(),
+        title: words("cli-draw-close"),
         x: Axis::new("x", "mm"),
         y: Axis::new("y", "mm"),
         series: if half > 0.0 { vec![true_curve(path, middle - half, middle + half)] } else { Vec::new() },
@@ -89,9 +96,9 @@ fn near_middle(path: &Path, points: &[Point], pulse: f64) -> Vec<(f64, f64)> {
 
 fn speed() -> Chart {
     Chart {
-        title: "Straight distance travelled in each period, against speed x period".to_owned(),
-        x: Axis::new("angle travelled", "deg"),
-        y: Axis::new("deviation", "%"),
+        title: words("cli-draw-steps"),
+        x: Axis::new(words("cli-draw-angle"), "°"),
+        y: Axis::new(words("cli-draw-deviation"), "%"),
         ..Chart::default()
     }
 }
@@ -131,9 +138,9 @@ fn greatest_distances(path: &Path, points: &[Point]) -> Vec<(f64, f64)> {
 
 fn deviation() -> Chart {
     Chart {
-        title: "Greatest distance of the points from the true curve".to_owned(),
-        x: Axis::new("angle travelled", "deg"),
-        y: Axis::new("distance", "µm"),
+        title: words("cli-draw-max-distance"),
+        x: Axis::new(words("cli-draw-angle"), "°"),
+        y: Axis::new(words("cli-draw-distance"), "µm"),
         ..Chart::default()
     }
 }

@@ -2,8 +2,10 @@ use crate::args::machine::CheckMachineArgs;
 use crate::clock;
 use crate::failure::Failure;
 use crate::files::Output;
+use crate::labels::labelled;
 use crate::load::machine_and_file;
 use crate::progress::Progress;
+use crate::refusals::{between, not_allowed, not_json};
 use crate::rows::{print_json, print_text};
 use seamwright_machine::check::{Check, CheckOptions};
 use seamwright_report::{Language, MachineDrawing, check_page, check_text};
@@ -13,24 +15,24 @@ const MAX_POSES: u32 = 10_000_000;
 
 pub(crate) fn run(args: &CheckMachineArgs) -> Result<(), Failure> {
     if !(1..=MAX_POSES).contains(&args.poses) {
-        return Err(Failure::input(format!("--poses {}: not allowed\n   allowed: 1 to {MAX_POSES}", args.poses)));
+        return Err(not_allowed("--poses", args.poses, between(1.0, f64::from(MAX_POSES))));
     }
     let (machine, file) = machine_and_file(&args.machine)?;
     let mut output = args.output.as_deref().map(Output::new).transpose()?;
     let options = CheckOptions { seed: args.seed, poses: args.poses };
-    let mut progress = Progress::new("checking the machine", Check::steps(&machine, &options));
+    let mut progress = Progress::new("cli-progress-machine", Check::steps(&machine, &options));
     let check = Check::run(&file, &machine, &options, &mut || progress.step());
     drop(progress);
     let language = Language::of_process();
     let mut text = check_text(&check, language);
     if let Some(mut output) = output.take() {
         let drawing = MachineDrawing::new(&machine, language);
-        let json = serde_json::to_string_pretty(&check).map_err(|e| Failure::environment(e.to_string()))?;
+        let json = serde_json::to_string_pretty(&check).map_err(not_json)?;
         output.text("check.html", &check_page(&check, &drawing, file.file(), file.text(), &clock::now(), language))?;
         output.text("check.json", &(json + "\n"))?;
         output.text("machine.svg", &drawing.to_svg_standalone())?;
         for path in output.finish()? {
-            text += &format!("  wrote        {}\n", path.display());
+            labelled(&mut text, "cli-label-wrote", path.display());
         }
     }
     if args.json {

@@ -4,6 +4,7 @@ use crate::args::machine::{PlaceArgs, PlaceMethod};
 use crate::failure::Failure;
 use crate::files;
 use crate::load::{Loaded, load, load_text};
+use crate::refusals::{between, in_file, not_allowed, outside, refused, signed};
 use crate::rows::{print_json, print_text};
 use crate::verbs::positive;
 use glam::{DAffine3, DQuat, DVec3};
@@ -11,6 +12,7 @@ use seamwright_document::Transform;
 use seamwright_geometry::fit::{Touch, best_fit, fit_pairs, plane_line_point, run_out};
 use seamwright_geometry::{Error, Tube};
 use seamwright_machine::{AxisKind, Machine};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{OFFSET_NAMES, is_offset_name};
 use seamwright_project::offset;
 use seamwright_weld::{SeamCurve, SeamSurfaces};
@@ -22,8 +24,8 @@ pub(crate) fn run(args: &PlaceArgs) -> Result<(), Failure> {
     let rows = read(&args.points, &loaded.machine, &wanted(args.method))?;
     let fitted = fitted(args, &loaded, &rows).map_err(|e| match e {
         NoPlace::Points(e) => {
-            let why = "more points, spread over what they should tell, or another --method";
-            Failure::input(format!("{}: {e}\n   allowed: {why}", args.points.display()))
+            let message = in_file(&args.points.display().to_string(), &e);
+            Failure::refused(message, Message::new("cli-place-more-points"))
         }
         NoPlace::Input(failure) => failure,
     })?;
@@ -44,21 +46,20 @@ fn check(args: &PlaceArgs) -> Result<(), Failure> {
     positive("--largest-mm", args.largest_mm)?;
     let radius = args.probe_radius_mm;
     if !(0.0..=1000.0).contains(&radius) {
-        return Err(Failure::input(format!("--probe-radius-mm {radius}: not allowed\n   allowed: 0 to 1000")));
+        return Err(not_allowed("--probe-radius-mm", radius, between(0.0, 1000.0)));
     }
     if radius > 0.0 && args.method == PlaceMethod::ThreePoint {
-        return Err(Failure::input(format!(
-            "--probe-radius-mm {radius}: nobody knows on which side of a single point the ball lay\n   allowed: 0 with three-point, or another --method"
-        )));
+        let (fault, allowed) = ("cli-place-side-unknown", "cli-place-radius-with-three-points");
+        return Err(refused("--probe-radius-mm", radius, Message::new(fault), Message::new(allowed)));
     }
     if !is_offset_name(&args.name) {
-        return Err(Failure::input(format!("--name {}: not allowed\n   allowed: {OFFSET_NAMES}", args.name)));
+        return Err(not_allowed("--name", &args.name, OFFSET_NAMES));
     }
     Ok(())
 }
 
 fn no_number(args: &PlaceArgs) -> Failure {
-    Failure::input(format!("{}: the points give no place for the part", args.points.display()))
+    Failure::input(in_file(&args.points.display().to_string(), Message::new("cli-place-undetermined")))
 }
 
 fn wanted(method: PlaceMethod) -> Wanted {
@@ -87,8 +88,8 @@ impl From<Error> for NoPlace {
 fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted, NoPlace> {
     let program = &loaded.welding.program;
     let Some(seam) = &program.value.seam else {
-        let message = "the program has no seam whose surfaces could have been touched";
-        return Err(NoPlace::Input(program.error_at("", message, "a job, or a program with [seam]").into()));
+        let (message, allowed) = (Message::new("cli-place-no-seam"), Message::new("project-job-or-seam"));
+        return Err(NoPlace::Input(program.error_at("", message, allowed).into()));
     };
     let surfaces = SeamSurfaces::new(program, seam).map_err(|e| NoPlace::Input(e.into()))?;
     match args.method {
@@ -110,16 +111,14 @@ fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted,
             let offset = fit.transform * placed.inverse();
             let mut fitted = Fitted { free: fit.free, deviation: fit.deviation, ..Fitted::new(offset, fit.residuals) };
             if fitted.deviation.is_none() {
-                fitted.warnings.push("there are no more points than unknowns: nothing would show a bad one".to_owned());
+                fitted.warnings.push(Message::new("cli-place-no-redundancy"));
             }
             Ok(fitted)
         }
         PlaceMethod::Chuck => {
             let Some(nozzle) = &surfaces.nozzle else {
-                let message = "the seam has no nozzle whose run-out could be found";
-                return Err(NoPlace::Input(
-                    program.error_at("seam", message, "[seam.nozzle], or another --method").into(),
-                ));
+                let (message, allowed) = (Message::new("cli-place-no-nozzle"), Message::new("cli-place-nozzle"));
+                return Err(NoPlace::Input(program.error_at("seam", message, allowed).into()));
             };
             Ok(chuck(args, (loaded, loaded.seam().map_err(NoPlace::Input)?), rows, nozzle)?)
         }
@@ -154,18 +153,15 @@ fn chuck(
     let found = run_out(&points, args.probe_radius_mm, &tube, at)?;
     let mut warnings = Vec::new();
     match found.growth {
-        None => warnings.push("the points do not tell the radius: the nominal one was taken".to_owned()),
+        None => warnings.push(Message::new("cli-place-radius-unknown")),
         Some(growth) if growth.abs() > args.largest_mm => {
-            warnings
-                .push(format!("the radius is {growth:+.3} mm off the nominal one: is this the tube, and the probe?"));
+            let deviation = signed(growth, Unit::Mm, 3);
+            warnings.push(Message::new("cli-place-radius-off").message("deviation", deviation));
         }
         Some(_) => {}
     }
     if !turns_about(&loaded.machine, &tube) {
-        warnings.push(
-            "the machine has no rotary axis about the nozzle's nominal axis: the run-out is against the nominal axis"
-                .to_owned(),
-        );
+        warnings.push(Message::new("cli-place-no-rotary-axis"));
     }
     let axis = Axis::new(&found, at);
     let fitted =
@@ -195,9 +191,12 @@ fn turns_about(machine: &Machine, tube: &Tube) -> bool {
 
 /// Writes the job again with the offset in force, after a look whether it can be read where it will stand.
 fn write_job(args: &PlaceArgs, path: &Path, transform: &Transform) -> Result<(), Failure> {
-    let cannot = |e: &dyn std::fmt::Display| Failure::input(format!("{}: cannot be changed: {e}", args.job.display()));
-    let placed = offset::put_into(&files::read(&args.job)?, &args.name, transform).map_err(|e| cannot(&e))?;
-    let text = placed.ok_or_else(|| cannot(&"`offsets` is no table"))?;
+    let cannot = |why: Message| {
+        let message = Message::new("cli-place-unchangeable").text("file", args.job.display().to_string());
+        Failure::input(message.message("why", why))
+    };
+    let placed = offset::put_into(&files::read(&args.job)?, &args.name, transform).map_err(|e| cannot(outside(&e)))?;
+    let text = placed.ok_or_else(|| cannot(Message::new("project-not-a-table").key("table", "offsets")))?;
     let folder = path.parent().unwrap_or(Path::new("."));
     load_text(&path.display().to_string(), &text, folder)?;
     files::write(path, &text)

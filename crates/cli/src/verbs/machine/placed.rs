@@ -2,14 +2,20 @@
 
 use super::touched::Touched;
 use crate::args::machine::{PlaceArgs, PlaceMethod};
+use crate::labels::{columns, padded};
+use crate::refusals::signed;
 use clap::ValueEnum;
 use glam::{DAffine3, DVec3};
 use seamwright_document::Transform;
 use seamwright_geometry::fit::{Deviation, Motion, RunOut, outliers, rms};
+use seamwright_message::{Language, Message, Unit};
 use seamwright_project::offset::fragment;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::fmt::Write;
 use std::path::Path;
+
+/// Width of the labels.
+const LABEL: usize = 12;
 
 /// Result of a method.
 pub(super) struct Fitted {
@@ -21,7 +27,7 @@ pub(super) struct Fitted {
     pub(super) deviation: Option<Deviation>,
     pub(super) sides: Option<[f64; 3]>,
     pub(super) axis: Option<Axis>,
-    pub(super) warnings: Vec<String>,
+    pub(super) warnings: Vec<Message>,
 }
 
 impl Fitted {
@@ -54,6 +60,18 @@ impl Axis {
             radius_error_mm: found.growth,
         }
     }
+
+    fn message(&self) -> Message {
+        let run_out = Message::new("cli-place-run-out").quantity("eccentricity", self.eccentricity_mm, Unit::Mm, 4);
+        let run_out = run_out.text("vector", vector(self.eccentricity_xyz_mm, 4)).text("at", vector(self.at_mm, 3));
+        match self.radius_error_mm {
+            Some(error) => {
+                let both = Message::new("cli-place-run-out-radius").message("run-out", run_out);
+                both.message("deviation", signed(error, Unit::Mm, 4))
+            }
+            None => run_out,
+        }
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -79,7 +97,8 @@ pub(super) struct Placed {
     offset: Transform,
     pub(super) accepted: bool,
     /// Operator action if the placement is not accepted.
-    cure: Option<String>,
+    #[serde(serialize_with = "in_english")]
+    cure: Option<Message>,
     rms_mm: f64,
     largest_mm: f64,
     residuals: Vec<Residual>,
@@ -88,8 +107,10 @@ pub(super) struct Placed {
     /// One standard deviation; `None` without redundant points.
     uncertainty: Option<Uncertainty>,
     /// Motions of the part that the points do not see.
-    free: Vec<String>,
-    warnings: Vec<String>,
+    #[serde(serialize_with = "all_in_english")]
+    free: Vec<Message>,
+    #[serde(serialize_with = "all_in_english")]
+    warnings: Vec<Message>,
     toml: String,
 }
 
@@ -120,7 +141,7 @@ impl Placed {
                 xyz_mm: d.shift.to_array(),
                 about_xyz_deg: d.turn.to_array().map(f64::to_degrees),
             }),
-            free: fitted.free.iter().map(ToString::to_string).collect(),
+            free: fitted.free.iter().map(Motion::message).collect(),
             warnings: fitted.warnings,
             toml: fragment(&args.name, &offset),
             offset,
@@ -130,41 +151,68 @@ impl Placed {
     /// For people; `written` is the job with the offset in it.
     pub(super) fn text(&self, written: Option<&Path>) -> String {
         let mut text = String::new();
+        self.lines(&mut text);
+        text.push('\n');
+        self.table(&mut text);
         // Writing to a String cannot fail.
-        let mut line = |word: &str, what: String| _ = writeln!(text, "{word:<13}{what}");
-        line("method", format!("{}, {} points", self.method, self.residuals.len()));
-        line("offset", format!("{}: {}", self.name, words(&self.offset)));
-        line("residuals", format!("{:.4} mm RMS, {:.4} mm largest", self.rms_mm, self.largest_mm));
-        if let Some([a, b, c]) = self.side_errors_mm {
-            line("sides", format!("1-2 {a:+.4} mm, 2-3 {b:+.4} mm, 3-1 {c:+.4} mm longer than nominal"));
-        }
-        if let Some(r) = &self.run_out {
-            let radius = r.radius_error_mm.map_or(String::new(), |e| format!(", radius {e:+.4} mm"));
-            let (off, at) = (vector(r.eccentricity_xyz_mm, 4), vector(r.at_mm, 3));
-            line("run-out", format!("{:.4} mm {off} at {at} mm{radius}", r.eccentricity_mm));
-            line("tilt", format!("{:.5} degrees towards {}", r.tilt_deg, vector(r.leans_to, 4)));
-        }
-        if let Some(u) = &self.uncertainty {
-            let (xyz, about) = (vector(u.xyz_mm, 4), vector(u.about_xyz_deg, 5));
-            line("uncertainty", format!("{xyz} mm, {about} degrees about x, y, z at {} mm", vector(u.at_mm, 1)));
-        }
-        for free in &self.free {
-            line("not seen", format!("{free}: left as the job has it"));
-        }
-        for warning in &self.warnings {
-            line("warning", warning.clone());
-        }
-        text.push_str("\nline  feature  residual_mm\n");
-        for r in &self.residuals {
-            let mark = if r.outlier { "  outlier" } else { "" };
-            _ = writeln!(text, "{:>4}  {:<7}  {:>11.4}{mark}", r.line, r.feature, r.residual_mm);
-        }
         match (&self.cure, written) {
-            (Some(cure), _) => _ = writeln!(text, "\nnot accepted: {cure}"),
-            (None, Some(path)) => _ = writeln!(text, "\nwrote {}", path.display()),
-            (None, None) => _ = write!(text, "\n# for the job file, `offset` at its top\n{}", self.toml),
+            (Some(cure), _) => {
+                let refused = Message::new("cli-place-not-accepted").message("cure", cure.clone());
+                _ = writeln!(text, "\n{refused}");
+            }
+            (None, Some(path)) => {
+                let wrote = Message::new("cli-wrote").text("files", path.display().to_string());
+                _ = writeln!(text, "\n{wrote}");
+            }
+            (None, None) => _ = write!(text, "\n{}\n{}", Message::new("cli-place-for-job"), self.toml),
         }
         text
+    }
+
+    /// Lines with labels.
+    fn lines(&self, text: &mut String) {
+        let mut line = |code, value: Message| {
+            _ = writeln!(text, "{} {value}", padded(&Message::new(code).to_string(), LABEL));
+        };
+        let method = Message::new("cli-place-method").text("method", &self.method);
+        line("cli-label-method", method.count("points", self.residuals.len()));
+        let offset = Message::new("cli-place-offset").text("name", &self.name);
+        line("cli-label-offset", offset.message("offset", words(&self.offset)));
+        let residuals = Message::new("cli-place-residuals").quantity("rms", self.rms_mm, Unit::Mm, 4);
+        line("cli-label-residuals", residuals.quantity("max", self.largest_mm, Unit::Mm, 4));
+        if let Some([a, b, c]) = self.side_errors_mm.map(|sides| sides.map(|v| signed(v, Unit::Mm, 4))) {
+            let sides = Message::new("cli-place-sides").message("first", a).message("second", b);
+            line("cli-label-sides", sides.message("third", c));
+        }
+        if let Some(r) = &self.run_out {
+            line("cli-label-run-out", r.message());
+            let tilt = Message::new("cli-place-tilt").quantity("angle", r.tilt_deg, Unit::Deg, 5);
+            line("cli-label-tilt", tilt.text("direction", vector(r.leans_to, 4)));
+        }
+        if let Some(u) = &self.uncertainty {
+            let uncertainty = Message::new("cli-place-uncertainty").text("xyz", vector(u.xyz_mm, 4));
+            let uncertainty = uncertainty.text("turn", vector(u.about_xyz_deg, 5));
+            line("cli-label-uncertainty", uncertainty.text("at", vector(u.at_mm, 1)));
+        }
+        for free in &self.free {
+            line("cli-label-free", Message::new("cli-place-free").message("motion", free.clone()));
+        }
+        self.warnings.iter().for_each(|warning| line("cli-label-warning", warning.clone()));
+    }
+
+    /// The residuals of all points.
+    fn table(&self, text: &mut String) {
+        let heading = |code| Message::new(code).to_string();
+        let [place, feature] = ["cli-place-column-line", "cli-place-column-feature"].map(heading);
+        let residual = heading("cli-place-column-residual");
+        let widths = [columns(&place).max(4), columns(&feature).max(7)];
+        _ = writeln!(text, "{}  {}  {residual}", padded(&place, widths[0]), padded(&feature, widths[1]));
+        for r in &self.residuals {
+            let mark = if r.outlier { format!("  {}", Message::new("cli-place-outlier")) } else { String::new() };
+            let value = Message::new("quantity").number("value", r.residual_mm, 4).to_string();
+            let (place, feature) = (format!("{:>1$}", r.line, widths[0]), padded(&r.feature, widths[1]));
+            _ = writeln!(text, "{place}  {feature}  {value:>11}{mark}");
+        }
     }
 }
 
@@ -173,16 +221,23 @@ fn method_name(method: PlaceMethod) -> String {
     method.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned())
 }
 
-fn cure(args: &PlaceArgs, three: bool) -> String {
-    let what = match args.method {
-        PlaceMethod::ThreePoint if three => "touch the points again; the sides tell which one is off.",
-        PlaceMethod::Chuck => "touch the points with the largest residuals again; is the tube round?",
-        _ => {
-            "touch the points with the largest residuals again; were they taken on the feature they name, with this probe radius, and near where the job has the part?"
-        }
+fn cure(args: &PlaceArgs, three: bool) -> Message {
+    let code = match args.method {
+        PlaceMethod::ThreePoint if three => "cli-place-touch-again",
+        PlaceMethod::Chuck => "cli-place-touch-again-round",
+        _ => "cli-place-touch-again-features",
     };
-    let largest = args.largest_mm;
-    format!("a residual is larger than {largest} mm: {what} If the part is no better, allow more with --largest-mm")
+    Message::new(code).value("max", args.largest_mm, Unit::Mm)
+}
+
+/// Writes a message in English.
+fn in_english<S: Serializer>(message: &Option<Message>, out: S) -> Result<S::Ok, S::Error> {
+    message.as_ref().map(|message| message.in_language(Language::English)).serialize(out)
+}
+
+/// Writes messages in English.
+fn all_in_english<S: Serializer>(messages: &[Message], out: S) -> Result<S::Ok, S::Error> {
+    out.collect_seq(messages.iter().map(|message| message.in_language(Language::English)))
 }
 
 fn vector(v: [f64; 3], digits: usize) -> String {
@@ -192,16 +247,13 @@ fn vector(v: [f64; 3], digits: usize) -> String {
     format!("({x:.digits$}, {y:.digits$}, {z:.digits$})")
 }
 
-fn words(offset: &Transform) -> String {
-    let moved = format!("moved {} mm", vector(offset.move_mm.get().to_array(), 4));
+fn words(offset: &Transform) -> Message {
+    let moved = vector(offset.move_mm.get().to_array(), 4);
     match offset.turn {
-        Some(turn) => {
-            format!(
-                "turned {:.5} degrees about {}, then {moved}",
-                offset.angle_deg.get(),
-                vector(turn.unit().to_array(), 4)
-            )
-        }
-        None => moved,
+        Some(turn) => Message::new("cli-place-turned")
+            .quantity("angle", offset.angle_deg.get(), Unit::Deg, 5)
+            .text("axis", vector(turn.unit().to_array(), 4))
+            .text("vector", moved),
+        None => Message::new("cli-place-moved").text("vector", moved),
     }
 }

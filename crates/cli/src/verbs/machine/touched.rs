@@ -2,8 +2,10 @@
 
 use crate::failure::Failure;
 use crate::files;
+use crate::refusals::at_most;
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine};
+use seamwright_message::{Message, Unit};
 use std::io::Read;
 use std::path::Path;
 
@@ -55,7 +57,8 @@ fn parse(file: &str, text: &str, machine: &Machine, wanted: &Wanted) -> Result<V
     let mut touched = Vec::new();
     for (line, fields) in lines.filter(|(_, fields)| fields.iter().any(|f| !f.is_empty())) {
         if touched.len() == MAX_POINTS {
-            return Err(table.wrong(line, "more points than anyone touches", &format!("up to {MAX_POINTS}")));
+            let allowed = at_most(MAX_POINTS as f64, Unit::One);
+            return Err(table.wrong(line, Message::new("cli-too-many-points"), allowed));
         }
         touched.push(table.row(line, &fields, &places)?);
     }
@@ -83,8 +86,9 @@ struct Places<'a> {
 }
 
 impl<'a> Table<'a> {
-    fn wrong(&self, line: usize, what: &str, allowed: &str) -> Failure {
-        Failure::input(format!("{}:{line}: {what}\n   allowed: {allowed}", self.file))
+    fn wrong(&self, line: usize, fault: Message, allowed: impl Into<Message>) -> Failure {
+        let message = Message::new("cli-at-line").text("file", self.file).text("line", line.to_string());
+        Failure::refused(message.message("fault", fault), allowed)
     }
 
     fn column(&self, name: &str) -> Option<usize> {
@@ -98,25 +102,26 @@ impl<'a> Table<'a> {
 
     fn places(&self) -> Result<Places<'a>, Failure> {
         let axes: Vec<&str> = self.machine.axes.iter().map(|a| a.name.as_str()).collect();
-        let missing = |name: &str, allowed: &str| {
-            self.wrong(1, &format!("there is no column `{name}` in `{}`", self.header.join(",")), allowed)
+        let missing = |name: &str, allowed: Message| {
+            let fault = Message::new("cli-no-column").key("column", name).text("header", self.header.join(","));
+            self.wrong(1, fault, allowed)
         };
         let (point, by_axes) = match (self.columns(&POINT), self.columns(&axes)) {
             (Ok(point), _) => (point, false),
             (_, Ok(axes)) => (axes, true),
             (Err(name), _) => {
-                let allowed =
-                    format!("a header line with {}, or the machine's axes {}", POINT.join(","), axes.join(","));
-                return Err(missing(name, &allowed));
+                let allowed = Message::new("cli-touched-header").text("columns", POINT.join(","));
+                return Err(missing(name, allowed.text("axes", axes.join(","))));
             }
         };
         let feature = if self.wanted.features.is_empty() { None } else { self.column("feature") };
         if feature.is_none() && self.wanted.feature_needed {
-            return Err(missing("feature", &format!("a column feature with {}", self.wanted.features.join(", "))));
+            let allowed = Message::new("cli-touched-feature-column").text("features", self.wanted.features.join(", "));
+            return Err(missing("feature", allowed));
         }
         let nominal = if self.wanted.nominal { self.columns(&NOMINAL) } else { Ok(Vec::new()) };
         let nominal = nominal.map_err(|name| {
-            missing(name, &format!("columns {} with each point's nominal place in the part's frame", NOMINAL.join(",")))
+            missing(name, Message::new("cli-touched-nominal-columns").text("columns", NOMINAL.join(",")))
         })?;
         Ok(Places { point, by_axes, feature, nominal })
     }
@@ -133,8 +138,8 @@ impl<'a> Table<'a> {
             None => self.wanted.features.first().copied().unwrap_or_default(),
         };
         if !self.wanted.features.is_empty() && !self.wanted.features.contains(&feature) {
-            let what = format!("feature = `{feature}` is not known to this method");
-            return Err(self.wrong(line, &what, &self.wanted.features.join(", ")));
+            let fault = Message::new("cli-touched-unknown-feature").text("feature", feature);
+            return Err(self.wrong(line, fault, self.wanted.features.join(", ")));
         }
         let nominal = if nominal.is_empty() { DVec3::ZERO } else { DVec3::from_slice(&nominal) };
         Ok(Touched { line, point, feature: feature.to_owned(), nominal })
@@ -144,7 +149,8 @@ impl<'a> Table<'a> {
         let field = field.unwrap_or_default();
         let value = field.parse().ok().filter(|v: &f64| v.abs() <= FARTHEST_MM);
         value.ok_or_else(|| {
-            self.wrong(line, &format!("{name} = `{field}` is not a number that fits here"), "a finite number up to 1e7")
+            let fault = Message::new("cli-touched-not-a-number").key("column", name).text("value", field);
+            self.wrong(line, fault, Message::new("cli-finite-up-to").text("max", "1e7"))
         })
     }
 

@@ -2,17 +2,20 @@ use super::tuning::{AxisTuning, snippet, table};
 use crate::args::machine::TuneArgs;
 use crate::failure::Failure;
 use crate::files::{Output, written_text};
+use crate::labels::labelled;
 use crate::load::machine_and_file;
 use crate::progress::Progress;
+use crate::refusals::refused;
 use crate::rows::{print_json, print_text};
 use seamwright_cell::tune_axis;
 use seamwright_machine::{Axis, Machine};
+use seamwright_message::Message;
 
 pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {
     let (machine, file) = machine_and_file(&args.machine)?;
     let axes = chosen(&machine, args.axis.as_deref())?;
     let mut output = args.output.as_deref().map(Output::new).transpose()?;
-    let mut progress = Progress::new("tuning the axes", axes.len() as u64);
+    let mut progress = Progress::new("cli-progress-tuning", axes.len() as u64);
     let mut tunings = Vec::with_capacity(axes.len());
     for axis in axes {
         tunings.push(AxisTuning::new(axis, tune_axis(axis, machine.servo_period_s)));
@@ -28,7 +31,7 @@ pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {
         }
         output.text("tuning.toml", &snippet(file.file(), &tunings))?;
         for line in written_text(&output.finish()?) {
-            text += &format!("  wrote        {line}\n");
+            labelled(&mut text, "cli-label-wrote", line);
         }
     }
     if args.json {
@@ -45,6 +48,6 @@ fn chosen<'a>(machine: &'a Machine, name: Option<&str>) -> Result<Vec<&'a Axis>,
     let names = || all.iter().map(|a| a.name.as_str()).collect::<Vec<_>>().join(", ");
     match all.iter().find(|a| a.name == name) {
         Some(axis) => Ok(vec![axis]),
-        None => Err(Failure::input(format!("--axis {name}: there is no such axis\n   allowed: {}", names()))),
+        None => Err(refused("--axis", name, Message::new("cli-no-such-axis"), names())),
     }
 }

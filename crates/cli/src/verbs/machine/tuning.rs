@@ -1,11 +1,17 @@
 //! Report of a tuning: table, JSON, Bode plot and lines to paste.
 
+use crate::labels::{columns, labelled, padded};
+use crate::refusals::unit_of;
 use seamwright_cell::Error;
 use seamwright_machine::{Axis, AxisKind};
-use seamwright_report::{Bode, Language, format_number};
+use seamwright_message::{Language, Message, Unit};
+use seamwright_report::{Bode, format_number};
 use seamwright_servo::{Tuned, decibels, unwrapped};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::fmt::Write;
+
+/// Columns of the table.
+const COLUMNS: usize = 12;
 
 /// The tuning of one axis; mm or degrees, as in files.
 #[derive(Debug, Serialize)]
@@ -16,8 +22,9 @@ pub(super) struct AxisTuning {
     /// True if the machine file describes no drive: an assumed one was tuned.
     assumed_drive: bool,
     pub(super) tuned: Option<Settings>,
-    /// Reason why it cannot be tuned.
-    refused: Option<String>,
+    /// Reason why it cannot be tuned; as JSON its English words.
+    #[serde(serialize_with = "in_english")]
+    refused: Option<Message>,
     #[serde(skip)]
     force_unit: &'static str,
     #[serde(skip)]
@@ -64,8 +71,8 @@ impl AxisTuning {
     pub(super) fn new(axis: &Axis, tuned: Result<Tuned, Error>) -> Self {
         let (response, refused) = match &tuned {
             Ok(tuned) => (response(tuned), None),
-            Err(Error::Drive { reason, .. }) => (Vec::new(), Some(reason.to_string())),
-            Err(other) => (Vec::new(), Some(other.to_string())),
+            Err(Error::Drive { reason, .. }) => (Vec::new(), Some(reason.clone())),
+            Err(other) => (Vec::new(), Some(other.message())),
         };
         Self {
             axis: axis.name.clone(),
@@ -83,12 +90,20 @@ impl AxisTuning {
         let none = |v: Option<f64>| v.unwrap_or(f64::NAN);
         Some(Bode {
             language: Language::of_process(),
-            title: format!("Position loop of axis {}, measured at {} {}/s", self.axis, short(t.speed), self.unit),
+            title: Message::new("cli-tune-bode")
+                .axis("axis", &self.axis)
+                .value("speed", rounded(t.speed), if self.unit == "mm" { Unit::MmPerS } else { Unit::DegPerS })
+                .to_string(),
             lines: self.response.clone(),
             gain_margin: (t.gain_margin_db.unwrap_or(f64::INFINITY), none(t.phase_crossover_hz)),
             phase_margin: (t.phase_margin_deg, t.gain_crossover_hz),
         })
     }
+}
+
+/// Writes a reason in English.
+fn in_english<S: Serializer>(reason: &Option<Message>, out: S) -> Result<S::Ok, S::Error> {
+    reason.as_ref().map(|reason| reason.in_language(Language::English)).serialize(out)
 }
 
 /// Frequency, decibels and degrees.
@@ -131,6 +146,11 @@ impl Settings {
     }
 }
 
+/// `value` with the digits of [`short`].
+fn rounded(value: f64) -> f64 {
+    short(value).parse().unwrap_or(value)
+}
+
 /// Four digits: more than any setting needs.
 fn short(v: f64) -> String {
     format_number(v, 4)
@@ -138,61 +158,95 @@ fn short(v: f64) -> String {
 
 /// The table, an axis a row, and under it the axes that could not be tuned.
 pub(super) fn table(machine: &str, tunings: &[AxisTuning]) -> String {
-    let mut text = format!("  tuning of {machine}: open loop of each position loop, measured while the axis moves\n\n");
-    let head = [
-        "axis",
-        "vel loop",
-        "kp",
-        "kaff",
-        "notches",
-        "resonance",
-        "crossover",
-        "bandwidth",
-        "gain m.",
-        "phase m.",
-        "following",
-        "load",
-    ];
-    let units = ["", "Hz", "1/s", "ms", "Hz", "Hz", "Hz", "Hz", "dB", "deg", "counts", ""];
-    let mut rows = vec![head.map(str::to_owned), units.map(str::to_owned)];
+    let mut text = format!("  {}\n\n", Message::new("cli-tune-heading").text("machine", machine));
+    let mut rows = vec![head(), units()];
     rows.extend(tunings.iter().filter_map(|t| Some(row(t, t.tuned.as_ref()?))));
-    let wide = |column: usize| rows.iter().map(|r| r[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..head.len()).map(wide).collect();
+    let wide = |column: usize| rows.iter().map(|r| columns(&r[column])).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..COLUMNS).map(wide).collect();
     for row in &rows {
         let cells = row.iter().zip(&widths).enumerate();
         let line: String = cells
-            .map(|(i, (cell, width))| if i == 0 { format!("  {cell:<width$}") } else { format!("  {cell:>width$}") })
+            .map(|(i, (cell, width))| match i {
+                0 => format!("  {}", padded(cell, *width)),
+                _ => format!("  {}{cell}", " ".repeat(width - columns(cell))),
+            })
             .collect();
         let _ = writeln!(text, "{}", line.trim_end());
     }
     text.push('\n');
     for t in tunings {
         if let Some(why) = &t.refused {
-            let _ = writeln!(text, "  not tuned    {}: {why}", t.axis);
+            let refused = Message::new("cli-tune-refused").axis("axis", &t.axis).message("why", why.clone());
+            labelled(&mut text, "cli-label-not-tuned", refused);
         }
         if t.assumed_drive {
-            let _ = writeln!(text, "  assumed      {}: the machine file describes no drive", t.axis);
+            let assumed = Message::new("cli-tune-assumed").axis("axis", &t.axis);
+            labelled(&mut text, "cli-label-assumed", assumed);
         }
     }
     text
 }
 
-fn row(tuning: &AxisTuning, t: &Settings) -> [String; 12] {
-    let notches: Vec<String> = t.notches.iter().map(|n| short(n.frequency_hz)).collect();
-    let or_dash = |v: Option<f64>, digits| v.map_or("-".to_owned(), |v| format!("{v:.digits$}"));
+fn words(code: &'static str) -> String {
+    Message::new(code).to_string()
+}
+
+/// Headings of the table.
+fn head() -> [String; COLUMNS] {
+    [
+        words("cli-tune-axis"),
+        words("cli-tune-velocity-loop"),
+        "kp".to_owned(),
+        "kaff".to_owned(),
+        words("cli-tune-notches"),
+        words("cli-tune-resonance"),
+        words("cli-tune-crossover"),
+        words("cli-tune-bandwidth"),
+        words("cli-tune-gain-margin"),
+        words("cli-tune-phase-margin"),
+        words("cli-tune-following"),
+        words("cli-tune-load"),
+    ]
+}
+
+/// Units of the table.
+fn units() -> [String; COLUMNS] {
+    let hz = words("cli-tune-hz");
+    [
+        String::new(),
+        hz.clone(),
+        words("cli-tune-per-s"),
+        words("cli-tune-ms"),
+        hz.clone(),
+        hz.clone(),
+        hz.clone(),
+        hz,
+        words("cli-tune-db"),
+        "°".to_owned(),
+        words("cli-tune-counts"),
+        String::new(),
+    ]
+}
+
+fn row(tuning: &AxisTuning, t: &Settings) -> [String; COLUMNS] {
+    let with_unit = |v: f64, unit, decimals| Message::new("quantity").quantity("value", v, unit, decimals).to_string();
+    let number = |v: f64, decimals| with_unit(v, Unit::One, decimals);
+    let notch = |n: &Notch| Message::new("quantity").value("value", rounded(n.frequency_hz), Unit::One).to_string();
+    let notches: Vec<String> = t.notches.iter().map(notch).collect();
+    let or_dash = |v: Option<f64>, decimals| v.map_or("-".to_owned(), |v| number(v, decimals));
     [
         tuning.axis.clone(),
-        format!("{:.1}", t.velocity_bandwidth_hz),
-        format!("{:.1}", t.kp_per_s),
-        format!("{:.2}", 1e3 * t.kaff_s),
+        number(t.velocity_bandwidth_hz, 1),
+        number(t.kp_per_s, 1),
+        number(1e3 * t.kaff_s, 2),
         if notches.is_empty() { "-".to_owned() } else { notches.join(" ") },
         or_dash(t.resonance_hz, 1),
-        format!("{:.1}", t.gain_crossover_hz),
-        format!("{:.1}", t.bandwidth_hz),
+        number(t.gain_crossover_hz, 1),
+        number(t.bandwidth_hz, 1),
         or_dash(t.gain_margin_db, 1),
-        format!("{:.0}", t.phase_margin_deg),
-        format!("{:.2}", t.following_error_counts),
-        format!("{:.4} {}", t.load_error, tuning.unit),
+        number(t.phase_margin_deg, 0),
+        number(t.following_error_counts, 2),
+        with_unit(t.load_error, unit_of(tuning.unit), 4),
     ]
 }
 
@@ -204,7 +258,7 @@ pub(super) fn snippet(file: &str, tunings: &[AxisTuning]) -> String {
     for tuning in tunings {
         let AxisTuning { axis, unit, force_unit, .. } = tuning;
         let Some(t) = &tuning.tuned else {
-            let why = tuning.refused.as_deref().unwrap_or_default();
+            let why = tuning.refused.as_ref().map_or_else(String::new, |why| why.in_language(Language::English));
             let _ = write!(text, "\n# {axis} could not be tuned: {why}\n");
             continue;
         };

@@ -2,6 +2,8 @@
 
 use crate::csv::CsvReader;
 use crate::failure::Failure;
+use crate::refusals::unreadable;
+use seamwright_message::{Message, Unit};
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -35,7 +37,7 @@ pub(super) struct Timed {
 /// Reads commands in the order of time.
 pub(super) fn read(file: &Path) -> Result<Vec<Timed>, Failure> {
     let source = file.display().to_string();
-    let input = File::open(file).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?;
+    let input = File::open(file).map_err(|e| unreadable(&source, &e))?;
     parse(&source, BufReader::new(input))
 }
 
@@ -48,20 +50,25 @@ fn parse(source: &str, input: impl BufRead) -> Result<Vec<Timed>, Failure> {
         let [time, name, value] = [&row[0], &row[1], &row[2]];
         let last = all.last().map_or(0.0, |c| c.t);
         let t = number(time).filter(|t| *t >= last && *t <= LATEST_S).ok_or_else(|| {
-            let allowed = format!("a number of seconds from {last} to {LATEST_S}: rows come in the order of time");
-            reader.error("t_s", time, "not allowed", allowed)
+            let allowed = Message::new("cli-command-time").value("from", last, Unit::One);
+            let allowed = allowed.value("to", LATEST_S, Unit::One);
+            reader.error("t_s", time, Message::new("cli-not-allowed"), allowed)
         })?;
         let command = command(name, value).map_err(|wrong| match wrong {
             Wrong::Command => {
-                reader.error("command", name, "not a command", "override, hold, resume, reverse, step, abort")
+                let fault = Message::new("cli-not-a-command");
+                reader.error("command", name, fault, "override, hold, resume, reverse, step, abort")
             }
-            Wrong::Value(allowed) => reader.error("value", value, format!("does not go with {name}"), allowed),
+            Wrong::Value(allowed) => {
+                let fault = Message::new("cli-command-value").text("command", name);
+                reader.error("value", value, fault, Message::new(allowed))
+            }
         })?;
         match command {
             Command::Override(percent) => stopped = percent < MIN_OVERRIDE,
             Command::Resume | Command::Step(_) if stopped => {
-                let allowed = format!("an override of at least {MIN_OVERRIDE} percent before it");
-                return Err(reader.error("command", name, "cannot go on at an override of 0", allowed));
+                let allowed = Message::new("cli-command-override-first").value("min", MIN_OVERRIDE, Unit::Percent);
+                return Err(reader.error("command", name, Message::new("cli-command-without-speed"), allowed));
             }
             _ => {}
         }
@@ -70,7 +77,7 @@ fn parse(source: &str, input: impl BufRead) -> Result<Vec<Timed>, Failure> {
     Ok(all)
 }
 
-/// Fault of a row: its command, or its value (with the allowed values).
+/// Fault of a row: its command, or its value (with the code of the allowed values).
 enum Wrong {
     Command,
     Value(&'static str),
@@ -80,11 +87,11 @@ fn command(name: &str, value: &str) -> Result<Command, Wrong> {
     let plain = match name {
         "override" => {
             let percent = number(value).filter(|v| (0.0..=150.0).contains(v));
-            return percent.map(Command::Override).ok_or(Wrong::Value("0 to 150 percent"));
+            return percent.map(Command::Override).ok_or(Wrong::Value("cli-command-percent"));
         }
         "step" => {
             let mm = number(value).filter(|v| *v >= 0.001);
-            return mm.map(Command::Step).ok_or(Wrong::Value("a finite number of mm, at least 0.001"));
+            return mm.map(Command::Step).ok_or(Wrong::Value("cli-command-step"));
         }
         "hold" => Command::Hold,
         "resume" => Command::Resume,
@@ -92,7 +99,7 @@ fn command(name: &str, value: &str) -> Result<Command, Wrong> {
         "abort" => Command::Abort,
         _ => return Err(Wrong::Command),
     };
-    if value.is_empty() { Ok(plain) } else { Err(Wrong::Value("nothing")) }
+    if value.is_empty() { Ok(plain) } else { Err(Wrong::Value("cli-command-nothing")) }
 }
 
 fn number(text: &str) -> Option<f64> {

@@ -13,6 +13,8 @@ use crate::files;
 use crate::load::{Loaded, load};
 use crate::planning;
 use crate::progress::Progress;
+use crate::refusals::{not_json, refused};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::{SetPoint, WeldMotion};
 use seamwright_report::CertificateFigures;
 use serde::Serialize;
@@ -40,7 +42,7 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
         return run::run(&loaded, &motion, &commands, period, args);
     }
     let coarse = period * f64::from(parts.unwrap_or(1));
-    let mut progress = Progress::new("set-points", motion.count(coarse, args.air));
+    let mut progress = Progress::new("cli-progress-set-points", motion.count(coarse, args.air));
     let mut arc = ArcClock::new(&motion);
     let speed = |pass, set: &SetPoint| motion.tip_speed(&loaded.machine, pass, set);
     let mut table = Table::new(&loaded, args.export, args.json)?;
@@ -79,7 +81,7 @@ fn write_certificate(path: &Path, loaded: &Loaded, motion: &WeldMotion) -> Resul
         machine: &machine.name,
         passes: passes.map(|(pass, planned)| CertificateFigures::new(machine, pass, planned)).collect(),
     };
-    let json = serde_json::to_string_pretty(&certificates).map_err(|e| Failure::environment(e.to_string()))?;
+    let json = serde_json::to_string_pretty(&certificates).map_err(not_json)?;
     files::write(path, &(json + "\n"))
 }
 
@@ -89,10 +91,9 @@ fn parts(coarse_ms: f64, period: f64) -> Result<u32, Failure> {
     let parts = coarse / period;
     let whole = parts.round();
     if !(1.0..=1e6).contains(&whole) || (parts - whole).abs() > 1e-9 * parts {
-        return Err(Failure::input(format!(
-            "--coarse-ms {coarse_ms}: {parts} periods of {} ms\n   allowed: a whole multiple of the period, up to 1e6 times",
-            period * 1e3
-        )));
+        let fault = Message::new("cli-motion-coarse").value("parts", parts, Unit::One);
+        let fault = fault.value("period", period * 1e3, Unit::Ms);
+        return Err(refused("--coarse-ms", coarse_ms, fault, Message::new("cli-motion-whole-multiple")));
     }
     Ok(whole as u32)
 }

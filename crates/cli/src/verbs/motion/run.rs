@@ -4,9 +4,11 @@ use super::commands::{Command, MIN_OVERRIDE, Timed};
 use crate::args::MotionArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
+use crate::refusals::{between, refused};
 use crate::rows::{Cell, Rows};
 use crate::verbs::process::{Clock, ProcessColumns};
 use seamwright_machine::Joints;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::pace::{Instant, Limits, Order, Pace, PaceError, Run, RunPhase, Timed as Moves};
 use seamwright_motion::{PassMotion, SpeedLaw, Stage, WeldMotion};
 use seamwright_program::{Finding, Pass};
@@ -54,8 +56,8 @@ pub(super) fn run(
 /// Refuses periods that no control runs at.
 pub(super) fn check_period(period: f64) -> Result<(), Failure> {
     if !(0.00025..=0.004).contains(&period) {
-        let ms = period * 1e3;
-        return Err(Failure::input(format!("--period-ms {ms}: not allowed with --commands\n   allowed: 0.25 to 4")));
+        let fault = Message::new("cli-motion-period-with-commands");
+        return Err(refused("--period-ms", period * 1e3, fault, between(0.25, 4.0)));
     }
     Ok(())
 }
@@ -143,7 +145,7 @@ impl<'a> Player<'a> {
     /// Plays a pass until it has ended, or is held and no command is left.
     fn pass(&mut self, i: usize, motion: &PassMotion) -> Result<(), Failure> {
         let program = &self.loaded.welding.program.value;
-        let faster = self.faster(motion, &program.passes[i]).map_err(|e| Failure::input(e.to_string()))?;
+        let faster = self.faster(motion, &program.passes[i]).map_err(|e| Failure::input(&e))?;
         let base = motion.timed(&self.loaded.machine);
         let faster =
             faster.as_ref().map(|law| seamwright_motion::pace::PassTimed::new(&self.loaded.machine, &motion.path, law));
@@ -241,8 +243,8 @@ fn order(command: Command, welded: f64, length: f64) -> Order {
 /// Reports on standard error where the run waits; errors are ignored.
 fn held(pass: usize, now: &Instant) {
     let s = now.played.rates.tip.s;
-    let _ =
-        writeln!(std::io::stderr().lock(), "note (held): pass {pass} waits at s = {s:.3} mm, and no command is left");
+    let note = Message::new("cli-motion-held").pass("pass", pass).quantity("at", s, Unit::Mm, 3);
+    let _ = writeln!(std::io::stderr().lock(), "{note}");
 }
 
 fn finding(error: &PaceError, pass: usize) -> Finding {
@@ -250,14 +252,13 @@ fn finding(error: &PaceError, pass: usize) -> Finding {
         PaceError::Stuck { s } => (*s, *s),
         _ => (0.0, 0.0),
     };
-    let cure = "change the commands, or the job's speed".to_owned();
     Finding {
         kind: "pace",
-        message: error.to_string().into(),
+        message: error.message(),
         pass,
         from_mm,
         to_mm,
-        cure: Some(cure.into()),
+        cure: Some(Message::new("cli-cure-commands-or-speed")),
         allowed: false,
     }
 }

@@ -2,6 +2,7 @@ use super::motors::Motor;
 use super::stepped::{Clock, Stepped};
 use super::{Place, Play};
 use crate::failure::Failure;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::pulses::{Edge, Error, Generator};
 use seamwright_program::Finding;
 
@@ -58,10 +59,9 @@ impl Checked {
         let mut findings = Vec::new();
         for (axis, motor) in stepped.iter().zip(&self.motors) {
             let Some(Loss { steps, held: Some((t, place)) }) = motor.filter(|m| m.steps != 0) else { continue };
-            let steps = steps.unsigned_abs();
-            let message = format!("the motor of axis {} loses {steps} full steps, from t = {t:.3} s on", axis.name);
-            let cure = "a lower speed or acceleration, or a motor with more torque";
-            findings.push(place.finding("steps", message, cure));
+            let message = Message::new("cli-pulses-lost-steps").axis("axis", &axis.name);
+            let message = message.count("steps", steps.unsigned_abs() as usize).quantity("time", t, Unit::S, 3);
+            findings.push(place.finding("steps", message, "cli-cure-lost-steps"));
         }
         findings
     }
@@ -77,38 +77,34 @@ pub(super) fn crowded(
 ) -> Failure {
     let axis = &stepped[axis];
     let what = match error {
-        Error::TooFast { asked, .. } => format!(
-            "{:.0} pulses a second are asked for with {} microsteps, {:.0} is the most",
-            asked / clock.period_s(),
-            axis.choice.microsteps,
-            axis.timing.max_hz(clock.tick_s())
-        ),
-        other => other.to_string(),
+        Error::TooFast { asked, .. } => Message::new("cli-pulses-too-fast")
+            .number("asked", asked / clock.period_s(), 0)
+            .count("microsteps", axis.choice.microsteps as usize)
+            .number("max", axis.timing.max_hz(clock.tick_s()), 0),
+        other => other.message(),
     };
     let cure = match error {
-        Error::TooFast { .. } => {
-            "a lower speed, a smaller `microsteps` or a greater `max_pulse_hz` of the driver, or a finer --tick-ns"
-        }
-        Error::Crowded { .. } => "a longer --period-ms, a lower acceleration, or a lower speed",
-        Error::Position { .. } | Error::Period { .. } => "fewer microsteps",
+        Error::TooFast { .. } => "cli-cure-pulses-too-fast",
+        Error::Crowded { .. } => "cli-cure-pulses-crowded",
+        Error::Position { .. } | Error::Period { .. } => "cli-cure-fewer-microsteps",
     };
     let t = clock.seconds(periods * clock.ticks);
-    let air = if place.pass == 0 { ", in an air move" } else { "" };
-    let message = format!("axis {} at t = {t:.6} s{air}: {what}", axis.name);
+    let code = if place.pass == 0 { "cli-pulses-crowded-in-transfer" } else { "cli-pulses-crowded" };
+    let message = Message::new(code).axis("axis", &axis.name).quantity("time", t, Unit::S, 6).message("fault", what);
     Failure::Findings(vec![place.finding("pulses", message, cure)])
 }
 
 impl Place {
     /// A finding against the pulses here; transfer moves count to the start of the first pass.
-    fn finding(&self, kind: &'static str, message: String, cure: &str) -> Finding {
+    fn finding(&self, kind: &'static str, message: Message, cure: &'static str) -> Finding {
         let s = if self.s_mm.is_finite() { self.s_mm } else { 0.0 };
         Finding {
             kind,
-            message: message.into(),
+            message,
             pass: self.pass.max(1),
             from_mm: s,
             to_mm: s,
-            cure: Some(cure.into()),
+            cure: Some(Message::new(cure)),
             allowed: false,
         }
     }

@@ -13,9 +13,11 @@ use crate::files;
 use crate::load::load;
 use crate::planning;
 use crate::progress::Progress;
+use crate::refusals::refused;
 use crate::rows::{Cell, Rows, print_json, print_text};
 use check::{Checked, check, crowded};
 use seamwright_machine::Joints;
+use seamwright_message::{Language, Message};
 use seamwright_motion::WeldMotion;
 use seamwright_motion::pulses::{Edge, Event, Lines};
 use seamwright_record::{VcdAxis, VcdWriter, Wire};
@@ -26,15 +28,15 @@ use summary::Summary;
 
 pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
     if let Some(path) = args.output.as_deref().filter(|p| p.extension().is_none_or(|e| e != "vcd")) {
-        let message = format!("-o {}: not a value change dump\n   allowed: a name that ends in .vcd", path.display());
-        return Err(Failure::input(message));
+        let allowed = Message::new("cli-pulses-vcd");
+        return Err(refused("-o", path.display(), Message::new("cli-pulses-not-vcd"), allowed));
     }
     let loaded = load(&args.job)?;
     let period = args.period_ms.map_or(Ok(loaded.machine.servo_period_s * 1e3), |ms| positive("--period-ms", ms))?;
     let clock = Clock::new(period, args.tick_ns)?;
     let Some(mut stepped) = Stepped::all(&loaded.machine, &clock)? else {
-        let message = format!("no axis of {} has a stepper", loaded.machine.name);
-        let allowed = "a machine with [drives.<axis>.stepper] in its file, like torch-5axis";
+        let message = Message::new("cli-pulses-no-stepper").text("machine", &loaded.machine.name);
+        let allowed = Message::new("cli-pulses-machine");
         return Err(loaded.welding.program.error_at("machine", message, allowed).into());
     };
     let motion = planning::plan(&loaded, &args.planning)?;
@@ -44,7 +46,10 @@ pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
         motion: &motion,
         clock,
         home: args.air,
-        progress: Progress::new("pulses", motion.count(clock.period_s(), args.air) * if writes { 3 } else { 2 }),
+        progress: Progress::new(
+            "cli-progress-pulses",
+            motion.count(clock.period_s(), args.air) * if writes { 3 } else { 2 },
+        ),
     };
     play.choose(&mut stepped)?;
     let checked = check(&mut play, &stepped, args.motors)?;
@@ -61,15 +66,16 @@ pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
         print_text(&summary.text())?;
     } else {
         // Standard output has the pulses; remarks go to standard error.
-        summary.remarks().for_each(note);
+        summary.remarks().for_each(print_note);
     }
     let lost = checked.lost(&stepped);
     if lost.is_empty() { Ok(()) } else { Err(Failure::Findings(lost)) }
 }
 
 /// A remark on standard error; errors are ignored.
-fn note(remark: &str) {
-    let _ = writeln!(std::io::stderr().lock(), "note (resolution): {remark}");
+fn print_note(remark: &Message) {
+    let note = Message::new("cli-pulses-note").message("note", remark.clone());
+    let _ = writeln!(std::io::stderr().lock(), "{note}");
 }
 
 /// Plays the motion for its callers, and counts.
@@ -184,9 +190,13 @@ fn vcd(path: &Path, play: &mut Play, stepped: &[Stepped], checked: &Checked, sum
     let clock = play.clock;
     let axes: Vec<VcdAxis> = stepped
         .iter()
-        .zip(summary.texts())
+        .zip(summary.axis_messages())
         .zip(&checked.positive)
-        .map(|((axis, about), positive)| VcdAxis { name: axis.name.clone(), positive: *positive, about })
+        .map(|((axis, about), positive)| VcdAxis {
+            name: axis.name.clone(),
+            positive: *positive,
+            about: about.in_language(Language::English),
+        })
         .collect();
     files::write_with(path, |out| {
         let mut vcd = VcdWriter::new(out, summary.job(), &axes)?;

@@ -1,6 +1,7 @@
 use super::Place;
 use super::stepped::{Clock, Stepped};
 use crate::failure::Failure;
+use crate::refusals::{in_file, outside};
 use seamwright_machine::{AxisKind, Load};
 use seamwright_motion::pulses::{Edge, Event};
 use seamwright_servo::{StepperMotor, StepperParameters};
@@ -35,8 +36,8 @@ impl Motor {
             viscous: viscous * lever * lever,
             torque: motor.torque.clone(),
         };
-        let model =
-            StepperMotor::new(&parameters).map_err(|e| Failure::input(format!("drives.{}.stepper: {e}", axis.name)))?;
+        let model = StepperMotor::new(&parameters)
+            .map_err(|e| Failure::input(in_file(&format!("drives.{}.stepper", axis.name), outside(&e))))?;
         Ok(Some(Self { model, positive: true, tick: 0, held: None }))
     }
 

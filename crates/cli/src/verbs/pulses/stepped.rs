@@ -1,5 +1,7 @@
 use crate::failure::Failure;
+use crate::refusals::of_option;
 use seamwright_machine::{Axis, Load, Machine, Stepper};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::pulses::{Error, Microstepping, Timing};
 
 /// The timer and the period in its ticks.
@@ -15,9 +17,9 @@ impl Clock {
         let ticks = period_ms * 1e6 / f64::from(tick_ns);
         let whole = ticks.round();
         if !(1.0..=1e11).contains(&whole) || (ticks - whole).abs() > 1e-9 * ticks {
-            return Err(Failure::input(format!(
-                "a period of {period_ms} ms is {ticks} ticks of {tick_ns} ns\n   allowed: a whole number of ticks, up to 1e11; see --period-ms and --tick-ns"
-            )));
+            let message = Message::new("cli-pulses-ticks").value("period", period_ms, Unit::Ms);
+            let message = message.value("ticks", ticks, Unit::One).value("tick", f64::from(tick_ns), Unit::Ns);
+            return Err(Failure::refused(message, Message::new("cli-pulses-whole-ticks")));
         }
         Ok(Self { ticks: whole as u64, tick_ns })
     }
@@ -60,7 +62,7 @@ impl Stepped {
         for (index, axis) in machine.axes.iter().enumerate() {
             let Some(stepper) = &axis.stepper else { continue };
             let timing = Timing::new(stepper, clock.tick_s(), clock.ticks)
-                .map_err(|e: Error| Failure::input(format!("--period-ms: {e}")))?;
+                .map_err(|e: Error| Failure::input(of_option("--period-ms", e.message())))?;
             all.push(Self {
                 name: axis.name.clone(),
                 index,

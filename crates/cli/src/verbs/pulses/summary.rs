@@ -1,8 +1,10 @@
 use super::check::Checked;
 use super::stepped::{Clock, Stepped};
 use crate::load::Loaded;
+use crate::refusals::unit_of;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::pulses::Bound;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// Summary of the pulses.
 #[derive(Debug, Serialize)]
@@ -34,7 +36,8 @@ struct AxisSummary {
     end_steps: i64,
     /// In both directions.
     pulses: u64,
-    remark: Option<String>,
+    #[serde(serialize_with = "in_english")]
+    remark: Option<Message>,
     /// With --motors, where the file describes the motor.
     lost_full_steps: Option<i64>,
 }
@@ -50,17 +53,19 @@ impl Summary {
             let (decided_by, why) = match choice.bound {
                 Bound::Resolution => ("resolution", None),
                 Bound::Frequency => {
-                    ("frequency", Some(format!("more would need over {allowed_hz:.0} pulses a second")))
+                    let why = Message::new("cli-pulses-bound-frequency").number("max", allowed_hz, 0);
+                    ("frequency", Some(why))
                 }
-                Bound::Driver => ("driver", Some("the driver has no finer setting".to_owned())),
-                Bound::None => ("frequency", Some("even these are too fast".to_owned())),
+                Bound::Driver => ("driver", Some(Message::new("cli-pulses-bound-driver"))),
+                Bound::None => ("frequency", Some(Message::new("cli-pulses-bound-none"))),
             };
             let remark = why.map(|why| {
-                let microsteps = choice.microsteps;
-                format!(
-                    "axis {} moves {resolution:.4} {unit} a pulse with {microsteps} microsteps, {wanted} {unit} is wanted: {why}",
-                    axis.name
-                )
+                Message::new("cli-pulses-resolution")
+                    .axis("axis", &axis.name)
+                    .quantity("resolution", resolution, unit_of(unit), 4)
+                    .count("microsteps", choice.microsteps as usize)
+                    .value("wanted", wanted, unit_of(unit))
+                    .message("why", why)
             });
             axes.push(AxisSummary {
                 axis: axis.name.clone(),
@@ -95,43 +100,69 @@ impl Summary {
         &self.job
     }
 
-    /// A line an axis.
-    pub(super) fn texts(&self) -> impl Iterator<Item = String> + '_ {
-        self.axes.iter().map(|a| {
-            let lost = a.lost_full_steps.map_or(String::new(), |n| format!(", motor loses {n} full steps"));
-            format!(
-                "{}: {} microsteps by {}, {:.4} {unit} a pulse ({} {unit} wanted), {} pulses from {} to {} steps, up to {:.0} of {:.0} Hz{lost}",
-                a.axis,
-                a.microsteps,
-                a.decided_by,
-                a.resolution,
-                a.resolution_wanted,
-                a.pulses,
-                a.start_steps,
-                a.end_steps,
-                a.highest_hz,
-                a.allowed_hz,
-                unit = a.unit,
-            )
-        })
+    /// A message per axis.
+    pub(super) fn axis_messages(&self) -> impl Iterator<Item = Message> + '_ {
+        self.axes.iter().map(AxisSummary::message)
     }
 
     /// Axes whose resolution is not met.
-    pub(super) fn remarks(&self) -> impl Iterator<Item = &str> {
-        self.axes.iter().filter_map(|a| a.remark.as_deref())
+    pub(super) fn remarks(&self) -> impl Iterator<Item = &Message> {
+        self.axes.iter().filter_map(|a| a.remark.as_ref())
     }
 
     /// For people.
     pub(super) fn text(&self) -> String {
-        let mut text = format!(
-            "{}: {:.3} s in periods of {} ms, ticks of {} ns\n",
-            self.job, self.duration_s, self.period_ms, self.tick_ns
-        );
-        self.texts().for_each(|line| text.push_str(&format!("{line}\n")));
-        self.remarks().for_each(|line| text.push_str(&format!("note: {line}\n")));
+        let heading = Message::new("cli-pulses-heading")
+            .text("job", &self.job)
+            .quantity("time", self.duration_s, Unit::S, 3)
+            .value("period", self.period_ms, Unit::Ms)
+            .value("tick", f64::from(self.tick_ns), Unit::Ns);
+        let note = |remark: &Message| Message::new("project-note").message("note", remark.clone());
+        let mut lines = vec![heading];
+        lines.extend(self.axis_messages());
+        lines.extend(self.remarks().map(note));
         if !self.without_stepper.is_empty() {
-            text.push_str(&format!("without stepper, so without pulses: {}\n", self.without_stepper.join(", ")));
+            let axes = self.without_stepper.join(", ");
+            lines.push(Message::new("cli-pulses-without-stepper").text("axes", axes));
         }
-        text
+        lines.iter().map(|line| format!("{line}\n")).collect()
     }
+}
+
+impl AxisSummary {
+    fn message(&self) -> Message {
+        let unit = unit_of(self.unit);
+        let axis = Message::new("cli-pulses-axis")
+            .axis("axis", &self.axis)
+            .number("microsteps", f64::from(self.microsteps), 0)
+            .message("bound", Message::new(bound(self.decided_by)))
+            .quantity("resolution", self.resolution, unit, 4)
+            .value("wanted", self.resolution_wanted, unit)
+            .number("pulses", self.pulses as f64, 0)
+            .number("start", self.start_steps as f64, 0)
+            .number("end", self.end_steps as f64, 0)
+            .number("highest", self.highest_hz, 0)
+            .quantity("max", self.allowed_hz, Unit::Hz, 0);
+        match self.lost_full_steps {
+            Some(steps) => {
+                let loses = Message::new("cli-pulses-axis-loses").message("axis", axis);
+                loses.count("steps", steps.unsigned_abs() as usize)
+            }
+            None => axis,
+        }
+    }
+}
+
+/// Code of the words of a bound.
+fn bound(decided_by: &str) -> &'static str {
+    match decided_by {
+        "resolution" => "cli-pulses-by-resolution",
+        "driver" => "cli-pulses-by-driver",
+        _ => "cli-pulses-by-frequency",
+    }
+}
+
+/// Writes a message in English.
+fn in_english<S: Serializer>(message: &Option<Message>, out: S) -> Result<S::Ok, S::Error> {
+    message.as_ref().map(|message| message.in_language(Language::English)).serialize(out)
 }

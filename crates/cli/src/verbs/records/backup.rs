@@ -3,6 +3,7 @@ use crate::args::records::{BackupArgs, RestoreArgs};
 use crate::failure::Failure;
 use crate::files;
 use crate::rows::{print_json, print_text};
+use seamwright_message::Message;
 use serde_json::json;
 
 pub(super) fn backup(args: &BackupArgs) -> Result<(), Failure> {
@@ -11,7 +12,10 @@ pub(super) fn backup(args: &BackupArgs) -> Result<(), Failure> {
     let bytes = std::fs::metadata(&args.output).map_or(0, |m| m.len());
     match args.data.json {
         true => print_json(&json!({ "file": args.output, "bytes": bytes })),
-        false => print_text(&format!("{}: {:.1} MB\n", args.output.display(), bytes as f64 / 1e6)),
+        false => {
+            let written = Message::new("cli-record-backup").text("file", args.output.display().to_string());
+            print_text(&format!("{}\n", written.number("size", bytes as f64 / 1e6, 1)))
+        }
     }
 }
 
@@ -20,6 +24,9 @@ pub(super) fn restore(args: &RestoreArgs) -> Result<(), Failure> {
     seamwright_record::restore(&args.archive, &to)?;
     match args.data.json {
         true => print_json(&json!({ "folder": to })),
-        false => print_text(&format!("{}: restored; check it with `seamwright records verify`\n", to.display())),
+        false => {
+            let restored = Message::new("cli-record-restored").text("folder", to.display().to_string());
+            print_text(&format!("{restored}\n"))
+        }
     }
 }

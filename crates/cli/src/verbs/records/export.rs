@@ -3,8 +3,9 @@ use crate::args::records::ExportArgs;
 use crate::clock;
 use crate::failure::Failure;
 use crate::files::{Output, written_text};
+use crate::refusals::not_json;
 use crate::rows::{print_json, print_text};
-use seamwright_message::Language;
+use seamwright_message::{Language, Message};
 use seamwright_report::recorded_weld_page;
 
 pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {
@@ -17,7 +18,7 @@ pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {
         output.take(&file.name, &data.weld_folder(args.id).join(&file.name))?;
     }
     let program = library.program_of(args.id)?;
-    let json = serde_json::to_string_pretty(&detail).map_err(|e| Failure::environment(e.to_string()))?;
+    let json = serde_json::to_string_pretty(&detail).map_err(not_json)?;
     output.text("record.json", &(json + "\n"))?;
     let page = recorded_weld_page(&detail, &figures, &program.text, &clock::now(), Language::of_process());
     output.text("report.html", &page)?;
@@ -26,6 +27,6 @@ pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {
     if args.data.json {
         return print_json(&detail);
     }
-    let wrote: String = written_text(&paths).iter().map(|line| format!("wrote {line}\n")).collect();
-    print_text(&wrote)
+    let wrote = |files: &String| format!("{}\n", Message::new("cli-wrote").text("files", files));
+    print_text(&written_text(&paths).iter().map(wrote).collect::<String>())
 }

@@ -9,7 +9,9 @@ mod verify;
 
 use crate::args::records::{Action, RecordsArgs};
 use crate::failure::Failure;
+use seamwright_message::Message;
 use seamwright_record::DataFolder;
+use seamwright_record::library::WeldResult;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(args: &RecordsArgs) -> Result<(), Failure> {
@@ -38,5 +40,16 @@ pub(super) fn folder(data: Option<&Path>) -> Result<PathBuf, Failure> {
     let home = || named("HOME").or_else(|| named("USERPROFILE")).map(|home| home.join(".local/share"));
     named("SEAMWRIGHT_DATA")
         .or_else(|| Some(named("XDG_DATA_HOME").or_else(home)?.join("seamwright")))
-        .ok_or_else(|| Failure::input("there is no data folder\n   allowed: --data DIR, or SEAMWRIGHT_DATA".to_owned()))
+        .ok_or_else(|| Failure::refused(Message::new("cli-no-data-folder"), Message::new("cli-data-folder")))
+}
+
+/// Words of a weld's result.
+fn result(result: WeldResult) -> Message {
+    Message::new(match result {
+        WeldResult::Running => "cli-result-running",
+        WeldResult::Good => "cli-result-good",
+        WeldResult::Deviating => "cli-result-deviating",
+        WeldResult::Stopped => "cli-result-stopped",
+        WeldResult::Interrupted => "cli-result-interrupted",
+    })
 }

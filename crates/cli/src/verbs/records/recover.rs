@@ -1,8 +1,9 @@
-use super::folder;
+use super::{folder, result};
 use crate::args::records::RecoverArgs;
 use crate::failure::Failure;
 use crate::rows::{print_json, print_text};
 use crate::verbs::recorded::audit;
+use seamwright_message::{Message, Unit};
 use seamwright_record::DataFolder;
 use seamwright_record::library::Library;
 use serde_json::{Value, json};
@@ -31,10 +32,16 @@ pub(super) fn run(args: &RecoverArgs) -> Result<(), Failure> {
         return print_json(&rows.collect::<Vec<Value>>());
     }
     let lines = recovered.iter().map(|r| {
-        let unread =
-            if r.unread_bytes > 0 { format!(", {} bytes at its end unread", r.unread_bytes) } else { String::new() };
-        format!("weld {} ({}): {} rows recovered{unread}, {}\n", r.weld.id, r.weld.part, r.rows, r.weld.result)
+        let line = match r.unread_bytes {
+            0 => Message::new("cli-recovered"),
+            unread => Message::new("cli-recovered-unread").quantity("unread", unread as f64, Unit::Byte, 0),
+        };
+        let line = line.text("weld", r.weld.id.to_string()).text("part", &r.weld.part).count("rows", r.rows as usize);
+        format!("{}\n", line.message("result", result(r.weld.result)))
     });
-    let text: String = lines.collect();
-    print_text(if text.is_empty() { "nothing to recover\n" } else { &text })
+    let mut text: String = lines.collect();
+    if text.is_empty() {
+        text = format!("{}\n", Message::new("cli-nothing-to-recover"));
+    }
+    print_text(&text)
 }

@@ -1,10 +1,16 @@
-use super::open;
+use super::{open, result};
 use crate::args::records::ShowArgs;
 use crate::failure::Failure;
+use crate::labels::padded;
 use crate::rows::{print_json, print_text};
-use seamwright_record::library::WeldDetail;
+use seamwright_message::{Message, Unit};
+use seamwright_record::figures::Value;
+use seamwright_record::library::{Alarm, WeldDetail, WeldFile, WeldRecord};
 use seamwright_report::format_number;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
+
+/// Width of the labels.
+const LABEL: usize = 14;
 
 pub(super) fn run(args: &ShowArgs) -> Result<(), Failure> {
     let detail = open(args.data.data.as_deref())?.library().detail(args.id)?;
@@ -13,51 +19,96 @@ pub(super) fn run(args: &ShowArgs) -> Result<(), Failure> {
 
 fn text(detail: &WeldDetail) -> String {
     let weld = &detail.weld;
-    let mut text = format!("weld {}: {}\n", weld.id, weld.title);
+    let heading = Message::new("cli-record-heading").text("weld", weld.id.to_string()).text("title", &weld.title);
+    let mut text = format!("{heading}\n");
+    about(&mut text, weld);
+    for v in &detail.values {
+        line(&mut text, &Message::new("cli-label-pass").pass("pass", v.pass as usize), value(v));
+    }
+    detail.alarms.iter().for_each(|found| labelled(&mut text, "cli-label-alarm", alarm(found)));
+    detail.events.iter().for_each(|event| {
+        labelled(&mut text, "cli-label-event", format!("{}: {}", event.at, event.text));
+    });
+    detail.files.iter().for_each(|found| labelled(&mut text, "cli-label-file", file(found)));
+    text
+}
+
+fn line(text: &mut String, label: &Message, value: impl Display) {
     // Writing to a String cannot fail.
-    let mut line = |name: &str, value: &str| {
-        let _ = writeln!(text, "  {name:<14} {value}");
+    let _ = writeln!(text, "  {} {value}", padded(&label.to_string(), LABEL));
+}
+
+fn labelled(text: &mut String, code: &'static str, value: impl Display) {
+    line(text, &Message::new(code), value);
+}
+
+/// Lines about the whole weld.
+fn about(text: &mut String, weld: &WeldRecord) {
+    labelled(text, "cli-label-part", &weld.part);
+    let result = result(weld.result);
+    let result = if weld.simulated { Message::new("cli-record-simulated").message("result", result) } else { result };
+    labelled(text, "cli-label-result", result);
+    labelled(text, "cli-label-begun", weld.begun);
+    weld.ended.iter().for_each(|at| labelled(text, "cli-label-ended", at));
+    weld.welder.iter().for_each(|name| labelled(text, "cli-label-welder", name));
+    let document = |text: &mut String, code, name: &str, version: &dyn Display| {
+        let document = Message::new("cli-record-version").text("name", name).text("version", version.to_string());
+        labelled(text, code, document);
     };
-    let number = |v: f64| format_number(v, 5);
-    line("part", &weld.part);
-    line("result", &format!("{}{}", weld.result, if weld.simulated { ", simulated" } else { "" }));
-    line("begun", &weld.begun.to_string());
-    weld.ended.iter().for_each(|at| line("ended", &at.to_string()));
-    weld.welder.iter().for_each(|name| line("welder", name));
-    line("machine", &format!("{}, version {}", weld.machine.0, weld.machine.1));
-    weld.procedure.iter().for_each(|(name, version)| line("procedure", &format!("{name}, version {version}")));
-    weld.job.iter().for_each(|(name, version)| line("job", &format!("{name}, version {version}")));
-    line("program", &format!("{}, version {}", weld.program.0, weld.program.1));
-    if let Some(heat) = weld.heat_input_kj_mm {
-        let [least, mean, greatest] = heat.map(number);
-        line("heat input", &format!("{least} to {greatest} kJ/mm, mean {mean}"));
+    document(text, "cli-label-machine", &weld.machine.0, &weld.machine.1);
+    weld.procedure.iter().for_each(|(name, version)| document(text, "cli-label-procedure", name, version));
+    weld.job.iter().for_each(|(name, version)| document(text, "cli-label-job", name, version));
+    document(text, "cli-label-program", &weld.program.0, &weld.program.1);
+    if let Some([min, mean, max]) = weld.heat_input_kj_mm {
+        let heat = Message::new("cli-record-heat-input").value("min", short(min), Unit::One);
+        let heat = heat.value("max", short(max), Unit::KiloJPerMm).value("mean", short(mean), Unit::One);
+        labelled(text, "cli-label-heat-input", heat);
     }
     if let Some((worst, at)) = weld.worst_deviation_mm {
-        line("deviation", &format!("{} mm at most, at s = {} mm", number(worst), number(at)));
+        let deviation = Message::new("cli-record-deviation").value("max", short(worst), Unit::Mm);
+        labelled(text, "cli-label-deviation", deviation.value("at", short(at), Unit::Mm));
     }
     if !weld.note.is_empty() {
-        line("note", &weld.note.to_string());
+        labelled(text, "cli-label-note", &weld.note);
     }
-    for v in &detail.values {
-        let allowed = v.allowed.map_or(String::new(), |(low, high)| {
-            let outside =
-                if v.outside_s > 0.0 { format!(", outside for {} s", number(v.outside_s)) } else { String::new() };
-            format!(" ({} to {} allowed{outside})", number(low), number(high))
-        });
-        line(
-            &format!("pass {}", v.pass),
-            &format!("{} {} to {}{allowed}", v.name, number(v.least), number(v.greatest)),
-        );
+}
+
+/// `value` with five significant digits.
+fn short(value: f64) -> f64 {
+    format_number(value, 5).parse().unwrap_or(value)
+}
+
+/// Range of a process value, and the allowed one.
+fn value(v: &Value) -> Message {
+    let value = Message::new("cli-record-value").text("name", &v.name);
+    let value = value.value("from", short(v.least), Unit::One).value("to", short(v.greatest), Unit::One);
+    let Some((low, high)) = v.allowed else { return value };
+    let outside = v.outside_s > 0.0;
+    let allowed = Message::new(if outside { "cli-record-value-outside" } else { "cli-record-value-allowed" })
+        .message("value", value)
+        .value("min", short(low), Unit::One)
+        .value("max", short(high), Unit::One);
+    if outside { allowed.value("time", short(v.outside_s), Unit::S) } else { allowed }
+}
+
+/// An alarm with its cause and position.
+fn alarm(alarm: &Alarm) -> Message {
+    let mut message = alarm.name.clone();
+    if !alarm.cause.is_empty() {
+        let both = Message::new("cli-record-with-cause").message("alarm", message);
+        message = both.message("cause", alarm.cause.clone());
     }
-    for alarm in &detail.alarms {
-        let at = alarm.place.s_mm.map_or(String::new(), |s| format!(" at s = {} mm", number(s)));
-        let cause = if alarm.cause.is_empty() { String::new() } else { format!(": {}", alarm.cause) };
-        line("alarm", &format!("{}{cause}{at}", alarm.name));
+    match alarm.place.s_mm {
+        Some(s) => Message::new("cli-record-at").message("alarm", message).value("at", short(s), Unit::Mm),
+        None => message,
     }
-    detail.events.iter().for_each(|event| line("event", &format!("{}: {}", event.at, event.text)));
-    for file in &detail.files {
-        let rows = file.rows.map_or(String::new(), |n| format!(", {n} rows"));
-        line("file", &format!("{}, {} bytes{rows}, SHA-256 {}", file.name, file.bytes, file.sha256));
-    }
-    text
+}
+
+fn file(file: &WeldFile) -> Message {
+    let message = match file.rows {
+        Some(rows) => Message::new("cli-record-table").count("rows", rows as usize),
+        None => Message::new("cli-record-file"),
+    };
+    let message = message.text("file", &file.name).quantity("size", file.bytes as f64, Unit::Byte, 0);
+    message.text("hash", &file.sha256)
 }

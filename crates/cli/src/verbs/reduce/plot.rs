@@ -3,6 +3,7 @@
 use glam::DVec3;
 use seamwright_geometry::reduce::{Shape, Span};
 use seamwright_geometry::{Arc, Curve};
+use seamwright_message::Message;
 use seamwright_report::{Axis, Chart, Series, Style, sheet};
 use std::f64::consts::TAU;
 
@@ -15,7 +16,12 @@ const CROSS: f64 = 0.015;
 /// The sheet: seen along z, and along y and x unless these views are flat.
 pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
     let ends: Vec<DVec3> = ends(points, spans);
-    sheet("Points as lines and arcs", &charts(points, &lines_and_arcs(points, spans), &ends))
+    sheet(&words("cli-draw-points-as-spans"), &charts(points, &lines_and_arcs(points, spans), &ends))
+}
+
+/// Words of a drawing in the language of the process.
+pub(in crate::verbs) fn words(code: &'static str) -> String {
+    Message::new(code).to_string()
 }
 
 /// Starts and ends of spans.
@@ -24,15 +30,16 @@ pub(in crate::verbs) fn ends(points: &[DVec3], spans: &[Span]) -> Vec<DVec3> {
 }
 
 /// The spans as drawn, by their kind.
-pub(in crate::verbs) fn lines_and_arcs(points: &[DVec3], spans: &[Span]) -> Vec<(&'static str, Vec<DVec3>)> {
+pub(in crate::verbs) fn lines_and_arcs(points: &[DVec3], spans: &[Span]) -> Vec<(String, Vec<DVec3>)> {
     let seen = |shape: fn(&Shape) -> bool| -> Vec<DVec3> {
         spans.iter().filter(|s| shape(&s.shape)).flat_map(|s| drawn(points, s)).collect()
     };
-    vec![("lines", seen(|s| *s == Shape::Line)), ("arcs", seen(|s| *s != Shape::Line))]
+    let (lines, arcs) = (seen(|s| *s == Shape::Line), seen(|s| *s != Shape::Line));
+    vec![(words("cli-draw-lines"), lines), (words("cli-draw-arcs"), arcs)]
 }
 
 /// The charts of the sheet: points, named curves through them, and the ends of these.
-pub(in crate::verbs) fn charts(points: &[DVec3], curves: &[(&'static str, Vec<DVec3>)], ends: &[DVec3]) -> Vec<Chart> {
+pub(in crate::verbs) fn charts(points: &[DVec3], curves: &[(String, Vec<DVec3>)], ends: &[DVec3]) -> Vec<Chart> {
     let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
     let size = high - low;
     let arm = CROSS * size.max_element();
@@ -41,13 +48,17 @@ pub(in crate::verbs) fn charts(points: &[DVec3], curves: &[(&'static str, Vec<DV
         let axis = |i: usize| Axis::new(["x", "y", "z"][i], "mm");
         let flat = |space: &[DVec3]| space.iter().map(|p| (p[across], p[up])).collect();
         Chart {
-            title: format!("Seen along {along}"),
+            title: Message::new("cli-draw-seen-along").text("axis", along).to_string(),
             x: axis(across),
             y: axis(up),
-            series: std::iter::once(Series::line("points", flat(points)).styled(Style::Points).coloured(2))
-                .chain(curves.iter().enumerate().map(|(k, (name, curve))| Series::line(*name, flat(curve)).coloured(k)))
-                .chain([Series::line("ends", flat(&crosses)).coloured(3)])
-                .collect(),
+            series: std::iter::once(
+                Series::line(words("cli-draw-points"), flat(points)).styled(Style::Points).coloured(2),
+            )
+            .chain(
+                curves.iter().enumerate().map(|(k, (name, curve))| Series::line(name.clone(), flat(curve)).coloured(k)),
+            )
+            .chain([Series::line(words("cli-draw-ends"), flat(&crosses)).coloured(3)])
+            .collect(),
             equal_aspect: true,
             ..Chart::default()
         }

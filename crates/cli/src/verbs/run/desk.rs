@@ -9,7 +9,7 @@ use crate::verbs::recorded::Happened;
 use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::{Footing, Shown, ShutdownCause};
 use seamwright_machine::Machine;
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
 use seamwright_project::devices;
 use seamwright_project::power_loss::Watch;
 use seamwright_project::weld_events;
@@ -27,6 +27,17 @@ pub(in crate::verbs) fn is_urgent(text: &str) -> Option<Ask> {
         "hold" => Some(Ask::Hold),
         _ => None,
     }
+}
+
+/// Words of files and of output for programs.
+fn english(message: &Message) -> String {
+    message.in_language(Language::English)
+}
+
+/// The line of an event at time `t` (s).
+fn printed(t: f64, kind: &str, text: &Message) -> String {
+    let time = Message::new("quantity").quantity("value", t, Unit::S, 3).to_string();
+    format!("{time:>12}  {kind:<8} {text}")
 }
 
 /// Source of the orders, and record of their results.
@@ -50,9 +61,9 @@ pub(in crate::verbs) struct Desk {
     /// Events are not printed.
     quiet: bool,
     events: Vec<Value>,
-    refused: Option<String>,
+    refused: Option<Message>,
     /// The first alarm that held the program or took the cell down.
-    stopped: Option<String>,
+    stopped: Option<Message>,
     /// External cause that ended the program.
     ended_by: Option<ShutdownCause>,
     passes: Vec<Place>,
@@ -95,8 +106,8 @@ impl Desk {
     }
 
     /// Ends everything after an unrecoverable fault.
-    pub(in crate::verbs) fn give_up(&mut self, why: &str) {
-        self.refused.get_or_insert(why.to_owned());
+    pub(in crate::verbs) fn give_up(&mut self, why: Message) {
+        self.refused.get_or_insert(why);
     }
 
     /// Rights that the system grants to the cycle: missing ones are recorded and reported at once.
@@ -105,21 +116,21 @@ impl Desk {
             return;
         }
         // Errors are ignored: standard error may be closed.
-        let _ = writeln!(std::io::stderr(), "note: the cycle runs without real-time rights: {footing}");
+        let _ = writeln!(std::io::stderr(), "{}", Message::new("cli-run-rights").message("footing", footing.message()));
         let missing: Vec<&str> = footing.missing().collect();
         let text = Footing::event(&missing);
-        self.tell("realtime", &text.to_string(), json!({ "missing": missing }));
+        self.event_now("realtime", &text, json!({ "missing": missing }));
         let place = library::Place { pass: None, s_mm: None, t_s: None };
-        self.kept.push(library::Event { at: Moment::now(), text: text.into(), place });
+        self.kept.push(library::Event { at: Moment::now(), text, place });
     }
 
     /// A signal or a fault of the program has ended the cell.
     pub(in crate::verbs) fn ended_by(&mut self, cause: ShutdownCause) {
         self.ended_by.get_or_insert(cause);
         let text = Message::new("cell-note-stopped").message("cause", cause.message());
-        self.tell("ended", &text.to_string(), json!({ "ended_by": cause.to_string() }));
+        self.event_now("ended", &text, json!({ "ended_by": english(&cause.message()) }));
         let place = library::Place { pass: None, s_mm: None, t_s: self.now.map(|now| now.t) };
-        self.kept.push(library::Event { at: Moment::now(), text: text.into(), place });
+        self.kept.push(library::Event { at: Moment::now(), text, place });
     }
 
     /// A line that the operator typed.
@@ -134,7 +145,7 @@ impl Desk {
             Ok(line) => self.lines.extend(line),
             Err(error) => {
                 self.refused.get_or_insert(error.clone());
-                self.tell("mistake", &error, json!({ "mistake": error }));
+                self.event_now("mistake", &error, json!({ "mistake": english(&error) }));
             }
         }
     }
@@ -215,11 +226,16 @@ impl Desk {
     }
 
     fn state(&mut self, now: &Shown) {
-        let text = format!(
-            "mode {}, pass {}, s {:.2} mm, inputs {:b}",
-            now.mode, now.place.pass, now.place.s_mm, now.reports.inputs
+        let text = Message::new("cli-run-state")
+            .message("mode", now.mode.message())
+            .pass("pass", now.place.pass)
+            .quantity("s", now.place.s_mm, Unit::Mm, 2)
+            .text("inputs", format!("{:b}", now.reports.inputs));
+        self.event_now(
+            "state",
+            &text,
+            json!({ "mode": now.mode.name(), "pass": now.place.pass, "s_mm": now.place.s_mm }),
         );
-        self.tell("state", &text, json!({ "mode": now.mode.name(), "pass": now.place.pass, "s_mm": now.place.s_mm }));
     }
 
     /// Only the shutdown is left.
@@ -230,19 +246,21 @@ impl Desk {
     /// Something happened.
     pub(in crate::verbs) fn noted(&mut self, t: f64, note: Note) {
         let here = self.now.map_or_else(Place::default, |now| now.place);
-        self.kept.extend(weld_events::event(t, &note, here));
+        let event = weld_events::event(t, &note, here);
+        let text = event.as_ref().map_or_else(Message::default, |event| event.text.clone());
+        self.kept.extend(event);
         match note {
             Note::Mode(from, to) => {
                 let more = json!({ "from": from.name(), "to": to.name() });
-                self.event(t, "mode", &format!("{from} -> {to}"), more);
+                self.event(t, "mode", &text, more);
             }
             Note::Taken(command) => {
                 self.answered = true;
-                self.event(t, "order", command.ask.name(), json!({ "order": command.ask.name() }));
+                self.event(t, "order", &command.ask.message(), json!({ "order": command.ask.name() }));
             }
             Note::Lacks(_, missing) => {
                 let why = self.why(missing);
-                self.event(t, "lacks", &why, json!({ "why": why }));
+                self.event(t, "lacks", &why, json!({ "why": english(&why) }));
             }
             Note::Refused(command, missing) => {
                 self.answered = true;
@@ -250,20 +268,18 @@ impl Desk {
             }
             Note::Alarm(raised) => self.alarm(t, &raised),
             Note::Cleared(alarm, detail) => {
-                let text = format!("{} has gone", alarm.title_of(self.about(alarm, detail)));
+                let title = alarm.title_of(self.about(alarm, detail));
+                let text = Message::new("cli-run-cleared").message("alarm", title);
                 self.event(t, "cleared", &text, json!({ "alarm": alarm.entry().name }));
             }
             Note::Missed(cycles, longest_ms) => {
-                let text = format!("{cycles} cycles were missed, up to {longest_ms:.0} ms at once");
                 self.event(t, "missed", &text, json!({ "cycles": cycles, "longest_ms": longest_ms }));
             }
             Note::PassEnds(place) => {
                 self.passes.push(place);
-                let text = format!("pass {} ends at {:.2} mm", place.pass, place.s_mm);
                 self.event(t, "pass", &text, json!({ "pass": place.pass, "s_mm": place.s_mm }));
             }
             Note::Left(place) => {
-                let text = format!("pass {} was left, welded up to {:.2} mm", place.pass, place.s_mm);
                 self.event(t, "left", &text, json!({ "pass": place.pass, "welded_mm": place.s_mm }));
             }
         }
@@ -280,45 +296,48 @@ impl Desk {
             return;
         }
         let why = self.why(missing);
-        let text = format!("{}: {why}", command.ask.name());
+        let text = Message::new("cli-run-refused").message("order", command.ask.message()).message("why", why.clone());
         self.refused.get_or_insert(text.clone());
-        self.event(t, "refused", &text, json!({ "order": command.ask.name(), "why": why }));
+        self.event(t, "refused", &text, json!({ "order": command.ask.name(), "why": english(&why) }));
     }
 
     /// Description of the missing permissive.
-    fn why(&self, missing: Missing) -> String {
+    fn why(&self, missing: Missing) -> Message {
         let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
         let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
-        missing.message(&axes, &conditions).to_string()
+        missing.message(&axes, &conditions)
     }
 
     fn alarm(&mut self, t: f64, raised: &Raised) {
         let entry = raised.alarm.entry();
         let title = raised.alarm.title_of(self.about(raised.alarm, raised.detail));
-        let name = title.to_string();
-        let at = if raised.place.pass > 0 { format!(" at {:.2} mm", raised.place.s_mm) } else { String::new() };
-        let text = format!("{name}{at}: {}; {}", raised.reaction.name(), entry.action);
+        let in_pass = raised.place.pass > 0;
+        let text = Message::new(if in_pass { "cli-run-alarm-at" } else { "cli-run-alarm" });
+        let text = text.message("alarm", title.clone()).message("reaction", raised.reaction.message());
+        let text = text.message("action", entry.action.clone());
+        let text = if in_pass { text.quantity("at", raised.place.s_mm, Unit::Mm, 2) } else { text };
+        if raised.reaction >= Reaction::Hold {
+            let stopped = Message::new("cli-run-alarm-action").message("alarm", title.clone());
+            self.stopped.get_or_insert(stopped.message("action", entry.action.clone()));
+        }
         self.alarms.push(library::Alarm {
             name: title,
             cause: entry.cause.clone(),
             place: library::Place {
-                pass: (raised.place.pass > 0).then_some(raised.place.pass as u32),
-                s_mm: (raised.place.pass > 0).then_some(raised.place.s_mm),
+                pass: in_pass.then_some(raised.place.pass as u32),
+                s_mm: in_pass.then_some(raised.place.s_mm),
                 t_s: Some(t),
             },
             raised: Moment::now(),
             first_out: raised.first_out,
             acknowledged: None,
         });
-        if raised.reaction >= Reaction::Hold {
-            self.stopped.get_or_insert(format!("{name}: {}", entry.action));
-        }
-        let of = self.about(raised.alarm, raised.detail).map(|of| of.to_string());
+        let of = self.about(raised.alarm, raised.detail).map(|of| english(&of));
         let more = json!({
             "alarm": entry.name, "of": of, "first_out": raised.first_out,
             "pass": raised.place.pass, "s_mm": raised.place.s_mm, "cell": raised.reaction.name(),
-            "cause": entry.cause.to_string(), "consequence": entry.consequence.to_string(),
-            "action": entry.action.to_string(),
+            "cause": english(&entry.cause), "consequence": english(&entry.consequence),
+            "action": english(&entry.action),
         });
         self.event(t, "alarm", &text, more);
     }
@@ -330,22 +349,23 @@ impl Desk {
         alarm.about(detail, &axes, &conditions)
     }
 
-    fn event(&mut self, t: f64, kind: &'static str, text: &str, more: Value) {
+    fn event(&mut self, t: f64, kind: &'static str, text: &Message, more: Value) {
         let mut event = json!({ "t_s": t, "event": kind });
         if let (Value::Object(event), Value::Object(more)) = (&mut event, more) {
             event.extend(more);
         }
-        let line = if self.json { event.to_string() } else { format!("{t:>10.3} s  {kind:<8} {text}") };
-        self.say(&line);
+        let line = if self.json { event.to_string() } else { printed(t, kind, text) };
+        self.print(&line);
         self.events.push(event);
     }
 
-    fn tell(&mut self, kind: &'static str, text: &str, more: Value) {
+    /// Something happens at this instant.
+    fn event_now(&mut self, kind: &'static str, text: &Message, more: Value) {
         let t = self.now.map_or(0.0, |now| now.t);
         self.event(t, kind, text, more);
     }
 
-    fn say(&mut self, line: &str) {
+    fn print(&mut self, line: &str) {
         if self.quiet {
             return;
         }
@@ -373,7 +393,7 @@ impl Desk {
             lines.push('\n');
         }
         let timing = ended.timing.as_ref().map(|(footing, latency)| {
-            json!({ "footing": footing.to_string(), "cycles": latency.count(), "missed": latency.missed(),
+            json!({ "footing": english(&footing.message()), "cycles": latency.count(), "missed": latency.missed(),
                 "late_us": { "median": latency.quantile_us(0.5), "p99_9": latency.quantile_us(0.999), "most": latency.most_us() } })
         });
         let place = |place: Place| json!({ "pass": place.pass, "welded_mm": place.s_mm });
@@ -382,9 +402,9 @@ impl Desk {
             "mode": self.now.map(|now| now.mode.name()),
             "passes": self.passes.iter().map(|p| place(*p)).collect::<Vec<_>>(),
             "left": ended.left.map(place),
-            "stopped_by": self.stopped,
-            "ended_by": self.ended_by.map(|cause| cause.to_string()),
-            "refused": self.refused,
+            "stopped_by": self.stopped.as_ref().map(english),
+            "ended_by": self.ended_by.map(|cause| english(&cause.message())),
+            "refused": self.refused.as_ref().map(english),
             "timing": timing,
             "devices": devices::told(&ended.lines),
         });
@@ -432,10 +452,12 @@ impl Desk {
             return Err(failure);
         }
         if let Some(cause) = self.ended_by {
-            return Err(Failure::environment(format!("the program was stopped by {cause}; everything is off")));
+            return Err(Failure::environment(Message::new("cli-run-stopped-by").message("cause", cause.message())));
         }
         match (self.stopped, self.refused) {
-            (Some(alarm), _) => Err(Failure::environment(format!("the program was stopped by an alarm: {alarm}"))),
+            (Some(alarm), _) => {
+                Err(Failure::environment(Message::new("cli-run-stopped-by-alarm").message("alarm", alarm)))
+            }
             (None, Some(_)) => Err(Failure::Printed),
             (None, None) => Ok(()),
         }

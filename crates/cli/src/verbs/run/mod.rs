@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::planning;
+use crate::refusals::{outside, refused};
 use crate::verbs::part;
 use desk::Desk;
 use seamwright_cell::SimulatedCell;
@@ -18,6 +19,7 @@ use seamwright_cell::executive::{Devices, Executive, Place, Start, Work};
 use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shutdown, Urgent, guarded, live};
 use seamwright_cell::tracking::Tracking;
 use seamwright_machine::{Machine, Surroundings};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_program::is_before;
 use seamwright_project::devices::{self, Lines};
@@ -76,17 +78,18 @@ struct Asked<'a> {
     faults: (&'a [Fault], u64),
 }
 
-/// Says how late cycles were, if some were missed.
-fn tell_missed(ended: &Ended, period_s: f64) {
+/// Reports how late cycles were, if some were missed.
+fn report_missed(ended: &Ended, period_s: f64) {
     let Some((_, latency)) = ended.timing.as_ref().filter(|(_, latency)| latency.missed() > 0) else { return };
     let (missed, all) = (latency.missed(), latency.missed() + latency.count());
-    let (period, most) = (1e3 * period_s, 1e-3 * latency.most_us());
+    let note = Message::new("cli-run-missed")
+        .number("missed", missed as f64, 0)
+        .count("cycles", all as usize)
+        .value("period", 1e3 * period_s, Unit::Ms)
+        .quantity("late", 1e-3 * latency.most_us(), Unit::Ms, 2);
+    let cure = Message::new("cli-run-missed-cure");
     // Errors are ignored: standard error may be closed.
-    let _ = writeln!(
-        std::io::stderr(),
-        "note: {missed} of {all} cycles of {period} ms were missed: the worst began {most:.2} ms late\n   \
-         better: a longer servo_period_ms, or less that runs beside; `seamwright machine latency` measures it"
-    );
+    let _ = writeln!(std::io::stderr(), "{note}\n   {cure}");
 }
 
 /// The start that is asked for.
@@ -99,16 +102,15 @@ fn start(
     let Some(place) = from else { return Ok(Start::at_home(motion)) };
     let length = motion.passes.get(place.pass - 1).map(|pass| pass.path.length());
     if !length.is_some_and(|length| is_before(place.s_mm, length)) {
-        let passes = motion.passes.len();
-        let most =
-            length.map_or(format!("passes 1 to {passes}"), |length| format!("up to {length:.2} mm in that pass"));
-        return Err(Failure::input(format!(
-            "--from {},{}: there is nothing left to weld\n   allowed: {most}",
-            place.pass, place.s_mm
-        )));
+        let allowed = match length {
+            Some(length) => Message::new("cli-run-up-to-in-pass").quantity("length", length, Unit::Mm, 2),
+            None => Message::new("cli-run-passes-up-to").number("passes", motion.passes.len() as f64, 0),
+        };
+        let asked = format!("{},{}", place.pass, place.s_mm);
+        return Err(refused("--from", asked, Message::new("cli-run-nothing-left"), allowed));
     }
     let home = loaded.machine.home();
-    Start::at_place(&loaded.machine, around, motion, &home, place).map_err(|e| Failure::environment(e.to_string()))
+    Start::at_place(&loaded.machine, around, motion, &home, place).map_err(|e| Failure::environment(outside(&e)))
 }
 
 /// Opens the desk, runs the cell under it, and closes it.
@@ -137,7 +139,7 @@ fn with_cell(
     // Outputs that may be on are reported before unwritable files.
     check_safe(&ended.lines)?;
     output.finish()?;
-    tell_missed(&ended, machine.servo_period_s);
+    report_missed(&ended, machine.servo_period_s);
     closed?;
     desk.judge()
 }
@@ -146,11 +148,11 @@ fn with_cell(
 fn check_safe(lines: &Lines) -> Result<(), Failure> {
     for (name, line) in lines {
         // A device without an answer counts as one whose outputs are on.
-        let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".into()));
+        let safe = line.get().safe.unwrap_or_else(|| Err(Message::new("cli-run-not-asked")));
         if let Err(why) = safe {
-            return Err(Failure::environment(format!(
-                "device `{name}`: its outputs are not confirmed to be safe: {why}\n   look at once whether arc and gas are off"
-            )));
+            let unsafe_outputs = Message::new("cli-run-outputs-unsafe").text("device", name).message("why", why);
+            let lines = Message::new("cli-two-lines").message("first", unsafe_outputs);
+            return Err(Failure::environment(lines.message("second", Message::new("cli-run-look-at-once"))));
         }
     }
     Ok(())
@@ -174,7 +176,7 @@ fn devices<'a>(
 
 /// Failure of a simulation.
 pub(in crate::verbs) fn bad(error: &seamwright_cell::Error) -> Failure {
-    Failure::input(error.to_string())
+    Failure::input(error)
 }
 
 /// In real time: the cycle in a thread of its own, the desk here.
@@ -227,7 +229,7 @@ fn real(
             wait_for_end(&cycle, shutdown);
         }
         let (left, footing, latency) =
-            cycle.join().map_err(|_| Failure::environment("the thread of the cycle ended early".to_owned()))?;
+            cycle.join().map_err(|_| Failure::environment(Message::new("cli-cycle-ended-early")))?;
         if let Some(cause) = shutdown.cause() {
             desk.ended_by(cause);
         }
@@ -256,12 +258,10 @@ fn give_up_late(shutdown: &Shutdown, waits: &mut Option<Instant>) {
         return;
     }
     // Errors are ignored: standard error may be closed.
-    let _ = writeln!(
-        std::io::stderr(),
-        "error: ended by {cause}, but the cycle does not come to its end within {} s: check that arc, gas and drives are off\n   \
-         the record is made whole by the next `seamwright records recover`",
-        SHUTDOWN.as_secs()
-    );
+    let hangs = Message::new("cli-run-hangs").message("cause", cause.message());
+    let hangs = hangs.quantity("time", SHUTDOWN.as_secs_f64(), Unit::S, 0);
+    let error = Message::new("cli-error").message("error", hangs);
+    let _ = writeln!(std::io::stderr(), "{error}\n   {}", Message::new("cli-run-record-later"));
     std::process::exit(3);
 }
 

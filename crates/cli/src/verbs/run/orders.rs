@@ -1,4 +1,5 @@
 use seamwright_cell::executive::{Ask, Mode};
+use seamwright_message::{Message, Unit};
 
 /// A line of the operator's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,11 +40,14 @@ impl Line {
     ///
     /// # Errors
     /// The fault, and the allowed values.
-    pub(in crate::verbs) fn read(text: &str) -> Result<Option<Self>, String> {
+    pub(in crate::verbs) fn read(text: &str) -> Result<Option<Self>, Message> {
         let words: Vec<&str> = text.split_whitespace().collect();
         let number = |word: &str, low: f64, high: f64| {
             let number = word.parse::<f64>().ok().filter(|n| (low..=high).contains(n));
-            number.ok_or_else(|| format!("`{word}` in `{text}`; allowed is a number from {low} to {high}"))
+            number.ok_or_else(|| {
+                let fault = Message::new("cli-order-number").text("word", word).text("line", text);
+                fault.value("min", low, Unit::One).value("max", high, Unit::One)
+            })
         };
         Ok(Some(match words[..] {
             [] => return Ok(None),
@@ -56,9 +60,8 @@ impl Line {
                 let name = mode.join(" ");
                 let found = Mode::ALL.into_iter().find(|m| m.name() == name);
                 let names = || Mode::ALL.map(Mode::name).join(", ");
-                Self::Mode(
-                    found.ok_or_else(|| format!("there is no mode `{name}`; allowed are {}, N s, N mm", names()))?,
-                )
+                let fault = || Message::new("cli-order-mode").text("mode", &name).text("modes", names());
+                Self::Mode(found.ok_or_else(fault)?)
             }
             [word] if WORDS.iter().any(|(known, _)| *known == word) => {
                 let found = WORDS.iter().find(|(known, _)| *known == word);
@@ -66,10 +69,7 @@ impl Line {
             }
             _ => {
                 let words: Vec<&str> = WORDS.iter().map(|(word, _)| *word).collect();
-                return Err(format!(
-                    "`{text}` is no order; allowed are {}, override PERCENT, wait MODE, wait N s, wait N mm, ?",
-                    words.join(", ")
-                ));
+                return Err(Message::new("cli-order-unknown").text("line", text).text("orders", words.join(", ")));
             }
         }))
     }
@@ -85,7 +85,7 @@ mod tests {
             assert_eq!(Line::read(&format!("  {word} ")), Ok(Some(Line::Ask(ask))));
         }
         for mode in Mode::ALL {
-            assert_eq!(Line::read(&format!("wait {mode}")), Ok(Some(Line::Mode(mode))));
+            assert_eq!(Line::read(&format!("wait {}", mode.name())), Ok(Some(Line::Mode(mode))));
         }
         assert_eq!(Line::read("override 50"), Ok(Some(Line::Ask(Ask::Override(0.5)))));
         assert_eq!(Line::read("wait 2.5 s"), Ok(Some(Line::Seconds(2.5))));
@@ -94,7 +94,7 @@ mod tests {
         assert_eq!((Line::read(""), Line::read("# a remark")), (Ok(None), Ok(None)));
         for bad in ["go", "wait", "wait for it", "override", "override 120", "override fast", "wait -1 s", "on off"] {
             let error = Line::read(bad).unwrap_err();
-            assert!(error.contains("allowed"), "{bad}: {error}");
+            assert!(error.to_string().contains("allowed"), "{bad}: {error}");
         }
     }
 }

@@ -3,8 +3,10 @@
 use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::files;
+use crate::refusals::{at_most, in_file};
 use glam::DVec2;
 use seamwright_cell::frames::decode;
+use seamwright_message::{Message, Unit};
 use seamwright_vision::Image;
 use std::path::Path;
 
@@ -22,11 +24,11 @@ pub(super) enum Input {
 pub(super) fn read(path: &Path, source: &str) -> Result<Input, Failure> {
     let bytes = files::read_bytes(path, source)?;
     if is_image(&bytes) {
-        return decode(&bytes).map(Input::Image).map_err(|e| Failure::input(format!("{source}: {e}")));
+        return decode(&bytes).map(Input::Image).map_err(|e| Failure::input(in_file(source, &e)));
     }
     let Ok(text) = std::str::from_utf8(&bytes) else {
-        let allowed = "PNG, JPEG or PNM, or CSV with the columns y_mm,z_mm";
-        return Err(Failure::input(format!("{source}: neither an image nor text\n   allowed: {allowed}")));
+        let message = in_file(source, Message::new("cli-stripe-neither"));
+        return Err(Failure::refused(message, Message::new("cli-stripe-formats")));
     };
     profile(text, source).map(Input::Profile)
 }
@@ -51,17 +53,16 @@ fn profile(text: &str, source: &str) -> Result<Vec<DVec2>, Failure> {
             }
             let good = |v: &f64| v.abs() <= 1e7;
             *value = cell.parse().ok().filter(good).ok_or_else(|| {
-                reader.error(
-                    name,
-                    cell,
-                    "not a position",
-                    "a number within 1e7 mm of 0, or nothing where it is missing",
-                )
+                let allowed = Message::new("cli-stripe-position");
+                reader.error(name, cell, Message::new("cli-not-a-position"), allowed)
             })?;
         }
         points.push(DVec2::from_array(point));
         if points.len() > MAX_POINTS {
-            return Err(Failure::input(format!("{source}: too many points\n   allowed: up to {MAX_POINTS}")));
+            return Err(Failure::refused(
+                in_file(source, Message::new("cli-too-many-points")),
+                at_most(MAX_POINTS as f64, Unit::One),
+            ));
         }
     }
     Ok(points)

@@ -8,11 +8,13 @@ use crate::args::stripe::{JointArg, StripeArgs};
 use crate::failure::Failure;
 use crate::files;
 use crate::load;
+use crate::refusals::{in_file, refused};
 use crate::rows::{Cell, Rows, print_json};
 use glam::DVec2;
 use input::Input;
 use seamwright_geometry::Homography;
 use seamwright_machine::Sight;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{Features, JointKind, NoFeatures, Quantity, StripeReader, StripeTask};
 use serde_json::{Map, Value, json};
@@ -32,8 +34,8 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
     match input::read(&args.input, &source)? {
         Input::Profile(points) => {
             if args.machine.is_some() || args.mm_per_px.is_some() || args.overlay.is_some() {
-                let allowed = "--machine, --mm-per-px and --overlay with an image";
-                return Err(Failure::input(format!("{source}: a profile is in mm already\n   allowed: {allowed}")));
+                let message = in_file(&source, Message::new("cli-stripe-profile-in-mm"));
+                return Err(Failure::refused(message, Message::new("cli-stripe-image-options")));
             }
             let task = task(args, true)?;
             let found = reader.read_profile(&points, &task);
@@ -42,10 +44,13 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
             write(args, &found, None, (&source, &hint))
         }
         Input::Image(image) => {
-            let frame = image.frame().map_err(|e| Failure::input(format!("{source}: {e}")))?;
+            let frame = image.frame().map_err(|e| Failure::input(in_file(&source, &e)))?;
             if let Some([width, height]) = scale.size_px.filter(|s| *s != [frame.width(), frame.height()]) {
-                let found = format!("the image has {} x {} pixels", frame.width(), frame.height());
-                return Err(Failure::input(format!("{source}: {found}\n   allowed: {width} x {height}, the sensor's")));
+                let size = |code, [width, height]: [usize; 2]| {
+                    Message::new(code).text("width", width.to_string()).text("height", height.to_string())
+                };
+                let found = in_file(&source, size("cli-image-size", [frame.width(), frame.height()]));
+                return Err(Failure::refused(found, size("cli-stripe-sensor-size", [width, height])));
             }
             let to_mm = scale.to_mm.or_else(|| even(args.mm_per_px?, &image));
             let task = task(args, to_mm.is_some())?;
@@ -73,12 +78,13 @@ fn sensor(args: &StripeArgs) -> Result<Scale, Failure> {
     let Some(sensor) = loaded.sensor(name) else {
         let names: Vec<&str> = loaded.sensors.iter().map(|s| s.name.as_str()).collect();
         let allowed =
-            if names.is_empty() { "the machine has none: [sensors.NAME]".to_owned() } else { names.join(", ") };
-        return Err(Failure::input(format!("--sensor {name}: {machine} has no such sensor\n   allowed: {allowed}")));
+            if names.is_empty() { Message::new("cli-stripe-no-sensors") } else { Message::verbatim(names.join(", ")) };
+        let fault = Message::new("cli-stripe-no-such-sensor").text("machine", machine);
+        return Err(refused("--sensor", name, fault, allowed));
     };
     let Sight::Stripe(stripe) = &sensor.sight else {
-        let allowed = "a sensor of kind = \"stripe\"";
-        return Err(Failure::input(format!("--sensor {name}: it sees no stripe\n   allowed: {allowed}")));
+        let allowed = Message::new("cli-stripe-kind");
+        return Err(refused("--sensor", name, Message::new("cli-stripe-sees-none"), allowed));
     };
     Ok(Scale { to_mm: Some(stripe.to_mm), size_px: Some(sensor.size_px) })
 }
@@ -107,15 +113,12 @@ fn task(args: &StripeArgs, in_mm: bool) -> Result<StripeTask, Failure> {
 }
 
 /// Operator action if the joint is found with everything turned upside down.
-fn hint(turned: Result<Features, NoFeatures>) -> Option<&'static str> {
-    turned.ok().filter(Features::is_confident)?;
-    Some(
-        "upside down the joint is there: turn the image by 180 degrees or mirror it, so that up is away from the plates",
-    )
+fn hint(turned: Result<Features, NoFeatures>) -> Option<Message> {
+    turned.ok().filter(Features::is_confident).map(|_| Message::new("cli-stripe-hint"))
 }
 
 /// The same of an image, in pixels.
-fn hint_of_image(image: &Image, task: &StripeTask) -> Option<&'static str> {
+fn hint_of_image(image: &Image, task: &StripeTask) -> Option<Message> {
     let flipped = upside_down(image);
     let frame = flipped.frame().ok()?;
     hint(StripeReader::new().read_image(&frame, None, task))
@@ -142,7 +145,7 @@ fn write(
     args: &StripeArgs,
     found: &Result<Features, NoFeatures>,
     image: Option<Option<&Homography>>,
-    (source, hint): (&str, &dyn Fn() -> Option<&'static str>),
+    (source, hint): (&str, &dyn Fn() -> Option<Message>),
 ) -> Result<(), Failure> {
     let place = Place { image };
     if args.json {
@@ -153,21 +156,20 @@ fn write(
     // Errors are ignored: standard error may be closed.
     let mut err = io::stderr();
     let why = match found {
-        Err(why) => format!("no joint: {why}"),
+        Err(why) => Message::new("cli-stripe-no-joint").message("why", why.message()),
         Ok(f) if !f.is_confident() => {
-            let because = f.doubt.map_or_else(String::new, |doubt| format!(": {doubt}"));
-            format!(
-                "confidence {:.2} is below {}, so it is not to be followed{because}",
-                f.confidence,
-                Features::CONFIDENT
-            )
+            let unsure = match f.doubt {
+                Some(doubt) => Message::new("cli-stripe-unsure-because").message("why", doubt.message()),
+                None => Message::new("cli-stripe-unsure"),
+            };
+            unsure.number("confidence", f.confidence, 2).value("min", Features::CONFIDENT, Unit::One)
         }
         Ok(_) => return Ok(()),
     };
     if let Some(hint) = hint() {
-        let _ = writeln!(err, "hint: {hint}");
+        let _ = writeln!(err, "{hint}");
     }
-    let _ = writeln!(err, "{source}: {why}");
+    let _ = writeln!(err, "{}", in_file(source, why));
     Err(Failure::Printed)
 }
 
@@ -228,7 +230,9 @@ impl Place<'_> {
     /// The same as one JSON object.
     fn print(&self, found: &Result<Features, NoFeatures>) -> Result<(), Failure> {
         let f = match found {
-            Err(why) => return print_json(&json!({ "found": false, "reason": why.to_string() })),
+            Err(why) => {
+                return print_json(&json!({ "found": false, "reason": why.message().in_language(Language::English) }));
+            }
             Ok(f) => f,
         };
         let mut points = Map::new();
@@ -253,7 +257,7 @@ impl Place<'_> {
             "joint": f.kind,
             "confidence": f.confidence,
             "confident": f.is_confident(),
-            "doubt": f.doubt.map(|doubt| doubt.to_string()),
+            "doubt": f.doubt.map(|doubt| doubt.message().in_language(Language::English)),
             "points": points,
             "values": values,
         }))

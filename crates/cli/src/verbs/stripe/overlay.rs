@@ -22,7 +22,7 @@ pub(super) fn draw(
     to_mm: Option<&Homography>,
     found: Option<&Features>,
 ) -> Result<Vec<u8>, Failure> {
-    let frame = image.frame().map_err(|e| Failure::input(e.to_string()))?;
+    let frame = image.frame().map_err(|e| Failure::input(&e))?;
     let to_px = to_mm.map(Homography::inverse);
     let px = |p: DVec2| match &to_px {
         Some(map) => map.map(p),

@@ -14,6 +14,7 @@ use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::files;
 use crate::load::load;
+use crate::refusals::{between, in_file, not_allowed, of_option, outside, refused, unreadable};
 use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::teach::{JointFollower, semi_manual};
@@ -92,13 +93,12 @@ impl<'a> Source<'a> {
             (None, Some(frames)) => match frames.split_once("://") {
                 Some(("tcp", address)) => Self::Sender(sent::address(frames, address)?),
                 Some(_) => {
-                    let allowed = "a folder, tcp://HOST:PORT, simulated";
-                    return Err(Failure::input(format!("--frames {frames}: not allowed\n   allowed: {allowed}")));
+                    return Err(not_allowed("--frames", frames, Message::new("cli-teach-frames")));
                 }
                 None => Self::Folder(Path::new(frames)),
             },
             // The command line asks for one of them.
-            (None, None) => return Err(Failure::input("either --frames or --semi-manual".to_owned())),
+            (None, None) => return Err(Failure::input(Message::new("cli-teach-source"))),
         };
         let simulated = [
             ("--seed", args.seed.is_some()),
@@ -106,18 +106,21 @@ impl<'a> Source<'a> {
             ("--tack", !args.tack.is_empty()),
             ("--no-height", args.no_height),
         ];
-        let elsewhere = |given: &[(&str, bool)], only: &str| match given.iter().find(|(_, given)| *given) {
-            Some((name, _)) => Err(Failure::input(format!("{name}: not allowed here\n   allowed: only with {only}"))),
+        let elsewhere = |given: &[(&str, bool)], source: Message| match given.iter().find(|(_, given)| *given) {
+            Some((name, _)) => {
+                let allowed = Message::new("cli-teach-only-with").message("source", source);
+                Err(Failure::refused(of_option(name, Message::new("cli-teach-not-here")), allowed))
+            }
             None => Ok(()),
         };
         if !matches!(source, Self::Simulated) {
-            elsewhere(&simulated, "--frames simulated")?;
+            elsewhere(&simulated, Message::verbatim("--frames simulated"))?;
         }
         if !matches!(source, Self::Sender(_)) {
-            elsewhere(&[("--drive", args.drive)], "--frames tcp://HOST:PORT")?;
+            elsewhere(&[("--drive", args.drive)], Message::verbatim("--frames tcp://HOST:PORT"))?;
         }
         if matches!(source, Self::Folder(_)) {
-            elsewhere(&[("--record", args.record.is_some())], "frames that are not in a folder already")?;
+            elsewhere(&[("--record", args.record.is_some())], Message::new("cli-teach-new-frames"))?;
         }
         Ok(source)
     }
@@ -128,10 +131,8 @@ fn check_output(output: &Path) -> Result<(), Failure> {
     if BESIDE.iter().all(|ending| output.with_extension(ending) != *output) {
         return Ok(());
     }
-    let output = output.display();
-    Err(Failure::input(format!(
-        "-o {output}: is the name of a file beside the program\n   allowed: a file, as taught.toml"
-    )))
+    let allowed = Message::new("cli-teach-file");
+    Err(refused("-o", output.display(), Message::new("cli-teach-beside"), allowed))
 }
 
 /// A number within two others.
@@ -139,7 +140,7 @@ fn within(name: &str, value: f64, (least, most): (f64, f64)) -> Result<f64, Fail
     if (least..=most).contains(&value) {
         return Ok(value);
     }
-    Err(Failure::input(format!("{name} {value}: not allowed\n   allowed: {least} to {most}")))
+    Err(not_allowed(name, value, between(least, most)))
 }
 
 /// The camera that is asked for, with its map.
@@ -150,22 +151,20 @@ fn camera<'a>(args: &TeachArgs, machine: &'a Machine) -> Result<(&'a Sensor, &'a
     };
     let cameras: Vec<_> = machine.sensors.iter().filter_map(table).collect();
     let names = || cameras.iter().map(|(s, _)| s.name.as_str()).collect::<Vec<_>>().join(", ");
-    let refuse = |message: String| {
-        let allowed = if cameras.is_empty() {
-            "a machine with a camera: [sensors.<name>] with kind = \"camera\" in its file".to_owned()
-        } else {
-            names()
-        };
-        Err(Failure::input(format!("{message}\n   allowed: {allowed}")))
+    let refuse = |message: Message| {
+        let allowed =
+            if cameras.is_empty() { Message::new("cli-teach-camera-machine") } else { Message::verbatim(names()) };
+        Err(Failure::refused(message, allowed))
     };
+    let fault = |code| Message::new(code).text("machine", &machine.name);
     match (&args.sensor, cameras.as_slice()) {
         (Some(name), _) => match cameras.iter().find(|(s, _)| &s.name == name) {
             Some(found) => Ok(*found),
-            None => refuse(format!("--sensor {name}: {} has no such camera", machine.name)),
+            None => refuse(of_option(format!("--sensor {name}"), fault("cli-teach-no-such-camera"))),
         },
         (None, [one]) => Ok(*one),
-        (None, []) => refuse(format!("{} has no camera", machine.name)),
-        (None, _) => refuse(format!("{} has several cameras: --sensor says which", machine.name)),
+        (None, []) => refuse(fault("cli-teach-no-camera")),
+        (None, _) => refuse(fault("cli-teach-several-cameras")),
     }
 }
 
@@ -184,20 +183,22 @@ fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<EyePose, 
     let vector = |name: &str, given: &Option<Vec<f64>>| match given.as_deref() {
         None => Ok(None),
         Some([x, y, z]) => Ok(Some(DVec3::new(*x, *y, *z))),
-        Some(other) => Err(Failure::input(format!("{name}: {} numbers\n   allowed: three, X,Y,Z", other.len()))),
+        Some(other) => {
+            let fault = Message::new("cli-teach-numbers").count("n", other.len());
+            Err(Failure::refused(of_option(name, fault), Message::new("cli-teach-three-numbers")))
+        }
     };
     let point = vector("--start", &args.start)?.unwrap_or(point);
     let far = || {
-        let message =
-            format!("the start ({:.3}, {:.3}, {:.3}) is not near the nominal seam", point.x, point.y, point.z);
-        Failure::input(format!("{message}\n   allowed: --start within 15 mm of it, in the machine's work frame"))
+        let start = format!("({:.3}, {:.3}, {:.3})", point.x, point.y, point.z);
+        let message = Message::new("cli-teach-start-off-seam").text("start", start);
+        Failure::refused(message, Message::new("cli-teach-start-near"))
     };
     let begin = teaching::start(nominal, point).ok_or_else(far)?;
     let along = match vector("--direction", &args.direction)? {
         Some(way) => way.try_normalize().ok_or_else(|| {
-            Failure::input(
-                "--direction: it has no length\n   allowed: three finite numbers that are not all 0".to_owned(),
-            )
+            let message = of_option("--direction", Message::new("cli-direction-without-length"));
+            Failure::refused(message, Message::new("cli-three-finite-numbers"))
         })?,
         None => begin.along,
     };
@@ -207,13 +208,13 @@ fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<EyePose, 
 /// The nominal seam brought to the operator's points.
 fn by_points(path: &Path, nominal: &SeamLine) -> Result<Outcome, Failure> {
     let source = path.display().to_string();
-    let file = File::open(path).map_err(|e| Failure::input(format!("{source}: cannot be read: {e}")))?;
+    let file = File::open(path).map_err(|e| unreadable(&source, &e))?;
     let (mut reader, _) = CsvReader::open(&source, BufReader::new(file), &[&["x_mm", "y_mm", "z_mm"]])?;
     let mut points = Vec::new();
     while let Some(row) = reader.row() {
         let row = row?;
         points.push(DVec3::new(row[0], row[1], row[2]));
     }
-    let smooth = semi_manual(nominal, &points, EVERY_MM).map_err(|e| Failure::input(format!("{source}: {e}")))?;
+    let smooth = semi_manual(nominal, &points, EVERY_MM).map_err(|e| Failure::input(in_file(&source, outside(&e))))?;
     Ok(Outcome { smooth, ended: "points", ..Outcome::default() })
 }

@@ -1,21 +1,19 @@
 //! The operator at the terminal, asked when the joint is lost.
 
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, with_allowed};
 use crate::files;
 use crate::progress::Progress;
+use crate::refusals::in_file;
 use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::teach::Operator;
-use seamwright_message::Message;
+use seamwright_message::{Message, Unit};
 use seamwright_project::teaching::Picture;
 use seamwright_tracking::teach::{Answer, Crawl};
 use std::cell::RefCell;
 use std::io::{self, BufRead as _, IsTerminal as _, Write as _};
 use std::path::PathBuf;
-
-const ALLOWED: &str = "X,Y,Z (mm, work frame) or X,Y,Z,DX,DY,DZ to go on there, in that direction; end: the joint ends \
-    here; stop: give up";
 
 /// Operator who answers on standard input, if there is one.
 pub(super) struct Terminal<'a> {
@@ -52,16 +50,20 @@ impl<'a> Terminal<'a> {
         self.ended
     }
 
-    fn ask(&self, why: &str, crawl: &Crawl) -> Said {
+    fn ask(&self, why: &Message, crawl: &Crawl) -> Said {
         let mut err = io::stderr().lock();
         let at = crawl.line().points().last().map_or(crawl.target().point, |p| p.point);
         let (x, y, z, way) = (at.x, at.y, at.z, crawl.line().length());
         // If standard error is closed the operator answers without the question.
-        let _ = writeln!(err, "lost after {way:.1} mm, at {x:.3},{y:.3},{z:.3}: {why}");
+        let lost = Message::new("cli-teach-lost").quantity("way", way, Unit::Mm, 1);
+        let lost = lost.text("point", format!("{x:.3},{y:.3},{z:.3}")).message("why", why.clone());
+        let _ = writeln!(err, "{lost}");
         if self.draw().is_ok_and(|drawn| drawn) {
-            let _ = writeln!(err, "   what was seen: {}", self.png.display());
+            let seen = Message::new("cli-teach-seen").text("file", self.png.display().to_string());
+            let _ = writeln!(err, "   {seen}");
         }
-        let _ = writeln!(err, "   {ALLOWED}");
+        let answers = Message::new("cli-teach-answers");
+        let _ = writeln!(err, "   {answers}");
         loop {
             let _ = write!(err, "> ").and_then(|()| err.flush());
             let mut line = String::new();
@@ -73,7 +75,8 @@ impl<'a> Terminal<'a> {
             match self.said(line.trim()) {
                 Ok(said) => return said,
                 Err(why) => {
-                    let _ = writeln!(err, "{:?}: {why}\n   allowed: {ALLOWED}", line.trim());
+                    let message = in_file(&format!("{:?}", line.trim()), why);
+                    let _ = writeln!(err, "{}", with_allowed(message, answers.clone()));
                 }
             }
         }
@@ -88,7 +91,7 @@ impl<'a> Terminal<'a> {
         Ok(true)
     }
 
-    fn said(&self, line: &str) -> Result<Said, String> {
+    fn said(&self, line: &str) -> Result<Said, Message> {
         match line {
             "end" => return Ok(Said::End),
             "stop" => return Ok(Said::Stop),
@@ -99,13 +102,13 @@ impl<'a> Terminal<'a> {
         let (point, along) = match numbers.as_deref() {
             Some([x, y, z]) => (DVec3::new(*x, *y, *z), None),
             Some([x, y, z, dx, dy, dz]) => (DVec3::new(*x, *y, *z), Some(DVec3::new(*dx, *dy, *dz))),
-            _ => return Err("not three or six numbers, nor end or stop".to_owned()),
+            _ => return Err(Message::new("cli-teach-bad-answer")),
         };
         if along.is_some_and(|along| along.try_normalize().is_none()) {
-            return Err("the direction has no length".to_owned());
+            return Err(Message::new("cli-direction-without-length"));
         }
         if self.nominal.foot(point).is_none() {
-            return Err("the point is not within 15 mm of the nominal seam".to_owned());
+            return Err(Message::new("cli-teach-point-off-seam"));
         }
         Ok(Said::On(point, along))
     }
@@ -116,7 +119,7 @@ impl Operator for Terminal<'_> {
         if !self.asks {
             return Answer::End;
         }
-        match self.progress.aside(|| self.ask(&why.to_string(), crawl)) {
+        match self.progress.aside(|| self.ask(why, crawl)) {
             Said::On(point, along) => Answer::Point(point, along),
             Said::Stop => Answer::End,
             Said::End => {

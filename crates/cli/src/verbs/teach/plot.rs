@@ -1,7 +1,7 @@
 //! The taught line as a drawing and as curves over its length.
 
 use super::report::Report;
-use crate::verbs::reduce::plot::{charts, ends, lines_and_arcs};
+use crate::verbs::reduce::plot::{charts, ends, lines_and_arcs, words};
 use glam::DVec3;
 use seamwright_project::teaching::Told;
 use seamwright_report::{Axis, Chart, LimitLine, Series, Style, sheet};
@@ -13,17 +13,17 @@ pub(super) fn draw(report: &Report) -> String {
         Curves::Arcs(arcs) => charts(&points, &lines_and_arcs(&points, &arcs.spans), &ends(&points, &arcs.spans)),
         Curves::Spline(spline) => {
             let knots: Vec<DVec3> = spline.kept.iter().map(|i| points[*i]).collect();
-            charts(&points, &[("spline", report.figures.path.clone())], &knots)
+            charts(&points, &[(words("cli-draw-spline"), report.figures.path.clone())], &knots)
         }
     };
     all.extend(curves(report));
-    sheet("The taught line", &all)
+    sheet(&words("cli-draw-taught-line"), &all)
 }
 
 fn curves(report: &Report) -> Vec<Chart> {
     let over = |value: &dyn Fn(&Told) -> f64| report.figures.raw.iter().map(|p| (p.way, value(p))).collect::<Vec<_>>();
-    let chart = |title: &str, y: Axis, series: Vec<Series>| Chart {
-        title: title.to_owned(),
+    let chart = |title: &'static str, y: Axis, series: Vec<Series>| Chart {
+        title: words(title),
         x: Axis::new("s", "mm"),
         y,
         series,
@@ -36,28 +36,40 @@ fn curves(report: &Report) -> Vec<Chart> {
     let overlap = report.outcome.notes.iter().filter_map(|n| Some((n.way, n.overlap_mm?))).collect();
     vec![
         chart(
-            "From the nominal seam",
-            Axis::new("distance", "mm"),
+            "cli-draw-from-nominal",
+            Axis::new(words("cli-draw-distance"), "mm"),
             vec![
-                Series::line("across", nominal(|n| n.0)).styled(Style::Points).coloured(0),
-                Series::line("above", nominal(|n| n.1)).styled(Style::Points).coloured(1),
+                Series::line(words("cli-draw-across"), nominal(|n| n.0)).styled(Style::Points).coloured(0),
+                Series::line(words("cli-draw-above"), nominal(|n| n.1)).styled(Style::Points).coloured(1),
             ],
         ),
         Chart {
-            limits: vec![LimitLine::new("tolerance", report.tolerance)],
+            limits: vec![LimitLine::new(words("cli-draw-tolerance"), report.tolerance)],
             ..chart(
-                "Raw points from the program",
-                Axis::new("distance", "mm"),
-                vec![Series::line("raw points", over(&|p| p.from_program)).styled(Style::Points).coloured(2)],
+                "cli-draw-raw-from-program",
+                Axis::new(words("cli-draw-distance"), "mm"),
+                vec![
+                    Series::line(words("cli-draw-raw-points"), over(&|p| p.from_program))
+                        .styled(Style::Points)
+                        .coloured(2),
+                ],
             )
         },
-        chart("Frame against frame", Axis::new("distance", "mm"), vec![Series::line("overlap", overlap).coloured(3)]),
+        chart(
+            "cli-draw-frame-against-frame",
+            Axis::new(words("cli-draw-distance"), "mm"),
+            vec![Series::line(words("cli-draw-overlap"), overlap).coloured(3)],
+        ),
         Chart {
             y_range: Some((0.0, 1.05)),
             ..chart(
-                "Confidence",
-                Axis::new("confidence", ""),
-                vec![Series::line("raw points", over(&|p| p.confidence)).styled(Style::Points).coloured(2)],
+                "cli-draw-confidence-title",
+                Axis::new(words("cli-draw-confidence"), ""),
+                vec![
+                    Series::line(words("cli-draw-raw-points"), over(&|p| p.confidence))
+                        .styled(Style::Points)
+                        .coloured(2),
+                ],
             )
         },
     ]

@@ -5,10 +5,12 @@ use super::start;
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
+use crate::refusals::in_file;
 use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::frames::{FrameError, FrameSource, Recorded, TimedFrame};
 use seamwright_cell::teach::{Played, joints};
+use seamwright_message::Message;
 use seamwright_project::teaching::Outcome;
 use std::path::Path;
 
@@ -21,7 +23,7 @@ pub(super) fn teach(args: &TeachArgs, folder: &Path, loaded: &Loaded, nominal: &
 
 /// Teaches from frames in their order; the joint starts in the middle of the first one. `what` names them in errors.
 pub(super) fn play(session: &Session, mut frames: impl FrameSource, what: &str) -> Result<Outcome, Failure> {
-    let first = frames.next()?.ok_or_else(|| Failure::input(format!("{what}: no frames")))?;
+    let first = frames.next()?.ok_or_else(|| Failure::input(in_file(what, Message::new("cli-teach-no-frames"))))?;
     let begin = start(session.args, session.nominal, middle(session, &first))?;
     session.crawl(begin, &mut Played(Box::new(Again { first: Some(first), rest: frames })))
 }

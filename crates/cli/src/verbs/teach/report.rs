@@ -1,8 +1,10 @@
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
+use crate::refusals::not_json;
 use crate::rows::print_json;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_machine::Machine;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_project::teaching::{Figures, Outcome, Told, bridged};
 use seamwright_tracking::teach::{Curves, Reduced};
 use serde_json::{Value, json};
@@ -43,6 +45,7 @@ impl<'a> Report<'a> {
                 "frame": p.frame, "source": source, "from_program_mm": p.from_program,
                 "across_nominal_mm": across, "above_nominal_mm": above })
         };
+        let english = |message: &Message| message.in_language(Language::English);
         let frame = |n: &seamwright_tracking::teach::EyeNote| {
             json!({ "s_mm": n.way, "rows": n.rows, "confidence": n.confidence, "overlap_mm": n.overlap_mm,
                 "ended": format!("{:?}", n.end), "believed": n.agrees })
@@ -53,8 +56,8 @@ impl<'a> Report<'a> {
             "machine": self.machine.name,
             "frames": self.args.frames,
             "ended": ended,
-            "finding": finding,
-            "asked": asked,
+            "finding": finding.as_ref().map(english),
+            "asked": asked.iter().map(english).collect::<Vec<_>>(),
             "seconds": seconds,
             "looked_at": notes.len(),
             "raw_points": line.points().len(),
@@ -86,7 +89,7 @@ impl<'a> Report<'a> {
     }
 
     pub(super) fn to_json(&self) -> Result<String, Failure> {
-        let text = serde_json::to_string_pretty(&self.value()).map_err(|e| Failure::environment(e.to_string()))?;
+        let text = serde_json::to_string_pretty(&self.value()).map_err(not_json)?;
         Ok(text + "\n")
     }
 
@@ -98,34 +101,43 @@ impl<'a> Report<'a> {
         let mut out = io::stdout().lock();
         let Outcome { line, notes, asked, ended, gap_mm, truth, seconds, .. } = self.outcome;
         if notes.is_empty() {
-            writeln!(out, "the nominal seam brought to the operator's points")?;
+            writeln!(out, "{}", Message::new("cli-teach-by-points"))?;
         } else {
-            let (frames, points) = (notes.len(), line.points().len());
-            writeln!(out, "{ended} after {:.1} mm, {frames} frames in {seconds:.1} s; {points} points", line.length())?;
+            let done = Message::new("cli-teach-done")
+                .text("ended", *ended)
+                .quantity("way", line.length(), Unit::Mm, 1)
+                .count("frames", notes.len())
+                .quantity("time", *seconds, Unit::S, 1)
+                .count("points", line.points().len());
+            writeln!(out, "{done}")?;
         }
         if let Some(gap) = gap_mm {
-            writeln!(out, "closes within {gap:.3} mm")?;
+            writeln!(out, "{}", Message::new("cli-teach-closes").quantity("gap", *gap, Unit::Mm, 3))?;
         }
         for why in asked {
-            writeln!(out, "asked: {why}")?;
+            writeln!(out, "{}", Message::new("cli-teach-asked").message("why", why.clone()))?;
         }
-        let error = self.reduced.curves.max_error();
-        let curves = match self.reduced.curves.counts() {
-            [0, 0, pieces] => format!("a spline of {pieces} pieces"),
-            [lines, arcs, _] => format!("{lines} lines and {arcs} arcs"),
-        };
-        write!(out, "program: {curves} within {error:.3} mm of the taught line")?;
-        match self.figures.raw_error() {
-            Some(raw) => writeln!(out, ", {raw:.3} mm of every raw point")?,
-            None => writeln!(out)?,
-        }
+        writeln!(out, "{}", self.program())?;
         if let Some(t) = truth {
-            writeln!(
-                out,
-                "truly {:.3} mm RMS beside the seam, at most {:.3}; {:.3} mm RMS above or below it, at most {:.3}",
-                t.across_rms, t.across_max, t.height_rms, t.height_max
-            )?;
+            let truth = Message::new("cli-teach-truth")
+                .quantity("across", t.across_rms, Unit::Mm, 3)
+                .quantity("across-max", t.across_max, Unit::Mm, 3)
+                .quantity("height", t.height_rms, Unit::Mm, 3)
+                .quantity("height-max", t.height_max, Unit::Mm, 3);
+            writeln!(out, "{truth}")?;
         }
         Ok(())
+    }
+    /// The curves of the program, and their distance from the line.
+    fn program(&self) -> Message {
+        let curves = match self.reduced.curves.counts() {
+            [0, 0, pieces] => Message::new("cli-teach-spline").count("pieces", pieces),
+            [lines, arcs, _] => Message::new("cli-teach-lines-and-arcs").count("lines", lines).count("arcs", arcs),
+        };
+        let program = match self.figures.raw_error() {
+            Some(raw) => Message::new("cli-teach-program-of-raw").quantity("raw", raw, Unit::Mm, 3),
+            None => Message::new("cli-teach-program"),
+        };
+        program.message("curves", curves).quantity("error", self.reduced.curves.max_error(), Unit::Mm, 3)
     }
 }

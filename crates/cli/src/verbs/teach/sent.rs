@@ -6,10 +6,12 @@ use super::{start, within};
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
+use crate::refusals::{in_file, refused};
 use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::frames::{FrameSource, FrameStream};
 use seamwright_cell::teach::{DistantRig, joints};
+use seamwright_message::Message;
 use seamwright_project::teaching::{Ground, Outcome};
 use std::time::Duration;
 
@@ -22,7 +24,7 @@ pub(super) fn address<'a>(frames: &str, address: &'a str) -> Result<&'a str, Fai
     if named.is_some_and(|(_, port)| port.parse::<u16>().is_ok_and(|port| port > 0)) {
         return Ok(address);
     }
-    Err(Failure::input(format!("--frames {frames}: no address\n   allowed: tcp://HOST:PORT, a port from 1 to 65535")))
+    Err(refused("--frames", frames, Message::new("cli-teach-no-address"), Message::new("cli-teach-address")))
 }
 
 pub(super) fn teach(args: &TeachArgs, address: &str, loaded: &Loaded, nominal: &SeamLine) -> Result<Outcome, Failure> {
@@ -36,7 +38,7 @@ pub(super) fn teach(args: &TeachArgs, address: &str, loaded: &Loaded, nominal: &
     let guide = |point: DVec3| ground.guide(point);
     let mut stream = connect()?;
     // The first frame comes unasked: it shows the camera's position.
-    let first = stream.next()?.ok_or_else(|| Failure::input(format!("{address}: no frames")))?;
+    let first = stream.next()?.ok_or_else(|| Failure::input(in_file(address, Message::new("cli-teach-no-frames"))))?;
     let begin = start(args, nominal, middle(&session, &first))?;
     let axes = joints(session.machine, first.axes.as_deref().unwrap_or_default());
     let carrier = ground.carrier((session.machine, session.sensor), &guide, axes);

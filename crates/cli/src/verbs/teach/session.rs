@@ -36,7 +36,7 @@ impl<'a> Session<'a> {
         let mut crawl = Crawl::new(settings(args, nominal)?, table, *nominal, start);
         let axes: Vec<&str> = machine.axes.iter().map(|a| a.name.as_str()).collect();
         let mut recorder = args.record.as_ref().map(|folder| Recorder::create(folder, &axes)).transpose()?;
-        let progress = Progress::new("teaching", nominal.length() as u64);
+        let progress = Progress::new("cli-progress-teaching", nominal.length() as u64);
         let picture = RefCell::new(None);
         let mut operator = Terminal::new(args, nominal, &progress, &picture);
         let mut each = |look: &Look| -> Result<(), Failure> {

@@ -6,9 +6,11 @@ use super::start;
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
+use crate::refusals::{between, not_allowed, of_option};
 use glam::DVec3;
 use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine};
 use seamwright_cell::teach::{SimulatedRig, truth};
+use seamwright_message::{Message, Unit};
 use seamwright_project::teaching::{Ground, Outcome};
 
 /// Distance from the joint at which the simulated operator puts the cross, mm.
@@ -26,7 +28,7 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
         appearance.height_error_mm = None;
     }
     let eye = Eye::new(machine, sensor, actual.clone(), appearance, seed);
-    let eye = eye.ok_or_else(|| Failure::input(format!("{} is no camera", sensor.name)))?;
+    let eye = eye.ok_or_else(|| Failure::input(Message::new("cli-teach-not-a-camera").text("sensor", &sensor.name)))?;
     let (first, along) = actual.at(0.0);
     let begin = start(args, nominal, first.point + BESIDE_MM * first.normal.cross(along))?;
     let ground = Ground::new(loaded, nominal)?;
@@ -39,14 +41,15 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
 
 fn distortion(args: &TeachArgs) -> Result<Distortion, Failure> {
     let [shift_mm, turn_deg, bend_mm] = *args.distortion.as_deref().unwrap_or(&DISTORTION) else {
-        return Err(Failure::input(
-            "--distortion: not three numbers\n   allowed: SHIFT,TURN,BEND in mm, degrees, mm".to_owned(),
-        ));
+        let message = of_option("--distortion", Message::new("cli-teach-not-three-numbers"));
+        return Err(Failure::refused(message, Message::new("cli-teach-distortion")));
     };
     // Beyond them a part is not the one of the job.
-    let allowed = [("shift", shift_mm, 20.0), ("turn", turn_deg, 10.0), ("bend", bend_mm, 20.0)];
-    if let Some((what, value, most)) = allowed.into_iter().find(|(_, v, most)| !(0.0..=*most).contains(v)) {
-        return Err(Failure::input(format!("--distortion: {what} {value}\n   allowed: 0 to {most}")));
+    let allowed =
+        [("cli-teach-shift", shift_mm, 20.0), ("cli-teach-turn", turn_deg, 10.0), ("cli-teach-bend", bend_mm, 20.0)];
+    if let Some((code, value, most)) = allowed.into_iter().find(|(_, v, most)| !(0.0..=*most).contains(v)) {
+        let fault = Message::new(code).value("value", value, Unit::One);
+        return Err(Failure::refused(of_option("--distortion", fault), between(0.0, most)));
     }
     Ok(Distortion { shift_mm, turn: turn_deg.to_radians(), bend_mm })
 }
@@ -57,9 +60,7 @@ fn tacks(args: &TeachArgs) -> Result<Vec<(f64, f64)>, Failure> {
             text.split(',').map(|v| v.trim().parse().ok().filter(|v: &f64| v.is_finite())).collect();
         match ends.as_deref() {
             Some([from, to]) if from < to => Ok((*from, *to)),
-            _ => {
-                Err(Failure::input(format!("--tack {text}\n   allowed: FROM,TO in mm along the seam, FROM before TO")))
-            }
+            _ => Err(not_allowed("--tack", text, Message::new("cli-teach-tack"))),
         }
     };
     args.tack.iter().map(tack).collect()
