@@ -460,3 +460,21 @@ pub(crate) struct SchemaArgs {
     #[arg(value_enum)]
     pub(crate) format: Format,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Cli;
+
+    /// The page of commands in the book is made from the arguments; `SEAMWRIGHT_BLESS=1` writes it.
+    #[test]
+    fn the_reference_of_commands_is_current() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/reference/commands.md");
+        let options = clap_markdown::MarkdownOptions::new().title("Commands".to_owned()).show_footer(false);
+        let page = clap_markdown::help_markdown_custom::<Cli>(&options);
+        if std::env::var_os("SEAMWRIGHT_BLESS").is_some() {
+            std::fs::write(path, &page).unwrap();
+        }
+        let current = std::fs::read_to_string(path).unwrap_or_default();
+        assert!(current == page, "docs/reference/commands.md: run this test with SEAMWRIGHT_BLESS=1");
+    }
+}
