@@ -39,7 +39,7 @@ test('the first run, led by the tour: from the printed address to a finished wel
   await press(one, /Switch on/);
   await says(/Home/);
   await home(one);
-  await says(/Press “Arm”/);
+  await says(/Press “Arm arc”/);
   await press(one, /^Arm/);
   await says(/Press “Start weld”/);
   await press(one, /Start weld/);
@@ -50,7 +50,7 @@ test('the first run, led by the tour: from the printed address to a finished wel
   await says(/Open Records/);
   await tab(one, 'Records');
   await one.locator('tr', { hasText: 'First weld' }).getByText(/good|out of tolerance/).waitFor({ timeout: 30_000 });
-  await says(/That was all/);
+  await says(/Done\. Next/);
   const took = (Date.now() - begun) / 1000;
   test.diagnostic(`from the address to the record: ${took.toFixed(0)} s`);
   assert.ok(took < WITHIN_S, `${took} s`);

@@ -89,6 +89,8 @@ pub struct Executive<'a, D, P> {
     pub(super) guide_pace: f64,
     /// Last trouble of the guide.
     pub(super) guide_trouble: Option<Trouble>,
+    /// Time of the fault that stops the running program, s.
+    pub(super) fault_since: Option<f64>,
     /// Planned positions of the pass in the last cycle.
     pub(super) planned_q: Joints,
 }
@@ -125,6 +127,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             guided: false,
             guide_pace: 1.0,
             guide_trouble: None,
+            fault_since: None,
             planned_q: Joints::default(),
         }
     }

@@ -5,6 +5,7 @@ use super::bus::Devices;
 use super::core::Doing;
 use super::guide::{Guided, Planned, Seen, Trouble};
 use super::mode::Event;
+use super::shutdown::REST_S;
 use super::state::Port;
 use super::work::Work;
 use super::{Alarm, Executive, Guide, Mode, Reaction};
@@ -96,12 +97,22 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
 
     /// Returns true if all set-points are at rest.
     pub(super) fn rests(&self) -> bool {
-        self.orders.set.iter().all(|set| set.velocity == 0.0)
+        /// Speed below which an axis is at rest, mm/s or rad/s. Corrected set-points come from an iteration, so that
+        /// their differences are not exactly 0.
+        const AT_REST: f64 = 1e-6;
+        self.orders.set.iter().all(|set| set.velocity.abs() < AT_REST)
     }
 
-    /// After a fault the axes keep their power until they are at rest; the gas post-flow is skipped.
+    /// After a fault the axes keep their power until they are at rest, but not longer than [`REST_S`]. The gas
+    /// post-flow is skipped.
     pub(super) fn drop_power_at_rest(&mut self) {
-        if self.mode == Mode::Fault && self.rests() && !self.process.on() {
+        if self.mode != Mode::Fault {
+            self.fault_since = None;
+            return;
+        }
+        let now = self.now();
+        let since = *self.fault_since.get_or_insert(now);
+        if (self.rests() || now - since > REST_S) && !self.process.on() {
             self.power = false;
         }
     }

@@ -7,7 +7,7 @@ use super::state::Port;
 use super::{Executive, Reaction};
 
 /// Maximum time until the axes are at rest, s: then the power is switched off and the brakes hold.
-const REST_S: f64 = 3.0;
+pub(super) const REST_S: f64 = 3.0;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Switches the process off in `doing`, stops everything on its path, then switches the power off and ends.

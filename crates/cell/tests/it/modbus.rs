@@ -299,7 +299,7 @@ fn what_cannot_be_connected() {
     server.bank().holes.clear();
     server.silence(true);
     let error = told(MAP, &values);
-    assert!(error.contains("no answer within 500 ms"), "{error}");
+    assert!(error.contains("no answer within 0.5 s"), "{error}");
     let address = server.address.to_string();
     drop(server);
     let error = connect(&device(&address, MAP), &values).unwrap_err().to_string();

@@ -61,7 +61,7 @@ fn what_cannot_be_replayed() {
         assert!(!Path::new(&out).exists());
         told
     };
-    assert!(simulate("half-ring", "0,0,0,1\n50,0,0,1\n", &[]).contains("deviations are stored from 0 to 50 mm"));
+    assert!(simulate("half-ring", "0,0,0,1\n50,0,0,1\n", &[]).contains("deviations are stored from 0 mm to 50 mm"));
     assert!(simulate("half-ring", "0,0,0,1\n50,zero,0,1\n", &[]).contains("d.csv:3: lateral_mm = `zero`"));
     assert!(simulate("saddle", "0,0,0,1\n5000,0,0,1\n", &[]).contains("torch.deflection"));
     assert!(simulate("half-ring", "0,0,0,1\n5000,0,0,1\n", &["--no-tracking"]).contains("--no-tracking"));

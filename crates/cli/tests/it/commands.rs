@@ -7,7 +7,7 @@ use std::process::Output;
 /// Runs an example under commands.
 fn commanded(job: &str, commands: &str, more: &[&str]) -> Output {
     let (_folder, file) = file_of(commands);
-    run(&[&["motion", &example(job), "--period-ms", "4", "--commands", &file], more].concat())
+    run(&[&["tools", "motion", &example(job), "--period-ms", "4", "--commands", &file], more].concat())
 }
 
 type Table = (Vec<String>, Vec<Vec<f64>>);
@@ -28,7 +28,7 @@ const AXES: [&str; 4] = ["theta", "s", "h", "beta"];
 #[test]
 fn without_commands_it_is_the_motion() {
     let (run, phases, note) = ran("saddle", "t_s,command,value\n");
-    let plain = table(&good(&["motion", &example("saddle"), "--period-ms", "4"]));
+    let plain = table(&good(&["tools", "motion", &example("saddle"), "--period-ms", "4"]));
     // The override rises to 1 within 16 periods, while the speed profile itself has hardly started.
     let (rows, of_plain) = (run.1.len(), plain.1.len());
     assert!(rows >= of_plain && rows <= of_plain + 16, "{rows} {of_plain}");
@@ -76,7 +76,7 @@ fn commands_do_what_they_say() {
         let mean = (s[k] - s[k - 1]) / period;
         assert!((mean - 0.5 * (speed[k] + speed[k - 1])).abs() < 0.05, "{} s: {mean} {}", t[k], speed[k]);
     }
-    let plain = table(&good(&["motion", &example("saddle"), "--period-ms", "4"]));
+    let plain = table(&good(&["tools", "motion", &example("saddle"), "--period-ms", "4"]));
     for name in AXES.iter().chain(&["s_mm"]) {
         let (a, b) = (column(&run, name), column(&plain, name));
         assert!((a[a.len() - 1] - b[b.len() - 1]).abs() < 1e-9, "{name}");
@@ -133,13 +133,13 @@ fn bad_files_are_refused_before_anything_is_written() {
         assert!(text.contains(words) && text.contains("allowed"), "{rows}: {text}");
     }
     let job = example("ellipse");
-    let missing = run(&["motion", &job, "--commands", "no-such-file.csv"]);
+    let missing = run(&["tools", "motion", &job, "--commands", "no-such-file.csv"]);
     let text = String::from_utf8(missing.stderr).unwrap();
     assert!(missing.status.code() == Some(2) && text.contains("no-such-file.csv: cannot be read"), "{text}");
     let output = commanded("ellipse", "t_s,command,value\n", &["--coarse-ms", "8"]);
     assert_eq!(output.status.code(), Some(2));
     let file = file_of("t_s,command,value\n");
-    let text = run(&["motion", &job, "--commands", &file.1, "--period-ms", "5"]);
+    let text = run(&["tools", "motion", &job, "--commands", &file.1, "--period-ms", "5"]);
     assert!(String::from_utf8(text.stderr).unwrap().contains("allowed: 0.25 to 4"));
 }
 
@@ -161,10 +161,10 @@ fn the_certificate_is_written_too_and_no_command_comes_after_a_day() {
     std::fs::write(path("late.csv"), "t_s,command,value\n0.5,hold,\n1e300,resume,\n").unwrap();
     let job = common::example("ellipse");
     let (hold, late, certificate) = (path("hold.csv"), path("late.csv"), path("certificate.json"));
-    let output = common::run(&["motion", &job, "--commands", &hold, "--certificate", &certificate]);
+    let output = common::run(&["tools", "motion", &job, "--commands", &hold, "--certificate", &certificate]);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(std::fs::read_to_string(&certificate).unwrap().contains("at_asked_percent"));
-    let output = common::run(&["motion", &job, "--commands", &late]);
+    let output = common::run(&["tools", "motion", &job, "--commands", &late]);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.code() == Some(2) && output.stdout.is_empty(), "{told}");
     assert!(told.contains("late.csv:3") && told.contains("0.5 to 86400"), "{told}");

@@ -10,8 +10,8 @@ use std::path::Path;
 const SAME: [&str; 11] =
     ["seamwright", "rms", "iso", "utc", "csv", "svg", "report", "json", "oscillation", "mag", "min"];
 /// Words that German shares with English.
-const GERMAN: [&str; 10] =
-    ["name", "position", "plan", "orange", "hand", "simulation", "interpolation", "links", "zone", "was"];
+const GERMAN: [&str; 11] =
+    ["name", "position", "plan", "orange", "hand", "simulation", "interpolation", "links", "zone", "was", "minus"];
 /// Keys of files, which cures name.
 const KEYS: [&str; 5] = ["tolerance", "attitude", "deg", "weld", "process"];
 

@@ -289,7 +289,7 @@ fn distorted_parts() {
     }
     let misplaced = "schema = 1\n[placement]\nshift_mm = [0, 1, 0]\n";
     let (code, told) = simulate("t-joint", misplaced, &["--no-tracking"]);
-    assert!(code == 1 && told.contains("strays"), "{code} {told}");
+    assert!(code == 1 && told.contains("deviates"), "{code} {told}");
     let (code, told) = simulate("t-joint", misplaced, &["--no-tracking", "--json", "--seed", "x"]);
     assert!(code == 2 && told.contains("seed"), "{code} {told}");
     let missing = run(&["simulate", &example("saddle"), "-o", &out, "--distortion", "no-such.toml"]);

@@ -163,10 +163,6 @@ fn bad_input() {
         ended(3, &["records", verb, "--data", &foreign], &["damaged"]);
         ended(2, &["records", verb, "--dta", &data], &["--data"]);
     }
-    for wrong in ["fr", "", "EN"] {
-        let arguments = ["records", "export", "1", "-o", &out, "--data", &data, "--language", wrong];
-        ended(2, &arguments, &["--language", "allowed: en, uk, zh, de, ru"]);
-    }
     // A file instead of the folder; a part without a library; a library of a later version.
     let job = example("ellipse");
     let simulate = ["simulate", &job, "-o", &out];

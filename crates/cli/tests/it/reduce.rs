@@ -16,7 +16,7 @@ fn joint() -> String {
 #[test]
 fn a_small_path_to_the_last_digit() {
     for method in ["greedy", "fewest"] {
-        let output = run_with(&["reduce", "-", "--tolerance-mm", "0.27", "--method", method], BEND);
+        let output = run_with(&["tools", "reduce", "-", "--tolerance-mm", "0.27", "--method", method], BEND);
         let told = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(0), "{told}");
         let text = String::from_utf8(output.stdout).unwrap();
@@ -30,7 +30,7 @@ fn a_small_path_to_the_last_digit() {
 
 #[test]
 fn the_taught_joint_is_a_line_and_two_arcs() {
-    let arguments = ["reduce", &joint(), "--tolerance-mm", "0.05", "--axis-tolerance", "0.1"];
+    let arguments = ["tools", "reduce", &joint(), "--tolerance-mm", "0.05", "--axis-tolerance", "0.1"];
     let text = good(&arguments);
     let t = table(&text);
     let kinds: Vec<&str> = text.lines().skip(1).map(|l| l.split(',').next().unwrap()).collect();
@@ -43,7 +43,7 @@ fn the_taught_joint_is_a_line_and_two_arcs() {
     assert!(column(&t, "nz")[1] > 0.9999);
     assert!(column(&t, "max_error_mm").iter().all(|e| *e <= 0.05));
     // A rotary axis that must be met better than it was taught needs more spans.
-    let fine = table(&good(&["reduce", &joint(), "--tolerance-mm", "0.05", "--axis-tolerance", "0.02"]));
+    let fine = table(&good(&["tools", "reduce", &joint(), "--tolerance-mm", "0.05", "--axis-tolerance", "0.02"]));
     assert!(fine.1.len() > 3);
     let json: Value = serde_json::from_str(&good(&[&arguments[..], &["--json"]].concat())).unwrap();
     assert_eq!(
@@ -97,7 +97,7 @@ fn what_is_wrong_is_named_with_its_place() {
         ("", "-:1: there is no column `x_mm`"),
     ];
     for (points, message) in cases {
-        let output = run_with(&["reduce", "-", "--tolerance-mm", "0.1"], points);
+        let output = run_with(&["tools", "reduce", "-", "--tolerance-mm", "0.1"], points);
         let told = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(output.status.code() == Some(2) && output.stdout.is_empty() && told.contains(message), "{told}");
     }
@@ -107,10 +107,10 @@ fn what_is_wrong_is_named_with_its_place() {
         (&["--tolerance-mm", "1", "--svg", "/no-such-folder/a.svg"], "cannot be written: there is no such folder"),
         (&[], "--tolerance-mm"),
     ] {
-        let output = run_with(&[&["reduce", "-"], more].concat(), BEND);
+        let output = run_with(&[&["tools", "reduce", "-"], more].concat(), BEND);
         let told = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(output.status.code() == Some(2) && told.contains(message), "{told}");
     }
-    let missing = run(&["reduce", "no-such-file.csv", "--tolerance-mm", "1"]);
+    let missing = run(&["tools", "reduce", "no-such-file.csv", "--tolerance-mm", "1"]);
     assert_eq!(missing.status.code(), Some(2));
 }

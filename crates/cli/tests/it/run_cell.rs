@@ -1,6 +1,6 @@
 //! `run` in real time, `simulate --fault` in virtual time, `latency`.
 
-use crate::common::{bad, example, good, run, run_with};
+use crate::common::{bad, example, good, root, run, run_with};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use serde_json::Value;
@@ -62,6 +62,21 @@ fn a_fault_that_comes_too_late_is_told() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.lines().all(|line| serde_json::from_str::<Value>(line).is_ok()));
     assert!(text.contains("\"pass\""));
+}
+
+/// While the joint is looked for before a tracked weld, corrected set-points are not exactly at rest: the power was never
+/// switched off, and neither `simulate` nor `run` ended.
+#[test]
+fn a_fault_in_the_search_before_a_tracked_weld_switches_the_power_off() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().display().to_string();
+    let distortion = root().join("examples/distortions/misplaced.toml").display().to_string();
+    let tracked = ["simulate", &example("first-weld"), "-o", &out, "--distortion", &distortion];
+    let output = run(&[&tracked[..], &["--fault", "inputs:silent@20+1"]].concat());
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert!(matches!(output.status.code(), Some(1 | 3)), "{errors}");
+    let events = std::fs::read_to_string(folder.path().join("events.jsonl")).unwrap();
+    assert!(events.contains("inputs silent"), "{events}");
 }
 
 /// In real time: orders are taken in their turn, refusals have a reason, the timing is in the summary.

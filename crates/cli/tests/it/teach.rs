@@ -97,7 +97,7 @@ fn taught_by_hand() {
     assert!(heights.clone().all(|z| (z - 60.5).abs() < 0.06), "{:?}", heights.collect::<Vec<_>>());
     for (bad, why) in [
         ("x_mm,y_mm,z_mm\n", "no points"),
-        ("x_mm,y_mm,z_mm\n0,500,0\n", "not within 15 mm"),
+        ("x_mm,y_mm,z_mm\n0,500,0\n", "farther than 15 mm"),
         ("x_mm,y_mm,z_mm\n-40,1,60.5\n-40,1,60.5\n", "in one place"),
         ("x_mm,y_mm\n0,0\n", "column"),
     ] {
@@ -316,7 +316,7 @@ fn the_operator_is_asked_and_it_goes_on() {
     // joint.
     let mistakes = "there\n1,2\n900,0,60\n15,12,60.5,0,0,0\n1,2,nan\n";
     let (code, told, printed) = answered(&format!("{mistakes}19.5,13.9,60.5\n"));
-    for why in ["lost after ", "not three or six numbers", "not within 15 mm", "no length", "taught.png"] {
+    for why in ["lost after ", "not three or six numbers", "farther than 15 mm", "no length", "taught.png"] {
         assert!(told.contains(why), "{why}: {told}");
     }
     assert_eq!(told.matches("allowed: X,Y,Z").count(), 5, "{told}");

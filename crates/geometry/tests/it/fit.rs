@@ -162,9 +162,9 @@ fn too_few_and_gathered_points_are_refused() {
     let same = |plane: &[DVec3], line: &[DVec3], point: &[DVec3]| {
         plane_line_point((plane, line, point), 0.0, &DAffine3::IDENTITY).unwrap_err()
     };
-    assert!(matches!(same(&plane[..2], &plane, &plane), Error::TooFewPoints { what: "the plane", .. }));
-    assert!(matches!(same(&plane, &plane[..1], &plane), Error::TooFewPoints { what: "the line", .. }));
-    assert!(matches!(same(&plane, &plane, &[]), Error::TooFewPoints { what: "the point", .. }));
+    assert!(matches!(same(&plane[..2], &plane, &plane), Error::TooFewPoints { what: "geometry-points-plane", .. }));
+    assert!(matches!(same(&plane, &plane[..1], &plane), Error::TooFewPoints { what: "geometry-points-line", .. }));
+    assert!(matches!(same(&plane, &plane, &[]), Error::TooFewPoints { what: "geometry-points-point", .. }));
     assert!(matches!(same(&[p(0.0), p(1.0), p(2.0)], &plane, &plane), Error::OneLine { .. }));
     assert!(matches!(same(&plane, &[DVec3::X, DVec3::X], &plane), Error::OnePosition { .. }));
     assert!(best_fit(&[], &DAffine3::IDENTITY, false).is_err());

@@ -149,7 +149,7 @@ fn mistakes_have_an_address() {
     assert_eq!(wrong(&stl("ball = { radius_mm = 3 }")).0, "shapes.b[0].shape.ball");
     let missing = wrong(&stl("stl = { file = \"gone.stl\" }"));
     assert_eq!(missing.0, "shapes.b[0].shape.stl.file");
-    assert!(missing.1.contains("cannot be read"));
+    assert!(missing.1.contains("could not be read"));
     let zone = |k: &str, more: &str| format!("[[zones]]\nname = \"z\"\nkind = \"{k}\"\n{more}\n");
     let cone = "[[zones.solids]]\nshape.cone = { radius_mm = 4, length_mm = 9 }\n";
     assert_eq!(wrong(&zone("permitted", cone)).0, "zones[0].solids[0]");

@@ -86,7 +86,7 @@ fn a_search_that_is_stopped_says_how_far_it_came() {
         let (planned, _, _) = plan(ARM_JOB, ARM, most);
         let findings = planned.unwrap_err();
         assert!(findings.len() == 1 && findings[0].kind == "search" && !findings[0].allowed, "{findings:#?}");
-        assert_eq!(findings[0].message.code, "motion-search-out-of-time");
+        assert_eq!(findings[0].message.code, "motion-search-cancelled");
         assert!(inner(&findings[0].message, "progress").argument("positions").is_some(), "{}", findings[0].message);
     }
 }

@@ -226,7 +226,7 @@ mod tests {
         let trace = Trace::open(&path).unwrap();
         assert_eq!(trace.about(), [("title".to_owned(), "a weld".to_owned())]);
         let told = trace.read(&["y_mm"], |_| {}).unwrap_err().to_string();
-        assert!(told.contains("no column y_mm") && told.contains("t_s, x_mm"), "{told}");
+        assert!(told.contains("column y_mm does not exist") && told.contains("t_s, x_mm"), "{told}");
         // No other files are left.
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
     }

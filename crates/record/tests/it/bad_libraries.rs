@@ -38,7 +38,7 @@ fn another_database_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     sql(folder.path(), "CREATE TABLE songs (title TEXT)");
     let told = DataFolder::open(folder.path()).unwrap_err().to_string();
-    assert!(told.contains("no library of Seamwright") && told.contains("another data folder"), "{told}");
+    assert!(told.contains("not a library of Seamwright") && told.contains("another data folder"), "{told}");
 }
 
 #[test]

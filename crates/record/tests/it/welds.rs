@@ -233,7 +233,7 @@ fn files_of_a_weld_are_in_its_folder() {
         let db = rusqlite::Connection::open(data.library().path()).unwrap();
         db.execute("UPDATE weld_file SET name = ?1 WHERE rowid = (SELECT min(rowid) FROM weld_file)", [name]).unwrap();
         let told = data.library().files(id).unwrap_err().to_string();
-        assert!(told.contains("no file of it"), "{name}: {told}");
+        assert!(told.contains("not a file of that weld"), "{name}: {told}");
     }
 }
 

@@ -82,7 +82,7 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY);
     assert_eq!(refused["text"], "there is no language `fr`; allowed: en, uk, zh, de, ru");
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit", None)).await;
-    let commands: Vec<&str> = audit.as_array().unwrap().iter().filter_map(|e| e["command"].as_str()).collect();
+    let commands: Vec<&str> = audit.as_array().unwrap().iter().filter_map(|e| e["command"]["text"].as_str()).collect();
     assert!(commands.contains(&"delete job mine.toml") && commands.contains(&"log in"), "{commands:?}");
     let archive = bench.raw(owner.request("GET", "/api/backup", None)).await;
     assert_eq!(archive.headers()["content-type"], "application/x-tar");
@@ -124,8 +124,8 @@ async fn nothing_starts_while_a_job_is_planned_to_be_loaded() {
     };
     let announced = bench.panel.loads.announce();
     let told = says(1);
-    assert!(told.iter().any(|t| t.contains("\"busy\"") && t.contains("planned to be loaded")), "{told:?}");
+    assert!(told.iter().any(|t| t.contains("\"busy\"") && t.contains("server-load-announced")), "{told:?}");
     drop(announced);
     let told = says(2);
-    assert!(!told.iter().any(|t| t.contains("planned to be loaded")), "{told:?}");
+    assert!(!told.iter().any(|t| t.contains("server-load-announced")), "{told:?}");
 }

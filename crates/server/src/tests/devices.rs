@@ -86,7 +86,7 @@ async fn programs_find_the_devices_they_need() {
     assert!(load(bench, &owner, "ellipse.toml").await.0.is_success() && simulated(bench, &owner).await);
     // A job must not choose other devices.
     let (status, refused) = load(bench, &owner, "foreign.toml").await;
-    assert!(status.is_client_error() && refused["text"].as_str().unwrap().contains("started with"), "{refused}");
+    assert!(status.is_client_error() && refused["text"].as_str().unwrap().contains("was started"), "{refused}");
     let (status, work) = load(bench, &owner, "real.toml").await;
     assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
     let mut page = served.page(&owner).await;

@@ -92,7 +92,11 @@ async fn a_camera_is_found_from_a_grid_and_kept() {
     assert_eq!(std::fs::read_to_string(&path).unwrap(), kept);
     bench.panel.cell.archive.flush();
     let log = bench.did(&owner, "GET", "/api/audit?most=20", Value::Null).await;
-    let row = log.as_array().unwrap().iter().find(|row| row["command"].as_str().unwrap().contains("set sensor camera"));
+    let row = log
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|row| row["command"]["text"].as_str().unwrap().contains("set sensor camera"));
     assert!(row.unwrap()["old"].as_str().unwrap().contains("0.09"), "{row:?}");
 }
 
@@ -123,7 +127,7 @@ async fn what_is_no_picture_of_the_grid_is_refused_with_its_reason() {
     let picture = bench.plate(&owner, of).await;
     assert_eq!(verdict("name=camera&pitch_mm=4&z_mm=20", &picture).await, "far");
     for (of, said) in [
-        ("name=stripe&pitch_mm=3&z_mm=0", "no camera"),
+        ("name=stripe&pitch_mm=3&z_mm=0", "not a camera"),
         ("name=nose&pitch_mm=3&z_mm=0", "no sensor `nose`"),
         ("name=camera&pitch_mm=0&z_mm=0", "pitch"),
     ] {

@@ -66,7 +66,7 @@ async fn a_tool_is_found_reviewed_and_kept() {
     let alike = json!({ "head": 0, "touches": vec![[0.0, 0.0, 120.0, 1.0]; 5] });
     assert!(bench.refused(&owner, "POST", "/api/tool", alike).await.contains("20 degrees"));
     let few = json!({ "head": 0, "touches": vec![[0.0, 0.0, 120.0, 1.0]; 2] });
-    assert!(bench.refused(&owner, "POST", "/api/tool", few).await.contains("three touches"));
+    assert!(bench.refused(&owner, "POST", "/api/tool", few).await.contains("three times or more"));
     let foreign = json!({ "head": 0, "touches": vec![[0.0, 0.0]; 5] });
     assert!(bench.refused(&owner, "POST", "/api/tool", foreign).await.contains("4 positions"));
     let other = json!({ "head": 1, "touches": touches });
@@ -87,7 +87,8 @@ async fn a_tool_is_found_reviewed_and_kept() {
     // The audit log contains the user and the old value.
     bench.panel.cell.archive.flush();
     let rows = bench.did(&owner, "GET", "/api/audit?most=20", Value::Null).await;
-    let row = rows.as_array().unwrap().iter().find(|row| row["command"].as_str().unwrap().starts_with("set tool"));
+    let row =
+        rows.as_array().unwrap().iter().find(|row| row["command"]["text"].as_str().unwrap().starts_with("set tool"));
     let row = row.unwrap();
     assert_eq!((&row["old"], &row["new"]), (&json!("tip_mm [0.0, 0.0, 0.0]"), &json!("tip_mm [0.5, 0.0, -1.0]")));
 }

@@ -54,7 +54,7 @@ async fn no_place_is_recorded_while_something_moves() {
     hold(&mut page, &jog, 8).await;
     let (status, refused) = position().await;
     assert_eq!((status, &refused["key"]), (StatusCode::CONFLICT, &json!("busy")), "{refused}");
-    assert_eq!(refused["text"], "the axes have not come to rest: wait a moment");
+    assert_eq!(refused["text"], "the axes are still moving: wait a moment");
     hold(&mut page, &json!({ "kind": "jog", "of": "joints", "speeds": [0.0, 0.0] }), 1).await;
     let there = rest(&served, &mut page).await;
     page.until("rest", |v| v["kind"] == "status" && v["stands"] == true).await;

@@ -121,7 +121,8 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     }
     // The audit log contains user and command.
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit?most=100", None)).await;
-    let has = |what: &str| audit.as_array().unwrap().iter().any(|e| e["command"] == what && e["user"] == "owner");
+    let has =
+        |what: &str| audit.as_array().unwrap().iter().any(|e| e["command"]["text"] == what && e["user"] == "owner");
     assert!(has("start weld") && has("arm") && has("stop") && has("load short.toml"), "{audit}");
     tokio::time::sleep(Duration::from_millis(10)).await;
 }
@@ -178,7 +179,8 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     page.order("arm").await;
     let refused = page.ask(json!({ "do": "start_weld" })).await;
     assert_eq!(refused["why"]["key"], "finished_pass", "{refused}");
-    assert_eq!(refused["why"]["of"], json!(["A", "1", format!("{at_a:.2}")]));
+    let text = refused["why"]["text"].as_str().unwrap();
+    assert!(text.contains("part “A”") && text.contains(&format!("pass 1, {at_a:.2} mm")), "{text}");
     // The same after a restart.
     page.order("switch_off").await;
     page.mode("off").await;
@@ -298,7 +300,10 @@ async fn whoever_is_not_logged_in_stops() {
     assert!(stopped["cycle_age_s"].as_f64().unwrap() < 2.0, "{stopped}");
     page.mode("ready").await;
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit", None)).await;
-    assert!(audit.as_array().unwrap().iter().any(|e| e["command"] == "stop" && e["user"] == ""), "{audit}");
+    assert!(
+        audit.as_array().unwrap().iter().any(|e| e["command"]["code"] == "panel-do-stop" && e["user"] == ""),
+        "{audit}"
+    );
 }
 
 /// The server answers a STOP for a cycle that has ended, and does not report it as taken.

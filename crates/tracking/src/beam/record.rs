@@ -280,7 +280,7 @@ mod tests {
             (&format!("{head}0,0,0,1\n1,0\n"), 3, "height_mm", "finite"),
             (&format!("{head}0,0,0,1\n1,0,inf,1\n"), 3, "height_mm", "finite"),
             (&format!("{head}0,0,0,1\n1,5000,0,1\n"), 3, "lateral_mm", "-1000 mm to 1000 mm"),
-            (&format!("{head}0,0,0,1\n0,0,0,1\n"), 3, "s_mm", "increase"),
+            (&format!("{head}0,0,0,1\n0,0,0,1\n"), 3, "s_mm", "increasing"),
         ];
         for (text, line, column, says) in cases {
             let error = DeviationRecord::from_csv("d.csv", text).unwrap_err();

@@ -146,7 +146,7 @@ fn a_pass_of_more_than_a_day_is_refused_at_its_speed() {
     let job =
         "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.circle]\nradius_mm = 100\n[weld]\nspeed_mm_s = 0.005\n";
     assert_eq!(refused(job).key, "weld.speed_mm_s");
-    assert_eq!(refused(&job.replace("0.005", "1e-20")).message, "this is too small".into());
+    assert_eq!(refused(&job.replace("0.005", "1e-20")).message.code, "document-too-small");
     let e = refused(&with(&[("speed_mm_s = 5,", "speed_mm_s = 0.001, area_mm2 = 20,")]));
     assert_eq!(e.key, "beads.root.speed_mm_s");
 }
