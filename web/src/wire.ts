@@ -732,7 +732,19 @@ rms_px: number,
 /**
  * See `rms_px`.
  */
-max_px: number, } & MessageView;
+max_px: number, 
+/**
+ * Identifier of the words in the catalogues; `text` is text as it stands.
+ */
+code: string, 
+/**
+ * English text.
+ */
+text: string, 
+/**
+ * Arguments by name.
+ */
+arguments: Array<[string, ArgumentView]>, };
 
 /**
  * `GET /api/session`, and the answer of `POST /api/login`.
@@ -875,7 +887,19 @@ export type Trouble = {
  * Stable key: `login`, `password`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`,
  * `server`.
  */
-key: string, } & MessageView;
+key: string, 
+/**
+ * Identifier of the words in the catalogues; `text` is text as it stands.
+ */
+code: string, 
+/**
+ * English text.
+ */
+text: string, 
+/**
+ * Arguments by name.
+ */
+arguments: Array<[string, ArgumentView]>, };
 
 /**
  * State of the cell.
@@ -1305,7 +1329,19 @@ key: string,
 /**
  * User who gave the command, if any.
  */
-user: string | null, } & MessageView;
+user: string | null, 
+/**
+ * Identifier of the words in the catalogues; `text` is text as it stands.
+ */
+code: string, 
+/**
+ * English text.
+ */
+text: string, 
+/**
+ * Arguments by name.
+ */
+arguments: Array<[string, ArgumentView]>, };
 
 /**
  * Something that stands against what is asked.
@@ -1314,7 +1350,19 @@ export type LackView = {
 /**
  * Stable key.
  */
-key: string, } & MessageView;
+key: string, 
+/**
+ * Identifier of the words in the catalogues; `text` is text as it stands.
+ */
+code: string, 
+/**
+ * English text.
+ */
+text: string, 
+/**
+ * Arguments by name.
+ */
+arguments: Array<[string, ArgumentView]>, };
 
 /**
  * A planned program.
@@ -1775,7 +1823,7 @@ from_mm: number,
  */
 to_mm: number, 
 /**
- * What would cure it.
+ * Operator action, if one is needed.
  */
 cure: MessageView | null, 
 /**
@@ -2273,7 +2321,19 @@ s_mm: number | null,
 /**
  * Time in the trace, s.
  */
-t_s: number | null, } & MessageView;
+t_s: number | null, 
+/**
+ * Identifier of the words in the catalogues; `text` is text as it stands.
+ */
+code: string, 
+/**
+ * English text.
+ */
+text: string, 
+/**
+ * Arguments by name.
+ */
+arguments: Array<[string, ArgumentView]>, };
 
 /**
  * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each

@@ -98,7 +98,7 @@ fn taught_by_hand() {
     for (bad, why) in [
         ("x_mm,y_mm,z_mm\n", "no points"),
         ("x_mm,y_mm,z_mm\n0,500,0\n", "farther than 15 mm"),
-        ("x_mm,y_mm,z_mm\n-40,1,60.5\n-40,1,60.5\n", "in one place"),
+        ("x_mm,y_mm,z_mm\n-40,1,60.5\n-40,1,60.5\n", "at the same position"),
         ("x_mm,y_mm\n0,0\n", "column"),
     ] {
         std::fs::write(&points, bad).unwrap();
