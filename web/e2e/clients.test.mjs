@@ -23,7 +23,7 @@ test('a second panel only watches, STOP apart, until it takes over', options, as
   await open(one, cell.address);
   await open(two, cell.address);
   await control(one);
-  await two.getByText(/commands \(station/).waitFor();
+  await two.getByText(/In control: .*\(station/).waitFor();
   const commands = two.getByRole('group', { name: 'Commands' });
   assert.ok(await commands.getByRole('button', { name: /Switch on/ }).isDisabled());
   assert.ok(await two.getByRole('button', { name: /STOP/ }).isEnabled());
@@ -34,7 +34,7 @@ test('a second panel only watches, STOP apart, until it takes over', options, as
   await axe(two, 'taking over');
   await two.locator('dialog[open]').getByRole('button', { name: 'Take control' }).click();
   await two.getByText('In control: you').waitFor();
-  await one.getByText(/commands \(station/).waitFor();
+  await one.getByText(/In control: .*\(station/).waitFor();
   assert.ok(await one.getByRole('button', { name: /Switch off/ }).isDisabled());
   await two.getByRole('button', { name: 'Give up control' }).click();
   await one.getByText('No one in control').waitFor();

@@ -77,7 +77,7 @@ test('a backup replaces all data after it was checked, with the machine off only
   await press(one, /Switch off/);
   await mode(one, 'off');
   await check(one);
-  await data(one).getByText('The backup is whole').waitFor();
+  await data(one).getByText('The backup is complete').waitFor();
   for (const dark of [false, true]) {
     await one.emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
     await one.screenshot({ path: `${shots}data-${dark ? 'dark' : 'light'}.png` });

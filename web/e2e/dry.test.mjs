@@ -15,7 +15,7 @@ test('a held dry run is jogged from and gone on with', options, async () => {
   await ready(one);
   await press(one, /^Dry run/);
   await mode(one, 'dry_run');
-  await one.waitForFunction(() => /Pass 1\s+s \d/.test(document.querySelector('.passes')?.textContent ?? ''), null, { timeout: 60_000 });
+  await one.waitForFunction(() => /Pass 1: \d/.test(document.querySelector('.passes')?.textContent ?? ''), null, { timeout: 60_000 });
   await sleep(1500);
   await press(one, /Hold/);
   await mode(one, 'hold');
@@ -43,7 +43,7 @@ test('a held dry run is jogged from and gone on with', options, async () => {
   await commands(one);
   await press(one, /^Dry run/);
   await mode(one, 'dry_run');
-  await one.waitForFunction(() => /Pass 1\s+s \d/.test(document.querySelector('.passes')?.textContent ?? ''), null, { timeout: 60_000 });
+  await one.waitForFunction(() => /Pass 1: \d/.test(document.querySelector('.passes')?.textContent ?? ''), null, { timeout: 60_000 });
   const again = await axis(one, 'theta');
   assert.ok(again > theta - 1.5, `it goes on where it was left: ${theta}, ${again}`);
   // Left for good.

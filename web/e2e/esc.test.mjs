@@ -108,7 +108,7 @@ test('a STOP that reaches nobody fills the screen until the cell is seen to stan
     await one.getByText('Alarms unknown').waitFor();
   });
   assert.equal(await one.getByText('No alarms').count(), 0);
-  assert.equal(await one.getByText('To command, take control first').count(), 0);
+  assert.equal(await one.getByText('Take control to operate this cell').count(), 0);
   await one.keyboard.press('Escape');
   await screen.getByText('STOP DID NOT REACH THE CELL').waitFor({ timeout: 5000 });
   await screen.getByText('Press the emergency stop').waitFor();

@@ -192,7 +192,7 @@ test('a user that is there is not changed unasked, and a password is typed twice
   await user.fill(one, 'cleo', 'Operator', 'short');
   await one.locator('form').evaluate((form) => (form.noValidate = true));
   await save();
-  await one.getByText(/too short or too long/).waitFor();
+  await one.getByText(/invalid length of the password/).waitFor();
   one.wrong = one.wrong.filter((text) => !text.includes('422'));
   await one.locator('form').evaluate((form) => (form.noValidate = false));
   await user.fill(one, 'cleo', 'Operator', PASSWORD);

@@ -129,7 +129,7 @@ test('in the form what is no number stays out, what cannot be is marked where it
   assert.equal(await one.locator('.left [aria-invalid="true"]').count(), 1);
   await axe(one, 'a wrong number');
   await one.getByRole('button', { name: 'Limits', exact: true }).click();
-  await one.getByText('this is the plan from before the change').waitFor();
+  await one.getByText('This is the plan before the change').waitFor();
   await one.getByRole('button', { name: 'Text', exact: true }).click();
   await one.getByRole('button', { name: /^Findings/ }).click();
   await one.locator('.right .note.fault').getByRole('button', { name: /weld · speed \[mm\/s\] = 0/ }).click();
@@ -141,7 +141,7 @@ test('in the form what is no number stays out, what cannot be is marked where it
   await card.waitFor();
   assert.match(await card.textContent(), /4000\.00 mm\/s/);
   await one.getByRole('button', { name: 'Limits', exact: true }).click();
-  await one.getByText('There is no plan (see Findings)').waitFor();
+  await one.getByText('No plan (see Findings)').waitFor();
   await one.getByRole('button', { name: /^Findings/ }).click();
   for (let i = 0; i < 2 && (await field.inputValue()) !== was; i += 1) await one.getByRole('button', { name: 'Undo' }).click();
   assert.equal(await field.inputValue(), was);
@@ -155,7 +155,7 @@ test('a part program for a control, with its proof', onReal, async () => {
   await one.getByRole('textbox', { name: 'G-code' }).waitFor({ timeout: 120_000 });
   assert.match(await one.getByRole('textbox', { name: 'G-code' }).inputValue(), /G1|G93/);
   // It is of this text and of no other.
-  const old = one.getByText('another state of the job');
+  const old = one.getByText('The job has changed since');
   assert.equal(await old.count(), 0);
   await one.getByRole('button', { name: 'Redo' }).click();
   await old.waitFor();

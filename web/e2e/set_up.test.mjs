@@ -52,7 +52,7 @@ test('a tool is found by touching one point, looked at, kept, and in force with 
   await one.getByRole('button', { name: 'Compute the TCP' }).click();
   const answer = one.getByRole('status').filter({ hasText: 'TCP found' });
   await answer.getByText(/more than 20 mm/).waitFor();
-  await answer.getByText(/Not told along/).waitFor();
+  await answer.getByText(/Not determined along/).waitFor();
   assert.match(await answer.textContent(), /Z 100\.0/);
   await shot('set-up-tool');
   await one.getByRole('button', { name: 'Save this TCP' }).click();

@@ -73,7 +73,7 @@ test('whoever is thrown out in a run still has STOP, and is told why', options, 
   await mode(one, 'dry_run');
   await one.getByRole('button', { name: /▾$/ }).click();
   await one.getByRole('button', { name: 'Log out' }).click();
-  await dialog().getByText(/goes on without you/).waitFor();
+  await dialog().getByText(/continues without you/).waitFor();
   await dialog().getByRole('button', { name: 'Cancel' }).click();
   // The session ends on the server, as when an administrator changes the user.
   await one.evaluate(async () => {

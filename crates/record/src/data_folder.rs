@@ -268,7 +268,7 @@ impl DataFolder {
                 match sha256_of_file(&path) {
                     Ok((hash, _)) if hash == file.sha256 => files += 1,
                     Ok(_) => {
-                        problems.push(Message::new("record-problem-changed").text("path", path.display().to_string()))
+                        problems.push(Message::new("record-problem-changed").text("path", path.display().to_string()));
                     }
                     Err(e) => problems.push(e.message()),
                 }

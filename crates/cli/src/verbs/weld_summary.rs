@@ -146,7 +146,7 @@ fn simulated(text: &mut String, s: &Summary) {
     for a in &s.axes {
         let f = &a.following_error;
         let worst = f.min.abs().max(f.max.abs());
-        let error = Message::new("cli-summary-following-error").quantity("error", worst, unit_of(&a.unit), 5);
+        let error = Message::new("cli-summary-following-error").quantity("error", worst, unit_of(a.unit), 5);
         let label = Message::new("cli-label-axis").axis("axis", &a.axis).to_string();
         line(text, &label, error.number("rms", f.rms, 5));
     }

@@ -44,7 +44,7 @@ fn pattern(of: &Pattern<&str>, text: &mut String) {
     for element in &of.elements {
         match element {
             PatternElement::TextElement { value } => {
-                text.push_str(&value.replace('\n', " ").replace('|', "\\|").replace('*', "\\*").replace('<', "&lt;"))
+                text.push_str(&value.replace('\n', " ").replace('|', "\\|").replace('*', "\\*").replace('<', "&lt;"));
             }
             PatternElement::Placeable { expression: inner } => expression(inner, text),
         }

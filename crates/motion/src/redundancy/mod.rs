@@ -154,7 +154,7 @@ pub fn holding<'m>(machine: &'m Machine, wishes: &SpareAxes) -> Result<Cow<'m, M
         return Err(HoldError::Decided { axis });
     }
     let freed = machine.freeing(wanted);
-    freed.map(Cow::Owned).ok_or_else(|| HoldError::TooFew { axis, held, redundant })
+    freed.map(Cow::Owned).ok_or(HoldError::TooFew { axis, held, redundant })
 }
 
 /// The axes held by `wishes`, with their positions in mm or rad.

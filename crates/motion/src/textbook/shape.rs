@@ -167,7 +167,7 @@ mod tests {
         assert!((arc(rounded, None, true).unwrap().start_rad() - 0.7).abs() < 1e-4);
         match arc(DVec2::new(0.0, 16.5), None, true) {
             Err(Error::OffEllipse { which: EndPoint::Start, distance_mm, .. }) => {
-                assert!((distance_mm - 0.5).abs() < 1e-12)
+                assert!((distance_mm - 0.5).abs() < 1e-12);
             }
             other => panic!("{other:?}"),
         }

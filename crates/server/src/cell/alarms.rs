@@ -102,8 +102,8 @@ impl Mirror {
     /// Returns the library's name of an alarm that is acknowledged individually.
     pub(super) fn name(&self, names: &Names, (alarm, detail): (Alarm, u8)) -> Message {
         let before = self.before.iter().zip(&self.known);
-        let known = before.filter(|(view, _)| key(view) == (alarm.number() as u8, detail)).map(|(_, name)| name);
-        known.last().cloned().unwrap_or_else(|| alarm.title_of(names.about(alarm, detail)))
+        let mut known = before.filter(|(view, _)| key(view) == (alarm.number() as u8, detail)).map(|(_, name)| name);
+        known.next_back().cloned().unwrap_or_else(|| alarm.title_of(names.about(alarm, detail)))
     }
 
     /// Shelves an alarm for a time, or unshelves it. Returns its name.

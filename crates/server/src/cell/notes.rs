@@ -181,7 +181,7 @@ impl Desk {
 }
 
 fn mode_changes(from: Mode, to: Mode) -> Message {
-    let [from, to] = [from, to].map(|mode| mode.message());
+    let [from, to] = [from, to].map(Mode::message);
     Message::new("server-event-mode").message("from", from).message("to", to)
 }
 

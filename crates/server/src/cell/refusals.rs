@@ -96,7 +96,7 @@ mod tests {
     fn repeated_refusals_become_one_entry_a_minute() {
         let (mut refusals, begin) = (Refusals::default(), Instant::now());
         (0..313).for_each(|_| {
-            refusals.add("eve", "panel", "users.read", &Message::new("server-audit-refused-role"), begin)
+            refusals.add("eve", "panel", "users.read", &Message::new("server-audit-refused-role"), begin);
         });
         assert_eq!(refusals.due(begin, false).len(), 1);
         assert!(refusals.due(begin + SUM_UP / 2, false).is_empty());
@@ -114,7 +114,7 @@ mod tests {
     fn made_up_names_take_bounded_memory_and_entries() {
         let (mut refusals, begin) = (Refusals::default(), Instant::now());
         (0..10_000).for_each(|i| {
-            refusals.add(&format!("name {i}"), "panel", "log in", &Message::new("server-audit-refused"), begin)
+            refusals.add(&format!("name {i}"), "panel", "log in", &Message::new("server-audit-refused"), begin);
         });
         let entries = refusals.due(begin, true);
         assert!(entries.len() <= MAX_KINDS + 2, "{}", entries.len());

@@ -90,7 +90,7 @@ pub(super) async fn picture(State(panel): State<Arc<Panel>>, Query(asked): Query
         let (sensor, believed) = camera(&machine, &asked)?;
         let count: usize = sensor.size_px.iter().product();
         if !machine.devices.is_empty() || count > MAX_PX {
-            return Err(Refused::input(Message::new("server-not-simulated").count("max", MAX_PX as usize)));
+            return Err(Refused::input(Message::new("server-not-simulated").count("max", MAX_PX)));
         }
         let (image, _) = plate(&believed, asked.pitch_mm, asked.seed).map_err(|e| Refused::input(e.to_string()))?;
         let frame = image.frame().map_err(|e| Refused::server(e.to_string()))?;

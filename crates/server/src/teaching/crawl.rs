@@ -40,7 +40,7 @@ pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
         Ok(Some(found)) => {
             let stopped = panel.teaching.state().wish == Wish::Stop;
             let key = if stopped { "stopped" } else { found.outcome.ended };
-            (key, found.outcome.finding.clone().filter(|_| !stopped).map(Message::from), Some(found))
+            (key, found.outcome.finding.clone().filter(|_| !stopped), Some(found))
         }
         Err(failure) => ("failed", Some(failure.message()), None),
     };

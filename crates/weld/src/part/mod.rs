@@ -25,6 +25,7 @@ const PLATE_MM: f64 = 10.0;
 const PLACES: i32 = 360;
 
 /// Reason why no part can be made.
+#[allow(clippy::large_enum_variant, reason = "made once, when a job is refused")]
 #[derive(Debug)]
 enum Impossible {
     /// A solid has invalid sizes.

@@ -168,5 +168,5 @@ fn mistakes_have_an_address_and_a_cure() {
     // Beads too large for the groove are understood, but cannot be welded.
     let welding = read(&with(&[("fill = { layer_mm = 3 }", "fill = { layer_mm = 3 }\nmost_percent = 3")]));
     let findings = welding.findings();
-    assert!(!findings.is_empty() && findings.iter().all(|f| f.kind == "bead" && !f.cure.is_none()), "{findings:#?}");
+    assert!(!findings.is_empty() && findings.iter().all(|f| f.kind == "bead" && f.cure.is_some()), "{findings:#?}");
 }
