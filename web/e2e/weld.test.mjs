@@ -11,7 +11,7 @@ const WITHIN_S = 120;
 /** The cursor of a record's plot stands the torch there in 3D, and says where that is; going on moves it. */
 async function scrubbed() {
   const over = one.locator('.charts .u-over').first();
-  const card = one.locator('.record .below .card', { hasText: /s [0-9.]+ mm/ });
+  const card = one.locator('.record .below .card', { hasText: /: [0-9.]+ mm/ });
   const { width, height } = await over.boundingBox();
   const [places, pictures] = [[], []];
   for (const part of [0.2, 0.5, 0.8]) {
