@@ -311,7 +311,7 @@ test('a span, or the whole pass, is chosen in 3D: its length and time, its point
   const card = one.locator('.below .card', { hasText: 'Pass 1' });
   await card.getByRole('button', { name: 'Span 2/3' }).click();
   // A quarter of a circle of 30 mm, at 8 mm/s.
-  await card.getByText(/s 80\.\d–127\.\d mm · 47\.\d mm · 0:06/).waitFor();
+  await card.getByText(/80\.\d–127\.\d mm · 47\.\d mm · 0:06/).waitFor();
   await one.getByRole('button', { name: 'Apply to 1 point' }).waitFor();
   await card.getByRole('button', { name: 'Whole pass' }).click();
   await one.getByRole('button', { name: 'Apply to 7 points' }).waitFor();
@@ -379,8 +379,8 @@ test('limits: what bounds the speed where, linked with 3D, and what is used of e
   await stretch.click();
   const card = one.locator('.below .card', { hasText: 'Pass 1' });
   await card.waitFor();
-  const [from, to] = (await stretch.textContent()).match(/s ([0-9.]+)–([0-9.]+)/).slice(1).map(Number);
-  const at = Number((await card.textContent()).match(/s ([0-9.]+) mm/)[1]);
+  const [from, to] = (await stretch.textContent()).match(/([0-9.]+)–([0-9.]+) mm/).slice(1).map(Number);
+  const at = Number((await card.textContent()).match(/: ([0-9.]+) mm/)[1]);
   assert.ok(at >= from - 1 && at <= to + 1, `${at} is not in ${from} to ${to}`);
   // Every chart shows its values there, as soon as it is drawn.
   await page.locator('figcaption').nth(2).getByText(`${at.toFixed(1)} mm`).waitFor();

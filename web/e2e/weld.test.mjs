@@ -18,7 +18,7 @@ async function scrubbed() {
     await over.hover({ position: { x: width * part, y: height / 2 } });
     await card.waitFor();
     await sleep(700);
-    places.push(Number(/s ([0-9.]+) mm/.exec(await card.textContent())[1]));
+    places.push(Number(/: ([0-9.]+) mm/.exec(await card.textContent())[1]));
     pictures.push((await one.locator('.record canvas[aria-label]').screenshot({ timeout: 40_000 })).toString('base64'));
   }
   assert.ok(places[0] < places[1] && places[1] < places[2], `${places}`);

@@ -1,7 +1,7 @@
 use crate::Error;
 use crate::disturbance::Disturbance;
-use crate::foreign;
 use seamwright_machine::{Axis, AxisKind, Drive, Load, Machine};
+use seamwright_message::Message;
 use seamwright_servo::{
     AxisState, BacklashCompensation, DriveParameters, DriveTuning, EncoderSide, FrictionCompensation, Gains,
     LinearLoad, Notch, PositionLoop, RotaryLoad, ServoAxis, SetPoint, Transmission, Tuned, tune,
@@ -25,7 +25,7 @@ impl Drives {
                 AxisKind::Rotary => 5f64.to_radians(),
             };
             let servo = servo(axis, &drive, machine.servo_period_s)
-                .map_err(|e| Error::Drive { axis: axis.name.clone(), reason: foreign::error(&e) })?;
+                .map_err(|e| Error::Drive { axis: axis.name.clone(), reason: Message::outside(&e) })?;
             Ok::<_, Error>((servo, Disturbance::new(seed, i, drive.load.peak, pitch)))
         });
         Ok(Self { axes: axes.collect::<Result<_, Error>>()? })
@@ -84,7 +84,7 @@ pub fn tune_axis(axis: &Axis, period_s: f64) -> Result<Tuned, Error> {
     let drive = axis.drive.clone().unwrap_or_else(|| assumed(axis));
     parameters(axis, &drive)
         .and_then(|parameters| tune(&parameters, period_s, axis.max_speed))
-        .map_err(|e| Error::Drive { axis: axis.name.clone(), reason: foreign::error(&e) })
+        .map_err(|e| Error::Drive { axis: axis.name.clone(), reason: Message::outside(&e) })
 }
 
 fn parameters(axis: &Axis, drive: &Drive) -> Result<DriveParameters, seamwright_servo::Error> {

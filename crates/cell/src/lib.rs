@@ -33,7 +33,6 @@ mod drives;
 mod error;
 pub mod executive;
 pub mod eyes;
-mod foreign;
 pub mod frames;
 pub mod gate;
 pub mod realtime;

@@ -55,17 +55,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
     if !matches!(cli.verb, None | Some(Verb::Serve(_) | Verb::AnswerOneQuestion(_))) {
         choose_language(cli.language.as_deref()).speak();
     }
-    match cli.verb {
-        None => verbs::serve::run(&cli.serve),
-        Some(Verb::Former(former)) => {
-            let (former, present, verb) = former.renamed();
-            let note = Message::new("cli-verb-renamed").text("former", former).text("present", present);
-            // An error is ignored: standard error itself may be closed.
-            let _ = writeln!(std::io::stderr().lock(), "{note}");
-            dispatch(verb)
-        }
-        Some(verb) => dispatch(verb),
-    }
+    cli.verb.map_or_else(|| verbs::serve::run(&cli.serve), dispatch)
 }
 
 fn dispatch(verb: Verb) -> Result<(), Failure> {
@@ -101,7 +91,13 @@ fn dispatch(verb: Verb) -> Result<(), Failure> {
         Verb::Schema(a) => verbs::schema::run(&a),
         Verb::Completions(a) => verbs::shell::completions(&a),
         Verb::Man(a) => verbs::shell::man(&a),
-        Verb::Former(former) => dispatch(former.renamed().2),
+        Verb::Former(former) => {
+            let (former, present, verb) = former.renamed();
+            let note = Message::new("cli-verb-renamed").text("former", former).text("present", present);
+            // An error is ignored: standard error itself may be closed.
+            let _ = writeln!(std::io::stderr().lock(), "{note}");
+            dispatch(verb)
+        }
     }
 }
 

@@ -27,17 +27,12 @@ pub(crate) fn in_file(file: &str, why: impl Into<Message>) -> Message {
 
 /// Fails for an unreadable file.
 pub(crate) fn unreadable(file: &str, error: &io::Error) -> Failure {
-    Failure::input(Message::new("project-unreadable").text("file", file).message("why", outside(error)))
-}
-
-/// Words of an error from outside.
-pub(crate) fn outside(error: &dyn Display) -> Message {
-    Message::verbatim(error.to_string())
+    Failure::input(Message::new("project-unreadable").text("file", file).message("why", Message::outside(error)))
 }
 
 /// Failure to write JSON.
 pub(crate) fn not_json(error: impl Display) -> Failure {
-    Failure::environment(outside(&error))
+    Failure::environment(Message::outside(&error))
 }
 
 /// Allowed values from `min` to `max`.

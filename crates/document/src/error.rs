@@ -68,7 +68,8 @@ impl DocumentError {
             writeln!(f, "   {}", help.in_language(language))?;
         }
         if !self.message.is_verbatim() {
-            writeln!(f, "   {}", Message::new("document-code").text("code", self.message.code.clone()))?;
+            let code = Message::new("document-code").text("code", self.message.code.clone());
+            writeln!(f, "   {}", code.in_language(language))?;
         }
         Ok(())
     }

@@ -99,18 +99,6 @@ impl<'a> Surroundings<'a> {
         self.scene.watches().iter().map(Watch::least_mm).fold(0.0, f64::max)
     }
 
-    /// Names of the two groups of a watch.
-    pub fn names(&self, watch: usize) -> (String, String) {
-        let (a, b) = self.scene.watches()[watch].groups();
-        match &self.scene.watches()[watch] {
-            Watch::Apart { .. } => (self.scene.groups()[a].name.clone(), self.scene.groups()[b].name.clone()),
-            Watch::Inside { zones, .. } => {
-                let zone = zones.first().map_or_else(String::new, |z| z.name().to_owned());
-                (self.scene.groups()[a].name.clone(), format!("permitted zone {zone}"))
-            }
-        }
-    }
-
     /// The two groups of a watch, for messages.
     pub fn bodies(&self, watch: usize) -> (Message, Message) {
         let watch = &self.scene.watches()[watch];
@@ -161,35 +149,14 @@ impl<'a> Surroundings<'a> {
 
     /// Names of the nearest solids of a watch's evaluation, as in the files.
     pub fn solids(&self, watch: usize, found: &Evaluation) -> Option<(String, String)> {
-        self.solids_as(watch, found, |_, name| name.to_owned())
-    }
-
-    /// The same for messages: solids of the job carry their group, since a job's nozzle is not a torch's.
-    pub fn solids_described(&self, watch: usize, found: &Evaluation) -> Option<(String, String)> {
-        self.solids_as(watch, found, |group, name| match group {
-            "part" | "fixtures" if name != group => format!("{name} ({group})"),
-            _ => name.to_owned(),
-        })
-    }
-
-    fn solids_as(
-        &self,
-        watch: usize,
-        found: &Evaluation,
-        word: impl Fn(&str, &str) -> String,
-    ) -> Option<(String, String)> {
         let (a, b) = self.scene.watches()[watch].groups();
         let place = found.place.as_ref()?;
-        let name = |group: usize, solid: usize| {
-            let group = &self.scene.groups()[group];
-            word(&group.name, group.solids[solid].name())
-        };
-        let first = name(a, place.solids[0]);
+        let name = |group: usize, solid: usize| self.scene.groups()[group].solids[solid].name().to_owned();
         let second = match &self.scene.watches()[watch] {
             Watch::Apart { .. } => name(b, place.solids[1]),
             Watch::Inside { zones, .. } => format!("permitted zone {}", zones[place.solids[1]].name()),
         };
-        Some((first, second))
+        Some((name(a, place.solids[0]), second))
     }
 
     /// The index and evaluation of the watch with the smallest margin (distance less its minimum) at positions `q`. A

@@ -10,7 +10,14 @@ pub struct Catalogue {
     bundle: FluentBundle<FluentResource>,
 }
 
-static CATALOGUES: LazyLock<[Catalogue; 5]> = LazyLock::new(|| Language::ALL.map(Catalogue::new));
+/// Each is parsed when it is used first: most processes speak one language.
+static CATALOGUES: [LazyLock<Catalogue>; 5] = [
+    LazyLock::new(|| Catalogue::new(Language::English)),
+    LazyLock::new(|| Catalogue::new(Language::Ukrainian)),
+    LazyLock::new(|| Catalogue::new(Language::Chinese)),
+    LazyLock::new(|| Catalogue::new(Language::German)),
+    LazyLock::new(|| Catalogue::new(Language::Russian)),
+];
 
 impl Catalogue {
     /// The catalogue of `language`.

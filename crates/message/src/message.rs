@@ -37,6 +37,11 @@ impl Message {
         self.code == "text" && self.argument("text") == Some(&Argument::Text(String::new()))
     }
 
+    /// Creates a message with the words of an error from outside.
+    pub fn outside(error: &dyn fmt::Display) -> Self {
+        Self::verbatim(error.to_string())
+    }
+
     /// Returns the words in `language`.
     pub fn in_language(&self, language: Language) -> String {
         Catalogue::of(language).text(self)
@@ -143,7 +148,7 @@ impl Default for Message {
     }
 }
 
-// Until every sentence has a code.
+// Lists of names, and words from outside.
 impl From<&str> for Message {
     fn from(text: &str) -> Self {
         Self::verbatim(text)

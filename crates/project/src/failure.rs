@@ -3,7 +3,6 @@
 use seamwright_document::DocumentError;
 use seamwright_message::{Argument, Language, Message, Unit};
 use seamwright_program::{Finding, FindingGroup, FindingPlace, Severity, group_findings};
-use std::fmt;
 use std::io::{self, Write};
 
 /// Reason why the command ends without its result, by exit code.
@@ -102,11 +101,6 @@ pub(crate) fn with_hint(message: Message, hint: Message) -> Message {
     Message::new("project-with-hint").message("message", message).message("hint", hint)
 }
 
-/// The words of an error from outside, or of a type without messages.
-pub(crate) fn foreign(error: &dyn fmt::Display) -> Message {
-    Message::verbatim(error.to_string())
-}
-
 impl From<DocumentError> for Failure {
     fn from(e: DocumentError) -> Self {
         Self::Document(Box::new(e))
@@ -118,9 +112,9 @@ impl From<io::Error> for Failure {
         match e.kind() {
             io::ErrorKind::BrokenPipe => Self::ReaderGone,
             io::ErrorKind::InvalidData => {
-                Self::Input(Message::new("project-standard-input").message("why", foreign(&e)))
+                Self::Input(Message::new("project-standard-input").message("why", Message::outside(&e)))
             }
-            _ => Self::Environment(foreign(&e)),
+            _ => Self::Environment(Message::outside(&e)),
         }
     }
 }

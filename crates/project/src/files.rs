@@ -1,6 +1,6 @@
 //! Files that the user names: read, or written whole, as [`WholeFile`] does it.
 
-use crate::failure::{Failure, foreign};
+use crate::failure::Failure;
 use crate::within::FileRefusal;
 use seamwright_message::Message;
 use seamwright_record::{ClosedFile, WholeFile};
@@ -28,7 +28,7 @@ fn unreadable(source: &str, e: &std::io::Error) -> Failure {
 /// The words of an error of the system, or of one of our own within it.
 pub(crate) fn io_error(e: &std::io::Error) -> Message {
     let own = e.get_ref().and_then(|own| own.downcast_ref::<FileRefusal>());
-    own.map_or_else(|| foreign(e), FileRefusal::message)
+    own.map_or_else(|| Message::outside(e), FileRefusal::message)
 }
 
 /// Reads a file of bytes, or standard input for `-`; `source` names it in messages.
@@ -98,9 +98,9 @@ pub(crate) fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
         PermissionDenied => Message::new("project-permission-denied"),
         NotADirectory | AlreadyExists => Message::new("project-not-a-folder"),
         IsADirectory => Message::new("project-is-a-folder"),
-        ReadOnlyFilesystem => foreign(&e.kind()),
-        InvalidInput => foreign(e),
-        kind => return Failure::Environment(message.message("why", foreign(&kind))),
+        ReadOnlyFilesystem => Message::outside(&e.kind()),
+        InvalidInput => Message::outside(e),
+        kind => return Failure::Environment(message.message("why", Message::outside(&kind))),
     };
     Failure::refused(message.message("why", why), Message::new("project-writable"))
 }

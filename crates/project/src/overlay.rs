@@ -1,9 +1,10 @@
 //! A frame as a picture that is drawn on, to PNG.
 
-use crate::failure::{Failure, foreign};
+use crate::failure::Failure;
 use glam::DVec2;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _};
+use seamwright_message::Message;
 use seamwright_vision::{Frame, Pixels};
 
 /// A colour: red, green, blue.
@@ -96,7 +97,7 @@ impl Overlay {
         let mut png = Vec::new();
         let (width, height) = (self.width as u32, self.height as u32);
         let encoded = PngEncoder::new(&mut png).write_image(&self.pixels, width, height, ExtendedColorType::Rgb8);
-        encoded.map_err(|e| Failure::Environment(foreign(&e)))?;
+        encoded.map_err(|e| Failure::Environment(Message::outside(&e)))?;
         Ok(png)
     }
 }

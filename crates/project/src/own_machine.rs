@@ -1,6 +1,6 @@
 //! The machine of a cell as it was found to be: tools that were calibrated, drives that were tuned, kept in its file.
 
-use crate::failure::{Failure, foreign};
+use crate::failure::Failure;
 use crate::files;
 use crate::load::{Loaded, machine_foreign, own_copy};
 use seamwright_machine::{Machine, shipped};
@@ -75,7 +75,7 @@ impl OwnMachine {
     }
 
     fn parsed(&self) -> Result<DocumentMut, Failure> {
-        self.text.parse().map_err(|e: TomlError| self.fault(foreign(&e)))
+        self.text.parse().map_err(|e: TomlError| self.fault(Message::outside(&e)))
     }
 
     fn fault(&self, why: Message) -> Failure {

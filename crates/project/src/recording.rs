@@ -1,7 +1,6 @@
 //! Data recorded of a weld beside its rows.
 
 use crate::Failure;
-use crate::failure::foreign;
 use crate::files;
 use crate::load::Loaded;
 use seamwright_cell::executive::Place;
@@ -73,7 +72,7 @@ fn kind(name: &str) -> Kind {
 pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, who: Who) -> Result<Plan, Failure> {
     let document = &loaded.welding.program;
     let program = &document.value;
-    let failed = |e: &dyn std::fmt::Display| Failure::Environment(foreign(e));
+    let failed = |e: &dyn std::fmt::Display| Failure::Environment(Message::outside(e));
     let text = program.to_toml().map_err(|e| failed(&e))?;
     let file = std::path::Path::new(document.file()).file_name().map(|n| n.to_string_lossy().into_owned());
     let machine = match &loaded.machine_file {

@@ -1,6 +1,5 @@
 //! Drives by pulses whose pulses go to a file.
 
-use crate::failure::foreign;
 use crate::{Failure, files};
 use rtrb::Consumer;
 use seamwright_cell::devices::{Drives, StepDrives};
@@ -55,7 +54,7 @@ impl StreamedSteps {
             if let Err(error) = write(vcd, edges, tick_ns) {
                 // The drives have noticed: their edges are not read any more.
                 let note = Message::new("project-pulses-end").text("file", path.display().to_string());
-                let note = note.message("why", foreign(&error)).to_string();
+                let note = note.message("why", Message::outside(&error)).to_string();
                 let _ = writeln!(std::io::stderr(), "{}", Message::new("project-note").text("note", note));
             }
         });

@@ -129,9 +129,8 @@ impl<'a> Carrier<'a> {
                 return None;
             }
             let nearest = self.around.nearest(&at, self.around.greatest_least_mm() + 1.0);
-            let names = nearest.map(|(watch, _)| self.around.names(watch));
-            Some(match names {
-                Some((a, b)) => Message::new("cell-too-close").text("a", a).text("b", b),
+            Some(match nearest.map(|(watch, _)| self.around.bodies(watch)) {
+                Some((a, b)) => Message::new("cell-too-close").message("a", a).message("b", b),
                 None => Message::new("cell-something-too-close"),
             })
         })

@@ -35,9 +35,8 @@ impl Sighting {
         };
         let first = stretches.into_iter().min_by(|a, b| a.from.total_cmp(&b.from));
         first.map_or((whole, None), |stretch| {
-            let (a, b) =
-                around.solids_described(stretch.watch, &stretch.nearest).unwrap_or_else(|| around.names(stretch.watch));
-            (stretch.from.max(0.0), Some(Message::new("cell-too-close").text("a", a).text("b", b)))
+            let (a, b) = around.nearest_bodies(stretch.watch, &stretch.nearest);
+            (stretch.from.max(0.0), Some(Message::new("cell-too-close").message("a", a).message("b", b)))
         })
     }
 

@@ -5,7 +5,7 @@ use crate::args::follow::{CornerArg, FollowArgs};
 use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::load;
-use crate::refusals::{in_file, not_allowed, outside, unreadable};
+use crate::refusals::{in_file, not_allowed, unreadable};
 use crate::rows::{Cell, Rows};
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -54,7 +54,7 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     };
     let failed = RefCell::new(None);
     let around = Surroundings::new(&machine, &Clamped::default())
-        .map_err(|e| Failure::input(in_file(&args.machine, outside(&e))))?;
+        .map_err(|e| Failure::input(in_file(&args.machine, Message::outside(&e))))?;
     let points = Points::open(&machine, &around, &source, input, &failed)?;
     let mut path = TaughtPath::new(&machine, points, speed, corner, tolerance);
     if path.is_empty() {

@@ -78,7 +78,7 @@ fn text(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> String {
     text
 }
 
-/// How late this part of all cycles begins at most.
+/// Maximum delay of this part of all cycles.
 fn late(part: f64, late: &str) -> Message {
     let part = Message::new("quantity").value("value", 100.0 * part, Unit::Percent).to_string();
     Message::new("cli-latency-late").text("part", format!("{part:>8}")).text("late", format!("{late:>13}"))

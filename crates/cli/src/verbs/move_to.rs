@@ -2,7 +2,7 @@ use super::positive;
 use crate::args::move_to::MoveArgs;
 use crate::failure::Failure;
 use crate::load;
-use crate::refusals::{in_file, not_allowed, outside, refused, unit_of};
+use crate::refusals::{in_file, not_allowed, refused, unit_of};
 use crate::rows::{Cell, Rows};
 use seamwright_machine::{Axis, AxisSet, Clamped, Joints, Machine, Surroundings};
 use seamwright_message::{Message, Unit};
@@ -86,7 +86,7 @@ fn allowed_positions(axis: &Axis) -> Message {
 
 /// Reports the distances; fails if something comes too near.
 fn clearance(machine: &Machine, file: &str, plan: &PointToPoint) -> Result<Message, Failure> {
-    let wrong = |e: &dyn std::fmt::Display| Failure::input(in_file(file, outside(e)));
+    let wrong = |e: &dyn std::fmt::Display| Failure::input(in_file(file, Message::outside(e)));
     let around = Surroundings::new(machine, &Clamped::default()).map_err(|e| wrong(&e))?;
     if around.is_empty() {
         return Ok(Message::new("cli-move-no-shapes"));

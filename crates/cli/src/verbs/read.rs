@@ -6,7 +6,7 @@ use crate::args::read::ReadArgs;
 use crate::failure::Failure;
 use crate::files;
 use crate::load;
-use crate::refusals::{in_file, not_json, outside, refused};
+use crate::refusals::{in_file, not_json, refused};
 use crate::rows::{print_json, print_text};
 use seamwright_document::Positive;
 use seamwright_message::{Language, Message, Unit};
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
         LevelArg::Tip => Level::Tip,
     };
     let options = ReadOptions { lenient: args.lenient, level, start: Some(start.clone()) };
-    let mut reading = read(&control, &file, &text, &options).map_err(|e| Failure::input(outside(&e)))?;
+    let mut reading = read(&control, &file, &text, &options).map_err(|e| Failure::input(Message::outside(&e)))?;
     if reading.program.title == file {
         // A text without a title has the name of its file.
         let name = args.file.file_name().unwrap_or_default();

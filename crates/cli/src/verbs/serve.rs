@@ -3,7 +3,7 @@ use crate::examples::EXAMPLES;
 use crate::failure::Failure;
 use crate::files;
 use crate::load::{load_text, machine};
-use crate::refusals::{not_json, outside, refused};
+use crate::refusals::{not_json, refused};
 use crate::rows::print_text;
 use seamwright_message::Message;
 use seamwright_server::{Error, Settings, Tls, serve};
@@ -16,7 +16,7 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
     let jobs = data.join("jobs");
     files::make_private(&jobs).map_err(|e| {
         let message = Message::new("cli-serve-data").text("folder", data.display().to_string());
-        Failure::input(message.message("why", outside(&e)))
+        Failure::input(message.message("why", Message::outside(&e)))
     })?;
     let job = match (&args.job, &args.machine) {
         (Some(job), _) => Some(taken(job, &jobs)?),

@@ -316,7 +316,9 @@ fn the_operator_is_asked_and_it_goes_on() {
     // joint.
     let mistakes = "there\n1,2\n900,0,60\n15,12,60.5,0,0,0\n1,2,nan\n";
     let (code, told, printed) = answered(&format!("{mistakes}19.5,13.9,60.5\n"));
-    for why in ["lost after ", "not three or six numbers", "farther than 15 mm", "no length", "taught.png"] {
+    for why in
+        ["lost after ", "not three or six numbers", "not within 15 mm of the nominal seam", "no length", "taught.png"]
+    {
         assert!(told.contains(why), "{why}: {told}");
     }
     assert_eq!(told.matches("allowed: X,Y,Z").count(), 5, "{told}");

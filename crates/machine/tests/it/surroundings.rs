@@ -18,7 +18,7 @@ fn shipped_machines_are_clear_at_home_and_watch_something() {
         let nearest = around.nearest(&machine.home(), 1e4);
         println!("{}: {} watches", s.name, around.scene().watches().len());
         if let Some((watch, found)) = nearest {
-            println!("   {:?}: {:.2} mm {:?}", around.names(watch), found.distance, around.solids(watch, &found));
+            println!("   {:?}: {:.2} mm {:?}", around.bodies(watch), found.distance, around.solids(watch, &found));
             assert!(around.is_clear(&machine.home()), "{}", s.name);
         } else {
             assert_eq!(s.name, "saddle-4axis");
@@ -70,7 +70,7 @@ fn distances_along_a_course_are_never_too_great() {
                 for (watch, trace) in profile.traces.iter().enumerate() {
                     let truth = distance(&machine, &around, watch, &frames);
                     let bound = trace.cells[cell].at_least_mm.min(trace.cells[neighbour].at_least_mm);
-                    assert!(bound <= truth + 1e-6, "{} {:?}: {bound} > {truth} at {at}", s.name, around.names(watch));
+                    assert!(bound <= truth + 1e-6, "{} {:?}: {bound} > {truth} at {at}", s.name, around.bodies(watch));
                 }
             }
         }

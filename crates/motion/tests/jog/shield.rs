@@ -90,7 +90,7 @@ fn nothing_comes_nearer_than_allowed_and_every_limit_holds() {
                             let between = std::array::from_fn(|i| last[i] + part * (q[i] - last[i]));
                             if let Some((watch, found)) = around.nearest(&between, 50.0) {
                                 let room = found.distance - around.scene().watches()[watch].least_mm();
-                                assert!(room >= 0.0, "{name}: {:?} {room}", around.names(watch));
+                                assert!(room >= 0.0, "{name}: {:?} {room}", around.bodies(watch));
                                 nearest = nearest.min(room);
                             }
                         }
@@ -171,7 +171,7 @@ fn halts_before_what_is_in_the_way_and_goes_back() {
     jog.command(&Command::Speeds(speeds)).unwrap();
     (0..8000).for_each(|_| _ = jog.step(&ON));
     let Some(Halt::TooNear(watch)) = jog.halt() else { panic!("{:?} {:?}", jog.halt(), jog.state().q) };
-    assert!(around.names(watch).1.contains("part") || around.names(watch).0.contains("part"));
+    assert!(format!("{:?}", around.bodies(watch)).contains("part"));
     assert!(jog.state().rests());
     let room = around.nearest(&jog.state().q, 100.0).unwrap().1.distance - 3.0;
     // Less than a period's travel at full speed.

@@ -11,7 +11,7 @@ pub use ground::Ground;
 pub use outcome::{Outcome, finding};
 pub use picture::Picture;
 
-use crate::failure::{Failure, foreign};
+use crate::failure::Failure;
 use crate::load::Loaded;
 use glam::DVec3;
 use seamwright_cell::eyes::{SeamLine, Station};
@@ -90,7 +90,7 @@ pub fn reduced(
     let like = &loaded.welding.program.value;
     let reduced = to_program((line, &torch), like, (tolerance, attitude), kind)
         .map_err(|e| Failure::Input(Message::new("project-no-taught-program").message("why", e.message())))?;
-    let written = reduced.program.to_toml().map_err(|e| Failure::Environment(foreign(&e)))?;
+    let written = reduced.program.to_toml().map_err(|e| Failure::Environment(Message::outside(&e)))?;
     Program::read(name, &written)?;
     Ok((reduced, written))
 }

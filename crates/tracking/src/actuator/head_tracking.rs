@@ -64,21 +64,6 @@ impl Cause {
             Self::Refused(Refusal::Frozen) => "tracking-sensor-frozen",
         })
     }
-
-    /// Returns the description in English.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Silent => "the sensor is silent",
-            Self::Wild => "what it sends does not agree with itself",
-            Self::Refused(Refusal::Confidence) => "its confidence is no number from 0 to 1",
-            Self::Refused(Refusal::Faint) => "it sees the joint too faintly",
-            Self::Refused(Refusal::OutOfField) => "the joint is outside of its field",
-            Self::Refused(Refusal::Clock) => "its times are wrong",
-            Self::Refused(Refusal::Late) => "what it sends comes too late",
-            Self::Refused(Refusal::Frozen) => "it sends the same again and again",
-        }
-    }
 }
 
 impl Alarm {
@@ -113,24 +98,6 @@ impl Alarm {
             Self::SlideStuck => "tracking-slide-stuck",
             Self::Misfit => "tracking-stored-deviation-misfit",
         })
-    }
-
-    /// Returns the description in English: the stable name of the alarm.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NearStroke => "correction near its end",
-            Self::AxesCarry => "beyond the beam's deflection: the axes carry the gun",
-            Self::Slowed => "slowed down for a steep deviation",
-            Self::Blind => "nothing seen by the sensor",
-            Self::Coasting => "torch beyond what was seen",
-            Self::Unknown => "torch back beyond what is remembered",
-            Self::FadingOut => "correction fades out to the taught path",
-            Self::StrokeEnd => "correction at its end: the weld misses the joint",
-            Self::Lost => "joint lost",
-            Self::SlideStuck => "slide does not go where it is ordered",
-            Self::Misfit => "the stored deviation does not fit",
-        }
     }
 }
 

@@ -9,7 +9,6 @@ use super::simulated::{Standing, UNKNOWN};
 use super::{Drives, LATE_PERIODS};
 use crate::Error;
 use crate::executive::{DriveReport, Orders, Slack};
-use crate::foreign;
 use rotor::Rotor;
 use rtrb::{Consumer, Producer, RingBuffer};
 use seamwright_machine::{Axis, Joints, Machine, Stepper, Steps};
@@ -60,13 +59,13 @@ impl StepDrives {
         for (i, (axis, home)) in machine.axes.iter().zip(machine.home()).enumerate() {
             let stepper = axis.stepper.as_ref().ok_or_else(|| bad(axis, Message::new("cell-no-stepper")))?;
             let timing =
-                Timing::new(stepper, device.tick_s(), device.period).map_err(|e| bad(axis, foreign::error(&e)))?;
+                Timing::new(stepper, device.tick_s(), device.period).map_err(|e| bad(axis, Message::outside(&e)))?;
             let stepped = stepped(axis, stepper, &timing, home)?;
             lines.push((timing, (home * stepped.steps_per_unit).round()));
             q[i] = stepped.rotor.position();
             axes.push(stepped);
         }
-        let lines = Lines::new(&lines).map_err(|(i, e)| bad(&machine.axes[i], foreign::error(&e)))?;
+        let lines = Lines::new(&lines).map_err(|(i, e)| bad(&machine.axes[i], Message::outside(&e)))?;
         Ok(Self {
             axes,
             lines,
@@ -124,7 +123,7 @@ fn stepped(axis: &Axis, stepper: &Stepper, timing: &Timing, home: f64) -> Result
     let microsteps = stepper.least_microsteps().ok_or_else(|| bad(Message::new("cell-microsteps-too-coarse")))?;
     let steps_per_unit = stepper.full_steps_per_unit() * f64::from(microsteps);
     let start = (home * steps_per_unit).round();
-    let rotor = Rotor::new(axis, stepper, microsteps, start).map_err(|e| bad(foreign::error(&e)))?;
+    let rotor = Rotor::new(axis, stepper, microsteps, start).map_err(|e| bad(Message::outside(&e)))?;
     let room = |ticks: u64| ticks as f64 / timing.spacing as f64;
     let turn = timing.period.saturating_sub(timing.width + timing.hold + timing.setup);
     Ok(Stepped {

@@ -2,13 +2,13 @@ use crate::args::bench::BenchFaultsArgs;
 use crate::failure::Failure;
 use crate::load::load_text;
 use crate::progress::Progress;
-use crate::refusals::outside;
 use crate::rows::{print_json, print_text};
 use crate::verbs::run::bad;
 use seamwright_cell::campaign::{self, Outcome, Stage, TrackedStage};
 use seamwright_cell::executive::{Place, Start};
 use seamwright_cell::tracking::{Distortion, RESERVE};
 use seamwright_cell::{Conditions, SimulatedCell};
+use seamwright_message::Message;
 use std::path::Path;
 
 const JOB: &str = include_str!("../../../../../examples/saddle.toml");
@@ -35,7 +35,7 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     let mut works = Vec::new();
     for (cell, motion) in cells.iter().zip(&motions) {
         works.push(cell.work(Start::at_home(motion)).map_err(|e| bad(&e))?);
-        works.push(cell.work(start(motion).map_err(|e| Failure::input(outside(&e)))?).map_err(|e| bad(&e))?);
+        works.push(cell.work(start(motion).map_err(|e| Failure::input(Message::outside(&e)))?).map_err(|e| bad(&e))?);
     }
     let [begin, end, tracked_begin, tracked_end] = &works[..] else { return Err(Failure::Printed) };
     let on_sensors = TrackedStage { cell: &cells[1], works: [tracked_begin, tracked_end], near_end };

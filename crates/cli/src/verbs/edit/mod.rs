@@ -6,7 +6,6 @@ mod operation;
 use crate::args::edit::{EditArgs, EditVerb};
 use crate::failure::Failure;
 use crate::files;
-use crate::refusals::outside;
 use crate::rows::{print_json, print_text};
 use seamwright_message::{Language, Message};
 use seamwright_program::Program;
@@ -37,7 +36,7 @@ fn edit(args: &EditArgs, operations: &[Operation]) -> Result<(), Failure> {
     }
     let mut editor = Editor::with_history(&name, &text, if is_same { history } else { History::default() })?;
     let reports = editor.apply_all(operations).map_err(|(i, e)| {
-        let why = outside(&e);
+        let why = Message::outside(&e);
         let of = |why| Message::new("cli-edit-of-operation").number("number", (i + 1) as f64, 0).message("why", why);
         Failure::input(if operations.len() > 1 { of(why) } else { why })
     })?;

@@ -4,7 +4,7 @@ use crate::args::machine::{PlaceArgs, PlaceMethod};
 use crate::failure::Failure;
 use crate::files;
 use crate::load::{Loaded, load, load_text};
-use crate::refusals::{between, in_file, not_allowed, outside, refused, signed};
+use crate::refusals::{between, in_file, not_allowed, refused, signed};
 use crate::rows::{print_json, print_text};
 use crate::verbs::positive;
 use glam::{DAffine3, DQuat, DVec3};
@@ -195,7 +195,8 @@ fn write_job(args: &PlaceArgs, path: &Path, transform: &Transform) -> Result<(),
         let message = Message::new("cli-place-unchangeable").text("file", args.job.display().to_string());
         Failure::input(message.message("why", why))
     };
-    let placed = offset::put_into(&files::read(&args.job)?, &args.name, transform).map_err(|e| cannot(outside(&e)))?;
+    let placed =
+        offset::put_into(&files::read(&args.job)?, &args.name, transform).map_err(|e| cannot(Message::outside(&e)))?;
     let text = placed.ok_or_else(|| cannot(Message::new("project-not-a-table").key("table", "offsets")))?;
     let folder = path.parent().unwrap_or(Path::new("."));
     load_text(&path.display().to_string(), &text, folder)?;

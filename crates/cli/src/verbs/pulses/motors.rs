@@ -1,8 +1,9 @@
 use super::Place;
 use super::stepped::{Clock, Stepped};
 use crate::failure::Failure;
-use crate::refusals::{in_file, outside};
+use crate::refusals::in_file;
 use seamwright_machine::{AxisKind, Load};
+use seamwright_message::Message;
 use seamwright_motion::pulses::{Edge, Event};
 use seamwright_servo::{StepperMotor, StepperParameters};
 use std::f64::consts::TAU;
@@ -37,7 +38,7 @@ impl Motor {
             torque: motor.torque.clone(),
         };
         let model = StepperMotor::new(&parameters)
-            .map_err(|e| Failure::input(in_file(&format!("drives.{}.stepper", axis.name), outside(&e))))?;
+            .map_err(|e| Failure::input(in_file(&format!("drives.{}.stepper", axis.name), Message::outside(&e))))?;
         Ok(Some(Self { model, positive: true, tick: 0, held: None }))
     }
 

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::planning;
-use crate::refusals::{outside, refused};
+use crate::refusals::refused;
 use crate::verbs::part;
 use desk::Desk;
 use seamwright_cell::SimulatedCell;
@@ -110,7 +110,8 @@ fn start(
         return Err(refused("--from", asked, Message::new("cli-run-nothing-left"), allowed));
     }
     let home = loaded.machine.home();
-    Start::at_place(&loaded.machine, around, motion, &home, place).map_err(|e| Failure::environment(outside(&e)))
+    Start::at_place(&loaded.machine, around, motion, &home, place)
+        .map_err(|e| Failure::environment(Message::outside(&e)))
 }
 
 /// Opens the desk, runs the cell under it, and closes it.

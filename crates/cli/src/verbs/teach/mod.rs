@@ -14,7 +14,7 @@ use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::files;
 use crate::load::load;
-use crate::refusals::{between, in_file, not_allowed, of_option, outside, refused, unreadable};
+use crate::refusals::{between, in_file, not_allowed, of_option, refused, unreadable};
 use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::teach::{JointFollower, semi_manual};
@@ -215,6 +215,7 @@ fn by_points(path: &Path, nominal: &SeamLine) -> Result<Outcome, Failure> {
         let row = row?;
         points.push(DVec3::new(row[0], row[1], row[2]));
     }
-    let smooth = semi_manual(nominal, &points, EVERY_MM).map_err(|e| Failure::input(in_file(&source, outside(&e))))?;
+    let smooth =
+        semi_manual(nominal, &points, EVERY_MM).map_err(|e| Failure::input(in_file(&source, Message::outside(&e))))?;
     Ok(Outcome { smooth, ended: "points", ..Outcome::default() })
 }
