@@ -1,4 +1,4 @@
-"""One weld cut in segments of 2, 0.5 and 0.02 mm: our law along taught points beside LinuxCNC in simulation.
+"""One weld cut in segments of 2, 0.5 and 0.02 mm: our speed profile along taught points beside LinuxCNC in simulation.
 
 The saddle of a nozzle of radius 25 on a shell of radius 60, one turn of C, the trunnion A at 20 sin(phi) degrees, 20 mm/s
 asked; both get the same axis positions and the same limits of speed and acceleration. LinuxCNC gets its trivial

@@ -43,10 +43,10 @@ fn main() {
     let (mut cursor, mut failed) = (0, 0);
     let mut near = motion.path.at(0.0);
     for k in 0..CYCLES {
-        let t = (k as f64 * PERIOD) % motion.law.duration();
+        let t = (k as f64 * PERIOD) % motion.profile.duration();
         let begin = Instant::now();
-        let law = motion.law.at(black_box(t), &mut cursor);
-        let point = motion.path.point(law.s, false);
+        let profile = motion.profile.at(black_box(t), &mut cursor);
+        let point = motion.path.point(profile.s, false);
         let mut target =
             Target { first: machine.forward_of(0, &point.q), second: Some(machine.forward_of(1, &point.q)) };
         // Correction of the torch by a seam tracker.
@@ -56,8 +56,8 @@ fn main() {
             Err(_) => failed += 1,
         }
         for (i, axis) in loops.iter_mut().enumerate() {
-            let velocity = point.d1[i] * law.v;
-            let acceleration = point.d2[i] * law.v * law.v + point.d1[i] * law.a;
+            let velocity = point.d1[i] * profile.v;
+            let acceleration = point.d2[i] * profile.v * profile.v + point.d1[i] * profile.a;
             let set = SetPoint { position: near[i], velocity, acceleration };
             black_box(axis.update(set, near[i] - 1e-3));
         }

@@ -2,8 +2,8 @@
 //! `cargo run --release -p seamwright-cell --example joint_gates FRAMES FIRST_SEED`.
 
 #![allow(missing_docs)]
-use seamwright_cell::eyes::gates::{follow, joint_gates};
-use seamwright_cell::eyes::scene::{Kind, scene};
+use seamwright_cell::camera_simulator::gates::{follow, joint_gates};
+use seamwright_cell::camera_simulator::scene::{Kind, scene};
 use seamwright_cell::gate::Limit;
 use seamwright_vision::joint::{End, Follower, Options};
 use std::ops::Range;

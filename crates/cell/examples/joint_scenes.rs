@@ -2,7 +2,7 @@
 //! `cargo run --release -p seamwright-cell --example joint_scenes DIRECTORY FRAMES`.
 
 #![allow(missing_docs)]
-use seamwright_cell::eyes::scene::{Kind, scene};
+use seamwright_cell::camera_simulator::scene::{Kind, scene};
 use seamwright_vision::Image;
 use seamwright_vision::joint::{CONFIDENT, Follower, Options, State};
 use seamwright_vision::region_growing::grow;

@@ -2,7 +2,7 @@
 //! `cargo run --release -p seamwright-cell --example stripe_gates CASES FIRST_SEED [KIND LEVEL]`.
 
 #![allow(missing_docs)]
-use seamwright_cell::eyes::stripe::{
+use seamwright_cell::camera_simulator::stripe::{
     Section, StripeDisturbances, confident_nowhere, stripe_gates, stripe_scene, stripe_task,
 };
 use seamwright_cell::gate::Limit;

@@ -26,13 +26,13 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
-pub mod campaign;
+pub mod camera_simulator;
 pub mod devices;
 mod disturbance;
 mod drives;
 mod error;
 pub mod executive;
-pub mod eyes;
+pub mod fault_injection;
 pub mod frames;
 pub mod gate;
 pub mod realtime;

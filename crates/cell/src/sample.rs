@@ -1,7 +1,7 @@
 use crate::executive::{Mode, VALUES};
 use crate::tracking::HeadSample;
 use seamwright_machine::Joints;
-use seamwright_motion::{LawPoint, Phase, SetPoint};
+use seamwright_motion::{Phase, ProfilePoint, SetPoint};
 
 /// State of the simulated cell at one servo period; mm, rad, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,11 +37,11 @@ pub struct Sample {
 impl Sample {
     /// A sample outside of all passes: NaN along the seam, zero elsewhere.
     pub(crate) fn nowhere() -> Self {
-        let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
+        let profile = ProfilePoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
         let none = Joints::default();
         Self {
             pass: 0,
-            set: SetPoint { t: 0.0, phase: Phase::Air, law, q: none },
+            set: SetPoint { t: 0.0, phase: Phase::Transfer, profile, q: none },
             q: none,
             following_error: none,
             current: none,

@@ -183,8 +183,8 @@ pub(crate) struct Tally {
 impl Tally {
     pub(crate) fn new(machine: &Machine, motion: &PassMotion) -> Self {
         let axes = machine.axes.len();
-        let settled = |s: f64| motion.law.at(motion.law.time(s) + SETTLING_S, &mut 0).s;
-        let steady = motion.law.legs();
+        let settled = |s: f64| motion.profile.at(motion.profile.time(s) + SETTLING_S, &mut 0).s;
+        let steady = motion.profile.legs();
         let steady = steady.iter().map(|leg| (settled(leg.run_up_end), leg.run_down_start));
         Self {
             path_error: Gather::new(),
@@ -209,10 +209,10 @@ impl Tally {
         for (periods, is) in self.periods.iter_mut().zip([true, sample.travels(), sample.arc()]) {
             *periods += u64::from(is);
         }
-        let s = sample.set.law.s;
+        let s = sample.set.profile.s;
         if sample.travels() {
             self.path_error.add(sample.path_error);
-            self.worst = greater(self.worst, (sample.path_error, sample.set.law.s));
+            self.worst = greater(self.worst, (sample.path_error, sample.set.profile.s));
             self.attitude.add(sample.attitude_error.to_degrees());
         }
         if sample.travels() && self.steady.iter().any(|(from, to)| s > *from && s < *to) {
@@ -220,7 +220,7 @@ impl Tally {
             self.tip_speed.add(sample.tip_speed);
             self.deviation.add(sample.tip_speed - asked);
             let deviation = (sample.tip_speed - asked).abs() / asked;
-            self.ripple = greater(self.ripple, (deviation, sample.set.law.s));
+            self.ripple = greater(self.ripple, (deviation, sample.set.profile.s));
         }
         for i in 0..self.position.len() {
             self.position[i].add(sample.q[i]);

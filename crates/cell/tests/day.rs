@@ -66,9 +66,9 @@ impl Port for Shift<'_> {
         let sample = self.judge.sample(cycle);
         if sample.arc() && sample.pass > 0 {
             self.begun.get_or_insert(cycle.t);
-            self.now.end_mm = sample.set.law.s;
+            self.now.end_mm = sample.set.profile.s;
             self.now.took_s = cycle.t - self.begun.unwrap();
-            if let Some(head) = sample.heads[0].filter(|_| sample.set.law.s > 10.0) {
+            if let Some(head) = sample.heads[0].filter(|_| sample.set.profile.s > 10.0) {
                 self.now.miss_mm = self.now.miss_mm.max(head.miss.length());
             }
         } else if cycle.mode == Mode::Ready && self.begun.take().is_some() {

@@ -6,8 +6,8 @@ use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, Simu
 use seamwright_cell::executive::{Ask, Command, Cycle, Executive, Interlocks, Mode, Note, Port, Start, Work};
 use seamwright_machine::{Clamped, Joints, MAX_AXES, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
+use seamwright_motion::feed_override::RunPhase;
 use seamwright_motion::jog;
-use seamwright_motion::pace::RunPhase;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_weld::Welding;
 

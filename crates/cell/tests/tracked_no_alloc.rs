@@ -7,7 +7,7 @@ use seamwright_cell::tracking::{Distortion, RESERVE};
 use seamwright_cell::{Conditions, SimulatedCell};
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
-use seamwright_motion::pace::RunPhase;
+use seamwright_motion::feed_override::RunPhase;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_weld::Welding;
 

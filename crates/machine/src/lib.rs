@@ -26,11 +26,11 @@ mod axis;
 mod cell;
 mod chain;
 pub mod check;
+mod collision_monitor;
 mod devices;
 mod file;
 mod head;
 mod inverse;
-mod keeper;
 mod links;
 mod machine;
 mod pair;
@@ -47,6 +47,7 @@ pub use axis::{
 };
 pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
+pub use collision_monitor::CollisionMonitor;
 pub use devices::{
     BitFile, DeviceFile, LinuxCnc, LinuxCncFile, MachineDevices, ModbusDevice, ModbusFile, NumberFile, NumberType,
     OutputsFile, Place, Register, ReportsFile, Role, Scaled, Steps, StepsFile, Table, Word, WordOrder,
@@ -57,7 +58,6 @@ pub use file::{
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, PairFault, Solution, Unreachable};
-pub use keeper::Keeper;
 pub use links::{LinkFrames, LinkJoint, Links, MAX_LINKS, NamedFrame};
 pub use machine::{BeamDeflection, Machine, Target};
 pub use pitch_error::PitchError;

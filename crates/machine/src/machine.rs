@@ -1,5 +1,5 @@
+use crate::collision_monitor::{Lever, travel};
 use crate::inverse::{self, Branches, Inverse, PairFault, Solution, Unreachable, Which};
-use crate::keeper::{Lever, travel};
 use crate::pair::Pair;
 use crate::surroundings::PITCH;
 use crate::{

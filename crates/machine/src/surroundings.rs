@@ -1,6 +1,6 @@
 //! Machine, part and fixtures as one scene that moves with the axes.
 
-use crate::keeper::{Lever, travel};
+use crate::collision_monitor::{Lever, travel};
 use crate::{Axis, AxisKind, Joints, LinkFrames, MAX_AXES, Machine, ZoneKind};
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};

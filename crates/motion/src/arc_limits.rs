@@ -1,9 +1,9 @@
 //! Requirements of the process on the motion while the arc is on: no stop, no speed below the procedure's minimum.
 
 use crate::corners::Left;
-use crate::law::{Bound, Interval};
 use crate::limits::Binding;
 use crate::planned::Planned;
+use crate::speed_profile::{Bound, Interval};
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{AtCorner, Finding, Pass};
@@ -56,7 +56,7 @@ pub(crate) fn least_speed_findings(planned: Planned, pass: &Pass, number: usize)
     let Some(least) = pass.least_speed_mm_s else { return Vec::new() };
     let least = least.get();
     let length = planned.joints.length();
-    let band = planned.law.report();
+    let band = planned.profile.report();
     let (up, down) = (band.run_up_end, band.run_down_start);
     let at_up = planned.tip_speed_at(up);
     if up >= down && too_slow(at_up, least) {
@@ -79,8 +79,8 @@ fn too_slow(v: f64, least: f64) -> bool {
 fn slow_between(planned: Planned, (up, down): (f64, f64), least: f64) -> Vec<Slow> {
     let mut all: Vec<Slow> = Vec::new();
     let (mut open, mut before) = (false, up);
-    for cell in 0..planned.law.cells() {
-        let points = [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| planned.law.in_cell(cell, part));
+    for cell in 0..planned.profile.cells() {
+        let points = [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| planned.profile.in_cell(cell, part));
         let between = points[0].s >= up && points[4].s <= down;
         for p in points {
             let v = planned.tip_speed(p);

@@ -8,8 +8,8 @@
 
 use crate::JointPath;
 use crate::follower::Follower;
-use crate::law::{Channels, Limits};
 use crate::pass_channels::PassChannels;
+use crate::speed_profile::{Channels, Limits};
 use crate::taught::Piece;
 use glam::DVec3;
 use seamwright_geometry::Pose;

@@ -1,9 +1,9 @@
 //! Findings for stretches of a path on which the axes do not allow the requested speed.
 
-use crate::law::{Bound, Certificate, Interval, Leg, SpeedLaw};
 use crate::limit_kind::LimitKind;
 use crate::pass_channels::PassChannels;
 use crate::planned::{Band, Planned};
+use crate::speed_profile::{Bound, Certificate, Interval, Leg, SpeedProfile};
 use seamwright_machine::{AxisKind, Machine, TipLimits};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass};
@@ -230,9 +230,9 @@ fn keepable(planned: Planned, pass: &Pass, slow: &[SlowRun]) -> Option<Keepable>
     };
     let keeps = |part: &f64| {
         let channels = PassChannels::new(planned.machine, planned.joints, pass, *part);
-        let Ok(law) = SpeedLaw::new(&channels) else { return false };
-        let certificate = Certificate::new(&channels, &law);
-        let lower = Planned { law: &law, certificate: &certificate, legs: &law.legs(), ..planned };
+        let Ok(profile) = SpeedProfile::new(&channels) else { return false };
+        let certificate = Certificate::new(&channels, &profile);
+        let lower = Planned { profile: &profile, certificate: &certificate, legs: &profile.legs(), ..planned };
         slow_runs(lower, pass, *part).is_empty()
     };
     let part = LOWER.iter().map(|lower| rounded(lower * most)).find(keeps)?;

@@ -1,5 +1,5 @@
 use crate::JointPath;
-use crate::law::{Bend, Channels, Limits};
+use crate::speed_profile::{Bend, Channels, Limits};
 use crate::tip_channels::TipChannels;
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine};

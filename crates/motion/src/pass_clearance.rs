@@ -1,5 +1,5 @@
 use crate::JointPath;
-use crate::air::too_near;
+use crate::transfer::too_near;
 use seamwright_clearance::Limits;
 use seamwright_machine::Surroundings;
 use seamwright_message::Message;

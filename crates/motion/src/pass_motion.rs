@@ -2,19 +2,19 @@ use crate::arc_limits::{least_speed_findings, stop_findings};
 use crate::corners::rounded;
 use crate::cures::Trial;
 use crate::effort::{Effort, SearchStage};
+use crate::feed_override::PassTimed;
 use crate::follower::Follower;
-use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
-use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
 use crate::pass_time::{too_long, travels_too_long};
 use crate::planned::Planned;
 use crate::redundancy::{Aim, AllowedPositions, Clearance, FreeAxes, hold_finding, holding, resolve_within};
 use crate::set_points::SetPoints;
 use crate::singular;
+use crate::speed_profile::{Certificate, SpeedProfileError};
 use crate::survey::{Survey, range_between, range_on_path, survey};
 use crate::weave_limits::Woven;
-use crate::{JointPath, LawPoint, SpeedLaw};
+use crate::{JointPath, ProfilePoint, SpeedProfile};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_message::Message;
 use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
@@ -29,7 +29,7 @@ pub struct PassMotion {
     /// The axes' positions by path length.
     pub path: JointPath,
     /// The speed profile along it.
-    pub law: SpeedLaw,
+    pub profile: SpeedProfile,
     /// Reached speeds and binding limits of the profile; channels are the machine's axes.
     pub certificate: Certificate,
     /// Times before and after the travel.
@@ -149,17 +149,17 @@ impl PassMotion {
         findings.extend(notes);
         let asked = |s: f64| pass.speed_at(s);
         let channels = PassChannels::new(machine, &joints, pass, 1.0);
-        let law = match SpeedLaw::new(&channels) {
-            Ok(law) => law,
+        let profile = match SpeedProfile::new(&channels) {
+            Ok(profile) => profile,
             Err(error) => {
-                findings.push(no_law(machine, path.length(), error, number));
+                findings.push(no_profile(machine, path.length(), error, number));
                 return Err(findings);
             }
         };
-        findings.extend(travels_too_long(&law, path.length(), number));
-        let certificate = Certificate::new(&channels, &law);
-        let legs = law.legs();
-        let planned = Planned { machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };
+        findings.extend(travels_too_long(&profile, path.length(), number));
+        let certificate = Certificate::new(&channels, &profile);
+        let legs = profile.legs();
+        let planned = Planned { machine, joints: &joints, profile: &profile, certificate: &certificate, legs: &legs };
         findings.extend(speed_findings(planned, pass, number));
         woven.iter().for_each(|woven| woven.explain(&mut findings));
         findings.extend(stop_findings(machine, &left, pass, number));
@@ -173,7 +173,7 @@ impl PassMotion {
         }
         Ok(Self {
             path: joints,
-            law,
+            profile,
             certificate,
             sequence: pass.sequence.clone(),
             arc: pass.has_arc(),
@@ -189,7 +189,7 @@ impl PassMotion {
 
     /// Time from the first to the last set-point, s.
     pub fn total_s(&self) -> f64 {
-        self.before_s() + self.law.duration() + self.sequence.crater_s.get() + self.sequence.postflow_s.get()
+        self.before_s() + self.profile.duration() + self.sequence.crater_s.get() + self.sequence.postflow_s.get()
     }
 
     /// Time the arc (or beam) is on, s.
@@ -197,12 +197,12 @@ impl PassMotion {
         if !self.arc {
             return 0.0;
         }
-        self.sequence.travel_delay_s.get() + self.law.duration() + self.sequence.crater_s.get()
+        self.sequence.travel_delay_s.get() + self.profile.duration() + self.sequence.crater_s.get()
     }
 
     /// Speed of the torch tip of `machine`, whose motion this is, at the point `p` of the profile, mm/s: that of the
     /// path length, except beside the seam and in blends.
-    pub fn tip_speed(&self, machine: &Machine, p: LawPoint) -> f64 {
+    pub fn tip_speed(&self, machine: &Machine, p: ProfilePoint) -> f64 {
         p.v * self.path.tip_rate(machine, p.s)
     }
 
@@ -210,7 +210,7 @@ impl PassMotion {
     /// deceleration phase, mm/s; if these meet, the speed at their border.
     pub fn tip_band(&self, machine: &Machine) -> (f64, f64) {
         self.certificate.band().unwrap_or_else(|| {
-            let band = self.law.report();
+            let band = self.profile.report();
             let rate = self.path.speed_rate(machine, band.run_up_end);
             (rate * band.least, rate * band.greatest)
         })
@@ -218,7 +218,7 @@ impl PassMotion {
 
     /// The motion of `machine` in time, to be played with a feed override.
     pub fn timed<'a>(&'a self, machine: &'a Machine) -> PassTimed<'a> {
-        PassTimed::new(machine, &self.path, &self.law)
+        PassTimed::new(machine, &self.path, &self.profile)
     }
 
     /// Plans the profile along the same path for `factor` times the speeds of `pass`, slower where `machine` cannot
@@ -226,8 +226,8 @@ impl PassMotion {
     ///
     /// # Errors
     /// A factor that is not finite and above zero; no others, since the path already has a profile.
-    pub fn faster(&self, machine: &Machine, pass: &Pass, factor: f64) -> Result<SpeedLaw, LawError> {
-        SpeedLaw::new(&PassChannels::new(machine, &self.path, pass, factor))
+    pub fn faster(&self, machine: &Machine, pass: &Pass, factor: f64) -> Result<SpeedProfile, SpeedProfileError> {
+        SpeedProfile::new(&PassChannels::new(machine, &self.path, pass, factor))
     }
 
     /// Times since arc start and until arc end, s, at `t` s after the first set-point.
@@ -317,9 +317,9 @@ fn least_rate(path: &dyn TorchPath) -> f64 {
     places.map(|s| path.rate(s)).fold(f64::INFINITY, f64::min)
 }
 
-fn no_law(machine: &Machine, length: f64, error: LawError, pass: usize) -> Finding {
+fn no_profile(machine: &Machine, length: f64, error: SpeedProfileError, pass: usize) -> Finding {
     let (from_mm, to_mm) = match error {
-        LawError::NotSmooth { at, .. } | LawError::Asked { at, .. } => (at, at),
+        SpeedProfileError::NotSmooth { at, .. } | SpeedProfileError::Asked { at, .. } => (at, at),
         _ => (0.0, length),
     };
     Finding {

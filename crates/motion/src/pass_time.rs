@@ -1,7 +1,7 @@
 //! Limits of the time of a pass: set-points, blocks and rows of longer ones would exceed memory and acceptable run
 //! time.
 
-use crate::SpeedLaw;
+use crate::SpeedProfile;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Pass};
 
@@ -45,8 +45,8 @@ pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
 }
 
 /// Reports a travel of a pass, `length` mm long, that takes more than [`MAX_PASS_S`] within the limits of the axes.
-pub(crate) fn travels_too_long(law: &SpeedLaw, length: f64, pass: usize) -> Option<Finding> {
-    let travel = law.duration();
+pub(crate) fn travels_too_long(profile: &SpeedProfile, length: f64, pass: usize) -> Option<Finding> {
+    let travel = profile.duration();
     is_too_long(travel).then(|| Finding {
         kind: "time",
         message: at_most(Message::new("motion-travel-too-long-axes").quantity("time", travel, Unit::S, 0)),

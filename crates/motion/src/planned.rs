@@ -1,5 +1,5 @@
-use crate::law::{Certificate, Leg};
-use crate::{JointPath, LawPoint, SpeedLaw};
+use crate::speed_profile::{Certificate, Leg};
+use crate::{JointPath, ProfilePoint, SpeedProfile};
 use seamwright_machine::Machine;
 
 /// A speed profile along the path of a machine's axes, with its certificate: the input of findings.
@@ -7,28 +7,28 @@ use seamwright_machine::Machine;
 pub(crate) struct Planned<'a> {
     pub(crate) machine: &'a Machine,
     pub(crate) joints: &'a JointPath,
-    pub(crate) law: &'a SpeedLaw,
+    pub(crate) profile: &'a SpeedProfile,
     pub(crate) certificate: &'a Certificate,
     pub(crate) legs: &'a [Leg],
 }
 
 impl Planned<'_> {
     /// Speed to compare with the requested one at the point `p` of the profile, mm/s: that of the tip.
-    pub(crate) fn tip_speed(&self, p: LawPoint) -> f64 {
+    pub(crate) fn tip_speed(&self, p: ProfilePoint) -> f64 {
         p.v * self.joints.speed_rate(self.machine, p.s)
     }
 
     /// Speed of the tip at path length `s`, mm/s.
     pub(crate) fn tip_speed_at(&self, s: f64) -> f64 {
-        self.law.speed(s) * self.joints.speed_rate(self.machine, s)
+        self.profile.speed(s) * self.joints.speed_rate(self.machine, s)
     }
 
     /// Range of the tip speed between two path lengths, from samples of the profile's cells there; none without cells.
     pub(crate) fn tip_band(&self, (from, to): (f64, f64), asked: &dyn Fn(f64) -> f64) -> Option<Band> {
-        let at = |cell: usize, part: f64| self.law.in_cell(cell, part).s;
-        let first = first_where(self.law.cells(), |cell| at(cell, 1.0) >= from);
-        let cells = (first..self.law.cells()).take_while(|cell| at(*cell, 0.0) <= to);
-        let points = cells.flat_map(|cell| [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| self.law.in_cell(cell, part)));
+        let at = |cell: usize, part: f64| self.profile.in_cell(cell, part).s;
+        let first = first_where(self.profile.cells(), |cell| at(cell, 1.0) >= from);
+        let cells = (first..self.profile.cells()).take_while(|cell| at(*cell, 0.0) <= to);
+        let points = cells.flat_map(|cell| [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| self.profile.in_cell(cell, part)));
         let inside = points.filter(|p| p.s >= from && p.s <= to).map(|p| (self.tip_speed(p), p.s));
         inside.fold(None, |band: Option<Band>, (v, s)| {
             let here = Band { least: (v, s), greatest: v, reached: (v / asked(s), s) };

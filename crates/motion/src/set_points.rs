@@ -1,4 +1,4 @@
-use crate::{JointPoint, LawPoint, PassMotion};
+use crate::{JointPoint, PassMotion, ProfilePoint};
 use seamwright_machine::Joints;
 
 /// Phase of the process at an instant.
@@ -15,7 +15,7 @@ pub enum Phase {
     /// The arc is off, gas still flows.
     Postflow,
     /// Transfer move: arc and gas are off, the torch moves from one weld to the next.
-    Air,
+    Transfer,
 }
 
 impl Phase {
@@ -33,7 +33,7 @@ pub struct SetPoint {
     /// Phase of the process.
     pub phase: Phase,
     /// Path length, speed and acceleration along the path.
-    pub law: LawPoint,
+    pub profile: ProfilePoint,
     /// Positions, mm or rad.
     pub q: Joints,
 }
@@ -57,23 +57,23 @@ impl<'a> SetPoints<'a> {
     }
 
     /// Profile point and phase at time `t` from the first set-point.
-    fn instant(&mut self, t: f64) -> (Phase, LawPoint) {
+    fn instant(&mut self, t: f64) -> (Phase, ProfilePoint) {
         let m = self.motion;
         let travel = t - m.before_s();
-        let law = m.law.at(travel, &mut self.cursor);
-        let after = travel - m.law.duration();
+        let profile = m.profile.at(travel, &mut self.cursor);
+        let after = travel - m.profile.duration();
         let phase = if t < m.sequence.preflow_s.get() {
             Phase::Preflow
         } else if travel < 0.0 {
             if m.arc { Phase::TravelDelay } else { Phase::Preflow }
         } else if after < 0.0 {
-            if m.arc { Phase::Travel } else { Phase::Air }
+            if m.arc { Phase::Travel } else { Phase::Transfer }
         } else if after < m.sequence.crater_s.get() {
             Phase::Crater
         } else {
             Phase::Postflow
         };
-        if travel < 0.0 { (phase, LawPoint::default()) } else { (phase, law) }
+        if travel < 0.0 { (phase, ProfilePoint::default()) } else { (phase, profile) }
     }
 }
 
@@ -86,8 +86,8 @@ impl Iterator for SetPoints<'_> {
         }
         let t = self.next as f64 * self.period;
         self.next += 1;
-        let (phase, law) = self.instant(t);
-        Some(SetPoint { t, phase, law, q: self.motion.path.at(law.s) })
+        let (phase, profile) = self.instant(t);
+        Some(SetPoint { t, phase, profile, q: self.motion.path.at(profile.s) })
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
@@ -99,8 +99,8 @@ impl Iterator for SetPoints<'_> {
 impl SetPoint {
     /// Speeds and accelerations of the axes, mm or rad per s and s^2.
     pub fn rates(&self, motion: &PassMotion) -> (Joints, Joints) {
-        let JointPoint { d1, d2, .. } = motion.path.point(self.law.s, false);
-        let (v, a) = (self.law.v, self.law.a);
+        let JointPoint { d1, d2, .. } = motion.path.point(self.profile.s, false);
+        let (v, a) = (self.profile.v, self.profile.a);
         (std::array::from_fn(|i| d1[i] * v), std::array::from_fn(|i| d2[i] * v * v + d1[i] * a))
     }
 }

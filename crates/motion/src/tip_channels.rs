@@ -1,6 +1,6 @@
 //! Limits of the torch tip as channels of a speed profile.
 
-use crate::law::Limits;
+use crate::speed_profile::Limits;
 use glam::DVec3;
 use seamwright_machine::{Machine, TipLimits};
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};

@@ -22,7 +22,7 @@ impl PassMotion {
 impl TipPath<'_> {
     /// Travel by `s` of the line along which look-ahead distance and lag are measured: 1, or that of the tip with a
     /// weave.
-    pub fn pace(&self, s: f64) -> f64 {
+    pub fn tip_rate(&self, s: f64) -> f64 {
         if self.joints.is_woven() { self.tip(s).1.length() } else { 1.0 }
     }
 

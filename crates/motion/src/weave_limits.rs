@@ -7,10 +7,10 @@
 use crate::JointPath;
 use crate::effort::Effort;
 use crate::follower::Follower;
-use crate::law::{Bound, Certificate, Channels, Limits, SpeedLaw};
 use crate::limits::{Binding, keeps_speed};
 use crate::pass_channels::PassChannels;
 use crate::planned::Planned;
+use crate::speed_profile::{Bound, Certificate, Channels, Limits, SpeedProfile};
 use seamwright_machine::Joints;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass};
@@ -227,10 +227,15 @@ impl<'a> Woven<'a> {
         let follower = Follower { path: &*slower, ..self.follower };
         let Ok(joints) = JointPath::new(follower, self.start) else { return false };
         let channels = PassChannels::new(follower.machine, &joints, self.pass, 1.0);
-        let Ok(law) = SpeedLaw::new(&channels) else { return false };
-        let (certificate, legs) = (Certificate::new(&channels, &law), law.legs());
-        let planned =
-            Planned { machine: follower.machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };
+        let Ok(profile) = SpeedProfile::new(&channels) else { return false };
+        let (certificate, legs) = (Certificate::new(&channels, &profile), profile.legs());
+        let planned = Planned {
+            machine: follower.machine,
+            joints: &joints,
+            profile: &profile,
+            certificate: &certificate,
+            legs: &legs,
+        };
         keeps_speed(planned, self.pass)
     }
 }

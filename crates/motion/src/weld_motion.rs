@@ -1,4 +1,3 @@
-use crate::air::{AirMove, Blocked, Leg, MoveEnd, route_within};
 use crate::cures::Trial;
 use crate::effort::{Effort, Watch};
 use crate::pass_clearance::{PassClearance, pass_clearance};
@@ -6,7 +5,8 @@ use crate::pass_motion::Before;
 use crate::pass_time::{MAX_PASS_S, at_most};
 use crate::procedure::PassProcedure;
 use crate::redundancy::{Clearance, holding};
-use crate::{LawPoint, PassMotion, Phase, SetPoint};
+use crate::transfer::{Blocked, Leg, MoveEnd, TransferMove, route_within};
+use crate::{PassMotion, Phase, ProfilePoint, SetPoint};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
 use seamwright_message::{Message, Unit};
@@ -22,7 +22,7 @@ pub struct WeldMotion {
     /// Clearance along each pass; none if the machine file has no shapes.
     pub clearance: Vec<Option<PassClearance>>,
     /// Transfer moves, one more than passes: from home to the first, from each to the next, from the last back home.
-    pub air: Vec<AirMove>,
+    pub transfers: Vec<TransferMove>,
     /// Comparison of each pass with the welding procedure specification, if any.
     pub procedure: Vec<PassProcedure>,
     /// Notes on a feasible weld.
@@ -73,7 +73,7 @@ impl WeldMotion {
         let mut planned = Self {
             passes: Vec::new(),
             clearance: Vec::new(),
-            air: Vec::new(),
+            transfers: Vec::new(),
             procedure: Vec::new(),
             findings: Vec::new(),
         };
@@ -96,7 +96,7 @@ impl WeldMotion {
             planned.passes.push(motion);
             planned.clearance.push(clearance);
         }
-        let air = Air { machine, around, retract_mm, effort: &effort };
+        let settings = TransferSettings { machine, around, retract_mm, effort: &effort };
         if around.is_empty() {
             planned.findings.push(unchecked(machine));
         }
@@ -115,7 +115,7 @@ impl WeldMotion {
             })
             .collect();
         for i in 0..=passes.len() {
-            planned.air_move(&air, i, &ends);
+            planned.transfer_move(&settings, i, &ends);
             effort.check(i.max(1), passes.get(i.saturating_sub(1)).map_or(0.0, |(path, _)| path.length()))?;
         }
         if planned.findings.iter().any(|f| !f.allowed) { Err(planned.findings) } else { Ok(planned) }
@@ -134,7 +134,7 @@ impl WeldMotion {
     }
 
     /// Adds the transfer move before pass `i`, counted from 0, or home after the last.
-    fn air_move(&mut self, air: &Air, i: usize, ends: &[PassEnd]) {
+    fn transfer_move(&mut self, settings: &TransferSettings, i: usize, ends: &[PassEnd]) {
         let before = i.checked_sub(1).map(|k| &self.passes[k].path);
         let after = self.passes.get(i).map(|p| &p.path);
         let end = before.map(|p| PassEnd { q: p.at(p.length()), ..ends[i - 1] });
@@ -145,7 +145,7 @@ impl WeldMotion {
             && is_same(&end.q, &start.q)
         {
             // The second pass continues from the end of the first.
-            self.air.push(AirMove::new(air.machine, &[start.q]));
+            self.transfers.push(TransferMove::new(settings.machine, &[start.q]));
             return;
         }
         let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, super::joint_path::JointPath::length)) };
@@ -153,13 +153,13 @@ impl WeldMotion {
             let cure = Some(Message::new(cure));
             Finding { kind, message, pass, from_mm: s, to_mm: s, cure, allowed }
         };
-        let transfer = match i {
+        let name = match i {
             0 => Message::new("motion-transfer-from-home"),
             _ if start.is_none() => Message::new("motion-transfer-home"),
             _ => Message::new("motion-transfer-between").pass("from", i).pass("to", i + 1),
         };
-        let about = |code| Message::new(code).message("move", transfer.clone());
-        match air.way(end, start) {
+        let about = |code| Message::new(code).message("move", name.clone());
+        match settings.way(end, start) {
             Ok((planned, _)) if planned.duration() > MAX_PASS_S => {
                 let message = about("motion-transfer-too-long").quantity("time", planned.duration(), Unit::S, 0);
                 self.findings.push(finding("air", at_most(message), "motion-cure-transfer-too-long", false));
@@ -169,7 +169,7 @@ impl WeldMotion {
                     let message = match back {
                         Some(mm) => about("motion-retract-short").quantity("distance", mm, Unit::Mm, 1).value(
                             "asked",
-                            air.retract_mm,
+                            settings.retract_mm,
                             Unit::Mm,
                         ),
                         None => about("motion-retract-none"),
@@ -177,13 +177,13 @@ impl WeldMotion {
                     self.findings.push(finding("retract", message, "motion-cure-retract", true));
                 }
                 if let (Some(from), Some(to)) = (&end, &start) {
-                    for (axis, by) in unwound(air.machine, &from.q, &to.q) {
+                    for (axis, by) in unwound(settings.machine, &from.q, &to.q) {
                         let message =
                             about("motion-unwind").axis("axis", axis).quantity("by", by.to_degrees(), Unit::Deg, 1);
                         self.findings.push(Finding::note("unwind", message, pass, (s, s)));
                     }
                 }
-                self.air.push(planned);
+                self.transfers.push(planned);
             }
             Err(blocked) => {
                 let message = about("motion-transfer-blocked").message("reason", blocked.message());
@@ -197,8 +197,8 @@ impl WeldMotion {
         let last = self.passes.len();
         (0..=last).flat_map(move |i| {
             let played = home || (i > 0 && i < last);
-            let air = self.air.get(i).filter(|_| played).map(Stage::Air);
-            air.into_iter().chain(self.passes.get(i).map(|p| Stage::Pass(i, p)))
+            let transfer = self.transfers.get(i).filter(|_| played).map(Stage::Transfer);
+            transfer.into_iter().chain(self.passes.get(i).map(|p| Stage::Pass(i, p)))
         })
     }
 
@@ -231,7 +231,7 @@ impl WeldMotion {
     /// transfer moves.
     pub fn tip_speed(&self, machine: &Machine, pass: usize, set: &SetPoint) -> f64 {
         let planned = pass.checked_sub(1).and_then(|i| self.passes.get(i));
-        planned.map_or(f64::NAN, |planned| planned.tip_speed(machine, set.law))
+        planned.map_or(f64::NAN, |planned| planned.tip_speed(machine, set.profile))
     }
 
     /// Time from home to home, s.
@@ -241,7 +241,7 @@ impl WeldMotion {
 
     /// Time of the transfer moves, s.
     pub fn air_s(&self) -> f64 {
-        self.air.iter().map(AirMove::duration).sum()
+        self.transfers.iter().map(TransferMove::duration).sum()
     }
 }
 
@@ -251,7 +251,7 @@ pub enum Stage<'a> {
     /// A pass, counted from 0.
     Pass(usize, &'a PassMotion),
     /// A transfer move.
-    Air(&'a AirMove),
+    Transfer(&'a TransferMove),
 }
 
 impl Stage<'_> {
@@ -259,7 +259,7 @@ impl Stage<'_> {
     pub fn count(&self, period: f64) -> u64 {
         match self {
             Self::Pass(_, motion) => motion.set_points(period).size_hint().0 as u64,
-            Self::Air(air) => air.count(period),
+            Self::Transfer(transfer) => transfer.count(period),
         }
     }
 
@@ -280,11 +280,11 @@ impl Stage<'_> {
                     each(i + 1, SetPoint { t: at(k), ..set }, set.rates(motion))?;
                 }
             }
-            Self::Air(air) => {
-                for k in 0..air.count(period) {
-                    let Some((leg, t)) = air.leg(k as f64 * period) else { break };
-                    let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
-                    let set = SetPoint { t: at(k), phase: Phase::Air, law, q: leg.at_time(t) };
+            Self::Transfer(transfer) => {
+                for k in 0..transfer.count(period) {
+                    let Some((leg, t)) = transfer.leg(k as f64 * period) else { break };
+                    let profile = ProfilePoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
+                    let set = SetPoint { t: at(k), phase: Phase::Transfer, profile, q: leg.at_time(t) };
                     each(0, set, leg.rates(t))?;
                 }
             }
@@ -372,17 +372,17 @@ struct PassEnd<'a> {
 }
 
 /// Inputs of the transfer moves.
-struct Air<'a> {
+struct TransferSettings<'a> {
     machine: &'a Machine,
     around: &'a Surroundings<'a>,
     retract_mm: f64,
     effort: &'a Effort<'a>,
 }
 
-impl Air<'_> {
+impl TransferSettings<'_> {
     /// The move from the end of a weld (or home) to the start of the next (or home), with retract and approach; and the
     /// retract distances (mm) that are less than requested, none for a missing retract.
-    fn way(&self, end: Option<PassEnd>, start: Option<PassEnd>) -> Result<(AirMove, Vec<Option<f64>>), Blocked> {
+    fn way(&self, end: Option<PassEnd>, start: Option<PassEnd>) -> Result<(TransferMove, Vec<Option<f64>>), Blocked> {
         let home = self.machine.home();
         let [back_end, back_start] = [end, start].map(|e| e.and_then(|end| self.back_from(&end)));
         let place = |back: Option<(Joints, f64)>, weld: Option<PassEnd>| {
@@ -409,10 +409,10 @@ impl Air<'_> {
             _ => None,
         };
         let shorter = [short(end, back_end), short(start, back_start)].into_iter().flatten().collect();
-        let planned = AirMove {
+        let planned = TransferMove {
             retracts: back_end.is_some(),
             approaches: back_start.is_some(),
-            ..AirMove::new(self.machine, &points)
+            ..TransferMove::new(self.machine, &points)
         };
         Ok((planned, shorter))
     }
@@ -427,7 +427,7 @@ impl Air<'_> {
 
     fn straight(&self, which: MoveEnd, from: &Joints, to: &Joints) -> Result<(), Blocked> {
         let leg = Leg::new(self.machine, from, to);
-        crate::air::obstacle(self.around, &leg).map_or(Ok(()), |obstacle| Err(Blocked::End { which, obstacle }))
+        crate::transfer::obstacle(self.around, &leg).map_or(Ok(()), |obstacle| Err(Blocked::End { which, obstacle }))
     }
 
     /// Positions of the torch retracted along its axis (two torches: along the middle of both), and the fraction of the

@@ -24,9 +24,10 @@ impl<'a> EvenSpeed<'a> {
     /// digits.
     pub(crate) fn new(machine: &'a Machine, motion: &'a PassMotion, margin: f64) -> Self {
         let (_, fastest) = motion.tip_band(machine);
-        let law = &motion.law;
-        let legs = law.legs();
-        let steady = legs.iter().map(|leg| [law.time(leg.run_up_end) + margin, law.time(leg.run_down_start) - margin]);
+        let profile = &motion.profile;
+        let legs = profile.legs();
+        let steady =
+            legs.iter().map(|leg| [profile.time(leg.run_up_end) + margin, profile.time(leg.run_down_start) - margin]);
         Self { machine, motion, steady: steady.collect(), slowest: SLOWEST * fastest }
     }
 
@@ -41,7 +42,7 @@ impl<'a> EvenSpeed<'a> {
         let [begin, end] = times;
         let leg = self.steady.partition_point(|steady| steady[1] < end);
         self.steady.get(leg).filter(|steady| steady[0] <= begin && begin < end)?;
-        let tip = |t: f64| self.machine.forward(&self.motion.path.at(self.motion.law.at(t, &mut 0).s)).point;
+        let tip = |t: f64| self.machine.forward(&self.motion.path.at(self.motion.profile.at(t, &mut 0).s)).point;
         let planned = tip(begin).distance(tip(end));
         (planned > self.slowest * (end - begin)).then(|| (way / planned - 1.0).abs())
     }

@@ -1,6 +1,6 @@
 use crate::{
-    Air, Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, Variables, check_offset,
-    check_process, is_beyond, is_same_position, variables,
+    Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, TransferMoves, Variables,
+    check_offset, check_process, is_beyond, is_same_position, variables,
 };
 use glam::DAffine3;
 use schemars::JsonSchema;
@@ -56,8 +56,8 @@ pub struct Program {
     #[serde(default, skip_serializing_if = "Clearance::is_usual")]
     pub clearance: Clearance,
     /// Moves with the arc off.
-    #[serde(default, skip_serializing_if = "Air::is_usual")]
-    pub air: Air,
+    #[serde(default, skip_serializing_if = "TransferMoves::is_usual")]
+    pub air: TransferMoves,
     /// The welding procedure that the passes must keep to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub procedure: Option<Procedure>,

@@ -37,7 +37,6 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
-mod air;
 mod arc_through;
 mod at_corner;
 mod bead;
@@ -71,11 +70,11 @@ mod taught;
 mod tolerance;
 mod torch;
 mod torch_jumps;
+mod transfer;
 mod variables;
 mod weave;
 mod weaving;
 
-pub use air::Air;
 pub use arc_through::{ArcThrough, tip_way};
 pub use at_corner::AtCorner;
 pub use bead::Bead;
@@ -114,6 +113,7 @@ pub use taught::Taught;
 pub use tolerance::Tolerance;
 pub use torch::{AxisPositions, Groove, MAX_AXES, Torch, TorchAt, TorchPath};
 pub use torch_jumps::torch_jumps;
+pub use transfer::TransferMoves;
 pub use variables::Variables;
 pub use weave::{Figure, Swing, Weave};
 pub use weaving::Weaving;

@@ -265,9 +265,9 @@ impl Loaded {
     pub fn check_count(&self, motion: &WeldMotion, period_s: f64) -> Result<(), Failure> {
         let total: f64 = motion.passes.iter().map(PassMotion::total_s).sum();
         let count = total / period_s;
-        let short = motion.passes.iter().position(|p| p.law.duration() < period_s);
+        let short = motion.passes.iter().position(|p| p.profile.duration() < period_s);
         if let Some(i) = short {
-            let travel = motion.passes[i].law.duration();
+            let travel = motion.passes[i].profile.duration();
             let message = Message::new("project-period-too-long").pass("pass", i + 1);
             let allowed = Message::new("project-period-within-travel").quantity("max", travel * 1e3, Unit::Ms, 3);
             return Err(Failure::refused(message.value("period", period_s * 1e3, Unit::Ms), allowed));

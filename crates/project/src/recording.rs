@@ -117,7 +117,7 @@ fn basis(program: &Program, motion: &WeldMotion) -> Basis {
     let mut judged = Vec::new();
     for (number, (pass, planned)) in (1..).zip(program.passes.iter().zip(&motion.passes)) {
         let run = procedure.and_then(|p| p.run_of(number, pass));
-        let legs = planned.law.legs();
+        let legs = planned.profile.legs();
         let along: Vec<_> = legs.iter().map(|leg| (leg.run_up_end, leg.run_down_start)).collect();
         let mut judge = |name: &str, allowed: Option<(f64, f64)>| {
             judged.push(Judged { pass: number as u32, name: name.to_owned(), allowed, along: along.clone() });

@@ -114,7 +114,7 @@ pub fn row(tips: &mut Tips, machine: &Machine, c: &Shown, values: usize, heads: 
         if in_pass { c.speed } else { f64::NAN },
         tip_speed,
         beside,
-        c.pace,
+        c.feed_override,
         bit(c.orders.process.on),
         bit(c.orders.process.gas),
         process,

@@ -7,8 +7,9 @@ use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_message::Message;
 use seamwright_program::{
-    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Repeat, Seam,
-    SeamCopy, SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, Variables, Weave, check_offset, check_process,
+    AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Repeat, Seam,
+    SeamCopy, SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, TransferMoves, Variables, Weave, check_offset,
+    check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -87,7 +88,7 @@ pub struct Job {
     pub clearance: Clearance,
     /// Moves with the arc off.
     #[serde(default)]
-    pub air: Air,
+    pub air: TransferMoves,
     /// Speed and process.
     pub weld: Weld,
 }

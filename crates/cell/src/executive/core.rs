@@ -10,8 +10,8 @@ use super::state::{Cycle, Missing, Note, Port, Status};
 use super::supervision::Supervision;
 use super::work::Work;
 use seamwright_machine::{Joints, MAX_AXES, Machine};
+use seamwright_motion::feed_override::RunPhase;
 use seamwright_motion::jog;
-use seamwright_motion::pace::RunPhase;
 use seamwright_servo::SetPoint;
 
 /// Validity of an arming, s.
@@ -64,7 +64,7 @@ pub struct Executive<'a, D, P> {
     pub(super) welds: bool,
     /// End of the arming, s.
     armed_until: f64,
-    pub(super) pace: f64,
+    pub(super) feed_override: f64,
     /// Orders of a held program: reverse along the path, or stop.
     pub(super) reverse: bool,
     pub(super) halt: bool,
@@ -86,7 +86,7 @@ pub struct Executive<'a, D, P> {
     /// The guide corrects the current pass.
     pub(super) guided: bool,
     /// Maximum feed override of the guide.
-    pub(super) guide_pace: f64,
+    pub(super) guide_override: f64,
     /// Last trouble of the guide.
     pub(super) guide_trouble: Option<Trouble>,
     /// Time of the fault that stops the running program, s.
@@ -111,7 +111,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             busy: false,
             welds: false,
             armed_until: f64::NEG_INFINITY,
-            pace: 1.0,
+            feed_override: 1.0,
             reverse: false,
             halt: false,
             homes_one: None,
@@ -125,7 +125,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             left: None,
             guide: None,
             guided: false,
-            guide_pace: 1.0,
+            guide_override: 1.0,
             guide_trouble: None,
             fault_since: None,
             planned_q: Joints::default(),
@@ -284,7 +284,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             welded_mm: doing.welded_mm,
             process: self.process.state(),
             armed: self.is_armed(),
-            pace: self.pace,
+            feed_override: self.feed_override,
             tracked: self.guide.as_ref().filter(|_| self.guided).map_or([None; 2], |guide| guide.tracked()),
         };
         let cycle = Cycle { status, orders: &self.orders, reports: &self.reports, alarms: &self.alarms };
@@ -359,7 +359,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
     /// Executes commands that do not change the mode.
     fn adjust(&mut self, ask: Ask, work: Option<&Work<'_>>) -> Result<(), Missing> {
         match ask {
-            Ask::Override(value) if (0.0..=1.0).contains(&value) => self.pace = value,
+            Ask::Override(value) if (0.0..=1.0).contains(&value) => self.feed_override = value,
             Ask::Override(_) => return Err(Missing::Value),
             Ask::Acknowledge => drop(self.alarms.acknowledge()),
             Ask::AcknowledgeOne(alarm, detail) => drop(self.alarms.acknowledge_one(alarm, detail)),

@@ -96,7 +96,7 @@ pub struct Guided {
     /// Their accelerations.
     pub a: Joints,
     /// Maximum feed override of the next cycle.
-    pub pace: f64,
+    pub feed_override: f64,
     /// Tracking fault.
     pub trouble: Option<Trouble>,
     /// Orders to the joint sensors.
@@ -107,7 +107,7 @@ impl Guided {
     /// Orders without a correction.
     pub fn as_planned(planned: &Planned<'_>) -> Self {
         let (v, a) = (Joints::default(), Joints::default());
-        Self { q: *planned.q, v, a, pace: 1.0, trouble: None, seam: SeamOrders::default() }
+        Self { q: *planned.q, v, a, feed_override: 1.0, trouble: None, seam: SeamOrders::default() }
     }
 }
 

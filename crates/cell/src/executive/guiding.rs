@@ -21,7 +21,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
     /// Takes the set-points of a guide.
     fn take_guided(&mut self, guided: &Guided) {
         self.set(&guided.q, &guided.v, &guided.a);
-        self.guide_pace = guided.pace;
+        self.guide_override = guided.feed_override;
         self.heed(guided.trouble);
     }
 
@@ -135,17 +135,17 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
     }
 
     /// Returns the feed override to request: the operator's, or the guide's if that is lower.
-    pub(super) fn allowed_pace(&self, asked: f64) -> f64 {
+    pub(super) fn allowed_override(&self, asked: f64) -> f64 {
         /// Minimum increase that is worth an order.
         const WORTH: f64 = 0.02;
         /// Minimum override taken from the guide: below it, its alarm stops the motion.
         const SLOWEST: f64 = 0.01;
-        let guide = if self.guided { self.guide_pace } else { 1.0 };
+        let guide = if self.guided { self.guide_override } else { 1.0 };
         if guide < SLOWEST {
             return asked;
         }
-        let wanted = self.pace.min(guide);
-        let whole = wanted >= self.pace;
+        let wanted = self.feed_override.min(guide);
+        let whole = wanted >= self.feed_override;
         if wanted < asked || wanted > asked + WORTH || whole { wanted } else { asked }
     }
 }

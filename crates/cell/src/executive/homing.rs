@@ -107,7 +107,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                     target[axis] = home[axis];
                     jog::Command::To(target)
                 });
-                obey(jog, machine, self.pace, command);
+                obey(jog, machine, self.feed_override, command);
                 said = Some((wants, self.now() + SAID_S));
             }
             let enabled = self.interlocks.unmet(Level::Motion, self.reports.inputs) == 0;

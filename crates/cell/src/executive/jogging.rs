@@ -52,10 +52,10 @@ fn reduced(machine: &Machine, q: &Joints, command: jog::Command) -> (jog::Comman
     }
 }
 
-/// Passes a command to `jog`, with the reduced speed and the feed override `pace` (0 to 1); at 0 the axes rest.
-pub(super) fn obey(jog: &mut Jog<'_>, machine: &Machine, pace: f64, wanted: jog::Command) {
+/// Passes a command to `jog`, with the reduced speed and the feed override `feed_override` (0 to 1); at 0 the axes rest.
+pub(super) fn obey(jog: &mut Jog<'_>, machine: &Machine, feed_override: f64, wanted: jog::Command) {
     let (command, part) = reduced(machine, &jog.state().q, wanted);
-    let moves = jog.set_override(pace * part).is_ok();
+    let moves = jog.set_override(feed_override * part).is_ok();
     // An invalid command is refused, and the previous one stays.
     jog.command(if moves { &command } else { &jog::Command::Rest }).ok();
 }
@@ -87,7 +87,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         while matches!(self.mode, Mode::Jog | Mode::Teach) || !jog.state().rests() {
             let jogs = matches!(self.mode, Mode::Jog | Mode::Teach);
             if let Some(wanted) = if jogs { self.jog } else { Some(jog::Command::Rest) } {
-                obey(jog, machine, self.pace, wanted);
+                obey(jog, machine, self.feed_override, wanted);
             }
             let enabled = self.interlocks.unmet(Level::Motion, self.reports.inputs) == 0;
             let point = jog.step(&Signals { enabled, alive: self.jog.is_some(), hold: false });

@@ -9,8 +9,8 @@ use super::state::{Note, Port};
 use super::work::Work;
 use super::{Alarm, Executive, ProcessState, VALUES};
 use seamwright_machine::Joints;
-use seamwright_motion::air::Leg;
-use seamwright_motion::pace::{Instant, Order, Pace, Run, RunPhase, Timed};
+use seamwright_motion::feed_override::{FeedOverride, Instant, Order, Run, RunPhase, Timed};
+use seamwright_motion::transfer::Leg;
 use seamwright_program::Sequence;
 
 /// Tolerance of the feed override.
@@ -20,7 +20,7 @@ const SETTLES_S: f64 = 0.25;
 
 /// A part of a program with one speed profile.
 struct Stretch<'a, L> {
-    law: &'a L,
+    profile: &'a L,
     sequence: Sequence,
     /// The pass, counted from 0; `None` for a transfer move.
     pass: Option<usize>,
@@ -61,7 +61,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 self.leave((welds && (i > 0 || from_mm > 0.0)).then_some(before));
                 return false;
             }
-            let stretch = Stretch { law: &one.timed, sequence: one.times(welds), pass: Some(i), from_mm };
+            let stretch = Stretch { profile: &one.timed, sequence: one.times(welds), pass: Some(i), from_mm };
             if !self.play(work, &stretch) {
                 let place = Place { pass: i + 1, s_mm: self.doing.welded_mm };
                 self.leave(welds.then_some(place));
@@ -82,19 +82,20 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     fn fly(&mut self, work: &Work<'_>, legs: &[Leg]) -> bool {
         legs.iter().all(|leg| {
             let sequence = Sequence::default();
-            leg.duration() <= 0.0 || self.play(work, &Stretch { law: leg, sequence, pass: None, from_mm: 0.0 })
+            leg.duration() <= 0.0 || self.play(work, &Stretch { profile: leg, sequence, pass: None, from_mm: 0.0 })
         })
     }
 
     /// Runs a stretch under the operator's orders; false if it was aborted or lost power.
     fn play<L: Timed>(&mut self, work: &Work<'_>, stretch: &Stretch<'_, L>) -> bool {
-        let pace = Pace::new(&work.limits, self.machine.servo_period_s, stretch.law);
-        let Ok(pace) = pace.and_then(|pace| pace.from_place(stretch.from_mm)) else {
+        let feed_override = FeedOverride::new(&work.limits, self.machine.servo_period_s, stretch.profile);
+        let Ok(feed_override) = feed_override.and_then(|feed_override| feed_override.from_place(stretch.from_mm))
+        else {
             self.happened(Alarm::MotionStuck, 0);
             self.event(Event::Abort);
             return false;
         };
-        let mut run = Run::new(pace, stretch.sequence.clone(), &[]);
+        let mut run = Run::new(feed_override, stretch.sequence.clone(), &[]);
         let welds = self.welds && stretch.pass.is_some_and(|i| work.passes[i].planned.arc);
         // A welded stretch starts without an arc.
         run.set_burning(!welds);
@@ -168,7 +169,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
 
     /// Passes the requested feed override to the run.
     fn steer<L: Timed>(&mut self, run: &mut Run<'_, L>, asked: &mut f64) {
-        let wanted = self.allowed_pace(*asked);
+        let wanted = self.allowed_override(*asked);
         if (wanted - *asked).abs() > 0.0 && run.order(Order::Override(wanted)).is_ok() {
             *asked = wanted;
         }

@@ -2,7 +2,7 @@ use super::alarm_list::{AlarmList, Place, Raised};
 use super::command::{Ask, Command};
 use super::{Alarm, Mode, Orders, ProcessState, Refused, Reports, Tracked};
 use seamwright_message::{Argument, Message, Unit};
-use seamwright_motion::pace::RunPhase;
+use seamwright_motion::feed_override::RunPhase;
 use std::ops::Deref;
 
 /// Status of the executive.
@@ -16,7 +16,7 @@ pub struct Status {
     pub place: Place,
     /// Phase of the pass; `None` outside passes.
     pub phase: Option<RunPhase>,
-    /// Requested path speed, mm/s, including the feed override `pace`.
+    /// Requested path speed, mm/s, including the feed override `feed_override`.
     pub speed: f64,
     /// The pass runs at the requested feed override, and arc or beam has burned long enough for its values to settle.
     pub steady: bool,
@@ -27,7 +27,7 @@ pub struct Status {
     /// The next start of the process is allowed.
     pub armed: bool,
     /// Requested feed override, 0 to 1.
-    pub pace: f64,
+    pub feed_override: f64,
     /// Tracking state of each head; `None` without tracking.
     pub tracked: [Option<Tracked>; 2],
 }

@@ -2,9 +2,9 @@ use super::VALUES;
 use super::alarm_list::Place;
 use super::jogging::hand;
 use seamwright_machine::{AxisSet, Joints, Machine, Surroundings};
-use seamwright_motion::air::{AirMove, Blocked, route};
+use seamwright_motion::feed_override::{Limits, PassTimed};
 use seamwright_motion::jog::Jog;
-use seamwright_motion::pace::{Limits, PassTimed};
+use seamwright_motion::transfer::{Blocked, TransferMove, route};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{AtHold, Pass, Sequence};
 use std::cell::RefCell;
@@ -13,7 +13,7 @@ use std::cell::RefCell;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Start {
     /// The transfer move to the start, from the current axis positions.
-    pub approach: AirMove,
+    pub approach: TransferMove,
     /// The pass, counted from 0.
     pub pass: usize,
     /// Path length up to which that pass is welded, mm; it starts earlier by the overlap of its sequence.
@@ -23,8 +23,11 @@ pub struct Start {
 impl Start {
     /// Starts the whole program, from home.
     pub fn at_home(motion: &WeldMotion) -> Self {
-        let approach =
-            motion.air.first().cloned().unwrap_or(AirMove { legs: Vec::new(), retracts: false, approaches: false });
+        let approach = motion.transfers.first().cloned().unwrap_or(TransferMove {
+            legs: Vec::new(),
+            retracts: false,
+            approaches: false,
+        });
         Self { approach, pass: 0, welded_mm: 0.0 }
     }
 
@@ -43,7 +46,7 @@ impl Start {
         let path = &motion.passes[pass].path;
         let welded_mm = place.s_mm.clamp(0.0, path.length());
         let points = route(machine, around, from, &path.at(welded_mm), AxisSet::default())?;
-        Ok(Self { approach: AirMove::new(machine, &points), pass, welded_mm })
+        Ok(Self { approach: TransferMove::new(machine, &points), pass, welded_mm })
     }
 }
 
@@ -62,7 +65,7 @@ pub struct Work<'a> {
     /// Jogging of the axes.
     pub(super) hand: RefCell<Option<Jog<'a>>>,
     pub(super) passes: Vec<PassWork<'a>>,
-    pub(super) air: &'a [AirMove],
+    pub(super) air: &'a [TransferMove],
     pub(super) limits: Limits,
     pub(super) start: Start,
     values: Vec<String>,
@@ -90,13 +93,13 @@ impl<'a> Work<'a> {
         let works = passes.iter().zip(&motion.passes);
         let passes = works.map(|(pass, planned)| PassWork { pass, timed: planned.timed(machine), planned }).collect();
         let hand = hand(machine, around);
-        Ok(Self { hand, passes, air: &motion.air, limits: Limits::of(machine), start, values })
+        Ok(Self { hand, passes, air: &motion.transfers, limits: Limits::of(machine), start, values })
     }
 
     /// Creates an empty program; jogging avoids collisions with `around`.
     pub fn none(machine: &'a Machine, around: &'a Surroundings<'a>) -> Self {
         let start = Start {
-            approach: AirMove { legs: Vec::new(), retracts: false, approaches: false },
+            approach: TransferMove { legs: Vec::new(), retracts: false, approaches: false },
             pass: 0,
             welded_mm: 0.0,
         };

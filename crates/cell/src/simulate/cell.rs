@@ -68,7 +68,7 @@ impl<'a> SimulatedCell<'a> {
         let Conditions { seed, faults, .. } = self.conditions;
         let (machine, period) = (self.machine, self.machine.servo_period_s);
         let drives = SimulatedDrives::new(machine, seed)?;
-        let drives = match (self.motion.air.first(), self.motion.passes.first()) {
+        let drives = match (self.motion.transfers.first(), self.motion.passes.first()) {
             (None, Some(pass)) => drives.standing_at(&pass.path.at(0.0)),
             _ => drives,
         };
@@ -87,14 +87,14 @@ impl<'a> SimulatedCell<'a> {
     /// # Errors
     /// [`Error::Tracking`] for a pass that does not allow tracking.
     pub fn sensors(&self) -> Result<SimulatedSensors<'_>, Error> {
-        let twins = self.scenes.iter().zip(&self.motion.passes).map(|(scene, planned)| match scene {
+        let simulated_heads = self.scenes.iter().zip(&self.motion.passes).map(|(scene, planned)| match scene {
             Some(scene) if self.conditions.tracking => {
-                Ok(scene.twins(&scene.correction(self.machine, planned)?, self.conditions.seed))
+                Ok(scene.simulated_heads(&scene.correction(self.machine, planned)?, self.conditions.seed))
             }
             _ => Ok(ArrayVec::new()),
         });
-        let twins: Result<_, crate::tracking::Error> = twins.collect();
-        Ok(SimulatedSensors::new(self.machine, twins?))
+        let simulated_heads: Result<_, crate::tracking::Error> = simulated_heads.collect();
+        Ok(SimulatedSensors::new(self.machine, simulated_heads?))
     }
 
     /// Returns the tracking of its passes, if they are tracked; the program starts at `start`.

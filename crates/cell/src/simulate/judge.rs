@@ -5,8 +5,8 @@ use crate::summary::{Summary, Tally};
 use crate::tracking::{HeadTruth, Tracking};
 use arrayvec::ArrayVec;
 use seamwright_machine::{Joints, Machine};
-use seamwright_motion::pace::RunPhase;
-use seamwright_motion::{LawPoint, Phase, SetPoint, WeldMotion};
+use seamwright_motion::feed_override::RunPhase;
+use seamwright_motion::{Phase, ProfilePoint, SetPoint, WeldMotion};
 use seamwright_program::{Pass, TorchPath};
 
 /// Evaluates a simulated weld cycle by cycle from the true positions.
@@ -49,7 +49,7 @@ impl<'a> Judge<'a> {
             q[..axes].copy_from_slice(&truth[..axes]);
         }
         let phase = phase(cycle);
-        let law = LawPoint { s: cycle.place.s_mm, v: cycle.speed, a: f64::NAN, j: f64::NAN };
+        let profile = ProfilePoint { s: cycle.place.s_mm, v: cycle.speed, a: f64::NAN, j: f64::NAN };
         let mut sample = Sample::nowhere();
         sample.set = SetPoint { t: cycle.t - self.machine.servo_period_s, phase, q, ..sample.set };
         sample.q[..axes].copy_from_slice(&truth[..axes]);
@@ -62,7 +62,7 @@ impl<'a> Judge<'a> {
             sample.values = cycle.orders.process.values.map(|value| if value.is_finite() { value } else { 0.0 });
         }
         if cycle.phase.is_some() && (1..=self.passes.len()).contains(&cycle.place.pass) {
-            (sample.pass, sample.set.law) = (cycle.place.pass, law);
+            (sample.pass, sample.set.profile) = (cycle.place.pass, profile);
             self.begun[sample.pass - 1] = true;
             self.measure_weld(&mut sample, cycle);
         }
@@ -86,7 +86,7 @@ impl<'a> Judge<'a> {
         if let Some(last) = self.last.filter(|l| l.pass == pass) {
             let way = |from: f64, to: f64| (to - from) * planned.path.speed_rate(machine, 0.5 * (from + to));
             sample.tip_speed = way(last.tip_s, sample.tip_s) / machine.servo_period_s;
-            sample.planned_speed = way(last.set.law.s, sample.set.law.s) / machine.servo_period_s;
+            sample.planned_speed = way(last.set.profile.s, sample.set.profile.s) / machine.servo_period_s;
         }
         let set = &cycle.orders.set;
         let rates = (std::array::from_fn(|i| set[i].velocity), std::array::from_fn(|i| set[i].acceleration));
@@ -120,7 +120,7 @@ fn phase(cycle: &Cycle<'_>) -> Phase {
         Some(RunPhase::Crater) if burns => Phase::Crater,
         Some(RunPhase::Crater | RunPhase::Postflow) => Phase::Postflow,
         Some(RunPhase::Travel | RunPhase::Held | RunPhase::RunOut | RunPhase::Move | RunPhase::Ended) | None => {
-            Phase::Air
+            Phase::Transfer
         }
     }
 }

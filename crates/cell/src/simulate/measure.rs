@@ -13,9 +13,9 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
     // In blends the planned path differs from the seam, on which the nearest point would jump at the corner.
     let s = match planned.path.blends().is_empty() {
         // The tip may stop or turn back while the axes move on: their positions define the point.
-        _ if path.is_timed() => planned.path.foot(machine, &sample.q, sample.set.law.s),
-        true => path.foot(tip.point, sample.set.law.s, whole),
-        false => planned.tip_path(machine).foot(tip.point, sample.set.law.s, whole),
+        _ if path.is_timed() => planned.path.foot(machine, &sample.q, sample.set.profile.s),
+        true => path.foot(tip.point, sample.set.profile.s, whole),
+        false => planned.tip_path(machine).foot(tip.point, sample.set.profile.s, whole),
     };
     sample.tip_s = s;
     let along = path.line(s).1;
@@ -24,7 +24,7 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
         _ if path.is_timed() => (tip.point.distance(pose(s).point), angle(tip, &pose(s))),
         Some(foot) => (tip.point.distance(pose(foot).point), angle(tip, &pose(foot))),
         None if woven => {
-            let foot = nearest(|s| pose(s).point, tip.point, sample.set.law.s, whole);
+            let foot = nearest(|s| pose(s).point, tip.point, sample.set.profile.s, whole);
             (tip.point.distance(pose(foot).point), angle(tip, &pose(foot)))
         }
         None => {

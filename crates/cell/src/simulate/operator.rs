@@ -1,5 +1,5 @@
 use crate::executive::{Ask, Command, Cycle, Missing, Mode, Note, Port, Reaction};
-use seamwright_motion::pace::RunPhase;
+use seamwright_motion::feed_override::RunPhase;
 
 /// The operator of a simulated weld: from power-on to home; any stop ends the run.
 #[derive(Debug, Default)]

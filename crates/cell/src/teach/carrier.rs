@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine, Sensor, Surroundings};
 use seamwright_message::{Message, Unit};
-use seamwright_tracking::teach::EyePose;
+use seamwright_tracking::teach::CameraPose;
 
 /// Number of steps in which axis positions for a camera pose are found.
 const STEPS: usize = 40;
@@ -55,13 +55,13 @@ impl<'a> Carrier<'a> {
         self.axes = axes;
     }
 
-    /// Moves the axes, straight in axis space, so that the optical axis passes through `eye.point`. The camera looks
+    /// Moves the axes, straight in axis space, so that the optical axis passes through `pose.point`. The camera looks
     /// against the normal as well as the machine can, with the point at the best height.
     ///
     /// # Errors
     /// No such positions, an axis' range, the pair that would come too near.
-    pub fn to(&mut self, eye: &EyePose) -> Result<(), Message> {
-        let axes = self.positions(eye)?;
+    pub fn to(&mut self, pose: &CameraPose) -> Result<(), Message> {
+        let axes = self.positions(pose)?;
         if let Some(why) = self.too_near(&axes) {
             return Err(why);
         }
@@ -73,8 +73,8 @@ impl<'a> Carrier<'a> {
     ///
     /// # Errors
     /// No such positions, an axis' range.
-    pub fn positions(&self, eye: &EyePose) -> Result<Joints, Message> {
-        let axes = self.solve(eye)?;
+    pub fn positions(&self, pose: &CameraPose) -> Result<Joints, Message> {
+        let axes = self.solve(pose)?;
         match self.machine.outside(&axes) {
             Some(v) => Err(self.machine.range_error(&v).message()),
             None => Ok(axes),
@@ -83,15 +83,15 @@ impl<'a> Carrier<'a> {
 
     /// Solves for positions that bring the camera there. The inverse kinematics handle torches: the torch is moved by
     /// the camera's error until the camera is in place.
-    fn solve(&self, eye: &EyePose) -> Result<Joints, Message> {
-        let guided = self.guide.and_then(|guide| guide(eye.point));
+    fn solve(&self, pose: &CameraPose) -> Result<Joints, Message> {
+        let guided = self.guide.and_then(|guide| guide(pose.point));
         let mut q = guided.unwrap_or(self.axes);
         for _ in 0..STEPS {
             let camera = self.machine.camera_frame(self.sensor, &q);
             let torch = self.machine.forward(&q);
             let at = camera.transform_point3(DVec3::Z * self.height);
-            let off = eye.point - at;
-            let turn = DQuat::from_rotation_arc(camera.transform_vector3(DVec3::Z), -eye.normal);
+            let off = pose.point - at;
+            let turn = DQuat::from_rotation_arc(camera.transform_vector3(DVec3::Z), -pose.normal);
             if off.length() < THERE_MM && turn.w.abs() > TURNED {
                 return Ok(self.machine.turned_into_range(&q));
             }
@@ -106,7 +106,7 @@ impl<'a> Carrier<'a> {
             }
         }
         let at = self.machine.camera_frame(self.sensor, &q).transform_point3(DVec3::Z * self.height);
-        let off = at.distance(eye.point);
+        let off = at.distance(pose.point);
         if off < NEAR_MM {
             return Ok(self.machine.turned_into_range(&q));
         }

@@ -1,11 +1,11 @@
 //! Machines that carry the camera and take its frames.
 
 use super::Carrier;
-use crate::eyes::Eye;
+use crate::camera_simulator::CameraSimulator;
 use crate::frames::{FrameError, FrameSource, FrameStream, TimedFrame};
 use seamwright_machine::{Joints, Machine, Sensor};
 use seamwright_message::Message;
-use seamwright_tracking::teach::EyePose;
+use seamwright_tracking::teach::CameraPose;
 use std::net::TcpStream;
 
 /// A machine with a camera.
@@ -14,7 +14,7 @@ pub trait Rig {
     ///
     /// # Errors
     /// The reason why the machine cannot go there.
-    fn go(&mut self, eye: &EyePose) -> Result<(), Message>;
+    fn go(&mut self, pose: &CameraPose) -> Result<(), Message>;
 
     /// Returns a frame from the camera's pose; `None` if there are no more.
     ///
@@ -37,7 +37,7 @@ pub struct SimulatedRig<'a, 'b> {
     machine: &'a Machine,
     sensor: &'a Sensor,
     carrier: Carrier<'b>,
-    eye: Eye<'a>,
+    camera: CameraSimulator<'a>,
     /// Positions of the axes at the previous frame; `None` before the first.
     before: Option<Joints>,
     seconds: f64,
@@ -45,8 +45,12 @@ pub struct SimulatedRig<'a, 'b> {
 
 impl<'a, 'b> SimulatedRig<'a, 'b> {
     /// Creates the rig of camera `sensor` of `machine`, carried by `carrier`.
-    pub fn new((machine, sensor): (&'a Machine, &'a Sensor), carrier: Carrier<'b>, eye: Eye<'a>) -> Self {
-        Self { machine, sensor, carrier, eye, before: None, seconds: 0.0 }
+    pub fn new(
+        (machine, sensor): (&'a Machine, &'a Sensor),
+        carrier: Carrier<'b>,
+        camera: CameraSimulator<'a>,
+    ) -> Self {
+        Self { machine, sensor, carrier, camera, before: None, seconds: 0.0 }
     }
 
     /// Returns the time between frames, s: the camera's period, and the slowest axis' way at half its speed.
@@ -59,16 +63,16 @@ impl<'a, 'b> SimulatedRig<'a, 'b> {
 }
 
 impl Rig for SimulatedRig<'_, '_> {
-    fn go(&mut self, eye: &EyePose) -> Result<(), Message> {
-        self.carrier.to(eye)
+    fn go(&mut self, pose: &CameraPose) -> Result<(), Message> {
+        self.carrier.to(pose)
     }
 
     fn frame(&mut self) -> Result<Option<TimedFrame>, FrameError> {
         let axes = *self.carrier.axes();
         self.seconds += self.before.map_or(self.sensor.period_s, |before| self.pause(&before, &axes));
         self.before = Some(axes);
-        self.eye.expose(self.seconds, &axes);
-        self.eye.next()
+        self.camera.expose(self.seconds, &axes);
+        self.camera.next()
     }
 }
 
@@ -76,7 +80,7 @@ impl Rig for SimulatedRig<'_, '_> {
 pub struct Played<'a>(pub Box<dyn FrameSource + 'a>);
 
 impl Rig for Played<'_> {
-    fn go(&mut self, _eye: &EyePose) -> Result<(), Message> {
+    fn go(&mut self, _eye: &CameraPose) -> Result<(), Message> {
         Ok(())
     }
 
@@ -100,8 +104,8 @@ impl<'a> DistantRig<'a> {
 }
 
 impl Rig for DistantRig<'_> {
-    fn go(&mut self, eye: &EyePose) -> Result<(), Message> {
-        self.carrier.to(eye)
+    fn go(&mut self, pose: &CameraPose) -> Result<(), Message> {
+        self.carrier.to(pose)
     }
 
     fn frame(&mut self) -> Result<Option<TimedFrame>, FrameError> {

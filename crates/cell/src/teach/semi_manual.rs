@@ -1,6 +1,6 @@
 //! Teaching by the operator (SADDLE-2020): the nominal seam is moved to points to which the operator has jogged.
 
-use crate::eyes::SeamLine;
+use crate::camera_simulator::SeamLine;
 use glam::DVec3;
 use seamwright_geometry::MonotoneCurve;
 use seamwright_message::{Message, Unit};

@@ -1,6 +1,6 @@
 //! True distance of a taught line from the seam, known only in a simulation.
 
-use crate::eyes::SeamLine;
+use crate::camera_simulator::SeamLine;
 use seamwright_tracking::teach::LinePoint;
 
 /// Deviations of a taught line from the actual seam, mm.

@@ -51,7 +51,7 @@ pub enum Error {
     /// Invalid settings of beam mode.
     Beam(seamwright_tracking::beam::Error),
     /// The machine has no camera that looks through the beam.
-    NoEye {
+    NoCamera {
         /// Name of the machine.
         machine: String,
     },
@@ -100,7 +100,7 @@ impl Error {
             Self::Distortion(message) | Self::Frame(message) => message.clone(),
             Self::Settings(error) => error.message(),
             Self::Beam(error) => error.message(),
-            Self::NoEye { machine } => of("cell-no-beam-camera", machine),
+            Self::NoCamera { machine } => of("cell-no-beam-camera", machine),
             Self::NoReplay { machine } => of("cell-no-replay", machine),
             Self::Carried(why) => Message::new("cell-gun-not-carried").message("why", why.clone()),
         }

@@ -35,7 +35,7 @@ impl<'a> HeadTruth<'a> {
         sample: &Sample,
         (tracked, orders): (Option<Tracked>, &SeamOrders),
     ) -> Option<HeadSample> {
-        let s = sample.set.law.s;
+        let s = sample.set.profile.s;
         if !(s.is_finite() && self.world.has(s)) {
             return None;
         }

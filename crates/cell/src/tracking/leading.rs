@@ -65,6 +65,6 @@ impl Leading {
             alarm = orders.carried;
         }
         let alarm = alarm.map(|alarm| (alarm, orders.cause.map(Why::Sensor)));
-        (wanted, Told { pace: orders.pace, alarm, ..Told::NOTHING }, orders.estimate)
+        (wanted, Told { feed_override: orders.feed_override, alarm, ..Told::NOTHING }, orders.estimate)
     }
 }

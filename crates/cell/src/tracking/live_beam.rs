@@ -127,13 +127,13 @@ impl<'a> LiveBeam<'a> {
         let wanted = (frame, DVec2::new(orders.carried_mm, 0.0));
         let told = Told { beam: orders.beam, deflection_mm: orders.deflection_mm, ..Told::NOTHING };
         if !welds {
-            self.stops = orders.alarm.filter(|_| orders.pace <= 0.0);
+            self.stops = orders.alarm.filter(|_| orders.feed_override <= 0.0);
             return (wanted, told, orders.estimate);
         }
         // At the very end no part of the seam lies ahead.
         let ends = left < END_MM || (orders.alarm == Some(Alarm::Blind) && left < self.sees_mm());
         let alarm = orders.alarm.filter(|_| !ends).map(|alarm| (alarm, self.misfit()));
-        (wanted, Told { pace: orders.pace, alarm, ..told }, orders.estimate)
+        (wanted, Told { feed_override: orders.feed_override, alarm, ..told }, orders.estimate)
     }
 
     /// Returns the distance up to which the beam looks ahead, mm.

@@ -141,7 +141,7 @@ impl Why {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Told {
     /// Maximum feed override of the torch in the next cycle.
-    pub(super) pace: f64,
+    pub(super) feed_override: f64,
     /// Most severe alarm, and its cause.
     pub(super) alarm: Option<(Alarm, Option<Why>)>,
     /// Order for the beam, and its deflection, mm.
@@ -150,7 +150,7 @@ pub(super) struct Told {
 }
 
 impl Told {
-    pub(super) const NOTHING: Self = Self { pace: 1.0, alarm: None, beam: Beam::Weld, deflection_mm: 0.0 };
+    pub(super) const NOTHING: Self = Self { feed_override: 1.0, alarm: None, beam: Beam::Weld, deflection_mm: 0.0 };
 }
 
 /// Guide of a head.

@@ -7,7 +7,6 @@ mod cross_talk;
 mod displacement;
 mod distortion;
 mod error;
-mod eyes;
 pub mod faults;
 pub mod gates;
 mod guide;
@@ -18,15 +17,16 @@ mod live_head;
 mod motion;
 mod off_path;
 mod pass_scene;
+mod pass_sensors;
 mod rig;
 mod scenario;
 mod sensor;
 pub mod shows;
 mod sighting;
+mod simulated_sensors;
 pub mod stripes;
 mod tally;
 mod tracked_pass;
-mod twin;
 mod world;
 
 use crate::Conditions;
@@ -49,8 +49,8 @@ pub use rig::{Method, Outcome, run};
 pub use scenario::{HeadScene, Scenario, Seam};
 pub use seamwright_tracking::actuator::RESERVE;
 pub use sensor::{Fault, Sees, SensorModel};
+pub use simulated_sensors::SimulatedSensors;
 pub use tracked_pass::trouble;
-pub use twin::SimulatedSensors;
 pub use world::{Along, Placement, World};
 
 /// Checks that every pass with an arc can be simulated under `conditions`: on a displaced part, and tracked.

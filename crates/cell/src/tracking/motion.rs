@@ -27,8 +27,8 @@ impl<'a> Travel<'a> {
         Self { legs, leg: 0, held_s: 0.0, s: from_mm, speed: 0.0 }
     }
 
-    /// Runs one cycle at up to `pace` of the speed; returns false at the end of the way, or after a stop.
-    pub(super) fn step(&mut self, pace: f64, cycle_s: f64) -> bool {
+    /// Runs one cycle at up to `feed_override` of the speed; returns false at the end of the way, or after a stop.
+    pub(super) fn step(&mut self, feed_override: f64, cycle_s: f64) -> bool {
         match self.legs.get(self.leg) {
             None => false,
             Some(Leg::Hold(time)) => {
@@ -47,7 +47,7 @@ impl<'a> Travel<'a> {
                 // Maximum speed from which the torch can stop at the end of the leg, half a cycle early.
                 let stop = (2.0 * ACCELERATION * left).sqrt() - 0.5 * ACCELERATION * cycle_s;
                 let most = if goes_on { f64::INFINITY } else { stop.max(0.1 * ACCELERATION * cycle_s) };
-                let wanted = sense * (speed * pace).min(most);
+                let wanted = sense * (speed * feed_override).min(most);
                 let change = ACCELERATION * cycle_s;
                 self.speed = wanted.clamp(self.speed - change, self.speed + change);
                 let step = self.speed * cycle_s;
@@ -59,7 +59,7 @@ impl<'a> Travel<'a> {
                     }
                 }
                 self.s += step;
-                pace > 0.0 || self.speed != 0.0
+                feed_override > 0.0 || self.speed != 0.0
             }
         }
     }

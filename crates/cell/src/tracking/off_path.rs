@@ -175,7 +175,7 @@ impl OffPath {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::eyes::Random;
+    use crate::camera_simulator::Random;
     use seamwright_machine::shipped;
 
     /// Corrections wander, rest now and then, are lost, return and end. By differences, the offset keeps the speed

@@ -1,13 +1,13 @@
 use super::beam::BeamHead;
 use super::carrier::Carrier;
 use super::error::OffLine;
-use super::eyes::Eyes;
 use super::head_truth::HeadTruth;
 use super::leading::Leading;
 use super::live_beam::LiveBeam;
 use super::live_head::Guide;
+use super::pass_sensors::PassSensors;
 use super::scenario::Seam;
-use super::twin::{HeadTwin, TwinEye};
+use super::simulated_sensors::{SimulatedHead, SimulatedSensor};
 use super::{Along, Displacement, Distortion, Error, LiveHead, Placement, SensorModel, World};
 use arrayvec::ArrayVec;
 use glam::DVec3;
@@ -82,13 +82,13 @@ impl<'a> PassScene<'a> {
     /// # Errors
     /// A machine whose sensors do not lead and whose beam does not look; axes that cannot correct.
     pub(crate) fn correction<'b>(&self, machine: &'b Machine, planned: &PassMotion) -> Result<Correction<'b>, Error> {
-        let eyes = Eyes::of(machine, planned, &self.seams)?;
+        let sensors = PassSensors::of(machine, planned, &self.seams)?;
         let at = |i: u32| f64::from(i) / f64::from(PLACES);
         let frames = |i: u32| self.seams.iter().map(|seam| (seam.frame)(seam.length_mm * at(i))).collect();
         let places = (0..=PLACES).map(|i| (planned.path.at(planned.path.length() * at(i)), frames(i)));
         let held: AxisSet = self.pass.spare_axes.hold.keys().filter_map(|name| machine.axis(name)).collect();
         let carrier = Carrier::new(machine, held, &places.collect::<Vec<_>>())?;
-        Ok(Correction { eyes, carrier })
+        Ok(Correction { sensors, carrier })
     }
 
     /// Returns the corrected heads of the pass. If there are `stored` deviations of the seam, they replace the beam's
@@ -112,16 +112,20 @@ impl<'a> PassScene<'a> {
     }
 
     /// Returns the simulated devices that see the joint of each head.
-    pub(crate) fn twins<'b>(&'b self, correction: &Correction<'_>, seed: u64) -> ArrayVec<HeadTwin<'b>, 2> {
-        let twins = self.seams.iter().enumerate().map(|(number, seam)| {
+    pub(crate) fn simulated_heads<'b>(
+        &'b self,
+        correction: &Correction<'_>,
+        seed: u64,
+    ) -> ArrayVec<SimulatedHead<'b>, 2> {
+        let simulated_heads = self.seams.iter().enumerate().map(|(number, seam)| {
             let own = seed.wrapping_mul(8).wrapping_add(number as u64);
-            let eye = match &correction.eyes {
-                Eyes::Leading(leading) => TwinEye::leading(model(leading[number]), own),
-                Eyes::Beam(eye) => TwinEye::beam(eye.camera.noise_mm, eye.camera.latency_s, own),
+            let eye = match &correction.sensors {
+                PassSensors::Leading(leading) => SimulatedSensor::leading(model(leading[number]), own),
+                PassSensors::Beam(eye) => SimulatedSensor::beam(eye.camera.noise_mm, eye.camera.latency_s, own),
             };
-            HeadTwin::new(number, self.world(number, seam, seed), eye)
+            SimulatedHead::new(number, self.world(number, seam, seed), eye)
         });
-        twins.collect()
+        simulated_heads.collect()
     }
 
     /// Returns the true positions of each head's weld and joint.
@@ -176,15 +180,15 @@ impl<'a> PassScene<'a> {
         let limits = correction.carrier.limits();
         let speeds = self.pass.speeds();
         let cycle_s = machine.servo_period_s;
-        match &correction.eyes {
-            Eyes::Leading(leading) => {
+        match &correction.sensors {
+            PassSensors::Leading(leading) => {
                 let (_, lead_mm) = leading[number];
                 let settings = model(leading[number]).settings(cycle_s, speeds.1);
                 let own = OwnCurve::of(lead_mm, -lead_mm - SIGHTING_MM, self.path.length(), &seam.frame);
                 let head = HeadTracking::new(settings, own, [limits; 2])?;
                 Ok(Guide::Leading(Box::new(Leading::new(head))))
             }
-            Eyes::Beam(eye) => {
+            PassSensors::Beam(eye) => {
                 let settings = eye.settings(cycle_s, speeds);
                 let beam = eye.beam;
                 let deflection =
@@ -224,7 +228,7 @@ fn model((sensor, lead_mm): (&Sensor, f64)) -> SensorModel {
 
 /// Devices that guide the heads of a pass, and the carrier that moves them off their planned paths.
 pub(crate) struct Correction<'a> {
-    eyes: Eyes<'a>,
+    sensors: PassSensors<'a>,
     pub(crate) carrier: Carrier<'a>,
 }
 

@@ -71,12 +71,12 @@ pub fn run(scenario: &Scenario, machine: &Machine, method: Method, seed: u64) ->
     let mut heads = heads.collect::<Result<Vec<_>, Error>>()?;
     let lead = scenario.heads.iter().map(|h| h.sensor.lead_mm).fold(0.0, f64::max);
     let mut travel = Travel::new(-lead - 10.0, &scenario.legs);
-    let (mut t, mut pace) = (0.0, 1.0);
-    while travel.step(pace, cycle_s) {
+    let (mut t, mut feed_override) = (0.0, 1.0);
+    while travel.step(feed_override, cycle_s) {
         t += cycle_s;
-        pace = 1.0;
+        feed_override = 1.0;
         for head in &mut heads {
-            pace = head.cycle(&mut drives, t, &travel).min(pace);
+            feed_override = head.cycle(&mut drives, t, &travel).min(feed_override);
         }
     }
     let end = match scenario.legs.last() {
@@ -190,7 +190,7 @@ impl<'a> Head<'a> {
         while let Some(arrived) = self.sensor.arrived(t) {
             self.take(arrived, t, s);
         }
-        let (order, pace) = self.order(t, s, speed);
+        let (order, feed_override) = self.order(t, s, speed);
         self.watch[0].add(order.x);
         self.watch[1].add(order.y);
         if self.fault_mm.is_some_and(|from| s >= from) {
@@ -200,7 +200,7 @@ impl<'a> Head<'a> {
         let stuck = self.stuck_mm.is_some_and(|from| s >= from);
         self.drive(drives, if stuck { self.ordered[0] } else { order });
         self.measure(t, s, speed);
-        pace
+        feed_override
     }
 
     fn take(&mut self, arrived: Option<Measurement>, t: f64, s: f64) {
@@ -236,7 +236,7 @@ impl<'a> Head<'a> {
                     self.outcome.alarm = self.outcome.alarm.max(orders.alarm);
                 }
                 // The seam is unknown before its start.
-                (orders.slide, if s < 0.0 { 1.0 } else { orders.pace })
+                (orders.slide, if s < 0.0 { 1.0 } else { orders.feed_override })
             }
         }
     }

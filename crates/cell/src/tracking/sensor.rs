@@ -1,6 +1,6 @@
 use super::World;
+use crate::camera_simulator::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use crate::disturbance::uniform;
-use crate::eyes::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};

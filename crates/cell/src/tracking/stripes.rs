@@ -1,7 +1,7 @@
 //! Welds tracked with images of laser stripes: everything from the pixel to the slide.
 
 use super::{Displacement, Error, HeadScene, Method, Part, Scenario, Sees, run};
-use crate::eyes::stripe::{Section, StripeDisturbances};
+use crate::camera_simulator::stripe::{Section, StripeDisturbances};
 use crate::gate::{Gate, Limit};
 use glam::DVec2;
 use seamwright_machine::Machine;

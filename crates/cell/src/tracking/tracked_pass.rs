@@ -226,7 +226,7 @@ impl<'a> TrackedPass<'a> {
             self.heads.iter_mut().for_each(|head| head.stopped(stopped));
         } else {
             // Only a pass that welds, or would weld, is slowed down and stopped.
-            (guided.pace, guided.trouble) = (1.0, None);
+            (guided.feed_override, guided.trouble) = (1.0, None);
         }
         guided
     }
@@ -239,14 +239,14 @@ impl<'a> TrackedPass<'a> {
         }
         self.felt = Some((step.s, weaves));
         let mut wanted: ArrayVec<Wanted, 2> = ArrayVec::new();
-        let (mut pace, mut trouble) = (1.0f64, None);
+        let (mut feed_override, mut trouble) = (1.0f64, None);
         let mut seam = SeamOrders { pass: self.number, s_mm: step.s, weaves, ..SeamOrders::default() };
         for (number, head) in self.heads.iter_mut().enumerate() {
             let HeadOrders { wanted: here, told, news } = head.cycle(seen, step);
             wanted.push(here);
             (seam.beam, seam.deflection_mm) = (told.beam, told.deflection_mm);
-            pace = pace.min(told.pace);
-            if let Some((alarm, _)) = told.alarm.filter(|_| told.pace < SLOWEST) {
+            feed_override = feed_override.min(told.feed_override);
+            if let Some((alarm, _)) = told.alarm.filter(|_| told.feed_override < SLOWEST) {
                 trouble = Some(Trouble::Stop(detail(number, alarm)));
             } else if let Some(alarm) = news {
                 trouble = trouble.or(Some(Trouble::Tell(detail(number, alarm))));
@@ -258,21 +258,21 @@ impl<'a> TrackedPass<'a> {
         if self.rested > settles {
             self.off.rest(q, || carrier.shifted(q, &wanted));
         } else if !self.off.follow(q, || carrier.shifted(q, &wanted)) {
-            pace = 0.0;
+            feed_override = 0.0;
             for head in &mut self.heads {
                 head.tell(step.s, Alarm::StrokeEnd, None);
             }
             trouble = Some(Trouble::Stop(detail(0, Alarm::StrokeEnd)));
         }
-        let stops = pace < SLOWEST;
-        (self.guided(q, pace, trouble, seam), stops)
+        let stops = feed_override < SLOWEST;
+        (self.guided(q, feed_override, trouble, seam), stops)
     }
 
     /// Offsets the axes from the planned positions `q`.
-    fn guided(&mut self, q: &Joints, pace: f64, trouble: Option<Trouble>, seam: SeamOrders) -> Guided {
+    fn guided(&mut self, q: &Joints, feed_override: f64, trouble: Option<Trouble>, seam: SeamOrders) -> Guided {
         let q = self.off.positions(q);
         let (v, a) = self.off.rates(&q);
-        Guided { q, v, a, pace, trouble, seam }
+        Guided { q, v, a, feed_override, trouble, seam }
     }
 
     /// Runs a cycle of the return to the planned positions `q`; returns `None` once they are reached. Does not

@@ -12,7 +12,7 @@ use seamwright_cell::tracking::{Distortion, RESERVE};
 use seamwright_cell::{Conditions, Judge, Sample, SimulatedCell};
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
-use seamwright_motion::pace::RunPhase;
+use seamwright_motion::feed_override::RunPhase;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_weld::Welding;
 

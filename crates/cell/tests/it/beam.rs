@@ -1,6 +1,6 @@
 //! Beam mode on half an oblique ring on a cylinder, as in EBW-2004: misplaced, tracked, and replayed on a later pass.
 
-use seamwright_cell::eyes::{SeamLine, Station};
+use seamwright_cell::camera_simulator::{SeamLine, Station};
 use seamwright_cell::tracking::beam::{BeamJob, beam_rows, moved_since};
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;

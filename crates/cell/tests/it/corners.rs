@@ -77,8 +77,8 @@ fn a_blend_is_measured_from_the_seam_and_its_speed_along_the_blend() {
 #[test]
 fn at_a_stop_no_steady_speed_is_judged() {
     let (motion, summary, samples, pass) = weld(AtCorner::Stop);
-    assert_eq!(motion.passes[0].law.legs().len(), 2);
+    assert_eq!(motion.passes[0].profile.legs().len(), 2);
     assert!(summary.findings(&pass.tolerance, 1).is_empty(), "{summary:#?}");
     assert!(summary.path_error_mm.max < 0.05 && summary.tip_speed_mm_s.unwrap().min > 9.0, "{summary:#?}");
-    assert!(samples.iter().any(|s| s.travels() && (s.set.law.s - SIDE).abs() < 1e-3 && s.set.law.v < 0.1));
+    assert!(samples.iter().any(|s| s.travels() && (s.set.profile.s - SIDE).abs() < 1e-3 && s.set.profile.v < 0.1));
 }

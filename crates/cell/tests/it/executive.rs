@@ -4,8 +4,8 @@ use crate::common::{Script, Seen, When, at, down, held, in_mode, play, short, up
 use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
 use seamwright_cell::executive::{Alarm, Ask, End, Event, Executive, Interlocks, Missing, Mode, Note, Start, Work};
 use seamwright_machine::{Clamped, Joints, Surroundings};
+use seamwright_motion::feed_override::RunPhase;
 use seamwright_motion::jog;
-use seamwright_motion::pace::RunPhase;
 
 /// A weld without disturbance follows the plan. Gas, arc, travel and crater are timed from arc ignition on, the
 /// set-points are those of the path. All of it is welded, and the cell is home again.
@@ -26,7 +26,7 @@ fn a_weld_is_the_planned_one() {
     assert!((time(&|c| c.phase == Some(RunPhase::Crater)) - sequence.crater_s.get()).abs() < 3.0 * period);
     // The feed override rises from standstill in some twenty periods.
     let travel = time(&|c| c.phase == Some(RunPhase::Travel));
-    assert!((travel - motion.law.duration()).abs() < 0.03, "{travel} {}", motion.law.duration());
+    assert!((travel - motion.profile.duration()).abs() < 0.03, "{travel} {}", motion.profile.duration());
     assert!(time(&|c| c.gas) > time(&|c| c.on) + sequence.postflow_s.get() + sequence.preflow_s.get() - 0.01);
     for c in script.cycles.iter().filter(|c| c.phase.is_some()) {
         let q = motion.path.at(c.place.s_mm);

@@ -26,7 +26,7 @@ fn keeps_limits(part: &Tracked, samples: &[Sample]) {
             let [a, b, c, d] = std::array::from_fn(|k| four[k].set.q[i]);
             let (v, dv) = ((d - c) / period, (d - 2.0 * c + b) / period.powi(2));
             let ddv = (d - 3.0 * c + 3.0 * b - a) / period.powi(3);
-            let t = (four[3].set.t, four[3].pass, four[3].set.law.s, four[3].set.phase);
+            let t = (four[3].set.t, four[3].pass, four[3].set.profile.s, four[3].set.phase);
             assert!(v.abs() <= axis.max_speed * 1.001, "{} at {t:?}: {v}", axis.name);
             assert!(dv.abs() <= axis.max_acceleration * 1.001, "{} at {t:?}: {dv}", axis.name);
             assert!(ddv.abs() <= axis.jerk() * 1.01, "{} at {t:?}: {ddv} of {}", axis.name, axis.jerk());
@@ -65,27 +65,27 @@ fn what_is_held_keeps_its_corrections() {
     assert!(!script.notes.iter().any(early), "{:?}", script.notes);
     keeps_limits(&part, &samples);
     let welded: Vec<&Sample> = samples.iter().filter(|s| s.travels()).collect();
-    assert!((welded.last().unwrap().set.law.s - length).abs() < 0.1);
+    assert!((welded.last().unwrap().set.profile.s - length).abs() < 0.1);
     let head = |s: &Sample| s.heads[0].unwrap();
     for s in &welded {
-        assert!(head(s).miss.length() < 0.06 || s.set.law.s < 0.5, "{}: {:?}", s.set.law.s, head(s));
+        assert!(head(s).miss.length() < 0.06 || s.set.profile.s < 0.5, "{}: {:?}", s.set.profile.s, head(s));
         assert!(head(s).seam.length() > 0.5);
     }
     // Stretches welded twice, and gone back along without the process, have one correction.
     let mut first: Vec<Option<glam::DVec2>> = vec![None; 3000];
     let mut again = 0;
-    for s in samples.iter().filter(|s| s.pass == 1 && s.set.law.s > 1.0) {
+    for s in samples.iter().filter(|s| s.pass == 1 && s.set.profile.s > 1.0) {
         let correction = head(s).correction;
-        let cell = &mut first[(10.0 * s.set.law.s) as usize];
+        let cell = &mut first[(10.0 * s.set.profile.s) as usize];
         again += usize::from(cell.is_some());
-        assert!(cell.get_or_insert(correction).distance(correction) < 0.05, "{}: {correction}", s.set.law.s);
+        assert!(cell.get_or_insert(correction).distance(correction) < 0.05, "{}: {correction}", s.set.profile.s);
     }
     assert!(again > 5000, "{again}");
     // In a hold of some seconds nothing moves after a moment.
     let rests = samples.windows(500).filter(|w| {
         // The crater is filled.
-        let held = w.iter().all(|s| s.mode == Mode::Hold && s.pass == 1 && s.set.phase == Phase::Air);
-        held && w.iter().all(|s| s.set.law.s.to_bits() == w[0].set.law.s.to_bits())
+        let held = w.iter().all(|s| s.mode == Mode::Hold && s.pass == 1 && s.set.phase == Phase::Transfer);
+        held && w.iter().all(|s| s.set.profile.s.to_bits() == w[0].set.profile.s.to_bits())
     });
     let mut stands = 0;
     for w in rests {
@@ -139,7 +139,7 @@ fn a_dry_run_follows_the_joint() {
     assert_eq!((left, script.refused()), (None, vec![]), "{:?}", script.notes);
     keeps_limits(&part, &samples);
     assert!(script.cycles.iter().all(|c| !c.on));
-    let along: Vec<&Sample> = samples.iter().filter(|s| s.pass == 1 && s.set.law.s > 1.0).collect();
+    let along: Vec<&Sample> = samples.iter().filter(|s| s.pass == 1 && s.set.profile.s > 1.0).collect();
     let off = along.iter().map(|s| s.heads[0].unwrap().miss.length()).fold(0.0, f64::max);
     assert!(along.len() > 10_000 && off < 0.1, "{off}");
 }

@@ -1,7 +1,7 @@
 //! Acceptance tests of the follower on simulated frames: those of `bench vision`.
 
-use seamwright_cell::eyes::gates::{follow, joint_gates};
-use seamwright_cell::eyes::scene::{Kind, scene};
+use seamwright_cell::camera_simulator::gates::{follow, joint_gates};
+use seamwright_cell::camera_simulator::scene::{Kind, scene};
 use seamwright_cell::gate::Gate;
 use seamwright_vision::joint::{End, Follower, Options, Start};
 

@@ -2,7 +2,6 @@
 //! their own.
 
 mod beam;
-mod campaign;
 #[path = "../common/mod.rs"]
 mod common;
 mod corners;
@@ -10,6 +9,7 @@ mod devices;
 mod elastic;
 mod executive;
 mod executive_tracked;
+mod fault_injection;
 mod frame_sources;
 mod homing;
 mod joint;

@@ -95,10 +95,10 @@ fn a_woven_weld_is_judged_by_its_woven_path() {
     let path = welding.path(0);
     for sample in samples.iter().filter(|s| s.travels()).step_by(499) {
         let tip = machine.forward(&sample.q).point;
-        let near = (-4000..=4000).map(|i| (sample.set.law.s + 5e-5 * f64::from(i)).clamp(0.0, path.length()));
+        let near = (-4000..=4000).map(|i| (sample.set.profile.s + 5e-5 * f64::from(i)).clamp(0.0, path.length()));
         let least = near.map(|s| path.pose(s).point.distance(tip)).fold(f64::INFINITY, f64::min);
-        assert!((sample.path_error - least).abs() < 1e-3, "{}: {} {least}", sample.set.law.s, sample.path_error);
-        assert!((sample.tip_s - sample.set.law.s).abs() < 0.05, "{sample:?}");
+        assert!((sample.path_error - least).abs() < 1e-3, "{}: {} {least}", sample.set.profile.s, sample.path_error);
+        assert!((sample.tip_s - sample.set.profile.s).abs() < 0.05, "{sample:?}");
     }
     let speed = summary.tip_speed_mm_s.unwrap();
     assert!(speed.min > 2.2 && speed.max < 2.8 && summary.path_error_mm.max < 0.05, "{summary:#?}");

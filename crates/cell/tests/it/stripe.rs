@@ -3,7 +3,7 @@
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
-use seamwright_cell::eyes::stripe::{
+use seamwright_cell::camera_simulator::stripe::{
     Placement, Section, StripeDisturbances, StripeImage, StripeScene, confident_nowhere, stripe_gates, stripe_scene,
     stripe_task,
 };

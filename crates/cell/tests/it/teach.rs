@@ -1,7 +1,7 @@
 //! Teaching in simulation: the shipped machines, misplaced seams, the hidden truth at the end.
 
 use glam::DVec3;
-use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine, Station};
+use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, Distortion, SeamLine, Station};
 use seamwright_cell::frames::FrameError;
 use seamwright_cell::teach::{Carrier, JointFollower, NoOperator, Operator, SimulatedRig, TaughtRun, Truth, truth};
 use seamwright_geometry::reduce::Method;
@@ -10,7 +10,7 @@ use seamwright_message::Message;
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath as _;
 use seamwright_tracking::teach::{
-    Answer, Crawl, End, EyePose, Kind, Lean, LinePoint, Settings, TaughtLine, smoothed, to_program, torch_axes,
+    Answer, CameraPose, Crawl, End, Kind, Lean, LinePoint, Settings, TaughtLine, smoothed, to_program, torch_axes,
 };
 use seamwright_weld::{NoFiles, Welding};
 use std::time::{Duration, Instant};
@@ -79,7 +79,7 @@ fn teach_actual(
     let Bench { machine, nominal, .. } = bench;
     let sensor = &machine.sensors[0];
     let appearance = Appearance { tacks: tacks.to_vec(), ..Appearance::default() };
-    let eye = Eye::new(machine, sensor, actual.clone(), appearance, seed).unwrap();
+    let eye = CameraSimulator::new(machine, sensor, actual.clone(), appearance, seed).unwrap();
     let around = Surroundings::new(machine, &Clamped::default()).unwrap();
     let guide = |point| bench.guide(point);
     let carrier = Carrier::new(machine, sensor, &around, Some(&guide), bench.planned.path.at(0.0));
@@ -88,8 +88,11 @@ fn teach_actual(
     let (start, _) = actual.at(0.0);
     let (_, along) = nominal.at(0.0);
     let across = start.normal.cross(along);
-    let start =
-        EyePose { point: start.point + 0.3 * across + 0.5 * along, normal: start.normal, along: along + 0.1 * across };
+    let start = CameraPose {
+        point: start.point + 0.3 * across + 0.5 * along,
+        normal: start.normal,
+        along: along + 0.1 * across,
+    };
     let settings = Settings {
         ends_after_mm: if nominal.is_closed() { f64::INFINITY } else { nominal.length() - 10.0 },
         ..Settings::default()

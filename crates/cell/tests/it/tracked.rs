@@ -285,7 +285,7 @@ const HALF_RING_MISPLACED: &str = include_str!("../../../../examples/distortions
 /// Returns the lateral offset of pass `pass` from the planned line, by path length on the seam, mm.
 fn course(weld: &Weld, pass: usize, begin_mm: f64) -> Vec<(f64, f64)> {
     let samples = weld.samples.iter().filter(|s| s.pass == pass && s.travels()).step_by(20);
-    samples.filter_map(|s| Some((begin_mm + s.set.law.s, s.heads[0]?.correction.x))).collect()
+    samples.filter_map(|s| Some((begin_mm + s.set.profile.s, s.heads[0]?.correction.x))).collect()
 }
 
 /// An electron beam looks ahead while it welds a half-ring displaced by 2 mm. Its cosmetic pass, started elsewhere
@@ -399,7 +399,7 @@ fn a_woven_pass_is_tracked() {
     let path = welding.path(0);
     let mut widest = 0.0f64;
     for sample in tracked.samples.iter().filter(|s| s.travels()).step_by(50) {
-        let (s, head) = (sample.set.law.s, sample.heads[0].unwrap());
+        let (s, head) = (sample.set.profile.s, sample.heads[0].unwrap());
         let swing = path.swing(s).unwrap();
         let off = tracked.machine.forward(&sample.q).point - path.centre(s) - swing;
         assert!((off.length() - head.correction.length()).abs() < 0.1, "{s}: {off} {}", head.correction);

@@ -11,7 +11,7 @@ use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings};
 use seamwright_message::{Message, Unit};
-use seamwright_motion::law::{LawPoint, LawStream};
+use seamwright_motion::speed_profile::{ProfilePoint, ProfileStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
 use seamwright_program::Finding;
 use std::cell::RefCell;
@@ -67,8 +67,8 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     columns.extend(machine.axes.iter().map(|a| a.name.clone()));
     columns.push("speed_mm_s".to_owned());
     let mut rows = Rows::new(columns, args.json)?;
-    let law = LawStream::new(path, window).map_err(|e| Failure::input(in_file(&source, &e)))?;
-    play(&machine, &source, law, (speed, period), &mut rows)?;
+    let profile = ProfileStream::new(path, window).map_err(|e| Failure::input(in_file(&source, &e)))?;
+    play(&machine, &source, profile, (speed, period), &mut rows)?;
     rows.finish()?;
     failed.take().map_or(Ok(()), Err)
 }
@@ -77,7 +77,7 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
 fn play<I: Iterator<Item = Joints>>(
     machine: &Machine,
     source: &str,
-    mut law: LawStream<TaughtPath<'_, I>>,
+    mut profile: ProfileStream<TaughtPath<'_, I>>,
     (speed, period): (f64, f64),
     rows: &mut Rows,
 ) -> Result<(), Failure> {
@@ -87,20 +87,20 @@ fn play<I: Iterator<Item = Joints>>(
         let t = k as f64 * period;
         let parts = if k > 0 { (period / MEASURED_S).ceil() } else { 0.0 };
         let step = period / parts.max(1.0);
-        let mut point = if k > 0 { None } else { tip(&mut law, source, 0.0)?.0 };
+        let mut point = if k > 0 { None } else { tip(&mut profile, source, 0.0)?.0 };
         for part in 1..=parts as u64 {
             // The tip's way is the integral of its speed, by Simpson's rule.
             let at = t - period + part as f64 * step;
-            let between = tip(&mut law, source, at - 0.5 * step)?.1;
+            let between = tip(&mut profile, source, at - 0.5 * step)?.1;
             let now;
-            (point, now) = tip(&mut law, source, if part == parts as u64 { t } else { at })?;
+            (point, now) = tip(&mut profile, source, if part == parts as u64 { t } else { at })?;
             way += step / 6.0 * (last + 4.0 * between + now);
             (last, fastest) = (now, fastest.max(now));
             if point.is_none() {
                 break;
             }
         }
-        let q = law.path().position(point.unwrap_or_else(|| law.end()).s);
+        let q = profile.path().position(point.unwrap_or_else(|| profile.end()).s);
         cells.clear();
         cells.extend([Cell::Number(t), Cell::Number(way)]);
         cells.extend(machine.axes.iter().zip(&q).map(|(axis, q)| Cell::Number(axis.to_file(*q))));
@@ -111,13 +111,13 @@ fn play<I: Iterator<Item = Joints>>(
         }
     }
     let done = Message::new("cli-follow-done")
-        .quantity("time", law.duration().unwrap_or_default(), Unit::S, 3)
+        .quantity("time", profile.duration().unwrap_or_default(), Unit::S, 3)
         .quantity("way", way, Unit::Mm, 3)
         .quantity("speed", fastest, Unit::MmPerS, 3);
     let slower = Message::new("cli-follow-slower").value("speed", speed, Unit::MmPerS);
-    let stops = Message::new("cli-follow-stops").count("stops", law.stops());
+    let stops = Message::new("cli-follow-stops").count("stops", profile.stops());
     let slower = (fastest < 0.99 * speed).then_some(slower);
-    let stops = (law.stops() > 0).then_some(stops);
+    let stops = (profile.stops() > 0).then_some(stops);
     let all = std::iter::once(done).chain(slower).chain(stops);
     // Errors are ignored: standard error may be closed.
     let _ = writeln!(io::stderr(), "{}", all.map(|part| part.to_string()).collect::<Vec<_>>().join("; "));
@@ -126,12 +126,12 @@ fn play<I: Iterator<Item = Joints>>(
 
 /// State of the speed profile at time `t`, and the tip's speed then (mm/s).
 fn tip<I: Iterator<Item = Joints>>(
-    law: &mut LawStream<TaughtPath<'_, I>>,
+    profile: &mut ProfileStream<TaughtPath<'_, I>>,
     source: &str,
     t: f64,
-) -> Result<(Option<LawPoint>, f64), Failure> {
-    let point = law.at(t).map_err(|e| Failure::input(in_file(source, &e)))?;
-    Ok((point, point.map_or(0.0, |p| law.path().tip_rate(p.s) * p.v)))
+) -> Result<(Option<ProfilePoint>, f64), Failure> {
+    let point = profile.at(t).map_err(|e| Failure::input(in_file(source, &e)))?;
+    Ok((point, point.map_or(0.0, |p| profile.path().tip_rate(p.s) * p.v)))
 }
 
 /// Axis positions of the rows of a file, each nearest to the one before; ends at the first invalid row.

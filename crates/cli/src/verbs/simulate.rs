@@ -222,12 +222,12 @@ fn columns(machine: &Machine, heads: &HeadColumns, process: &[String]) -> Vec<(S
 
 /// All columns but those of the process, with the planned `speed` of the tip.
 fn row(machine: &Machine, sample: &Sample, speed: f64) -> Vec<f64> {
-    let law = sample.set.law;
+    let profile = sample.set.profile;
     let arc = sample.arc();
     let mut row = vec![
         sample.set.t,
         sample.pass as f64,
-        law.s,
+        profile.s,
         if arc { 1.0 } else { 0.0 },
         speed,
         sample.tip_s,

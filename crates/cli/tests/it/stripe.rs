@@ -1,7 +1,7 @@
 //! `seamwright vision stripe`: simulated images and profiles whose joint is known, and the errors of others.
 
 use crate::common::{bad, column, good, root, run, run_with, table};
-use seamwright_cell::eyes::stripe::{Placement, Section, StripeDisturbances, StripeScene};
+use seamwright_cell::camera_simulator::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use seamwright_machine::{Machine, Sight, shipped};
 use seamwright_vision::Image;
 use serde_json::Value;

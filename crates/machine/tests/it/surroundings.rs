@@ -4,7 +4,7 @@
 use crate::common::{Uniform, cases, random_joints};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Limits, Shape, Solid, Watch};
-use seamwright_machine::{Clamped, Course, Joints, Keeper, Machine, SHIPPED, Surroundings, shipped};
+use seamwright_machine::{Clamped, CollisionMonitor, Course, Joints, Machine, SHIPPED, Surroundings, shipped};
 
 fn read(name: &str) -> Machine {
     Machine::read(name, shipped(name).unwrap().text).unwrap()
@@ -211,7 +211,7 @@ impl Course for Bend {
     }
 }
 
-/// Motions proven by a keeper are clear at every sample, and it proves most motions that are clear with a margin.
+/// Motions proven by a monitor are clear at every sample, and it proves most motions that are clear with a margin.
 #[test]
 fn keepers_prove_only_what_is_so() {
     let block = Solid::new("block", Shape::Box { size: DVec3::splat(90.0) }, DAffine3::IDENTITY).unwrap();
@@ -219,7 +219,7 @@ fn keepers_prove_only_what_is_so() {
     for name in ["torch-5axis", "table-tilting-xyzac", "ebw-7axis", "dual-laser-10axis"] {
         let machine = read(name);
         let around = Surroundings::new(&machine, &clamped).unwrap();
-        let mut keeper = Keeper::new(&around, &machine.home());
+        let mut monitor = CollisionMonitor::new(&around, &machine.home());
         let mut random = Uniform::new(17);
         let (mut proven, mut missed, mut touching) = (0, 0, 0);
         let mut from = random_joints(&machine, &mut random);
@@ -239,7 +239,7 @@ fn keepers_prove_only_what_is_so() {
                 std::array::from_fn(|i| places.iter().map(|q| q[i]).reduce(pick).unwrap() + more(i))
             };
             let clear = places.iter().all(|q| around.is_clear(q));
-            match keeper.prove(&bend, &ends(f64::min), &ends(f64::max), 16) {
+            match monitor.prove(&bend, &ends(f64::min), &ends(f64::max), 16) {
                 Ok(()) => {
                     assert!(clear, "{name}: {case}");
                     proven += 1;

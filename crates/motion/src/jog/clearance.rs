@@ -1,5 +1,5 @@
 use super::PointToPoint;
-use crate::air::too_near;
+use crate::transfer::too_near;
 use seamwright_clearance::{ClearanceError, Limits};
 use seamwright_machine::{Course, Joints, Surroundings};
 use seamwright_message::Message;

@@ -5,7 +5,7 @@ use super::{AxisName, AxisValue, JogError, JogSetting, PointToPoint, State, TipF
 use crate::limit_kind::position_unit;
 use glam::DVec3;
 use rsruckig::prelude::Synchronization;
-use seamwright_machine::{Joints, Keeper, MAX_AXES, Machine, RangeViolation, Surroundings};
+use seamwright_machine::{CollisionMonitor, Joints, MAX_AXES, Machine, RangeViolation, Surroundings};
 
 /// Command of the operator; replaces the previous one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +104,7 @@ enum Mode {
 #[derive(Debug)]
 pub struct Jog<'a> {
     machine: &'a Machine,
-    keeper: Option<Keeper<'a>>,
+    monitor: Option<CollisionMonitor<'a>>,
     settings: JogSettings,
     plan: PointToPoint,
     /// Time since the start of the planned motion; none if planning is due.
@@ -161,7 +161,7 @@ impl<'a> Jog<'a> {
         let stop = Stop::new(plan.limits(), &state);
         Ok(Self {
             machine,
-            keeper: surroundings.map(|s| Keeper::new(s, &home)),
+            monitor: surroundings.map(|s| CollisionMonitor::new(s, &home)),
             settings,
             plan,
             planned_for: None,
@@ -181,7 +181,7 @@ impl<'a> Jog<'a> {
         let there = self.machine.axes.iter().zip(start).all(|(_, q)| q.is_finite());
         let stands = there
             && self.machine.outside(start).is_none()
-            && self.keeper.as_mut().is_none_or(|keeper| keeper.holds_at(start));
+            && self.monitor.as_mut().is_none_or(|monitor| monitor.holds_at(start));
         if stands {
             self.state = State::at_rest(start);
             self.stop = Stop::new(self.plan.limits(), &self.state);
@@ -377,10 +377,10 @@ impl<'a> Jog<'a> {
                 return Err(Halt::Limit(i));
             }
         }
-        if let Some(keeper) = &mut self.keeper {
+        if let Some(monitor) = &mut self.monitor {
             let way = Commitment { before: &self.state.q, period, stop: &stop };
             let (low, high) = way.reach();
-            keeper.prove(&way, &low, &high, self.settings.looks).map_err(Halt::TooNear)?;
+            monitor.prove(&way, &low, &high, self.settings.looks).map_err(Halt::TooNear)?;
         }
         Ok(stop)
     }

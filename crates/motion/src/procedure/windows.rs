@@ -15,10 +15,11 @@ struct Piece<'a> {
 
 /// The pass between acceleration and deceleration phase, span by span, sampled at the profile's cells.
 fn steady<'a>(pass: &'a Pass, motion: &PassMotion) -> Vec<Piece<'a>> {
-    let legs = motion.law.legs();
+    let legs = motion.profile.legs();
     let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return Vec::new() };
     let (from, to) = (first.run_up_end, last.run_down_start);
-    let cells = (0..motion.law.cells()).flat_map(|i| [0.0, 0.25, 0.5, 0.75].map(|part| motion.law.in_cell(i, part).s));
+    let cells =
+        (0..motion.profile.cells()).flat_map(|i| [0.0, 0.25, 0.5, 0.75].map(|part| motion.profile.in_cell(i, part).s));
     let places: Vec<f64> = cells.collect();
     let piece = |span: &'a Span| {
         let (from, to) = (from.max(span.from_mm.get()), to.min(span.to_mm.get()));
@@ -32,7 +33,7 @@ fn steady<'a>(pass: &'a Pass, motion: &PassMotion) -> Vec<Piece<'a>> {
 
 /// Speed of the tip at path length `s`, mm/s.
 fn speed(machine: &Machine, motion: &PassMotion, s: f64) -> f64 {
-    motion.law.speed(s) * motion.path.tip_rate(machine, s)
+    motion.profile.speed(s) * motion.path.tip_rate(machine, s)
 }
 
 /// Power at path length `s` of a span of `pass`, W; includes the values at the sides of a weave.

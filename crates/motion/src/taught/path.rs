@@ -1,7 +1,7 @@
 use super::spline::{Piece, slopes};
 use super::thin::{Kept, SAME, Taught, Thinned};
-use crate::law::{Channels, Feed, Limits};
 use crate::pass_channels::limits;
+use crate::speed_profile::{Channels, Feed, Limits};
 use crate::tip_channels::TipChannels;
 use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
 use std::collections::VecDeque;

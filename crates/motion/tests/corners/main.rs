@@ -64,13 +64,13 @@ fn stops_asked_for_are_exact_and_a_note() {
     let stops = of_kind(&motion.findings, "stop");
     assert!(stops.len() == 1 && stops[0].allowed, "{:#?}", motion.findings);
     assert!(of_kind(&motion.findings, "speed").is_empty(), "{:#?}", motion.findings);
-    assert_eq!(motion.law.legs().len(), 2);
+    assert_eq!(motion.profile.legs().len(), 2);
     assert!(
-        (motion.law.legs()[0].to - 40.0).abs() < 1e-9
-            && motion.law.legs()[0].run_down_start > motion.law.legs()[0].run_up_end
+        (motion.profile.legs()[0].to - 40.0).abs() < 1e-9
+            && motion.profile.legs()[0].run_down_start > motion.profile.legs()[0].run_up_end
     );
     assert!(motion.path.blends().is_empty());
-    assert!(motion.law.speed(40.0) < 1e-6);
+    assert!(motion.profile.speed(40.0) < 1e-6);
     assert!(machine.forward(&motion.path.at(40.0)).point.distance(route.pose(40.0).point) < 1e-9);
     // A stop is slower than any minimum speed.
     asked.least_speed_mm_s = Positive::new(5.0);
@@ -143,15 +143,15 @@ fn a_rounded_rectangle_goes_round_without_a_stop() {
     let parts = sides.iter().flat_map(|side| [Part::line(0.0, *side), arc()]).collect();
     let (machine, route) = (machine("ellipse-xy"), Route::new(DVec3::new(-50.0, -50.0, 0.0), parts));
     let stopping = plan(&machine, &route, 20.0, AtCorner::Stop).unwrap();
-    assert_eq!(stopping.law.legs().len(), 8);
+    assert_eq!(stopping.profile.legs().len(), 8);
     let motion = plan(&machine, &route, 20.0, blend(0.05)).unwrap();
-    assert!(motion.path.blends().len() == 7 && motion.law.legs().len() == 1);
+    assert!(motion.path.blends().len() == 7 && motion.profile.legs().len() == 1);
     let (least, greatest) = motion.certificate.band().unwrap();
     // The profile keeps a reserve of a thousandth and more if the rate of the tip changes.
     assert!(least > 20.0 * (1.0 - 2e-3) && greatest <= 20.0 * (1.0 + 1e-9), "{least} {greatest}");
     let shares = [&motion, &stopping].map(|m| m.certificate.at_asked);
     assert!(shares[0] > 0.95 && shares[0] > shares[1], "{shares:?}");
-    assert!(motion.law.duration() < stopping.law.duration() - 0.5);
+    assert!(motion.profile.duration() < stopping.profile.duration() - 0.5);
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn corners_near_to_each_other_or_to_the_end() {
         "{stops:#?}"
     );
     let motion = plan(&machine, &last, 10.0, AtCorner::Stop).unwrap();
-    assert!(motion.law.legs().len() == 2 && motion.law.duration() < 20.0);
+    assert!(motion.profile.legs().len() == 2 && motion.profile.duration() < 20.0);
 }
 
 #[test]
@@ -222,5 +222,5 @@ fn a_path_that_turns_back_cannot_be_blended() {
         }
     }
     let motion = plan(&machine, &bent(180.0), 10.0, AtCorner::Stop).unwrap();
-    assert_eq!(motion.law.legs().len(), 2);
+    assert_eq!(motion.profile.legs().len(), 2);
 }

@@ -4,7 +4,7 @@ use super::route::{Part, Route};
 use super::{blend, machine, of_kind, pass, plan};
 use glam::DVec3;
 use seamwright_machine::{AxisKind, Joints, Machine};
-use seamwright_motion::law::Bound;
+use seamwright_motion::speed_profile::Bound;
 use seamwright_motion::{PassMotion, SetPoint};
 use seamwright_program::{AtCorner, TorchPath};
 
@@ -78,10 +78,10 @@ fn random_corners_are_smooth_near_to_the_seam_and_within_all_limits() {
         let motion = plan(machine, &route, speed, blend(mm)).unwrap_or_else(|f| panic!("{what}: {f:#?}"));
         let stopping = plan(machine, &route, speed, AtCorner::Stop).unwrap_or_else(|f| panic!("{what}: {f:#?}"));
         let case = Case { machine: machine.clone(), route, speed, mm, motion, stopping };
-        assert_eq!(case.motion.path.blends().len() + 1, case.stopping.law.legs().len(), "{what}");
-        faster += usize::from(case.motion.law.duration() < case.stopping.law.duration());
-        cornered += usize::from(case.stopping.law.legs().len() > 1);
-        assert!(case.motion.law.legs().len() == 1 && of_kind(&case.motion.findings, "stop").is_empty(), "{what}");
+        assert_eq!(case.motion.path.blends().len() + 1, case.stopping.profile.legs().len(), "{what}");
+        faster += usize::from(case.motion.profile.duration() < case.stopping.profile.duration());
+        cornered += usize::from(case.stopping.profile.legs().len() > 1);
+        assert!(case.motion.profile.legs().len() == 1 && of_kind(&case.motion.findings, "stop").is_empty(), "{what}");
         smooth(&case, &what);
         (blends, wide) = (blends + case.motion.path.blends().len(), wide + near(&case, &what));
         untouched(&case, &what);
@@ -135,7 +135,7 @@ fn smooth(case: &Case, what: &str) {
 fn near(case: &Case, what: &str) -> usize {
     let Case { machine, route, mm, motion, .. } = case;
     let mut wide = 0;
-    for (&(from, to), corner) in motion.path.blends().iter().zip(&case.stopping.law.legs()[1..]) {
+    for (&(from, to), corner) in motion.path.blends().iter().zip(&case.stopping.profile.legs()[1..]) {
         let exact: Vec<DVec3> = (0..=1200)
             .map(|k| from - (to - from) + 3.0 * (to - from) * f64::from(k) / 1200.0)
             .map(|s| route.pose(s.clamp(0.0, route.length())).point)
@@ -156,7 +156,7 @@ fn near(case: &Case, what: &str) -> usize {
         assert!(turned < 10.1, "{what}: {turned}");
         // As wide as possible: up to the tolerance, or to half the distance to the next corner or end.
         let places: Vec<f64> = std::iter::once(0.0)
-            .chain(case.stopping.law.legs()[1..].iter().map(|l| l.from))
+            .chain(case.stopping.profile.legs()[1..].iter().map(|l| l.from))
             .chain(std::iter::once(route.length()))
             .collect();
         let i = places.iter().position(|s| (s - corner.from).abs() < 1e-9).unwrap();
@@ -226,7 +226,7 @@ fn in_time(case: &Case, what: &str) -> usize {
     let Case { machine, route, speed, motion, stopping, .. } = case;
     // Hundredths of a millimetre at a high speed leave so little room that a stop, whose jerks do not overlap, may win
     // by some milliseconds.
-    assert!(motion.law.duration() < stopping.law.duration() + 0.01, "{what}");
+    assert!(motion.profile.duration() < stopping.profile.duration() + 0.01, "{what}");
     let sets: Vec<SetPoint> = motion.set_points(PERIOD).collect();
     let asked =
         |s: f64| motion.certificate.intervals.iter().any(|i| i.bound == Bound::Asked && i.from <= s && s <= i.to);
@@ -234,17 +234,17 @@ fn in_time(case: &Case, what: &str) -> usize {
     let mut cruised = 0;
     for w in sets.windows(2) {
         let way = machine.forward(&w[1].q).point.distance(machine.forward(&w[0].q).point);
-        assert!(way / PERIOD <= speed * (1.0 + 1e-8), "{what}: {} at {}", way / PERIOD, w[0].law.s);
-        let told = motion.tip_speed(machine, w[0].law).max(motion.tip_speed(machine, w[1].law));
+        assert!(way / PERIOD <= speed * (1.0 + 1e-8), "{what}: {} at {}", way / PERIOD, w[0].profile.s);
+        let told = motion.tip_speed(machine, w[0].profile).max(motion.tip_speed(machine, w[1].profile));
         assert!(told <= speed * (1.0 + 1e-9), "{what}: told {told}");
-        let straight = route.part(w[0].law.s).curvature == 0.0 && route.part(w[1].law.s).curvature == 0.0;
-        if w.iter().all(|p| asked(p.law.s) && !blended(p.law.s)) && straight {
-            assert!((way / PERIOD / speed - 1.0).abs() < 1e-6, "{what}: {} at {}", way / PERIOD, w[0].law.s);
+        let straight = route.part(w[0].profile.s).curvature == 0.0 && route.part(w[1].profile.s).curvature == 0.0;
+        if w.iter().all(|p| asked(p.profile.s) && !blended(p.profile.s)) && straight {
+            assert!((way / PERIOD / speed - 1.0).abs() < 1e-6, "{what}: {} at {}", way / PERIOD, w[0].profile.s);
             cruised += 1;
         } else if way / PERIOD > 0.1 * speed {
             // The reported speed is the tip's own, also in blends.
-            let mean = 0.5 * (motion.tip_speed(machine, w[0].law) + motion.tip_speed(machine, w[1].law));
-            assert!((way / PERIOD / mean - 1.0).abs() < 0.02, "{what}: {} {mean} at {}", way / PERIOD, w[0].law.s);
+            let mean = 0.5 * (motion.tip_speed(machine, w[0].profile) + motion.tip_speed(machine, w[1].profile));
+            assert!((way / PERIOD / mean - 1.0).abs() < 0.02, "{what}: {} {mean} at {}", way / PERIOD, w[0].profile.s);
         }
     }
     for (i, axis) in machine.axes.iter().enumerate() {

@@ -79,7 +79,7 @@ fn stretches_below_the_least_speed_are_those_of_the_set_points() {
     let (length, speed, period) = (circle.length(), 130.0, 2e-4);
     let motion = PassMotion::plan(&machine, &circle, &pass(length, speed, None), 1).unwrap();
     let welding = motion.set_points(period).filter(|p| p.phase.arc());
-    let points: Vec<(f64, f64)> = welding.map(|p| (p.law.s, p.law.v)).collect();
+    let points: Vec<(f64, f64)> = welding.map(|p| (p.profile.s, p.profile.v)).collect();
     let mut seen = 0;
     for least in (0..30).map(|i| 99.0 + f64::from(i)) {
         let plan = PassMotion::plan(&machine, &circle, &pass(length, speed, Some(least)), 1);

@@ -2,11 +2,11 @@
 //! always used up, and a lower speed is offered only if it helps.
 
 use crate::number;
-use crate::pace_law::Uniform;
+use crate::override_profile::Uniform;
 use seamwright_document::Positive;
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
-use seamwright_motion::law::Bound;
+use seamwright_motion::speed_profile::Bound;
 use seamwright_program::{Finding, OnLimit, Pass, Ramp, Severity, Span, SpanValue, TorchPath};
 use seamwright_weld::Welding;
 
@@ -94,8 +94,8 @@ fn follows(valley: Valley) {
     let motion = case.plan().unwrap_or_else(|findings| panic!("{valley:?}: {findings:#?}"));
     assert!(speed_findings(&motion.findings).is_empty(), "{valley:?}: {:#?}", motion.findings);
     let mut slowest = f64::INFINITY;
-    for set in motion.set_points(1e-3).filter(|set| (20.0..1500.0).contains(&set.law.s)) {
-        slowest = slowest.min(set.law.v / case.pass().speed_at(set.law.s));
+    for set in motion.set_points(1e-3).filter(|set| (20.0..1500.0).contains(&set.profile.s)) {
+        slowest = slowest.min(set.profile.v / case.pass().speed_at(set.profile.s));
     }
     assert!(slowest > 1.0 - 4e-3, "{valley:?}: {slowest}");
 }
@@ -142,9 +142,9 @@ fn no_limit_is_blamed_that_is_not_used_up() {
         let axes = &case.machine.axes;
         let used = |bound: Bound, (from, to): (f64, f64)| -> f64 {
             let mut most = 0.0f64;
-            for cell in 0..motion.law.cells() {
+            for cell in 0..motion.profile.cells() {
                 for part in [0.0, 0.25, 0.5, 0.75, 1.0] {
-                    let p = motion.law.in_cell(cell, part);
+                    let p = motion.profile.in_cell(cell, part);
                     if p.s < from - 1e-9 || p.s > to + 1e-9 {
                         continue;
                     }
@@ -172,7 +172,7 @@ fn no_limit_is_blamed_that_is_not_used_up() {
             if matches!(interval.bound, Bound::Asked | Bound::Change) {
                 continue;
             }
-            let slowed = |i: &&seamwright_motion::law::Interval| i.bound != Bound::Asked;
+            let slowed = |i: &&seamwright_motion::speed_profile::Interval| i.bound != Bound::Asked;
             let from = intervals[..=k].iter().rev().take_while(slowed).last().unwrap().from;
             let to = intervals[k..].iter().take_while(slowed).last().unwrap().to;
             let used = used(interval.bound, (from, to));
@@ -243,5 +243,5 @@ fn times_that_no_weld_takes_are_refused() {
     assert!(slow.contains("would travel for"), "{slow}");
     // The maximum speed in a file is bounded by the axes, and costs no more than others.
     let fast = Case::new(&[(0.0, 1e5)], OnLimit::Slow).plan().unwrap();
-    assert!(fast.law.cells() < 20_000 && fast.law.duration() > 1.0, "{}", fast.law.cells());
+    assert!(fast.profile.cells() < 20_000 && fast.profile.duration() > 1.0, "{}", fast.profile.cells());
 }

@@ -86,7 +86,7 @@ fn every_set_point_of_every_example_is_within_every_limit() {
             println!(
                 "{name} {period}: {count} set-points, worst {} of a limit, {:?}",
                 check.worst,
-                motion.law.report()
+                motion.profile.report()
             );
             assert!(check.worst <= 1.0 + 1e-9, "{name}: {}", check.worst);
         }
@@ -100,24 +100,24 @@ fn the_tip_moves_along_the_seam_at_the_asked_speed() {
         let motion = case.motion().unwrap();
         let path = case.welding.path(0);
         let v = case.speed();
-        let report = motion.law.report();
+        let report = motion.profile.report();
         let period = 0.01;
-        let steady = |p: &SetPoint| p.law.s > report.run_up_end && p.law.s < report.run_down_start;
+        let steady = |p: &SetPoint| p.profile.s > report.run_up_end && p.profile.s < report.run_down_start;
         let points: Vec<SetPoint> = motion.set_points(period).collect();
         for w in points.windows(2) {
             // The tip is on the exact path, in its attitude.
-            let (tip, exact) = (case.machine.forward(&w[0].q), path.pose(w[0].law.s));
+            let (tip, exact) = (case.machine.forward(&w[0].q), path.pose(w[0].profile.s));
             assert!((tip.point - exact.point).length() < 1e-8, "{name}");
             let off = (tip.direction - exact.direction).length();
             assert!(off <= 2.0 * (0.5 * motion.attitude_error.0).sin() + 1e-6, "{name} {off}");
             if steady(&w[0]) && steady(&w[1]) {
-                let step = w[1].law.s - w[0].law.s;
+                let step = w[1].profile.s - w[0].profile.s;
                 assert!((step - v * period).abs() < 1e-9 * v * period, "{name} {step}");
             }
         }
         assert!((report.least - v).abs() < 1e-12 * v && (report.greatest - v).abs() < 1e-12 * v, "{name} {report:?}");
         let last = points.last().unwrap();
-        assert!((last.law.s - path.length()).abs() < 1e-9 && last.phase == Phase::Postflow);
+        assert!((last.profile.s - path.length()).abs() < 1e-9 && last.phase == Phase::Postflow);
     }
 }
 
@@ -135,26 +135,26 @@ fn a_nozzle_across_a_knuckle_needs_an_answer_to_its_corners() {
     let mut farthest: f64 = 0.0;
     for p in motion.set_points(0.01) {
         let tip = case.machine.forward(&p.q);
-        let foot = path.foot(tip.point, p.law.s, (0.0, path.length()));
+        let foot = path.foot(tip.point, p.profile.s, (0.0, path.length()));
         farthest = farthest.max(path.pose(foot).point.distance(tip.point));
     }
     assert!(farthest > 1e-7 && farthest < 0.05 + 1e-6, "{farthest}");
 }
 
 #[test]
-fn the_law_is_consistent_in_time_and_length() {
+fn the_profile_is_consistent_in_time_and_length() {
     let case = Case::new("saddle", EXAMPLES[0].1);
     let motion = case.motion().unwrap();
     let mut cursor = 0;
     let n = 20_000;
     let mut integral = 0.0;
-    let h = motion.law.duration() / f64::from(n);
+    let h = motion.profile.duration() / f64::from(n);
     for i in 0..n {
         let t = (f64::from(i) + 0.5) * h;
-        let p = motion.law.at(t, &mut cursor);
+        let p = motion.profile.at(t, &mut cursor);
         integral += p.v * h;
-        assert!((motion.law.time(p.s) - t).abs() < 1e-9);
-        assert!((motion.law.speed(p.s) - p.v).abs() < 1e-6);
+        assert!((motion.profile.time(p.s) - t).abs() < 1e-9);
+        assert!((motion.profile.speed(p.s) - p.v).abs() < 1e-6);
     }
     assert!((integral - case.welding.seam.as_ref().unwrap().weld_length()).abs() < 5e-3);
 }
@@ -195,7 +195,7 @@ fn a_short_bend_is_refused_and_the_cure_cures() {
     assert!(findings[0].message.to_string().contains("jerk"), "{findings:#?}");
     let cure = number(findings[0].cure.as_ref().unwrap(), "speed");
     let motion = Case::new("bend", &leaning(cure)).motion().unwrap();
-    assert!(motion.law.report().least >= cure * (1.0 - 1e-9) && cure > 8.0, "{:?}", motion.law.report());
+    assert!(motion.profile.report().least >= cure * (1.0 - 1e-9) && cure > 8.0, "{:?}", motion.profile.report());
 }
 
 #[test]
@@ -309,9 +309,9 @@ proptest! {
         let (mut last, mut fastest) = (0.0, 0.0f64);
         for p in motion.set_points(1e-3) {
             check.add(&p.q);
-            prop_assert!(p.law.s >= last && p.law.v <= pass.speed_at(0.0) * (1.0 + 1e-9));
-            last = p.law.s;
-            fastest = fastest.max(p.law.v);
+            prop_assert!(p.profile.s >= last && p.profile.v <= pass.speed_at(0.0) * (1.0 + 1e-9));
+            last = p.profile.s;
+            fastest = fastest.max(p.profile.v);
         }
         prop_assert!(check.worst <= 1.0 + 1e-9, "{}", check.worst);
         // The weld reaches the requested speed, or some axis' limit.

@@ -42,7 +42,7 @@ fn a_redundant_axis_that_the_pose_would_decide_can_be_held() {
     let held = plan(&gantry, "r = 0").unwrap_or_else(|f| panic!("{f:#?}"));
     let without = machine(WITHOUT);
     let expected = plan(&without, "").unwrap_or_else(|f| panic!("{f:#?}"));
-    assert!((held.law.duration() - expected.law.duration()).abs() < 1e-6 * expected.law.duration());
+    assert!((held.profile.duration() - expected.profile.duration()).abs() < 1e-6 * expected.profile.duration());
     let [r, axes] = [vec!["r"], vec!["x", "y", "z", "c", "b"]];
     for i in 0..=500 {
         let s = held.path.length() * f64::from(i) / 500.0;
@@ -97,6 +97,6 @@ fn a_held_axis_stands_still_before_and_after_the_weld() {
         [(&path, &welding.program.value.passes[0])];
     let motion = WeldMotion::plan(&gantry, &around, &passes, 30.0).unwrap_or_else(|f| panic!("{f:#?}"));
     let r = gantry.axis("r").unwrap();
-    let retract = motion.air[1].legs.first().unwrap();
-    assert!(motion.air[1].retracts && (retract.start()[r] - retract.end()[r]).abs() < 1e-9);
+    let retract = motion.transfers[1].legs.first().unwrap();
+    assert!(motion.transfers[1].retracts && (retract.start()[r] - retract.end()[r]).abs() < 1e-9);
 }

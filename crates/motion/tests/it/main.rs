@@ -3,17 +3,16 @@
 
 use seamwright_message::{Argument, Message};
 
-mod air;
 mod arc_limits;
 mod asked_speed;
 mod examples;
+mod feed_override;
 mod fine;
 mod held_axes;
-mod pace;
-#[path = "../pace_law/mod.rs"]
-mod pace_law;
-mod pace_run;
-mod pace_start;
+#[path = "../override_profile/mod.rs"]
+mod override_profile;
+mod override_run;
+mod override_start;
 mod passes;
 mod positions;
 mod procedure;
@@ -24,6 +23,7 @@ mod run_up;
 mod searches;
 mod taught;
 mod tip_limits;
+mod transfer;
 mod weave;
 mod weld_motion;
 

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
-use seamwright_motion::law::Bound;
+use seamwright_motion::speed_profile::Bound;
 use seamwright_program::{Bead, OnLimit, Pass, Ramp, Span, SpanValue, TorchPath};
 use seamwright_weld::Welding;
 
@@ -130,8 +130,8 @@ proptest! {
         let Planned { welding, machine, motion } = case.planned();
         let pass = &welding.program.value.passes[0];
         let period = 2e-3;
-        let sets: Vec<_> = motion.set_points(period).filter(|set| set.law.v > 0.0).collect();
-        let legs = motion.law.legs();
+        let sets: Vec<_> = motion.set_points(period).filter(|set| set.profile.v > 0.0).collect();
+        let legs = motion.profile.legs();
         let free = |s: f64| {
             let i = motion.certificate.intervals.iter().find(|i| i.from <= s && s <= i.to).unwrap();
             i.bound == Bound::Asked && legs.iter().any(|leg| leg.run_up_end < s && s < leg.run_down_start)
@@ -140,7 +140,7 @@ proptest! {
         for w in sets.windows(2) {
             let [a, b] = [&w[0], &w[1]].map(|set| machine.forward(&set.q).point);
             let chord = (b - a).length();
-            let ends = [w[0].law.s, w[1].law.s];
+            let ends = [w[0].profile.s, w[1].profile.s];
             let border = pass.spans.iter().any(|span| span.to_mm.get() > ends[0] && span.to_mm.get() <= ends[1]);
             if border {
                 continue;
@@ -150,9 +150,9 @@ proptest! {
             prop_assert!(speed <= before.max(after) * (1.0 + 1e-7), "at {}: {} of {}", ends[0], speed, before);
             // The speed that is reported is that of the tip: its mean over the period, in which the jerk may jump.
             let parts = 8;
-            let at = |part: usize| motion.law.at(w[0].t - motion.before_s() + period * part as f64 / parts as f64, &mut 0);
+            let at = |part: usize| motion.profile.at(w[0].t - motion.before_s() + period * part as f64 / parts as f64, &mut 0);
             let mean = |part: usize| {
-                let [v0, v1] = [at(part), at(part + 1)].map(|law| motion.tip_speed(&machine, law));
+                let [v0, v1] = [at(part), at(part + 1)].map(|profile| motion.tip_speed(&machine, profile));
                 0.5 * (v0 + v1) / parts as f64
             };
             let reported: f64 = (0..parts).map(mean).sum();

@@ -66,14 +66,14 @@ fn heat_input_adds_up_to_the_energy_of_the_set_points() {
     let (from, to) = (curve[0].0, curve[curve.len() - 1].0);
     let area: f64 = curve.windows(2).map(|p| 0.5 * (p[0].1 + p[1].1) * (p[1].0 - p[0].0)).sum();
     // In time, from the speed profile alone.
-    let law = &held.motion.law;
-    let (start, end) = (law.time(from), law.time(to));
+    let profile = &held.motion.profile;
+    let (start, end) = (profile.time(from), profile.time(to));
     let n = 200_000;
     let dt = (end - start) / f64::from(n);
     let mut cursor = 0;
     let energy: f64 = (0..n)
         .map(|i| {
-            let s = law.at(start + (f64::from(i) + 0.5) * dt, &mut cursor).s;
+            let s = profile.at(start + (f64::from(i) + 0.5) * dt, &mut cursor).s;
             let value = |name: &str| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)).unwrap();
             0.8 * value("current_a") * value("voltage_v") * dt / 1000.0
         })
@@ -116,7 +116,7 @@ fn windows_on_ramps_end_where_the_ramps_cross_them() {
     for i in 0..=20_000 {
         let s = from + (to - from) * f64::from(i) / 20_000.0;
         let value = |name: &str| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)).unwrap();
-        let found = 0.8e-3 * value("current_a") * value("voltage_v") / held.motion.law.speed(s);
+        let found = 0.8e-3 * value("current_a") * value("voltage_v") / held.motion.profile.speed(s);
         let outside = heat.iter().any(|o| s >= o.from_mm && s <= o.to_mm);
         let close = (found - 0.48).abs() < 2e-6 || (found - 0.49).abs() < 2e-6;
         assert!(close || outside != (0.48..=0.49).contains(&found), "{s}: {found}");

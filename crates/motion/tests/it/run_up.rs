@@ -60,7 +60,7 @@ fn a_rise_that_an_axis_cannot_follow_is_no_run_up() {
     );
     assert!(speed.from_mm < 60.0 && speed.to_mm > 350.0, "{speed:#?}");
     let motion = plan(&slow, &rising(OnLimit::Slow, false)).unwrap_or_else(|f| panic!("{f:#?}"));
-    let leg = motion.law.legs()[0];
+    let leg = motion.profile.legs()[0];
     assert!(leg.run_up_end > 1.0 && leg.run_up_end < 60.0 && leg.run_down_start > 600.0, "{leg:?}");
     assert!(
         motion.findings.iter().any(|f| f.kind == "speed" && f.severity() == Severity::Note),
@@ -69,10 +69,10 @@ fn a_rise_that_an_axis_cannot_follow_is_no_run_up() {
     );
     // From rest to a steady speed the time is the same, and all of it is the acceleration phase.
     let motion = plan(&slow, &rising(OnLimit::Refuse, true)).unwrap_or_else(|f| panic!("{f:#?}"));
-    assert!(motion.law.legs()[0].run_up_end > 400.0, "{:?}", motion.law.legs());
+    assert!(motion.profile.legs()[0].run_up_end > 400.0, "{:?}", motion.profile.legs());
     // If the axes can follow, the acceleration phase lasts up to the requested speed.
     let motion = plan(&machine(&[]), &rising(OnLimit::Refuse, false)).unwrap_or_else(|f| panic!("{f:#?}"));
-    assert!(motion.law.legs()[0].run_up_end < 10.0, "{:?}", motion.law.legs());
+    assert!(motion.profile.legs()[0].run_up_end < 10.0, "{:?}", motion.profile.legs());
 }
 
 #[test]

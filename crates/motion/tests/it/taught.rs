@@ -3,7 +3,7 @@
 use glam::DVec3;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use seamwright_machine::{Joints, MAX_AXES, Machine, TipLimits, shipped};
-use seamwright_motion::law::{Channels, LawStream};
+use seamwright_motion::speed_profile::{Channels, ProfileStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
 use std::f64::consts::TAU;
 
@@ -61,14 +61,14 @@ struct Run {
 
 fn run(machine: &Machine, points: Vec<Joints>, speed: f64, corner: Corner, period: f64) -> Run {
     let path = TaughtPath::new(machine, points.into_iter(), speed, corner, 0.01);
-    let mut law = LawStream::new(path, 4.0).unwrap();
+    let mut profile = ProfileStream::new(path, 4.0).unwrap();
     let (mut rows, mut used) = (Vec::new(), [0.0f64; 3]);
-    let mut d = vec![[0.0; 3]; law.path().limits().len()];
+    let mut d = vec![[0.0; 3]; profile.path().limits().len()];
     for k in 0.. {
         let t = f64::from(k) * period;
-        let Some(p) = law.at(t).unwrap() else { break };
+        let Some(p) = profile.at(t).unwrap() else { break };
         // Within rounding of a stop: on the side where the torch is.
-        let tip = law.path().derivatives(p.s, p.a < 0.0, &mut d);
+        let tip = profile.path().derivatives(p.s, p.a < 0.0, &mut d);
         for ([q1, q2, q3], axis) in d.iter().zip(&machine.axes) {
             let rates = [
                 q1 * p.v / axis.max_speed,
@@ -77,9 +77,9 @@ fn run(machine: &Machine, points: Vec<Joints>, speed: f64, corner: Corner, perio
             ];
             (0..3).for_each(|i| used[i] = used[i].max(rates[i].abs()));
         }
-        rows.push((t, tip * p.v, law.path().position(p.s)));
+        rows.push((t, tip * p.v, profile.path().position(p.s)));
     }
-    Run { duration: law.duration().unwrap(), stops: law.stops(), used, rows }
+    Run { duration: profile.duration().unwrap(), stops: profile.stops(), used, rows }
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn any_segmentation_is_the_same_weld() {
         }
         durations.push(run.duration);
     }
-    // The same profile on the path in closed form takes 8.1346 s (tests/law).
+    // The same profile on the path in closed form takes 8.1346 s (tests/speed_profile).
     assert!(durations.iter().all(|d| (d / 8.1346 - 1.0).abs() < 1e-3), "{durations:?}");
 }
 

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine, TipLimits, shipped};
-use seamwright_motion::pace::{Command, Limits, Pace};
+use seamwright_motion::feed_override::{Command, FeedOverride, Limits};
 use seamwright_motion::{Binding, LimitKind, PassMotion};
 use seamwright_weld::Welding;
 
@@ -58,7 +58,7 @@ fn a_weld_keeps_them_and_says_so() {
 fn an_operator_cannot_break_them() {
     let (machine, motion) = planned();
     let timed = motion.timed(&machine);
-    let mut pace = Pace::new(&Limits::of(&machine), PERIOD, &timed).unwrap();
+    let mut feed_override = FeedOverride::new(&Limits::of(&machine), PERIOD, &timed).unwrap();
     let commands = [
         Command::Resume,
         Command::Override(0.3),
@@ -70,8 +70,8 @@ fn an_operator_cannot_break_them() {
     ];
     let mut rows = Vec::new();
     for command in commands.into_iter().chain(commands) {
-        pace.command(command).unwrap();
-        rows.extend((0..900).map(|_| pace.step().rates.q));
+        feed_override.command(command).unwrap();
+        rows.extend((0..900).map(|_| feed_override.step().rates.q));
     }
     let parts = used(&machine, &rows);
     assert!(parts.iter().all(|u| *u <= 1.0 + 2e-3), "{parts:?}");

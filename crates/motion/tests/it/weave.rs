@@ -78,8 +78,8 @@ proptest! {
         }
         let path = welding.path(0);
         for set in motion.set_points(0.05) {
-            prop_assert!(machine.forward(&set.q).point.distance(path.pose(set.law.s).point) < 1e-8);
-            prop_assert!(set.law.v <= 2.5 * (1.0 + 1e-9));
+            prop_assert!(machine.forward(&set.q).point.distance(path.pose(set.profile.s).point) < 1e-8);
+            prop_assert!(set.profile.v <= 2.5 * (1.0 + 1e-9));
         }
         prop_assert!(motion.path.is_woven() && (motion.path.tip_rate(&machine, 30.0) - 1.0).abs() < 1e-12);
     }
@@ -110,10 +110,10 @@ fn the_frequency_stays_over_a_ramp_of_the_speed() {
     let machine = machine();
     let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1)
         .unwrap_or_else(|f| panic!("{f:#?}"));
-    let legs = motion.law.legs();
+    let legs = motion.profile.legs();
     let steady = |s: f64| s > legs[0].run_up_end + 1.0 && s < legs[0].run_down_start - 1.0;
     let (mut crossings, mut last): (Vec<f64>, Option<(f64, f64)>) = (Vec::new(), None);
-    for set in motion.set_points(1e-3).filter(|set| steady(set.law.s)) {
+    for set in motion.set_points(1e-3).filter(|set| steady(set.profile.s)) {
         let y = machine.forward(&set.q).point.y;
         if let Some((t, before)) = last.filter(|(_, before)| before * y < 0.0) {
             crossings.push(t + 1e-3 * before / (before - y));

@@ -39,7 +39,7 @@ fn check(machine: &Machine, motion: &WeldMotion) {
     let mut count = 0u64;
     let played: Result<(), ()> = motion.play(period, true, |pass, set, rates| {
         assert!(machine.outside(&set.q).is_none());
-        assert!((set.phase == Phase::Air) == (pass == 0));
+        assert!((set.phase == Phase::Transfer) == (pass == 0));
         assert!((set.t - count as f64 * period).abs() < 1e-9);
         for (i, axis) in machine.axes.iter().enumerate() {
             assert!(rates.0[i].abs() <= axis.max_speed * (1.0 + 1e-6));

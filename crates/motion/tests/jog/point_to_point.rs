@@ -2,8 +2,8 @@
 
 use crate::{Follower, Random, cases, read};
 use seamwright_machine::{Joints, MAX_AXES};
-use seamwright_motion::air::Leg;
 use seamwright_motion::jog::{JogError, PointToPoint, State};
+use seamwright_motion::transfer::Leg;
 
 #[test]
 fn targets_are_met_at_once_within_every_limit_however_often_they_are_replaced() {

@@ -105,7 +105,7 @@ pub(crate) fn cut(
     // The last position whose linear words were written.
     let mut written = here;
     let mut cut = Linearisation { start: here, blocks: Vec::new(), chord_error_mm: 0.0 };
-    let stops: Vec<f64> = motion.law.legs().iter().skip(1).map(|leg| leg.from).collect();
+    let stops: Vec<f64> = motion.profile.legs().iter().skip(1).map(|leg| leg.from).collect();
     let mut ends: Vec<f64> = breaks.iter().chain(&stops).copied().filter(|s| *s > 0.0 && *s < path.length()).collect();
     ends.sort_by(f64::total_cmp);
     ends.push(path.length());
@@ -166,7 +166,7 @@ pub(super) struct Cutter<'a> {
 impl Cutter<'_> {
     fn end_at(&self, s: f64, before: f64) -> Block {
         let q = self.motion.path.at(s);
-        let duration = self.motion.law.time(s) - self.motion.law.time(before);
+        let duration = self.motion.profile.time(s) - self.motion.profile.time(before);
         let tip = self.machine.forward(&q).point;
         Block { s, q, tip, duration, turns_only: false, stops: false, shape: Shape::Line }
     }
@@ -179,8 +179,8 @@ impl Cutter<'_> {
             Kind::Cubic => Shape::Hermite { from: self.speeds(here.s, false), to: self.speeds(s, true) },
             Kind::Curve => self.curve(here, &block),
             Kind::Arc(normal) => {
-                let time = self.motion.law.time(here.s) + 0.5 * block.duration;
-                let middle = self.end_at(self.motion.law.at(time, &mut 0).s, here.s);
+                let time = self.motion.profile.time(here.s) + 0.5 * block.duration;
+                let middle = self.end_at(self.motion.profile.at(time, &mut 0).s, here.s);
                 Shape::Arc(through(self.place(here), self.place(&middle), self.place(&block), normal)?)
             }
         };
@@ -218,7 +218,7 @@ impl Cutter<'_> {
         if s <= self.ends.0 || s >= self.ends.1 {
             return Speeds::default();
         }
-        self.slopes(s, before, self.motion.law.speed(s))
+        self.slopes(s, before, self.motion.profile.speed(s))
     }
 
     /// X, Y and Z that the control moves, mm.

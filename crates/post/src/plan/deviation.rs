@@ -45,7 +45,7 @@ impl Cutter<'_> {
         if b.duration <= BRIEFEST_S || allowed.is_infinite() {
             return true;
         }
-        let begin = self.motion.law.time(a.s);
+        let begin = self.motion.profile.time(a.s);
         let at = |k: usize| k as f64 / parts as f64;
         let mut before = self.interpolated(a, b, 0.0).1.point;
         (0..parts).all(|k| {
@@ -60,8 +60,8 @@ impl Cutter<'_> {
     /// True if process values go evenly enough within the block.
     fn is_even(&self, a: &Block, b: &Block) -> bool {
         let Some(course) = self.cutting.course else { return true };
-        let begin = self.motion.law.time(a.s);
-        course.is_even((a.s, b.s), |f| self.motion.law.at(begin + f * b.duration, &mut 0).s)
+        let begin = self.motion.profile.time(a.s);
+        course.is_even((a.s, b.s), |f| self.motion.profile.at(begin + f * b.duration, &mut 0).s)
     }
 
     /// Axes and pose that the control passes through at the part `f` of a block.
@@ -85,7 +85,7 @@ impl Cutter<'_> {
     /// block.
     fn deviation(&self, a: &Block, b: &Block, f: f64) -> [f64; 3] {
         let (q, passed) = self.interpolated(a, b, f);
-        let planned = self.motion.law.at(self.motion.law.time(a.s) + f * b.duration, &mut 0).s;
+        let planned = self.motion.profile.at(self.motion.profile.time(a.s) + f * b.duration, &mut 0).s;
         let s = self.path.foot(passed.point, planned, (a.s, b.s));
         let there = self.motion.path.at(s);
         // Compared with the reached position, so that a missing freedom is not a chord error.
@@ -97,6 +97,6 @@ impl Cutter<'_> {
             chord = chord.max((passed.point - reached.point).length());
             attitude = attitude.max((passed.direction - reached.direction).length());
         }
-        [chord, (s - planned).abs() * self.path.pace(planned), 2.0 * (0.5 * attitude).min(1.0).asin()]
+        [chord, (s - planned).abs() * self.path.tip_rate(planned), 2.0 * (0.5 * attitude).min(1.0).asin()]
     }
 }

@@ -118,8 +118,8 @@ pub fn part_program(
     for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
         if is_posted_as_it_stands(control, pass) {
             let next =
-                program.passes.get(i + 1).filter(|next| motion.air[i + 1].legs.is_empty() && goes_on(pass, next));
-            let way: Vec<Joints> = motion.air[i].legs.iter().map(|leg| *leg.end()).collect();
+                program.passes.get(i + 1).filter(|next| motion.transfers[i + 1].legs.is_empty() && goes_on(pass, next));
+            let way: Vec<Joints> = motion.transfers[i].legs.iter().map(|leg| *leg.end()).collect();
             steps.begin_pass(&pass.name);
             steps.stands(
                 pass,
@@ -134,9 +134,9 @@ pub fn part_program(
         steps.begin_pass(&pass.name);
         steps.remarks(&pass.name, planned, &cut, options);
         if i > 0 {
-            steps.air(&motion.air[i]);
+            steps.air(&motion.transfers[i]);
         }
-        steps.pass(&cut, (pass, events), &course, (&motion.air[i], &motion.air[i + 1]), i == 0);
+        steps.pass(&cut, (pass, events), &course, (&motion.transfers[i], &motion.transfers[i + 1]), i == 0);
     }
     Ok(steps.program)
 }

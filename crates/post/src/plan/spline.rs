@@ -47,10 +47,10 @@ pub(crate) fn splines(
     let plan = Plan { machine, motion, cutting };
     let start = plan.block(&plan.row(0.0), 0.0, 0.0);
     let mut all = Linearisation { start, blocks: Vec::new(), chord_error_mm: 0.0 };
-    let legs = motion.law.legs();
+    let legs = motion.profile.legs();
     let finest = least_step(motion, breaks).max(STEADY_S).min(cutting.longest_s);
     for (i, leg) in legs.iter().enumerate() {
-        let (begin, end) = (motion.law.time(leg.from), motion.law.time(leg.to));
+        let (begin, end) = (motion.profile.time(leg.from), motion.profile.time(leg.to));
         let mut count = ((end - begin) / finest).max(FEWEST).ceil();
         let (points, worst) = loop {
             let step = (end - begin) / count;
@@ -87,7 +87,7 @@ fn finer(count: f64, duration: f64, fits: bool) -> f64 {
 
 /// Minimum time between positions where values change, s.
 fn least_step(motion: &PassMotion, breaks: &[f64]) -> f64 {
-    breaks.windows(2).map(|w| motion.law.time(w[1]) - motion.law.time(w[0])).fold(f64::INFINITY, f64::min)
+    breaks.windows(2).map(|w| motion.profile.time(w[1]) - motion.profile.time(w[0])).fold(f64::INFINITY, f64::min)
 }
 
 struct Plan<'a> {
@@ -98,7 +98,7 @@ struct Plan<'a> {
 
 impl Plan<'_> {
     fn s(&self, t: f64) -> f64 {
-        self.motion.law.at(t, &mut 0).s
+        self.motion.profile.at(t, &mut 0).s
     }
 
     fn row(&self, s: f64) -> Row {
@@ -181,7 +181,7 @@ impl Plan<'_> {
                 let s = path.foot(passed.point, planned, (0.0, path.length()));
                 let there = self.motion.path.at(s);
                 worst = worst.max((passed.point - self.machine.forward(&there).point).length());
-                worst = worst.max((s - planned).abs() * path.pace(planned) / LAG);
+                worst = worst.max((s - planned).abs() * path.tip_rate(planned) / LAG);
                 if self.cutting.second {
                     let second = self.machine.forward_of(1, &q).point - self.machine.forward_of(1, &there).point;
                     worst = worst.max(second.length());

@@ -11,7 +11,7 @@ use crate::write::fixed;
 use crate::{Control, Dialect};
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::PassMotion;
-use seamwright_motion::air::{AirMove, Leg};
+use seamwright_motion::transfer::{Leg, TransferMove};
 use seamwright_program::{Pass, ProcessValue, Program};
 use std::collections::BTreeMap;
 
@@ -63,7 +63,7 @@ impl<'a> Steps<'a> {
         self.comment(&format!(
             "{name}: travel {} mm in {} s; arc on {} s",
             fixed(motion.path.length(), 3),
-            fixed(motion.law.duration(), 3),
+            fixed(motion.profile.duration(), 3),
             fixed(motion.arc_on_s(), 3)
         ));
         let arcs = cut.blocks.iter().filter(|b| matches!(b.shape, Shape::Arc(_))).count();
@@ -77,7 +77,7 @@ impl<'a> Steps<'a> {
     }
 
     /// The planned way from where the torch stands back after one pass to where it does before the next, for the axes.
-    pub(super) fn air(&mut self, air: &AirMove) {
+    pub(super) fn air(&mut self, air: &TransferMove) {
         self.comment("the planned way to the next pass");
         // The retract and the approach are written with their welds; the last position is the start of the approach.
         let skip = usize::from(air.retracts);
@@ -96,7 +96,7 @@ impl<'a> Steps<'a> {
         cut: &Linearisation,
         (pass, events): (&Pass, Vec<(f64, Event)>),
         course: &Course,
-        (before, after): (&AirMove, &AirMove),
+        (before, after): (&TransferMove, &TransferMove),
         first: bool,
     ) {
         let from = before.legs.last().filter(|_| before.approaches).map(Leg::start);

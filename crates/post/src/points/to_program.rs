@@ -8,8 +8,8 @@ use blocks::push;
 use seamwright_document::{Finite, Positive, SchemaVersion, Transform};
 use seamwright_machine::Machine;
 use seamwright_program::{
-    Air, Along, AtCorner, Clearance, NUMBER_COLUMN, OnLimit, POSE_COLUMNS, Part, Pass, PointEvent, PointSpan, Points,
-    Program, SpareAxes, TIME_COLUMN, Tolerance, Torch,
+    Along, AtCorner, Clearance, NUMBER_COLUMN, OnLimit, POSE_COLUMNS, Part, Pass, PointEvent, PointSpan, Points,
+    Program, SpareAxes, TIME_COLUMN, Tolerance, Torch, TransferMoves,
 };
 
 /// Converts a part program into a program of points: every block a point, equal in effect. `start` is the row before
@@ -72,7 +72,7 @@ pub fn to_program(
         part: Part::default(),
         fixtures: Vec::new(),
         clearance: Clearance::default(),
-        air: Air::default(),
+        air: TransferMoves::default(),
         procedure: None,
         passes: builder.done,
     })

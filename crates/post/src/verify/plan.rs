@@ -108,7 +108,7 @@ impl Checker<'_> {
             segment.at(f, &mut row);
             let t = segment.begin + f * segment.seconds - self.travel;
             let (q, tip) = self.place(&row, is_tip(segment.level));
-            let s = self.motion.law.at(t.clamp(0.0, self.motion.law.duration()), &mut self.cursor).s;
+            let s = self.motion.profile.at(t.clamp(0.0, self.motion.profile.duration()), &mut self.cursor).s;
             let foot = self.path.foot(tip.point, s, (0.0, length));
             self.deviation((&q, &tip), (s, foot), is_tip(segment.level));
             way += last.map_or(0.0, |last| last.distance(tip.point));
@@ -142,7 +142,7 @@ impl Checker<'_> {
         self.proof.tip_mm = self.proof.tip_mm.max(tip.point.distance(there.point));
         let angle = 2.0 * (0.5 * (tip.direction - there.direction).length()).min(1.0).asin();
         self.proof.direction_deg = self.proof.direction_deg.max(angle.to_degrees());
-        self.proof.lag_mm = self.proof.lag_mm.max((foot - s).abs() * self.path.pace(s));
+        self.proof.lag_mm = self.proof.lag_mm.max((foot - s).abs() * self.path.tip_rate(s));
         for (i, axis) in machine.axes.iter().enumerate() {
             let worst = match axis.kind {
                 AxisKind::Linear if tip_level => continue,
@@ -159,7 +159,7 @@ impl Checker<'_> {
     /// The mean speed of the tip in a block against the planned one in the same time.
     fn speed(&mut self, begin: f64, seconds: f64, way: f64) {
         let from = begin - self.travel;
-        let (from, to) = (from.max(0.0), (from + seconds).min(self.motion.law.duration()));
+        let (from, to) = (from.max(0.0), (from + seconds).min(self.motion.profile.duration()));
         if to - from < SHORTEST_S {
             return;
         }
@@ -190,8 +190,8 @@ impl Checker<'_> {
 
     fn process(&mut self, row: &[f64], t: f64) {
         let (mut cursor, since_on) = (self.cursor, t - self.travel + self.motion.sequence.travel_delay_s.get());
-        let travel = (t - self.travel).clamp(0.0, self.motion.law.duration());
-        let s = self.motion.law.at(travel, &mut cursor).s;
+        let travel = (t - self.travel).clamp(0.0, self.motion.profile.duration());
+        let s = self.motion.profile.at(travel, &mut cursor).s;
         for (channel, name, greatest) in &self.greatest {
             let clock = (since_on, self.motion.arc_on_s() - since_on);
             let Some(asked) = self.pass.process_at(name, s, clock) else { continue };
@@ -208,7 +208,7 @@ fn planned_way(machine: &Machine, motion: &PassMotion, (from, to): (f64, f64)) -
     let mut cursor = 0;
     let tips = (0..=PLACES).map(|k| {
         let t = from + (to - from) * f64::from(k) / f64::from(PLACES);
-        machine.forward(&motion.path.at(motion.law.at(t, &mut cursor).s)).point
+        machine.forward(&motion.path.at(motion.profile.at(t, &mut cursor).s)).point
     });
     let tips: Vec<DVec3> = tips.collect();
     tips.windows(2).map(|w| w[0].distance(w[1])).sum()

@@ -54,7 +54,7 @@ fn blocks_follow_the_blend_and_end_at_stops() {
             assert!(away <= TOLERANCE, "{corner:?}: {away} at {s}");
         }
         let time: f64 = cut.blocks.iter().map(|b| b.duration).sum();
-        assert!((time - motion.law.duration()).abs() < 1e-9);
+        assert!((time - motion.profile.duration()).abs() < 1e-9);
         let stops = cut.blocks.iter().any(|b| b.stops && (b.s - SIDE).abs() < 1e-9);
         assert_eq!(cut.blocks.iter().filter(|b| b.stops).count(), usize::from(stops));
         assert_eq!(stops, corner == AtCorner::Stop);

@@ -278,7 +278,7 @@ fn values_follow_the_weave() {
         }
         let Some(feed) = number('F') else { continue };
         time += 60.0 / feed;
-        let s = p.motion.law.at(time, &mut cursor).s;
+        let s = p.motion.profile.at(time, &mut cursor).s;
         let swing = pass.swing_at(0.5 * (before + s));
         worst = worst.max((current - (190.0 - 20.0 * swing * swing)).abs());
         if (current - 170.0_f64).abs() < 1e-6 {

@@ -198,13 +198,13 @@ fn interpolated_values_need_no_steps() {
         }
         for k in 0..=16 {
             let f = f64::from(k) / 16.0;
-            let s = motion.law.at(time + f * way.step.seconds, &mut 0).s;
+            let s = motion.profile.at(time + f * way.step.seconds, &mut 0).s;
             let wanted = pass.process_at("current_a", s, (f64::INFINITY, f64::INFINITY)).unwrap();
             worst = worst.max((way.at(f)[current] - wanted).abs());
         }
         time += way.step.seconds;
     }
-    assert!((time / motion.law.duration() - 1.0).abs() < 1e-6);
+    assert!((time / motion.profile.duration() - 1.0).abs() < 1e-6);
     // The weave's sides have 20 A less.
     assert!(worst < 0.006 * 20.0, "{worst} A");
     text::read(&control, &write(&control, &program, &WriteOptions::default()).unwrap());

@@ -38,7 +38,7 @@ fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
             for k in 0..=checks {
                 let f = f64::from(k) / f64::from(checks);
                 let tip = way.tip(&planned.machine, head, f);
-                let s = motion.law.at(time + f * way.step.seconds, &mut 0).s;
+                let s = motion.profile.at(time + f * way.step.seconds, &mut 0).s;
                 let away = if head == 0 {
                     let foot = path.foot(tip, s, (0.0, path.length()));
                     tip.distance(path.pose(foot).point)
@@ -53,7 +53,7 @@ fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
             time += way.step.seconds;
             last = f64::max(last, way.step.seconds);
         }
-        assert!((time / motion.law.duration() - 1.0).abs() < 1e-5, "{time} {}", motion.law.duration());
+        assert!((time / motion.profile.duration() - 1.0).abs() < 1e-5, "{time} {}", motion.profile.duration());
         assert!(((time + dwells) / motion.arc_on_s() - 1.0).abs() < 1e-3, "{dwells}");
     }
     worst
@@ -173,7 +173,7 @@ fn inside_blocks_the_tip_keeps_its_speed() {
 /// the acceleration and deceleration phases of the only pass.
 fn speed_inside(planned: &Planned, program: &PartProgram) -> f64 {
     let (range, motion) = (passes(program).remove(0), &planned.motion.passes[0]);
-    let band = motion.law.report();
+    let band = motion.profile.report();
     let welds = range.clone().find(|i| is_arc(&program.steps[*i].what, true)).unwrap();
     let ends = range.clone().find(|i| *i > welds && is_arc(&program.steps[*i].what, false)).unwrap();
     let (mut time, mut worst) = (0.0, 0.0f64);
@@ -182,7 +182,7 @@ fn speed_inside(planned: &Planned, program: &PartProgram) -> f64 {
         for k in (0..24).filter(|_| seconds > 0.01) {
             let f = (f64::from(k) + 0.5) / 24.0;
             let h = 5e-4;
-            let p = motion.law.at(time + f * seconds, &mut 0);
+            let p = motion.profile.at(time + f * seconds, &mut 0);
             if p.s < band.run_up_end + 0.5 || p.s > band.run_down_start - 0.5 {
                 continue;
             }

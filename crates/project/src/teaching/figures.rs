@@ -1,6 +1,6 @@
 use super::Outcome;
 use glam::DVec3;
-use seamwright_cell::eyes::{SeamLine, Station};
+use seamwright_cell::camera_simulator::{SeamLine, Station};
 use seamwright_geometry::reduce::{Shape, Span};
 use seamwright_geometry::{Arc, Curve, Spline};
 use seamwright_tracking::teach::{Curves, Reduced, Source};

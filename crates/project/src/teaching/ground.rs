@@ -1,7 +1,7 @@
 use crate::failure::Failure;
 use crate::load::Loaded;
 use glam::DVec3;
-use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::teach::{Carrier, Guide};
 use seamwright_machine::{Joints, Machine, Sensor, Surroundings};
 use seamwright_motion::PassMotion;

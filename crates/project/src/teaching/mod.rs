@@ -14,13 +14,13 @@ pub use picture::Picture;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use glam::DVec3;
-use seamwright_cell::eyes::{SeamLine, Station};
+use seamwright_cell::camera_simulator::{SeamLine, Station};
 use seamwright_cell::teach::JointFollower;
 use seamwright_geometry::HeightTable;
 use seamwright_message::Message;
 use seamwright_program::Program;
 use seamwright_tracking::teach::{
-    End, EyePose, Kind, Lean, LinePoint, Reduced, Settings, TaughtLine, smoothed, to_program, torch_axes,
+    CameraPose, End, Kind, Lean, LinePoint, Reduced, Settings, TaughtLine, smoothed, to_program, torch_axes,
 };
 use seamwright_weld::Attitude;
 
@@ -64,9 +64,9 @@ pub fn follower(table: &HeightTable, longest_tack_mm: f64) -> Result<JointFollow
 }
 
 /// Start of the joint following at `point`, in the direction of the nominal seam nearby; `None` if it is not near.
-pub fn start(nominal: &SeamLine, point: DVec3) -> Option<EyePose> {
+pub fn start(nominal: &SeamLine, point: DVec3) -> Option<CameraPose> {
     let foot = Some(point).filter(|p| p.is_finite()).and_then(|p| nominal.foot(p))?;
-    Some(EyePose { point, normal: foot.at.normal, along: foot.along })
+    Some(CameraPose { point, normal: foot.at.normal, along: foot.along })
 }
 
 /// A line smoothed.

@@ -2,7 +2,7 @@ use super::{Picture, smooth};
 use seamwright_cell::teach::{TaughtRun, Truth};
 use seamwright_message::Message;
 use seamwright_program::Finding;
-use seamwright_tracking::teach::{Crawl, End, EyeNote, LinePoint, TaughtLine};
+use seamwright_tracking::teach::{CameraNote, Crawl, End, LinePoint, TaughtLine};
 
 /// Result of teaching. Without frames (the operator's points) there is only the smooth line.
 #[derive(Default)]
@@ -12,7 +12,7 @@ pub struct Outcome {
     /// The same smoothed, its points evenly spread.
     pub smooth: Vec<LinePoint>,
     /// A note of each frame.
-    pub notes: Vec<EyeNote>,
+    pub notes: Vec<CameraNote>,
     /// Reason of each question to the operator.
     pub asked: Vec<Message>,
     /// Time of the last frame, s.

@@ -1,5 +1,5 @@
 use seamwright_machine::Machine;
-use seamwright_motion::law::{Interval, Use};
+use seamwright_motion::speed_profile::{Interval, Use};
 use seamwright_motion::{Binding, PassMotion, plain};
 use seamwright_program::Pass;
 use serde::Serialize;
@@ -118,7 +118,7 @@ pub struct UseFigures {
 impl CertificateFigures {
     /// Computes the certificate of `pass`, planned as `motion` on `machine`.
     pub fn new(machine: &Machine, pass: &Pass, motion: &PassMotion) -> Self {
-        let (certificate, report) = (&motion.certificate, motion.law.report());
+        let (certificate, report) = (&motion.certificate, motion.profile.report());
         let (least, greatest) = motion.tip_band(machine);
         Self {
             asked_speed_mm_s: pass.speeds(),

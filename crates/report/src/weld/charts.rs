@@ -351,7 +351,7 @@ fn speed(
             band("report-deceleration-phase", leg.run_down_start, leg.to),
         ]
     };
-    let mut bands: Vec<Band> = motion.law.legs().iter().flat_map(ends).collect();
+    let mut bands: Vec<Band> = motion.profile.legs().iter().flat_map(ends).collect();
     bands.extend(slowed(certificate, language));
     // Omits narrow bands, whose names would only cover the curve.
     let wide = 0.01 * motion.path.length();
@@ -363,9 +363,9 @@ fn speed(
 
 /// Plots the speed's deviation in percent, between acceleration and deceleration phase.
 fn deviation(machine: &Machine, motion: &PassMotion, curves: &SimulationCurves, language: Language) -> Chart {
-    let legs = motion.law.legs();
+    let legs = motion.profile.legs();
     let steady = |s: f64| legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);
-    let planned = |s: f64| motion.law.speed(s) * motion.path.tip_rate(machine, s);
+    let planned = |s: f64| motion.profile.speed(s) * motion.path.tip_rate(machine, s);
     let percent = |(s, v): (f64, f64)| (s, 100.0 * (v / planned(s) - 1.0));
     let points = curves.tip_speed().into_iter().filter(|p| steady(p.0)).map(percent).collect();
     let series = vec![line(language, "report-label-deviation", points)];

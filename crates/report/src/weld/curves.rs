@@ -70,7 +70,7 @@ impl SimulationCurves {
         if !sample.travels() {
             return;
         }
-        let s = sample.set.law.s;
+        let s = sample.set.profile.s;
         for (i, (curve, axis)) in self.following.iter_mut().zip(&machine.axes).enumerate() {
             curve.add(s, axis.to_file(sample.following_error[i]));
         }

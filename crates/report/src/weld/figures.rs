@@ -174,7 +174,7 @@ impl WeldReport {
                 process_range: process_range(pass),
                 arc_energy_kj: totals::arc_energy_kj(pass, planned),
                 wire_m: totals::wire_m(pass, planned),
-                air_before_s: motion.air[i].duration(),
+                air_before_s: motion.transfers[i].duration(),
                 plan: PlanFigures::new(machine, welding, i, planned, &samples),
                 certificate,
                 procedure: motion

@@ -100,7 +100,7 @@ impl PlanFigures {
     ) -> Self {
         let program = &welding.program.value;
         let pass = &program.passes[pass];
-        let band = motion.law.report();
+        let band = motion.profile.report();
         let (least, greatest) = motion.tip_band(machine);
         Self {
             asked_speed_mm_s: pass.speeds(),
@@ -110,12 +110,12 @@ impl PlanFigures {
             length_mm: motion.path.length(),
             run_up_mm: band.run_up_end,
             run_down_mm: motion.path.length() - band.run_down_start,
-            weld_s: motion.law.duration(),
+            weld_s: motion.profile.duration(),
             arc_on_s: motion.arc_on_s(),
             total_s: motion.total_s(),
             attitude_error_deg: motion.attitude_error.0.to_degrees(),
             attitude_error_at_mm: motion.attitude_error.1,
-            arc_energy_kj_mm: arc_energy(pass, samples, &motion.law.legs()),
+            arc_energy_kj_mm: arc_energy(pass, samples, &motion.profile.legs()),
             start: program.start,
             sequence: pass.sequence.clone(),
             tolerance: pass.tolerance,

@@ -37,13 +37,13 @@ pub(crate) fn samples(machine: &Machine, welding: &Welding, pass: usize, motion:
 }
 
 fn sample(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion, s: f64) -> Sample {
-    let law = motion.law.at(motion.law.time(s), &mut 0);
+    let profile = motion.profile.at(motion.profile.time(s), &mut 0);
     let p = motion.path.point(s, false);
-    let (v, a) = (law.v, law.a);
+    let (v, a) = (profile.v, profile.a);
     let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
         let speed = p.d1[i] * v;
         let acceleration = p.d2[i] * v * v + p.d1[i] * a;
-        let jerk = p.d3[i] * v * v * v + 3.0 * p.d2[i] * v * a + p.d1[i] * law.j;
+        let jerk = p.d3[i] * v * v * v + 3.0 * p.d2[i] * v * a + p.d1[i] * profile.j;
         [p.q[i], speed, acceleration, jerk].map(|value| axis.to_file(value))
     });
     let path = welding.path(pass);
@@ -51,5 +51,5 @@ fn sample(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion
         let (work, travel) = path.angles(s);
         (work.to_degrees(), travel.to_degrees(), path.seam_point(s).dihedral.to_degrees())
     });
-    Sample { s, speed: motion.tip_speed(machine, law), axes: axes.collect(), angles }
+    Sample { s, speed: motion.tip_speed(machine, profile), axes: axes.collect(), angles }
 }

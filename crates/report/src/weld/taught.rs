@@ -45,7 +45,7 @@ impl Shown<'_> {
         let curve = |f: &dyn Fn(f64) -> f64| places.iter().map(|s| (*s, f(*s))).collect::<Vec<_>>();
         let distance = |s: f64| self.seam.off_nominal(self.span, s).0;
         let turn = |s: f64| self.seam.off_nominal(self.span, s).1.to_degrees();
-        let speed = |s: f64| motion.tip_speed(machine, motion.law.at(motion.law.time(s), &mut 0));
+        let speed = |s: f64| motion.tip_speed(machine, motion.profile.at(motion.profile.time(s), &mut 0));
         let bend = |s: f64| 1e3 * self.seam.curvature(s).length();
         let nominal_bend = |s: f64| 1e3 * self.seam.nominal().curvature(self.nominal_s(s)).length();
         let points = self.span.points.iter().map(|s| (*s, distance(*s))).collect();

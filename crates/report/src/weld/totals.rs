@@ -71,8 +71,8 @@ fn while_arc_is_on(
     let mut cursor = 0;
     let instants = (0..INSTANTS).map(|i| {
         let since_on = (f64::from(i) + 0.5) * step;
-        let travelled = (since_on - motion.sequence.travel_delay_s.get()).clamp(0.0, motion.law.duration());
-        let s = motion.law.at(travelled, &mut cursor).s;
+        let travelled = (since_on - motion.sequence.travel_delay_s.get()).clamp(0.0, motion.profile.duration());
+        let s = motion.profile.at(travelled, &mut cursor).s;
         Some(rate(&|name| pass.process_at(name, s, (since_on, arc_on - since_on)))? * step)
     });
     instants.sum()

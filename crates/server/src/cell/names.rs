@@ -116,7 +116,7 @@ impl Names {
             s_mm: c.place.s_mm,
             welded_mm: c.welded_mm,
             speed_mm_s: c.speed,
-            override_part: c.pace,
+            override_part: c.feed_override,
             armed: c.armed,
             powered: c.orders.power && drives.powered,
             process: ProcessStatus {

@@ -11,7 +11,7 @@ use axum::extract::{Query, State};
 use axum::http::header;
 use axum::response::{IntoResponse as _, Response};
 use axum::{Extension, Json};
-use seamwright_cell::eyes::plate;
+use seamwright_cell::camera_simulator::plate;
 use seamwright_cell::frames::decode;
 use seamwright_geometry::{HeightTable, MapParameters};
 use seamwright_machine::{Machine, Sensor, Sight};

@@ -8,7 +8,7 @@ use crate::http::{Panel, Turn, job_text};
 use crate::lack::panel_word;
 use crate::wire::{TaughtLook, TaughtPointView, TeachPhase};
 use glam::DVec3;
-use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine};
+use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, Distortion, SeamLine};
 use seamwright_cell::frames::LiveFrames;
 use seamwright_cell::teach::{Look, teach, truth};
 use seamwright_geometry::HeightTable;
@@ -17,7 +17,7 @@ use seamwright_message::Message;
 use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::teaching::{self, Ground, Outcome, Picture, from_nominal};
-use seamwright_tracking::teach::{Crawl, EyePose};
+use seamwright_tracking::teach::{CameraPose, Crawl};
 use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Duration;
@@ -86,13 +86,13 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
         let (width, height) = table.size_px();
         state.view.size_px = (width as u32, height as u32);
     });
-    let (eye, actual) = eye(panel, (machine, sensor), open, nominal)?;
+    let (camera, actual) = open_camera(panel, (machine, sensor), open, nominal)?;
     let station = Station {
         hand: Hand { panel, machine },
         sensor,
         table,
         around: ground.around(),
-        eye: RefCell::new(eye),
+        camera: RefCell::new(camera),
         drawn: RefCell::new(None),
     };
     let Some(point) = station.place() else { return Ok(None) };
@@ -104,7 +104,7 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
 }
 
 /// Returns the cell's camera. A simulated cell without live frames gets the camera simulator and the seam that it sees.
-fn eye<'a>(
+fn open_camera<'a>(
     panel: &Panel,
     (machine, sensor): (&'a Machine, &'a Sensor),
     open: &Open,
@@ -127,10 +127,10 @@ fn eye<'a>(
     }
     let actual = DISTORTION.of(nominal, u64::from(open.seed));
     let appearance = Appearance { tacks: open.tack_mm.into_iter().collect(), ..Appearance::default() };
-    let eye = Eye::new(machine, sensor, actual.clone(), appearance, u64::from(open.seed));
-    let eye =
-        eye.ok_or_else(|| Failure::input(Message::new("server-teach-sensor-no-camera").text("sensor", &sensor.name)))?;
-    Ok((Sees::Simulated(Box::new(eye)), Some(actual)))
+    let camera = CameraSimulator::new(machine, sensor, actual.clone(), appearance, u64::from(open.seed));
+    let camera = camera
+        .ok_or_else(|| Failure::input(Message::new("server-teach-sensor-no-camera").text("sensor", &sensor.name)))?;
+    Ok((Sees::Simulated(Box::new(camera)), Some(actual)))
 }
 
 /// Waits for a turn to plan; `None` once the session is stopped.
@@ -159,7 +159,7 @@ fn crawl(
     open: &Open,
     ground: &Ground<'_>,
     station: &Station<'_>,
-    begin: EyePose,
+    begin: CameraPose,
 ) -> Result<Outcome, Failure> {
     let (machine, sensor, table) = (&loaded.machine, station.sensor, station.table);
     let guide = |point: DVec3| ground.guide(point);

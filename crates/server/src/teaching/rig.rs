@@ -6,15 +6,15 @@ use super::state::Wish;
 use crate::cell::Hub;
 use crate::wire::TeachPhase;
 use glam::DVec3;
-use seamwright_cell::eyes::Eye;
+use seamwright_cell::camera_simulator::CameraSimulator;
 use seamwright_cell::frames::{FrameError, FrameSource as _, LiveFrames, TimedFrame};
 use seamwright_cell::teach::{Carrier, Operator, Rig};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{AxisSet, Joints, Sensor, Surroundings};
 use seamwright_message::Message;
-use seamwright_motion::air::route;
+use seamwright_motion::transfer::route;
 use seamwright_project::teaching::Picture;
-use seamwright_tracking::teach::{Answer, Crawl, EyePose};
+use seamwright_tracking::teach::{Answer, CameraPose, Crawl};
 use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -29,7 +29,7 @@ const MOVED: f64 = 5e-3;
 /// Source of frames.
 pub(super) enum Sees<'a> {
     /// The camera simulator, from the true axis positions.
-    Simulated(Box<Eye<'a>>),
+    Simulated(Box<CameraSimulator<'a>>),
     /// The machine's camera, and the time from an exposure to the arrival of its frame.
     Camera(LiveFrames, Duration),
 }
@@ -40,7 +40,7 @@ pub(super) struct Station<'a> {
     pub(super) sensor: &'a Sensor,
     pub(super) table: &'a HeightTable,
     pub(super) around: &'a Surroundings<'a>,
-    pub(super) eye: RefCell<Sees<'a>>,
+    pub(super) camera: RefCell<Sees<'a>>,
     /// Time of the last picture.
     pub(super) drawn: RefCell<Option<Instant>>,
 }
@@ -57,10 +57,10 @@ impl Station<'_> {
     /// Takes a frame from the current axis positions; `None` before the cell has reported them.
     fn expose(&self) -> Result<Option<(TimedFrame, Joints)>, FrameError> {
         let Some((_, axes, status)) = self.hand.axes() else { return Ok(None) };
-        let frame = match &mut *self.eye.borrow_mut() {
-            Sees::Simulated(eye) => {
-                eye.expose(status.t, &axes);
-                eye.next()?
+        let frame = match &mut *self.camera.borrow_mut() {
+            Sees::Simulated(camera) => {
+                camera.expose(status.t, &axes);
+                camera.next()?
             }
             Sees::Camera(camera, latency) => {
                 let frame = camera.next(*latency)?;
@@ -99,7 +99,7 @@ impl Station<'_> {
             }
             let now = self.hand.axes().map_or_else(Joints::default, |(_, axes, _)| axes);
             let moved = |before: &Joints| before.iter().zip(now).any(|(a, b)| (a - b).abs() > MOVED);
-            let is_live = matches!(*self.eye.borrow(), Sees::Camera(..));
+            let is_live = matches!(*self.camera.borrow(), Sees::Camera(..));
             let due = shown.is_none_or(|(when, before)| when.elapsed() >= WAITING && (is_live || moved(&before)));
             match if due { self.expose() } else { Ok(None) } {
                 Ok(Some((frame, axes))) => {
@@ -156,11 +156,11 @@ pub(super) struct CellRig<'s, 'a> {
 
 impl CellRig<'_, '_> {
     /// Tries once to reach a camera pose, by a path around obstacles.
-    fn once(&mut self, eye: &EyePose) -> Result<Came, Message> {
+    fn once(&mut self, pose: &CameraPose) -> Result<Came, Message> {
         let hand = &self.station.hand;
         let Some((set, ..)) = hand.axes() else { return Ok(Came::Interrupted) };
         self.carrier.stands(set);
-        let target = self.carrier.positions(eye)?;
+        let target = self.carrier.positions(pose)?;
         let way = route(hand.machine, self.station.around, &set, &target, AxisSet::default());
         for place in way.map_err(|e| Message::verbatim(e.to_string()))?.iter().skip(1) {
             match hand.go(place) {
@@ -173,9 +173,9 @@ impl CellRig<'_, '_> {
 }
 
 impl Rig for CellRig<'_, '_> {
-    fn go(&mut self, eye: &EyePose) -> Result<(), Message> {
+    fn go(&mut self, pose: &CameraPose) -> Result<(), Message> {
         while self.station.may_run() {
-            match self.once(eye)? {
+            match self.once(pose)? {
                 Came::There => return Ok(()),
                 Came::Interrupted => {}
                 Came::Blocked => return Err(Message::new("server-teach-blocked")),

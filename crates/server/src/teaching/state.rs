@@ -2,7 +2,7 @@ use crate::cell::Hub;
 use crate::lack::{Lack, lack};
 use crate::wire::{TaughtView, TeachPhase, TeachView};
 use glam::{DAffine3, DVec2, DVec3};
-use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_geometry::HeightTable;
 use seamwright_message::Message;
 use seamwright_project::load::Loaded;

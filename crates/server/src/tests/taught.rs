@@ -4,7 +4,7 @@ use super::lived::{Page, Served};
 use crate::http::Panel;
 use axum::http::StatusCode;
 use http_body_util::BodyExt as _;
-use seamwright_cell::eyes::{Appearance, Eye, SeamLine};
+use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, SeamLine};
 use seamwright_cell::frames::{FrameSource as _, TimedFrame, write_frame};
 use seamwright_cell::teach::joints;
 use seamwright_machine::Sight;
@@ -234,7 +234,7 @@ fn camera(served: &Served, listener: std::net::TcpListener, frames: u32) {
     std::thread::spawn(move || {
         let (actual, loaded) = actual(&panel);
         let sensor = &loaded.machine.sensors[0];
-        let mut eye = Eye::new(&loaded.machine, sensor, actual, Appearance::default(), 7).unwrap();
+        let mut eye = CameraSimulator::new(&loaded.machine, sensor, actual, Appearance::default(), 7).unwrap();
         let (mut stream, _) = listener.accept().unwrap();
         for k in 0..frames {
             let exposed = Instant::now();

@@ -1,6 +1,6 @@
 use crate::wire::{BoundView, CertificateView, UseView};
 use seamwright_machine::Machine;
-use seamwright_motion::law::LawPoint;
+use seamwright_motion::speed_profile::ProfilePoint;
 use seamwright_motion::{Binding, PassMotion};
 use seamwright_program::Pass;
 use seamwright_report::CertificateFigures;
@@ -42,15 +42,15 @@ pub(super) fn certificate(machine: &Machine, pass: &Pass, planned: &PassMotion) 
     }
 }
 
-/// Returns speed, acceleration and jerk of each axis at `law`, in whole per cent of its limits.
-pub(super) fn used(machine: &Machine, planned: &PassMotion, law: LawPoint) -> Vec<[u8; 3]> {
-    let p = planned.path.point(law.s, false);
-    let (v, a) = (law.v, law.a);
+/// Returns speed, acceleration and jerk of each axis at `profile`, in whole per cent of its limits.
+pub(super) fn used(machine: &Machine, planned: &PassMotion, profile: ProfilePoint) -> Vec<[u8; 3]> {
+    let p = planned.path.point(profile.s, false);
+    let (v, a) = (profile.v, profile.a);
     let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
         let (d1, d2, d3) = (p.d1[i], p.d2[i], p.d3[i]);
         let speed = d1 * v / axis.max_speed;
         let acceleration = (d2 * v * v + d1 * a) / axis.max_acceleration;
-        let jerk = (d3 * v * v * v + 3.0 * d2 * v * a + d1 * law.j) / axis.jerk();
+        let jerk = (d3 * v * v * v + 3.0 * d2 * v * a + d1 * profile.j) / axis.jerk();
         // A plan contains no values beyond 255 %.
         [speed, acceleration, jerk].map(|part| (100.0 * part.abs()).round().min(255.0) as u8)
     });

@@ -4,7 +4,7 @@ use super::near::near;
 use crate::wire::NearView;
 use seamwright_machine::{Joints, Machine, Surroundings, Target};
 use seamwright_motion::WeldMotion;
-use seamwright_motion::air::names_nearest;
+use seamwright_motion::transfer::names_nearest;
 use seamwright_program::{Finding, TorchPath};
 use seamwright_project::load::Loaded;
 

@@ -6,7 +6,7 @@ use super::solid::solid;
 use super::standing::Standing;
 use crate::wire::{FindingView, NearView, PassView, PathPoint, SolidView, WorkView};
 use seamwright_machine::{Machine, Surroundings};
-use seamwright_motion::air::Leg;
+use seamwright_motion::transfer::Leg;
 use seamwright_motion::{PassClearance, PassMotion, WeldMotion};
 use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_project::load::Loaded;
@@ -50,8 +50,9 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
             })
             .collect(),
         values,
-        air: motion.map_or(Vec::new(), |m| m.air.iter().map(|a| air(machine, a)).collect()),
-        air_s: motion.map_or(Vec::new(), |m| m.air.iter().map(|a| a.legs.iter().map(Leg::duration).sum()).collect()),
+        air: motion.map_or(Vec::new(), |m| m.transfers.iter().map(|a| air(machine, a)).collect()),
+        air_s: motion
+            .map_or(Vec::new(), |m| m.transfers.iter().map(|a| a.legs.iter().map(Leg::duration).sum()).collect()),
         part,
         fixtures,
         sections: sections(&loaded.welding),
@@ -118,13 +119,13 @@ fn pass_view(
             let s = length * i as f64 / SAMPLES as f64;
             let q = planned.path.at(s);
             let tip = machine.forward(&q);
-            let law = planned.law.at(planned.law.time(s), &mut 0);
+            let profile = planned.profile.at(planned.profile.time(s), &mut 0);
             PathPoint {
                 s_mm: s,
                 tip: tip.point.to_array(),
                 torch: (-tip.direction).to_array(),
-                speed_mm_s: planned.tip_speed(machine, law),
-                used: used(machine, planned, law),
+                speed_mm_s: planned.tip_speed(machine, profile),
+                used: used(machine, planned, profile),
                 axes: machine.axes.iter().zip(q).map(|(axis, q)| axis.to_file(q)).collect(),
                 values: process(pass, values, s),
                 clearance_mm: clearance.and_then(|(_, clearance)| clearance_at(clearance, s)),
@@ -186,7 +187,7 @@ fn process(pass: &Pass, values: &[String], s: f64) -> Vec<Option<f64>> {
     asked.map(|v| v.filter(|v| v.is_finite())).collect()
 }
 
-fn air(machine: &Machine, way: &seamwright_motion::air::AirMove) -> Vec<[f64; 3]> {
+fn air(machine: &Machine, way: &seamwright_motion::transfer::TransferMove) -> Vec<[f64; 3]> {
     let legs = way
         .legs
         .iter()

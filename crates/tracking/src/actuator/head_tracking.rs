@@ -107,7 +107,7 @@ pub struct Orders {
     /// Set-points of the slide, lateral and height, mm.
     pub slide: DVec2,
     /// Maximum feed override as a fraction; 0: stop.
-    pub pace: f64,
+    pub feed_override: f64,
     /// Most severe alarm.
     pub alarm: Option<Alarm>,
     /// Alarm that is independent of the sensor: [`Alarm::Slowed`] or [`Alarm::NearStroke`].
@@ -209,8 +209,8 @@ impl HeadTracking {
         }
         let orders = [self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)];
         self.ordered = DVec2::from_array(orders);
-        let (pace, alarm, carried) = self.judge(&now, speed, &estimate);
-        Orders { slide: self.ordered, pace, alarm, carried, cause: self.cause(&now), estimate }
+        let (feed_override, alarm, carried) = self.judge(&now, speed, &estimate);
+        Orders { slide: self.ordered, feed_override, alarm, carried, cause: self.cause(&now), estimate }
     }
 
     /// Returns the cause after several periods without a usable measurement, over more distance than tacks explain.
@@ -257,7 +257,7 @@ impl HeadTracking {
         let fastest = RESERVE * DVec2::new(self.slides[0].limits().speed, self.slides[1].limits().speed);
         let ahead = self.tracker.ahead(now.s_mm);
         let needed = (ahead.slope * settings.speed_mm_s.max(speed.abs()) / fastest).max_element();
-        let mut pace = if needed > 1.0 { 1.0 / needed } else { 1.0 };
+        let mut feed_override = if needed > 1.0 { 1.0 / needed } else { 1.0 };
         let reach = (ahead.value / stroke).max_element();
         let blind = self.cause(now).is_some();
         let never = self.begun.filter(|_| self.taken.is_none());
@@ -273,16 +273,17 @@ impl HeadTracking {
             _ if blind => Alarm::Blind,
             _ => match carried {
                 Some(alarm) => alarm,
-                None => return (pace, None, None),
+                None => return (feed_override, None, None),
             },
         };
         // Slows down towards the end of the stroke, to give the operator time.
-        pace = pace.min(1.0 - (1.0 - FADING_SPEED) * ((reach - RESERVE) / (1.0 - RESERVE)).clamp(0.0, 1.0));
+        feed_override =
+            feed_override.min(1.0 - (1.0 - FADING_SPEED) * ((reach - RESERVE) / (1.0 - RESERVE)).clamp(0.0, 1.0));
         match alarm {
-            Alarm::Lost | Alarm::StrokeEnd => pace = 0.0,
-            Alarm::FadingOut => pace = pace.min(FADING_SPEED),
+            Alarm::Lost | Alarm::StrokeEnd => feed_override = 0.0,
+            Alarm::FadingOut => feed_override = feed_override.min(FADING_SPEED),
             _ => {}
         }
-        (pace, Some(alarm), carried)
+        (feed_override, Some(alarm), carried)
     }
 }

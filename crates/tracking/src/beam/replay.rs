@@ -254,7 +254,7 @@ impl<'a> BeamReplay<'a> {
         let to = [there, there + speed * SOON_S].map(|s| self.expected(s));
         let shares = self.authority.step(to, now.slide.x, now.t_s);
         self.carried = shares.carried;
-        let (pace, alarm) = match self.judged {
+        let (feed_override, alarm) = match self.judged {
             Some(Err(_)) => (0.0, Some(Alarm::Misfit)),
             _ => judge(stuck, &shares, &estimate, (false, false)),
         };
@@ -267,6 +267,6 @@ impl<'a> BeamReplay<'a> {
             self.judged = Some(self.fit());
         }
         let (deflection_mm, carried_mm) = (shares.deflection, shares.carried);
-        Orders { beam, deflection_mm, carried_mm, pace, alarm, estimate }
+        Orders { beam, deflection_mm, carried_mm, feed_override, alarm, estimate }
     }
 }

@@ -24,7 +24,7 @@ pub struct Orders {
     /// Lateral set-point of the axes that carry the gun, mm in the torch frame.
     pub carried_mm: f64,
     /// Maximum feed override as a fraction; 0: stop.
-    pub pace: f64,
+    pub feed_override: f64,
     /// Most severe alarm.
     pub alarm: Option<Alarm>,
     /// Estimate of the seam at the torch.
@@ -200,12 +200,12 @@ impl<'a> BeamTracking<'a> {
         self.carried = shares.carried;
         let blind = self.taken_s.is_some_and(|t| now.t_s - t > BLIND_PERIODS * self.settings.period_s);
         let unknown = welds && estimate.sight == Sight::Unseen;
-        let (pace, alarm) = judge(stuck, &shares, &estimate, (unknown, blind));
+        let (feed_override, alarm) = judge(stuck, &shares, &estimate, (unknown, blind));
         Orders {
             beam: self.schedule.at(now.t_s, true),
             deflection_mm: shares.deflection,
             carried_mm: shares.carried,
-            pace,
+            feed_override,
             alarm,
             estimate,
         }

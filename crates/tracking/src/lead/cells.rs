@@ -1,6 +1,6 @@
 use super::fit::{Fit, Seen, parabola};
+use super::outliers::{GATE, STEEPEST};
 use super::ring::Ring;
-use super::suspects::{GATE, STEEPEST};
 use arrayvec::ArrayVec;
 use glam::DVec2;
 use std::ops::Range;

@@ -20,11 +20,11 @@ mod fit;
 mod history;
 mod measurement;
 mod node;
+mod outliers;
 mod own_curve;
 mod ring;
 mod sample_buffer;
 mod settings;
-mod suspects;
 mod tracker;
 
 pub use error::Error;

@@ -3,9 +3,9 @@ use super::filter::{Filter, Noise};
 use super::fit::{Fit, Seen};
 use super::history::{History, Moment};
 use super::node::{Estimate, Node, Sight};
+use super::outliers::{GATE, IN_A_ROW, Suspects, begun};
 use super::ring::Ring;
 use super::settings::REACH;
-use super::suspects::{GATE, IN_A_ROW, Suspects, begun};
 use super::{Error, Measurement, OwnCurve, Refusal, Settings, Verdict};
 use glam::DVec2;
 use std::ops::Range;
@@ -38,7 +38,7 @@ pub struct Tracker {
     /// Index of the node at the torch.
     here: i64,
     filter: Option<Filter>,
-    suspects: Suspects,
+    outliers: Suspects,
     anchor: Option<Anchor>,
     same: (DVec2, u32),
 }
@@ -77,7 +77,7 @@ impl Tracker {
             cursor: None,
             here: 0,
             filter: None,
-            suspects: Suspects::default(),
+            outliers: Suspects::default(),
             anchor: None,
             same: (DVec2::NAN, 0),
             settings,
@@ -136,8 +136,8 @@ impl Tracker {
         let noise = Noise { wander: self.settings.wander, drift: self.settings.drift };
         let r = 1.0 / seen.weight;
         // Checked first: gating increases the variance, and soon the gate would let a jump pass.
-        if let Some(three) = self.suspects.agreeing(&seen) {
-            self.suspects.clear();
+        if let Some(three) = self.outliers.agreeing(&seen) {
+            self.outliers.clear();
             self.begin_with(&three);
             self.filter = Some(begun(&three, t));
             for seen in three {
@@ -149,14 +149,14 @@ impl Tracker {
             && expected.surprise(seen.value, r) <= GATE
             && GATE * expected.variance[0].sqrt() <= WIDEST_MM
         {
-            self.suspects.clear();
+            self.outliers.clear();
             self.filter = Some(expected.updated(seen.value, r));
             self.keep(seen, t);
             return Verdict::Taken;
         }
         // After several gated measurements the prediction is discarded, because a widening gate would accept outliers.
         // From here on measurements must agree with each other.
-        if self.suspects.add(seen) >= IN_A_ROW {
+        if self.outliers.add(seen) >= IN_A_ROW {
             self.filter = None;
         }
         Verdict::Gated

@@ -1,7 +1,7 @@
-use super::events::{Answer, Command, End, Event, EyePose, Seen};
+use super::events::{Answer, CameraPose, Command, End, Event, Seen};
 use super::line::{GAP_MM, RawPoint, Source, TaughtLine};
 use super::sight::{Aim, FrameEnd, Patch, Shape, Surface, View};
-use super::{EyeNote, Settings, levelled};
+use super::{CameraNote, Settings, levelled};
 use glam::DVec3;
 use seamwright_message::{Message, Unit};
 use seamwright_vision::camera::{HeightError, HeightTable};
@@ -29,9 +29,9 @@ pub struct Crawl<'a> {
     table: &'a HeightTable,
     shape: &'a dyn Shape,
     line: TaughtLine,
-    notes: Vec<EyeNote>,
+    notes: Vec<CameraNote>,
     /// Current or commanded camera pose, and its distance along the line, mm.
-    target: EyePose,
+    target: CameraPose,
     way: f64,
     /// Previous distance of the camera along the line, mm.
     before: f64,
@@ -47,7 +47,7 @@ pub struct Crawl<'a> {
 impl<'a> Crawl<'a> {
     /// Creates a crawl from `start`, whose `along` may be rough, for a camera with the map `table` over the known
     /// surface `shape`.
-    pub fn new(settings: Settings, table: &'a HeightTable, shape: &'a dyn Shape, start: EyePose) -> Self {
+    pub fn new(settings: Settings, table: &'a HeightTable, shape: &'a dyn Shape, start: CameraPose) -> Self {
         Self {
             settings,
             table,
@@ -76,12 +76,12 @@ impl<'a> Crawl<'a> {
     }
 
     /// Returns a note of each frame so far.
-    pub fn notes(&self) -> &[EyeNote] {
+    pub fn notes(&self) -> &[CameraNote] {
         &self.notes
     }
 
     /// Returns the current or commanded camera pose.
-    pub fn target(&self) -> &EyePose {
+    pub fn target(&self) -> &CameraPose {
         &self.target
     }
 
@@ -187,7 +187,7 @@ impl<'a> Crawl<'a> {
         let ahead = way - self.way;
         let eye = self.notes.last().map_or(point, |note| note.eye);
         let normal = self.shape.near(point).map_or_else(|| self.carried(eye, ahead), |patch| patch.normal);
-        (self.target, self.way, self.fresh) = (EyePose { point, normal, along }, way, false);
+        (self.target, self.way, self.fresh) = (CameraPose { point, normal, along }, way, false);
         Command::Move(self.target)
     }
 
@@ -204,7 +204,7 @@ impl<'a> Crawl<'a> {
         let ray = -normal;
         self.line.push(RawPoint { point, normal, ray, confidence: 1.0, frame, source: Source::Operator }, None);
         (self.way, self.before) = (self.line.length(), self.line.length());
-        (self.target, self.fresh, self.again) = (EyePose { point, normal, along }, true, 0);
+        (self.target, self.fresh, self.again) = (CameraPose { point, normal, along }, true, 0);
         Command::Move(self.target)
     }
 
@@ -224,7 +224,7 @@ impl<'a> Crawl<'a> {
         let mean = points.iter().map(|p| p.confidence).fold(0.0, |a, b| a + b) / points.len().max(1) as f64;
         // A midline that starts on the known line without any overlap belongs to another feature.
         let agrees = overlap.map_or(self.fresh || points.is_empty(), |off| off <= self.settings.agree_mm);
-        self.notes.push(EyeNote {
+        self.notes.push(CameraNote {
             eye: surface.on_axis(),
             raised_mm: surface.raised(),
             measured: seen.view.height.is_some(),

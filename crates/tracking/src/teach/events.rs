@@ -6,7 +6,7 @@ use seamwright_message::Message;
 
 /// Camera pose: the optical axis passes through `point`, against `normal`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EyePose {
+pub struct CameraPose {
     /// On the joint, in the work frame, mm.
     pub point: DVec3,
     /// Unit normal of the surface there, out of the work.
@@ -55,7 +55,7 @@ pub enum Event<'a> {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
     /// Move the camera straight to the pose, then send [`Event::Reached`] or [`Event::Refused`].
-    Move(EyePose),
+    Move(CameraPose),
     /// Take a frame, search its midline from [`Crawl::aim`](super::Crawl::aim), then send [`Event::Seen`].
     Look,
     /// Ask the operator for help, with the reason, then send [`Event::Operator`].

@@ -1,5 +1,5 @@
 use super::line::{RawPoint, Source, TaughtLine};
-use super::note::EyeNote;
+use super::note::CameraNote;
 use glam::DVec3;
 use nalgebra::{Matrix3, Vector3};
 
@@ -14,7 +14,7 @@ const FEWEST: usize = 3;
 /// over the frame, wrong by the part's slope times the distance from the axis. Each point is moved along its viewing
 /// ray to the height of the least-squares parabola through the frames around it. The operator's points stay, and
 /// without measured heights all points do.
-pub fn levelled(line: &TaughtLine, notes: &[EyeNote]) -> TaughtLine {
+pub fn levelled(line: &TaughtLine, notes: &[CameraNote]) -> TaughtLine {
     let measured = notes.iter().filter(|note| note.measured && note.agrees);
     let mut heights: Vec<(f64, f64)> = measured.map(|note| (way(line, note), note.raised_mm)).collect();
     heights.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -29,7 +29,7 @@ pub fn levelled(line: &TaughtLine, notes: &[EyeNote]) -> TaughtLine {
 }
 
 /// Returns the distance along the line at which a frame's optical axis met the work, mm.
-fn way(line: &TaughtLine, note: &EyeNote) -> f64 {
+fn way(line: &TaughtLine, note: &CameraNote) -> f64 {
     let off = line.at(note.way).map_or(DVec3::ZERO, |at| note.eye - at);
     note.way + line.direction(note.way, REACH_MM).map_or(0.0, |along| along.dot(off))
 }
@@ -83,7 +83,7 @@ mod tests {
                 let eye = DVec3::new(way, 0.0, raised_mm);
                 let (confidence, overlap_mm, end) = (1.0, None, FrameEnd::LeftImage);
                 let (rows, measured, agrees) = (80, frame != 3, true);
-                notes.push(EyeNote { eye, raised_mm, measured, way, rows, confidence, overlap_mm, end, agrees });
+                notes.push(CameraNote { eye, raised_mm, measured, way, rows, confidence, overlap_mm, end, agrees });
                 for k in 0..80 {
                     let x = way - 4.0 + 0.1 * f64::from(k);
                     // Intersection of the frame's height with the ray that meets the slope at x.

@@ -31,10 +31,10 @@ mod smooth;
 
 pub use attitude::{Lean, torch_axes};
 pub use crawl::Crawl;
-pub use events::{Answer, Command, End, Event, EyePose, Seen};
+pub use events::{Answer, CameraPose, Command, End, Event, Seen};
 pub use height::levelled;
 pub use line::{RawPoint, Source, TaughtLine};
-pub use note::EyeNote;
+pub use note::CameraNote;
 pub use program::{Curves, Kind, Reduced, to_program};
 pub use settings::Settings;
 pub use sight::{Aim, FrameEnd, Patch, Row, Shape, View};

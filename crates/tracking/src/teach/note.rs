@@ -3,7 +3,7 @@ use glam::DVec3;
 
 /// Summary of a frame.
 #[derive(Debug, Clone, PartialEq)]
-pub struct EyeNote {
+pub struct CameraNote {
     /// Intersection of the optical axis with the work, mm.
     pub eye: DVec3,
     /// Height of that point above the known shape, mm.

@@ -109,7 +109,7 @@ impl Weld {
     fn told(&mut self, orders: &Orders) -> bool {
         self.misses.push((self.s, self.carried + orders.deflection_mm - beside(self.s)));
         self.alarms.extend(orders.alarm.map(|alarm| (self.s, alarm)));
-        orders.pace > 0.0
+        orders.feed_override > 0.0
     }
 
     fn within(&self, part: f64) -> f64 {
@@ -284,7 +284,7 @@ fn replayed(moved: f64, settings: ReplaySettings, seed: u64) -> (f64, Option<Res
             let seen = points(s + 40.0 - v * (t - exposed_s), carried, &mut error);
             head.take(&Picture { exposed_s, height_mm: 0.0, points: &seen }, t);
         }
-        if orders.pace <= 0.0 {
+        if orders.feed_override <= 0.0 {
             assert_eq!(orders.alarm, Some(Alarm::Misfit));
             break;
         }
@@ -334,7 +334,7 @@ fn what_cannot_be_replayed_is_refused() {
     let mut head = BeamReplay::new(ReplaySettings::USUAL, replay, &ring, BEAM, AXES).unwrap();
     let stops = (1..5000u32).find(|i| {
         let t = f64::from(*i) * CYCLE;
-        head.cycle(Moment { t_s: t, s_mm: 10.0 * t, slide: DVec2::ZERO }, 10.0).pace <= 0.0
+        head.cycle(Moment { t_s: t, s_mm: 10.0 * t, slide: DVec2::ZERO }, 10.0).feed_override <= 0.0
     });
     assert!(stops.is_some_and(|i| i < 2000), "{stops:?}");
     assert_eq!(head.judged().unwrap().unwrap_err(), Misfit::Unseen { points: 0, frames: 0 });
@@ -358,7 +358,7 @@ fn axes_that_are_stuck_stop_it() {
         }
         let miss = held + orders.deflection_mm - beside(s);
         assert!(miss.abs() < 0.1, "the deflection makes up for it: {miss} at {s}");
-        if orders.pace <= 0.0 {
+        if orders.feed_override <= 0.0 {
             stopped = Some(orders.alarm);
             break;
         }

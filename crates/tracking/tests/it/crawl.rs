@@ -5,7 +5,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_message::Message;
 use seamwright_tracking::teach::{
-    Answer, Command, Crawl, End, Event, EyePose, FrameEnd, Patch, Row, Seen, Settings, Shape, View, smoothed,
+    Answer, CameraPose, Command, Crawl, End, Event, FrameEnd, Patch, Row, Seen, Settings, Shape, View, smoothed,
 };
 use seamwright_vision::camera::{HeightTable, MapParameters, PlaneMap};
 
@@ -131,8 +131,8 @@ impl World {
     }
 }
 
-fn start(at: DVec3, along: DVec3, normal: DVec3) -> EyePose {
-    EyePose { point: at, normal, along: along.normalize() }
+fn start(at: DVec3, along: DVec3, normal: DVec3) -> CameraPose {
+    CameraPose { point: at, normal, along: along.normalize() }
 }
 
 /// Height of the true surface on the optical axis.
@@ -149,8 +149,8 @@ fn height(truth: &dyn Shape, camera: &DAffine3) -> f64 {
 fn crawl<'a>(
     world: &mut World,
     (table, shape, truth): (&'a HeightTable, &'a dyn Shape, &dyn Shape),
-    from: EyePose,
-    refuse: impl Fn(&EyePose) -> bool,
+    from: CameraPose,
+    refuse: impl Fn(&CameraPose) -> bool,
     mut answer: impl FnMut(&str) -> Answer,
 ) -> (Crawl<'a>, End) {
     let mut crawl = Crawl::new(Settings::default(), table, shape, from);

@@ -1,7 +1,7 @@
 use super::super::Error;
-use super::eye::POINTS;
-use super::{BeamEye, Glance, Shown};
-use crate::eyes::Random;
+use super::camera::POINTS;
+use super::{BeamCamera, Glance, Shown};
+use crate::camera_simulator::Random;
 use seamwright_tracking::beam::{BeamReplay, BeamTracking, Orders, Picture, Point};
 use seamwright_tracking::lead::Moment;
 use std::collections::VecDeque;
@@ -74,10 +74,10 @@ impl UnderWay {
     }
 
     /// Takes a frame; it is lost if there is no room.
-    pub(crate) fn look(&mut self, eye: &mut dyn BeamEye, glance: &Glance<'_>) -> Result<(), Error> {
+    pub(crate) fn look(&mut self, camera: &mut dyn BeamCamera, glance: &Glance<'_>) -> Result<(), Error> {
         let Some(mut shown) = self.free.pop() else { return Ok(()) };
         (shown.height_mm, shown.points) = (0.0, cleared(shown.points));
-        eye.glance(glance, &mut shown)?;
+        camera.glance(glance, &mut shown)?;
         let late = self.latency_s + self.random.within(-LATE_S, LATE_S);
         self.pictures.push_back((glance.t_s + late.max(0.0), glance.t_s, shown));
         Ok(())

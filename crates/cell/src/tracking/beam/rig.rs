@@ -1,7 +1,7 @@
 use super::super::Error;
 use super::head::{END_MM, LOOK_S, STEP_MM, UnderWay};
 use super::tally::BeamTally;
-use super::{BeamEye, BeamHead, BeamScene, Glance};
+use super::{BeamCamera, BeamHead, BeamScene, Glance};
 use crate::drives::Drives;
 use glam::{DVec2, DVec3};
 use seamwright_machine::Joints;
@@ -43,14 +43,14 @@ const LATENCY_S: f64 = 0.045;
 /// Cycles from one measurement of the weld to the next.
 const MEASURED: u32 = 5;
 
-/// Welds a pass on the machine's drives with the orders of `head` and the view of `eye`. The same seed gives the same
+/// Welds a pass on the machine's drives with the orders of `head` and the view of `camera`. The same seed gives the same
 /// weld.
 ///
 /// # Errors
 /// Invalid drives, axes that cannot carry the gun, frames that are not available.
 pub fn weld(
     scene: &BeamScene<'_>,
-    eye: &mut dyn BeamEye,
+    camera: &mut dyn BeamCamera,
     mut head: BeamHead<'_>,
     noise_mm: f64,
     seed: u64,
@@ -63,18 +63,18 @@ pub fn weld(
     let (mut places, mut alarm, mut stopped_mm) = (Vec::new(), None, None);
     let (mut t, mut clock, mut cursor, mut count) = (0.0, 0.0, 0, 0);
     let mut orders: Option<Orders> = None;
-    while clock < scene.motion.law.duration() {
+    while clock < scene.motion.profile.duration() {
         t += cycle_s;
         let welds = t > LOOK_S;
-        let pace = orders.as_ref().map_or(1.0, |o| o.pace);
-        if welds && pace <= 0.0 {
+        let feed_override = orders.as_ref().map_or(1.0, |o| o.feed_override);
+        if welds && feed_override <= 0.0 {
             stopped_mm = Some(gun.s);
             break;
         }
-        clock += if welds { pace * cycle_s } else { 0.0 };
-        let law = scene.motion.law.at(clock, &mut cursor);
-        let speed = if welds { pace * law.v } else { 0.0 };
-        gun.go(law.s, orders.as_ref().map_or(0.0, |o| o.carried_mm), t)?;
+        clock += if welds { feed_override * cycle_s } else { 0.0 };
+        let profile = scene.motion.profile.at(clock, &mut cursor);
+        let speed = if welds { feed_override * profile.v } else { 0.0 };
+        gun.go(profile.s, orders.as_ref().map_or(0.0, |o| o.carried_mm), t)?;
         pictures.deliver(&mut head, t);
         let now = Moment { t_s: t, s_mm: gun.along(), slide: gun.carried() };
         let next = head.cycle(now, speed, welds);
@@ -85,7 +85,7 @@ pub fn weld(
             let (ahead, aside) = head.looks_for(at.s, speed);
             let carried = (at.tip - taught.point).dot(torch.lateral);
             let from = (ahead, aside.map(|aside| aside - carried));
-            pictures.look(eye, &Glance { t_s: exposed_s, axes: &at.axes, torch, s_mm: at.s, from })?;
+            pictures.look(camera, &Glance { t_s: exposed_s, axes: &at.axes, torch, s_mm: at.s, from })?;
         }
         if welds {
             // At the very end no part of the seam lies ahead.

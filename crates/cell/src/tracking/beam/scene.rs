@@ -1,5 +1,5 @@
 use super::super::Seam;
-use crate::eyes::{SeamLine, Station};
+use crate::camera_simulator::{SeamLine, Station};
 use glam::{DQuat, DVec3};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;

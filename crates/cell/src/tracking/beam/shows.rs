@@ -1,8 +1,8 @@
 //! Rows of beam mode against limits.
 
 use super::super::{Error, Seam};
-use super::{BeamEye, BeamHead, BeamOutcome, BeamScene, Offsets, Pixels, placed_wrong, weld};
-use crate::eyes::{Appearance, SeamLine};
+use super::{BeamCamera, BeamHead, BeamOutcome, BeamScene, Offsets, Pixels, placed_wrong, weld};
+use crate::camera_simulator::{Appearance, SeamLine};
 use crate::gate::{Gate, Limit};
 use crate::teach::JointFollower;
 use glam::DVec3;
@@ -58,7 +58,7 @@ impl BeamJob<'_> {
     pub fn tracked(
         &self,
         actual: &SeamLine,
-        eye: &mut dyn BeamEye,
+        camera: &mut dyn BeamCamera,
         seed: u64,
     ) -> Result<(BeamOutcome, Vec<f64>), Error> {
         let scene = self.scene(false, actual);
@@ -66,7 +66,7 @@ impl BeamJob<'_> {
         let head = BeamTracking::new(settings, &*scene.taught.frame, scene.deflection, scene.axes)?;
         let mut uncorrected = scene.uncorrected();
         uncorrected.sort_by(f64::total_cmp);
-        let outcome = weld(&scene, eye, BeamHead::Tracking(Box::new(head)), settings.noise_mm, seed)?;
+        let outcome = weld(&scene, camera, BeamHead::Tracking(Box::new(head)), settings.noise_mm, seed)?;
         Ok((outcome, uncorrected))
     }
 
@@ -79,7 +79,7 @@ impl BeamJob<'_> {
         &self,
         record: DeviationRecord,
         actual: &SeamLine,
-        eye: &mut dyn BeamEye,
+        camera: &mut dyn BeamCamera,
         seed: u64,
     ) -> Result<(BeamOutcome, f64), Error> {
         let scene = self.scene(true, actual);
@@ -89,7 +89,7 @@ impl BeamJob<'_> {
         let replay = Replay::new(record, shift, scene.taught.length_mm, noise_mm)?;
         let settings = ReplaySettings::USUAL;
         let head = BeamReplay::new(settings, replay, &*scene.taught.frame, scene.deflection, scene.axes)?;
-        Ok((weld(&scene, eye, BeamHead::Replay(Box::new(head)), noise_mm, seed)?, shift))
+        Ok((weld(&scene, camera, BeamHead::Replay(Box::new(head)), noise_mm, seed)?, shift))
     }
 }
 
@@ -127,14 +127,14 @@ pub fn beam_rows(name: &str, job: &BeamJob<'_>, seeds: u64) -> Result<Vec<Gate>,
     let mut rows = Vec::new();
     let actual = job.placed_wrong(0);
     let seen = Appearance { tacks: vec![(150.0, 155.0)], ..Appearance::default() };
-    let mut eye = Pixels::new(job.machine, (actual.clone(), seen), JointFollower::new(GAP_PX), 0)?;
-    rows.extend(pass_rows(&format!("{name}, from pixels"), job, &actual, &mut eye, 0)?);
+    let mut camera = Pixels::new(job.machine, (actual.clone(), seen), JointFollower::new(GAP_PX), 0)?;
+    rows.extend(pass_rows(&format!("{name}, from pixels"), job, &actual, &mut camera, 0)?);
     let mut worst: Vec<Gate> = Vec::new();
     for seed in 1..=seeds {
         let actual = job.placed_wrong(seed);
-        let mut eye = Offsets::new(&actual, seed);
-        eye.tacks = vec![(150.0, 155.0), (300.0, 304.0)];
-        let found = pass_rows(&format!("{name}, {seeds} seeds of points"), job, &actual, &mut eye, seed)?;
+        let mut camera = Offsets::new(&actual, seed);
+        camera.tacks = vec![(150.0, 155.0), (300.0, 304.0)];
+        let found = pass_rows(&format!("{name}, {seeds} seeds of points"), job, &actual, &mut camera, seed)?;
         if worst.is_empty() {
             worst = found;
         } else {
@@ -154,10 +154,10 @@ fn pass_rows(
     weld: &str,
     job: &BeamJob<'_>,
     actual: &SeamLine,
-    eye: &mut dyn BeamEye,
+    camera: &mut dyn BeamCamera,
     seed: u64,
 ) -> Result<Vec<Gate>, Error> {
-    let (tracked, uncorrected) = job.tracked(actual, eye, seed)?;
+    let (tracked, uncorrected) = job.tracked(actual, camera, seed)?;
     let without = uncorrected.get(uncorrected.len() * 99 / 100).copied().unwrap_or(f64::INFINITY);
     let Allowed { every_s, longest_s } = Allowed::EBW_2004;
     let missing = job.first.0.length() - tracked.welded_mm - tracked.away.0 * job.first.0.length();
@@ -179,7 +179,7 @@ fn pass_rows(
     let Some(record) = tracked.record else { return Ok(rows) };
     // Through its file, as it is stored with the program.
     let record = DeviationRecord::from_csv("stored", &record.to_csv()).map_err(|e| Error::Frame(e.message()))?;
-    let (again, shift) = job.replayed(record.clone(), actual, eye, seed + 1000)?;
+    let (again, shift) = job.replayed(record.clone(), actual, camera, seed + 1000)?;
     rows.push(most("replayed, 99 % within", weld, again.p99_mm, TRACKED_MM, "mm"));
     rows.push(most(
         "replayed beside the tracked pass",
@@ -205,7 +205,8 @@ pub fn moved_since(job: &BeamJob<'_>, seed: u64) -> Result<f64, Error> {
         station.normal.cross(along).normalize_or_zero()
     };
     let stations = actual.stations().iter();
-    let stations = stations.map(|s| crate::eyes::Station { point: s.point + MOVED_MM * side, ..*s }).collect();
+    let stations =
+        stations.map(|s| crate::camera_simulator::Station { point: s.point + MOVED_MM * side, ..*s }).collect();
     let moved = SeamLine::through(stations, actual.is_closed());
     let (again, _) = job.replayed(record, &moved, &mut Offsets::new(&moved, seed), seed)?;
     match again.fit {

@@ -1,7 +1,7 @@
 //! Beam mode on a simulated half-ring.
 
 use crate::failure::Failure;
-use seamwright_cell::eyes::{SeamLine, Station};
+use seamwright_cell::camera_simulator::{SeamLine, Station};
 use seamwright_cell::gate::{Gate, Limit};
 use seamwright_cell::tracking::beam::{BeamJob, MOVED_MM, beam_rows, moved_since};
 use seamwright_machine::{Machine, shipped};

@@ -4,8 +4,8 @@ use crate::load::load_text;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
 use crate::verbs::run::bad;
-use seamwright_cell::campaign::{self, Outcome, Stage, TrackedStage};
 use seamwright_cell::executive::{Place, Start};
+use seamwright_cell::fault_injection::{self, Outcome, Stage, TrackedStage};
 use seamwright_cell::tracking::{Distortion, RESERVE};
 use seamwright_cell::{Conditions, SimulatedCell};
 use seamwright_message::Message;
@@ -40,12 +40,12 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     let [begin, end, tracked_begin, tracked_end] = &works[..] else { return Err(Failure::Printed) };
     let on_sensors = TrackedStage { cell: &cells[1], works: [tracked_begin, tracked_end], near_end };
     let stage = Stage { machine, begin, end, tracked: Some(on_sensors) };
-    let cases = campaign::cases(&stage);
+    let cases = fault_injection::cases(&stage);
     let progress = Progress::new("cli-progress-faults", args.seeds * cases.len() as u64);
     let mut outcomes: Vec<Outcome> = Vec::new();
     for seed in 0..args.seeds {
         for case in &cases {
-            outcomes.push(campaign::run(stage, *case, seed, false).map_err(|e| bad(&e))?);
+            outcomes.push(fault_injection::run(stage, *case, seed, false).map_err(|e| bad(&e))?);
             progress.all(1);
         }
     }
@@ -58,7 +58,7 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
 fn print(
     args: &BenchFaultsArgs,
     machine: &seamwright_machine::Machine,
-    cases: &[campaign::Case],
+    cases: &[fault_injection::Case],
     outcomes: &[Outcome],
 ) -> Result<(), Failure> {
     let worst = cases.iter().filter_map(|case| {
@@ -83,5 +83,5 @@ fn print(
         });
         return print_json(&serde_json::json!({ "seeds": args.seeds, "cases": rows.collect::<Vec<_>>() }));
     }
-    print_text(&format!("{}\n{}\n", campaign::table(machine, &worst), campaign::summary(outcomes)))
+    print_text(&format!("{}\n{}\n", fault_injection::table(machine, &worst), fault_injection::summary(outcomes)))
 }

@@ -9,8 +9,10 @@ use crate::rows::{Cell, Rows};
 use crate::verbs::process::{Clock, ProcessColumns};
 use seamwright_machine::Joints;
 use seamwright_message::{Message, Unit};
-use seamwright_motion::pace::{Instant, Limits, Order, Pace, PaceError, Run, RunPhase, Timed as Moves};
-use seamwright_motion::{PassMotion, SpeedLaw, Stage, WeldMotion};
+use seamwright_motion::feed_override::{
+    FeedOverride, FeedOverrideError, Instant, Limits, Order, Run, RunPhase, Timed as Moves,
+};
+use seamwright_motion::{PassMotion, SpeedProfile, Stage, WeldMotion};
 use seamwright_program::{Finding, Pass};
 use std::io::Write;
 
@@ -31,7 +33,7 @@ pub(super) fn run(
     for stage in motion.stages(args.air) {
         match stage {
             Stage::Pass(i, pass) => player.pass(i, pass)?,
-            Stage::Air(air) => {
+            Stage::Transfer(air) => {
                 for k in 0..air.count(period) {
                     let Some((leg, t)) = air.leg(k as f64 * period) else { break };
                     player.wait_in_air();
@@ -83,7 +85,7 @@ struct Player<'a> {
     /// Set-points written.
     count: u64,
     /// Part of the planned speed.
-    pace: f64,
+    feed_override: f64,
     /// Command that starts the next pass, if that does not wait.
     first: Option<Command>,
     /// This stage is the last.
@@ -107,7 +109,7 @@ impl<'a> Player<'a> {
             commands,
             period,
             count: 0,
-            pace: 1.0,
+            feed_override: 1.0,
             first: Some(Command::Resume),
             over: false,
             burning: 0.0,
@@ -124,7 +126,7 @@ impl<'a> Player<'a> {
         }
         self.commands = rest;
         match first.command {
-            Command::Override(percent) => self.pace = percent / 100.0,
+            Command::Override(percent) => self.feed_override = percent / 100.0,
             Command::Abort => self.over = true,
             _ => {}
         }
@@ -147,17 +149,19 @@ impl<'a> Player<'a> {
         let program = &self.loaded.welding.program.value;
         let faster = self.faster(motion, &program.passes[i]).map_err(|e| Failure::input(&e))?;
         let base = motion.timed(&self.loaded.machine);
-        let faster =
-            faster.as_ref().map(|law| seamwright_motion::pace::PassTimed::new(&self.loaded.machine, &motion.path, law));
-        let stuck = |e: PaceError| Failure::Findings(vec![finding(&e, i + 1)]);
-        let mut pace = Pace::new(&Limits::of(&self.loaded.machine), self.period, &base).map_err(stuck)?;
-        if let Some(law) = &faster {
-            pace = pace.with_faster(law, FASTER).map_err(stuck)?;
+        let faster = faster.as_ref().map(|profile| {
+            seamwright_motion::feed_override::PassTimed::new(&self.loaded.machine, &motion.path, profile)
+        });
+        let stuck = |e: FeedOverrideError| Failure::Findings(vec![finding(&e, i + 1)]);
+        let mut feed_override =
+            FeedOverride::new(&Limits::of(&self.loaded.machine), self.period, &base).map_err(stuck)?;
+        if let Some(profile) = &faster {
+            feed_override = feed_override.with_faster(profile, FASTER).map_err(stuck)?;
         }
-        let mut run = Run::new(pace, motion.sequence.clone(), &[]);
-        run.order(Order::Override(self.pace)).map_err(stuck)?;
+        let mut run = Run::new(feed_override, motion.sequence.clone(), &[]);
+        run.order(Order::Override(self.feed_override)).map_err(stuck)?;
         let first = self.first.replace(Command::Resume);
-        if let Some(first) = first.filter(|_| self.pace * 100.0 >= MIN_OVERRIDE) {
+        if let Some(first) = first.filter(|_| self.feed_override * 100.0 >= MIN_OVERRIDE) {
             run.order(order(first, 0.0, motion.path.length())).map_err(stuck)?;
         }
         loop {
@@ -198,9 +202,13 @@ impl<'a> Player<'a> {
     }
 
     /// The speed profile for overrides above 100 %, if one comes or is in force.
-    fn faster(&self, motion: &PassMotion, pass: &Pass) -> Result<Option<SpeedLaw>, seamwright_motion::law::LawError> {
+    fn faster(
+        &self,
+        motion: &PassMotion,
+        pass: &Pass,
+    ) -> Result<Option<SpeedProfile>, seamwright_motion::speed_profile::SpeedProfileError> {
         let above = |c: &Timed| matches!(c.command, Command::Override(percent) if percent > 100.0);
-        let wanted = self.pace > 1.0 || self.commands.iter().any(above);
+        let wanted = self.feed_override > 1.0 || self.commands.iter().any(above);
         wanted.then(|| motion.faster(&self.loaded.machine, pass, FASTER)).transpose()
     }
 
@@ -247,9 +255,9 @@ fn held(pass: usize, now: &Instant) {
     let _ = writeln!(std::io::stderr().lock(), "{note}");
 }
 
-fn finding(error: &PaceError, pass: usize) -> Finding {
+fn finding(error: &FeedOverrideError, pass: usize) -> Finding {
     let (from_mm, to_mm) = match error {
-        PaceError::Stuck { s } => (*s, *s),
+        FeedOverrideError::Stuck { s } => (*s, *s),
         _ => (0.0, 0.0),
     };
     Finding {

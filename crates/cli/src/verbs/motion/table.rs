@@ -21,7 +21,7 @@ pub(super) struct Along {
 
 impl Along {
     pub(super) fn new(pass: usize, set: &SetPoint, speed: f64, arc: Option<Clock>) -> Self {
-        Self { pass, s: set.law.s, speed, arc }
+        Self { pass, s: set.profile.s, speed, arc }
     }
 }
 

@@ -98,7 +98,7 @@ impl Play<'_> {
     fn each(&mut self, mut each: impl FnMut(&Place) -> Result<(), Failure>) -> Result<(), Failure> {
         self.motion.play(self.clock.period_s(), self.home, |pass, set, _| {
             self.progress.step();
-            each(&Place { pass, s_mm: set.law.s, q: set.q })
+            each(&Place { pass, s_mm: set.profile.s, q: set.q })
         })
     }
 

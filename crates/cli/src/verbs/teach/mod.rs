@@ -16,14 +16,14 @@ use crate::files;
 use crate::load::load;
 use crate::refusals::{between, in_file, not_allowed, of_option, refused, unreadable};
 use glam::DVec3;
-use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::teach::{JointFollower, semi_manual};
 use seamwright_geometry::HeightTable;
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Machine, Sensor, Sight};
 use seamwright_message::Message;
 use seamwright_project::teaching::{self, EVERY_MM, Outcome, nominal};
-use seamwright_tracking::teach::{EyePose, Kind, Settings};
+use seamwright_tracking::teach::{CameraPose, Kind, Settings};
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
@@ -179,7 +179,7 @@ fn follower(args: &TeachArgs, table: &HeightTable) -> Result<JointFollower, Fail
 
 /// Start of the joint following: at `point`, in the direction of the nominal seam nearby unless the command line gives
 /// another.
-fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<EyePose, Failure> {
+fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<CameraPose, Failure> {
     let vector = |name: &str, given: &Option<Vec<f64>>| match given.as_deref() {
         None => Ok(None),
         Some([x, y, z]) => Ok(Some(DVec3::new(*x, *y, *z))),
@@ -202,7 +202,7 @@ fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<EyePose, 
         })?,
         None => begin.along,
     };
-    Ok(EyePose { along, ..begin })
+    Ok(CameraPose { along, ..begin })
 }
 
 /// The nominal seam brought to the operator's points.

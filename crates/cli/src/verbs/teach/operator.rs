@@ -6,7 +6,7 @@ use crate::files;
 use crate::progress::Progress;
 use crate::refusals::in_file;
 use glam::DVec3;
-use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::teach::Operator;
 use seamwright_message::{Message, Unit};
 use seamwright_project::teaching::Picture;

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::in_file;
 use glam::DVec3;
-use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::frames::{FrameError, FrameSource, Recorded, TimedFrame};
 use seamwright_cell::teach::{Played, joints};
 use seamwright_message::Message;

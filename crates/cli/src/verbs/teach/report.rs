@@ -2,7 +2,7 @@ use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::refusals::not_json;
 use crate::rows::print_json;
-use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_machine::Machine;
 use seamwright_message::{Language, Message, Unit};
 use seamwright_project::teaching::{Figures, Outcome, Told, bridged};
@@ -46,7 +46,7 @@ impl<'a> Report<'a> {
                 "across_nominal_mm": across, "above_nominal_mm": above })
         };
         let english = |message: &Message| message.in_language(Language::English);
-        let frame = |n: &seamwright_tracking::teach::EyeNote| {
+        let frame = |n: &seamwright_tracking::teach::CameraNote| {
             json!({ "s_mm": n.way, "rows": n.rows, "confidence": n.confidence, "overlap_mm": n.overlap_mm,
                 "ended": format!("{:?}", n.end), "believed": n.agrees })
         };

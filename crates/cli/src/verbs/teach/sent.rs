@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::{in_file, refused};
 use glam::DVec3;
-use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::frames::{FrameSource, FrameStream};
 use seamwright_cell::teach::{DistantRig, joints};
 use seamwright_message::Message;

@@ -6,13 +6,13 @@ use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::progress::Progress;
-use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::frames::Recorder;
 use seamwright_cell::teach::{Look, Rig};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor};
 use seamwright_project::teaching::{Outcome, Picture};
-use seamwright_tracking::teach::{Crawl, EyePose};
+use seamwright_tracking::teach::{CameraPose, Crawl};
 use std::cell::RefCell;
 
 /// Seam and camera of a joint following.
@@ -31,7 +31,7 @@ impl<'a> Session<'a> {
     }
 
     /// Follows the joint from `start` with the camera of `rig`.
-    pub(super) fn crawl(&self, start: EyePose, rig: &mut dyn Rig) -> Result<Outcome, Failure> {
+    pub(super) fn crawl(&self, start: CameraPose, rig: &mut dyn Rig) -> Result<Outcome, Failure> {
         let Self { args, nominal, machine, sensor, table } = self;
         let mut crawl = Crawl::new(settings(args, nominal)?, table, *nominal, start);
         let axes: Vec<&str> = machine.axes.iter().map(|a| a.name.as_str()).collect();

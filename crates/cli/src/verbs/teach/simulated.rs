@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::{between, not_allowed, of_option};
 use glam::DVec3;
-use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine};
+use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, Distortion, SeamLine};
 use seamwright_cell::teach::{SimulatedRig, truth};
 use seamwright_message::{Message, Unit};
 use seamwright_project::teaching::{Ground, Outcome};
@@ -27,7 +27,7 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
     if args.no_height {
         appearance.height_error_mm = None;
     }
-    let eye = Eye::new(machine, sensor, actual.clone(), appearance, seed);
+    let eye = CameraSimulator::new(machine, sensor, actual.clone(), appearance, seed);
     let eye = eye.ok_or_else(|| Failure::input(Message::new("cli-teach-not-a-camera").text("sensor", &sensor.name)))?;
     let (first, along) = actual.at(0.0);
     let begin = start(args, nominal, first.point + BESIDE_MM * first.normal.cross(along))?;

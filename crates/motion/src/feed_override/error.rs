@@ -1,0 +1,98 @@
+use crate::LimitKind;
+use seamwright_message::{Message, Unit};
+
+/// Error of a refused command or value. The state is then unchanged.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FeedOverrideError {
+    /// The override is out of range.
+    Override {
+        /// The value given.
+        value: f64,
+        /// Maximum override of the given profiles.
+        greatest: f64,
+    },
+    /// A limit of an axis is invalid.
+    Limit {
+        /// Number of the axis, from 0.
+        axis: usize,
+        /// Kind of the limit.
+        kind: LimitKind,
+        /// The value given.
+        value: f64,
+    },
+    /// More axes than a machine may have.
+    TooManyAxes {
+        /// Axes given.
+        axes: usize,
+        /// Axes allowed.
+        most: usize,
+    },
+    /// The period of the set-points.
+    Period {
+        /// The value given, s.
+        value: f64,
+    },
+    /// A path length outside the path.
+    Place {
+        /// The value given, mm.
+        value: f64,
+        /// Length of the path, mm.
+        length: f64,
+    },
+    /// The factor of the faster profile is out of range.
+    Faster {
+        /// The value given.
+        value: f64,
+    },
+    /// A step to a path length that is welded already, or off the path.
+    StepTo {
+        /// The value given, mm.
+        value: f64,
+        /// Path length welded to, mm.
+        welded: f64,
+        /// Length of the path, mm.
+        length: f64,
+    },
+    /// An order to move with an override of 0.
+    Zero,
+    /// The motion is stuck: the profile's rates are not finite there, or exceed the limits.
+    Stuck {
+        /// Path length at which it is stuck, mm.
+        s: f64,
+    },
+}
+
+impl FeedOverrideError {
+    /// Describes the error.
+    pub fn message(&self) -> Message {
+        match *self {
+            // A faster profile raises the maximum.
+            Self::Override { value, greatest } if greatest < 1.5 => {
+                Message::new("motion-override").value("value", value, Unit::One).value("max", greatest, Unit::One)
+            }
+            Self::Override { value, greatest } => Message::new("motion-override-faster")
+                .value("value", value, Unit::One)
+                .value("max", greatest, Unit::One),
+            Self::Limit { axis, kind, value } => Message::new("motion-axis-limit")
+                .number("axis", axis as f64, 0)
+                .message("limit", kind.message())
+                .value("value", value, Unit::One),
+            Self::TooManyAxes { axes, most } => {
+                Message::new("motion-too-many-axes").number("axes", axes as f64, 0).number("max", most as f64, 0)
+            }
+            Self::Period { value } => Message::new("motion-period").value("value", value, Unit::S),
+            Self::Place { value, length } => {
+                Message::new("motion-path-length").value("value", value, Unit::Mm).value("length", length, Unit::Mm)
+            }
+            Self::Faster { value } => Message::new("motion-faster-profile").value("value", value, Unit::One),
+            Self::StepTo { value, welded, length } => Message::new("motion-step-end")
+                .value("value", value, Unit::Mm)
+                .value("welded", welded, Unit::Mm)
+                .value("length", length, Unit::Mm),
+            Self::Zero => Message::new("motion-override-zero"),
+            Self::Stuck { s } => Message::new("motion-stuck").value("s", s, Unit::Mm),
+        }
+    }
+}
+
+seamwright_message::display_by_message!(FeedOverrideError);

@@ -1,0 +1,70 @@
+use crate::LimitKind;
+use seamwright_message::{Message, Unit};
+
+/// Error of a path without a speed profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SpeedProfileError {
+    /// A limit is not a positive number.
+    Limit {
+        /// The channel's number, from 0.
+        channel: usize,
+        /// Kind of the limit.
+        kind: LimitKind,
+        /// The limit.
+        value: f64,
+    },
+    /// The requested speed is not a positive number.
+    Asked {
+        /// The path's parameter.
+        at: f64,
+        /// The speed, mm/s.
+        value: f64,
+    },
+    /// The path has no length.
+    Range {
+        /// First parameter.
+        from: f64,
+        /// Last parameter.
+        to: f64,
+    },
+    /// A derivative is not a finite number.
+    NotSmooth {
+        /// The channel's number, from 0.
+        channel: usize,
+        /// The path's parameter.
+        at: f64,
+    },
+    /// No channel moves between two stops.
+    Still {
+        /// First parameter of the piece.
+        from: f64,
+        /// Last parameter of the piece.
+        to: f64,
+    },
+}
+
+impl SpeedProfileError {
+    /// Describes the error.
+    pub fn message(&self) -> Message {
+        match *self {
+            Self::Limit { channel, kind, value } => Message::new("motion-profile-limit")
+                .number("channel", channel as f64, 0)
+                .message("limit", kind.message())
+                .value("value", value, Unit::One),
+            Self::Asked { at, value } => {
+                Message::new("motion-profile-asked").value("at", at, Unit::One).value("value", value, Unit::MmPerS)
+            }
+            Self::Range { from, to } => {
+                Message::new("motion-profile-range").value("from", from, Unit::One).value("to", to, Unit::One)
+            }
+            Self::NotSmooth { channel, at } => Message::new("motion-profile-not-smooth")
+                .number("channel", channel as f64, 0)
+                .value("at", at, Unit::One),
+            Self::Still { from, to } => {
+                Message::new("motion-profile-still").value("from", from, Unit::One).value("to", to, Unit::One)
+            }
+        }
+    }
+}
+
+seamwright_message::display_by_message!(SpeedProfileError);

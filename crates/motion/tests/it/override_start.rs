@@ -1,0 +1,57 @@
+//! A hold soon after the start of a transfer move.
+
+use seamwright_machine::{Machine, shipped};
+use seamwright_motion::feed_override::{Command, FeedOverride, Limits};
+use seamwright_motion::transfer::Leg;
+
+const PERIOD: f64 = 1e-3;
+
+/// Periods after the start in which a hold is commanded, and maximum number of periods until rest. It took up to 2,900
+/// when courses failed because of changes within a period, or were replaced by slower ones that end nearer to rest.
+const FIRST: i32 = 80;
+const MAX_PERIODS_TO_REST: usize = 450;
+
+/// A hold in any of the first periods of a move of any length: the speed is still low, and soon 0.
+#[test]
+fn a_hold_just_after_the_start_is_no_slow_stop() {
+    let mut state = 11u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let (mut worst, mut slow) = (0, Vec::new());
+    for name in ["saddle-4axis", "torch-5axis", "ebw-7axis"] {
+        let machine = Machine::read("m.toml", shipped(name).unwrap().text).unwrap();
+        let limits = Limits::of(&machine);
+        for way in 0..12 {
+            let from = machine.home();
+            let mut to = from;
+            let size = 10f64.powf(-3.0 * random());
+            for (i, axis) in machine.axes.iter().enumerate() {
+                let (low, high) = axis.range.unwrap_or((-3.0, 3.0));
+                to[i] += (low + (high - low) * random() - from[i]) * size;
+            }
+            let leg = Leg::new(&machine, &from, &to);
+            for periods in 1..=FIRST {
+                let mut feed_override = FeedOverride::new(&limits, PERIOD, &leg).unwrap();
+                feed_override.command(Command::Resume).unwrap();
+                (0..periods).for_each(|_| {
+                    feed_override.step();
+                });
+                feed_override.command(Command::Hold).unwrap();
+                let took = (0..20_000).take_while(|_| {
+                    let rests = feed_override.at_rest();
+                    feed_override.step();
+                    !rests
+                });
+                let took = took.count();
+                if took > MAX_PERIODS_TO_REST {
+                    slow.push(format!("{name}, way {way}: held after {periods} periods, at rest {took} later"));
+                }
+                worst = worst.max(took);
+            }
+        }
+    }
+    println!("at rest after {worst} periods at most");
+    assert!(slow.is_empty(), "{} are slow: {:?}", slow.len(), &slow[..slow.len().min(12)]);
+}
