@@ -1,31 +1,79 @@
 # Reasons for a low confidence of a detected joint.
 vision-doubt-clutter = many detected points are not on the joint's lines: reflections or spatter
+    .cause = More than 15 % of the points are off the joint's lines, or a part has points in few columns. A long reflection also counts.
+    .cure = Shield the sensor from arc light, remove spatter, and turn the sensor so that reflections fall elsewhere. Look at `--overlay`.
 vision-doubt-short = a part of the joint is seen in fewer than 30 columns: move the sensor nearer or across the whole joint
+    .cause = A part in 8 columns or fewer gives confidence 0; it needs 30.
+    .cure = Check with `--overlay` that the whole joint is in the image.
 vision-doubt-uneven = a part of the joint is not straight: its points lie several rows off the line
+    .cause = A part deviates from its line by more than two columns or rows; from six on the confidence is 0.
+    .cure = Remove scale, beads and spatter from the plates. With `--machine` also check the sensor's `map`.
 vision-doubt-light = the stripe does not start and end with the joint's parts: dark places on them, light beyond their ends, or a hidden end
+    .cause = A part has a run of dark columns, light goes on beyond its end, or another object hides the end.
+    .cure = Raise the exposure for dark plates, remove reflections, and aim the sensor so that all ends are visible.
 vision-doubt-shape = the shape is at the limit of this type of joint
+    .cause = An angle, a step or a length is close to the limit of this kind of joint.
+    .cure = Check `--joint`, and give `--thickness-mm` for sheets. Tilt the sensor less if the angle is at its limit.
 vision-doubt-moved = the joint is far from its expected position
+    .cause = The program that reads the stripe gave an expected position, and the joint is several of its standard deviations away.
+    .cure = Check that sensor and part are in place. Use the last good result until images agree.
 vision-doubt-unknown = a point or a value of the joint is unknown
+    .cause = A computed point or value is not finite: nearly parallel lines, or a map that fails there.
+    .cure = Take another image. If it recurs, check the `map` of the sensor.
 
 # Reasons why no joint was detected.
 vision-no-stripe = the image shows no stripe
+    .cause = Fewer than 24 columns have a connected bright line: laser off, exposure too short, or the stripe runs from top to bottom.
+    .cure = Check laser and exposure. Turn the image so that the stripe runs from left to right.
 vision-saturated = the image is saturated: shorten the exposure or reduce the light
+    .cause = More than half of the background has a grey value of 250 or more, of 255.
+    .cure = Put a filter for the laser's colour before the camera.
 vision-short-stripe = the stripe is seen in { $found } of { $columns } columns; a quarter is needed
+    .cause = Most of the stripe is too dark, is hidden, or lies outside of the image.
+    .cure = Raise the exposure, remove what shades the stripe, or aim the sensor at the joint.
 vision-too-few-points = the profile has { $found } usable points; { $needed } are needed
+    .cause = Empty cells and nan do not count. With all points at the same `y_mm` the profile is unusable too.
+    .cure = Measure the profile with more points, and check the columns `y_mm,z_mm`.
 vision-no-corner = no corner of two faces at 60° to 120° was found in the profile
+    .cause = The longest lines do not meet in a valley at this angle, or light is missing on them. Often the kind of joint is another, or the image upside down.
+    .cure = Choose the right `--joint`. Turn the image so that up is away from the plates, and look at `--overlay`.
 vision-no-groove = no groove of this type was found between two shoulders
+    .cause = Shoulder, wall, wall, shoulder are not all in view, the groove is too flat, or a V is not between 30° and 130°.
+    .cure = Aim the sensor so that both shoulders are visible, choose the right `--joint`, and look at `--overlay`.
 vision-no-step = no step was found between two parallel sheets
+    .cause = First and last line are not parallel, or the step is below 1 mm, 20 px without a map, or half of `--thickness-mm`.
+    .cure = Give `--thickness-mm` for thin sheets. Use `--joint butt` for a mismatch of two plates.
 vision-no-seam = no gap, misalignment or dark line was found between two plates in line
+    .cause = The plates are not in line, the step is that of a lap joint, or a tight joint is neither stepped nor dark.
+    .cure = Use `--joint lap` for a step above 1 mm (20 px without a map). Raise the contrast of a tight joint by exposure or light.
 
 # Reasons why a picture of a grid of dots gives no map.
 vision-grid-pitch = a pitch of { $pitch }: allowed is a finite number greater than 0
+    .cause = The distance of neighbouring dots was entered as 0, as a negative number, or not at all.
+    .cure = Enter the distance between the centres of two neighbouring dots of the plate, in mm.
 vision-grid-plain = no dark dots: the picture is nearly uniform (the darkest spots are { $contrast } darker than their surroundings)
+    .cause = The darkest hundredth of the picture is less than 5 % darker than its surroundings: no plate in view, no focus, or dark light.
+    .cure = Put the plate with dark dots into view, focus, and light it evenly.
 vision-grid-few-dots = dots of the grid found: { $found }; at least { $min } are needed, all over the picture
+    .cause = Dots of about the same size must connect, neighbour to neighbour, from the middle of the picture. Dots cut by the border do not count.
+    .cure = Bring the plate to the middle, use a finer grid, and light it without reflections.
 vision-grid-tangled = the dots do not form one grid: near ({ $x }, { $y }) rows and columns do not meet
+    .cause = On two ways through the grid the same dot has two places: dirt, a missing row, or a plate with another pattern.
+    .cure = Clean the plate at this place. Use a square grid of equal dots.
 vision-grid-corner = the dots cover { $part } of the picture's width or height; at least half is needed
+    .cause = The connected dots span less than half of the picture in one direction: plate too small, not in the middle, or partly unlit.
+    .cure = Use a larger plate or move it to the middle, and light all of it.
 vision-grid-residual = the dots deviate by { $rms } RMS from the best map; the maximum is { $max }: the picture shows another grid or is not sharp
+    .cause = The RMS distance exceeds its limit of 0.3 px. The maximum is the largest distance of a dot, not an allowed value.
+    .cure = Focus, hold the plate still, and put it square to the optical axis. Use a plate with an exact grid.
 vision-grid-map = the fit to the dots is an invalid map: { $why }
+    .cause = The fitted scale, rotation, shear, centre or distortion is outside of its bounds, usually by a wrong distance of the dots.
+    .cure = Check the entered distance of the dots, and put the plate square to the camera.
 
 # Frames.
 vision-frame-size = a frame of { $width } x { $height } pixels: allowed are sides of 1 to { $max } pixels
+    .cause = The picture has no pixels, or a side that is too long.
+    .cure = Reduce the picture, or set the camera to a smaller size.
 vision-frame-pixels = { $found } pixels for a frame of { $width } x { $height }; { $needed } are needed
+    .cause = The sender announces another width or height than it sends.
+    .cure = Correct width and height in the sender, or the length of its data.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// Areas whose messages people search for, with their titles. Labels of pages and of the panel are not among them.
-const AREAS: [(&str, &str); 15] = [
+const AREAS: [(&str, &str); 16] = [
     ("document", "Files in general"),
     ("program", "Programs, procedures and edits"),
     ("weld", "Jobs: seams, joints, beads, parts"),
@@ -17,6 +17,7 @@ const AREAS: [(&str, &str); 15] = [
     ("vision", "Images and stripes"),
     ("tracking", "Teaching and tracking"),
     ("cell", "The cell: commands, devices, events"),
+    ("alarms", "Alarms"),
     ("record", "Records"),
     ("project", "Files, folders, planning"),
     ("server", "The panel's server"),
