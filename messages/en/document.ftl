@@ -12,14 +12,10 @@ document-unknown-name = `{ $name }` is not known
     .cure = Use one of the allowed names in the message. Names are case-sensitive.
 document-missing-key = the key `{ $key }` is missing
     .cause = The key has no default and is not in this table.
-    .cure = Add it to the table at the line in the message.
+    .cure = Add it to the table at the line in the message. Every file begins with `schema = 1`.
 document-key-in-unit = `{ $key } = ...`, in { $unit }
 document-missing-schema = begin the file with: schema = 1
-    .cause = The version of the format is the first key of every file.
-    .cure = Add `schema = 1` as the first line, before the first table.
 document-schema-version = 1, the version this build reads
-    .cause = The file was written for another version of the format.
-    .cure = Set `schema = 1` and check the file. If a newer release wrote it, install that release.
 document-none-given = none is given
     .cause = The table needs exactly one of several choices, as one kind of `[seam]`, and has none.
     .cure = Add one of the choices. The reference page of the file lists them.
@@ -34,10 +30,10 @@ document-own-names = names of their own
 
 # Values.
 document-invalid-value = invalid value: { $value }
-    .cause = The value has the right type and is not allowed: 0 for a positive number, or another version of `schema`.
+    .cause = The value has the right type and is not allowed: 0 for a positive number, or a `schema` other than 1.
     .cure = Replace it by one of the allowed values in the message.
 document-invalid-type = invalid type: { $value }
-    .cause = The value has another type: text in quotes for a number, a number for a list, or a key twice as a table.
+    .cause = The value has another type: text in quotes for a number, or a number for a list.
     .cure = Write numbers without quotes and names with them.
 document-number = a number
 document-positive-number = a finite number greater than 0
@@ -46,8 +42,6 @@ document-finite-number = a finite number
 document-whole-number = a whole number from { $min } to { $max }
 document-table = a table { $name }
 document-number-without-unit = a number stands alone: its unit is in the key
-    .cause = A unit was written after the number, as 5 mm.
-    .cure = Write the number alone: `speed_mm_s = 5`.
 document-direction = three numbers that are not all 0
 document-direction-without-length = the direction has no length
     .cause = All three numbers of a direction are 0.

@@ -76,14 +76,8 @@ geometry-no-fit = no pose was found in which the part fits the points
 
 # Motions that touched points leave free.
 geometry-motion-along = moving along { $direction }
-    .cause = The touched points leave this motion undetermined, as along an edge. The job's value is kept.
-    .cure = If it matters, touch a face across this direction.
 geometry-motion-about = turning about the axis along { $direction } through { $point } mm
-    .cause = The touched points leave this turn undetermined, as about the axis of a single tube. The job's value is kept.
-    .cure = If it matters, touch a face or a mark away from this axis.
 geometry-motion-screw = turning about the axis along { $direction } through { $point } mm, { $pitch } along it per turn
-    .cause = The touched points leave this screw motion undetermined. The job's value is kept.
-    .cure = If it matters, touch points on another surface.
 
 # Maps between pixels and a plane.
 geometry-map-scale = a pixel of { $scale }: allowed are { $min } to { $max }
@@ -111,7 +105,7 @@ geometry-heights-frame-size = row { $row }: the frame's size differs from the fi
     .cause = The rows were calibrated from images of different sizes.
     .cure = Calibrate all rows with the same image size, that of `size_px`.
 geometry-heights-between = between rows { $row } and { $next }: { $why }
-    .cause = Halfway between two rows the mean of both maps is invalid. Rows count from 0, farthest from the sensor's z first.
+    .cause = Halfway between two rows the mean of both maps is invalid. Rows count from 0 and from the end of the list.
     .cure = Compare scale, rotation and shear of the two rows. Often one has a sign or unit of its own.
 geometry-height-outside = a height of { $height }: the camera's table goes from { $min } to { $max }
     .cause = The work is nearer to the camera or farther away than the rows of `map.heights`. Here heights count away from the camera, against `z_mm`.

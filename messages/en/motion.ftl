@@ -90,10 +90,10 @@ motion-least-speed-short = the tip moves at { $reached } at s = { $at } with the
     .cure = Make the weld longer, or lower `least_speed_mm_s` if the procedure is qualified for that.
 motion-least-speed-start = the torch starts from rest with the arc on: over { $over } it is slower than the procedure's minimum speed of { $minimum }
     .cause = Every weld starts at rest. This phase is not checked against `least_speed_mm_s`.
-    .cure = If it is too long, raise acceleration and jerk limits, or reduce the current at the start with `upslope`.
+    .cure = If it is too long, raise acceleration and jerk limits if the drives allow it, or start on a run-on plate.
 motion-least-speed-end = the torch comes to rest with the arc on: over { $over } it is slower than the procedure's minimum speed of { $minimum }
     .cause = Every weld ends at rest. This phase is not checked against `least_speed_mm_s`.
-    .cure = If it is too long, raise acceleration and jerk limits, or reduce the current at the end with `downslope`.
+    .cure = If it is too long, raise acceleration and jerk limits if the drives allow it, or end on a run-off plate.
 motion-cure-least-speed-blend = set corner = {"{ blend_mm = 0.2 }"} to round corners within that distance of the seam; or end the weld before it and start another after it; or lower least_speed_mm_s if the procedure is qualified for that
 motion-cure-least-speed-axis = place the work or turn the torch so that axis { $axis } moves less there; or end the weld before it and start another after it; or lower least_speed_mm_s if the procedure is qualified for that
 motion-cure-least-speed-tip = raise the limits of the tip in the machine file, if the torch allows it; or end the weld before it and start another after it; or lower least_speed_mm_s if the procedure is qualified for that
@@ -207,7 +207,7 @@ motion-cure-not-tried = not tried: other torch angles or another placement of th
 # Clearance.
 motion-too-near = { $first } comes within { $distance } of { $second } (at least { $minimum })
     .cause = The distance of two solids falls below the minimum on this stretch. For part and fixtures it is `least_mm` of the job, otherwise that of the machine file.
-    .cure = Look at the drawing in the report. Change the torch angles or move the obstacle, or correct shapes that are too large.
+    .cure = Look at the clearance along the pass in the report. Change the torch angles or move the obstacle, or correct shapes that are too large.
 motion-collision = { $first } collides with { $second } (at least { $minimum })
     .cause = The distance of two solids is 0.005 mm or less, or they overlap.
     .cure = Move the clamp, change `work_angle_deg`, or correct position and size of the shape. Do not lower `least_mm`.
@@ -221,8 +221,8 @@ motion-cure-clearance-stopped = { $angles ->
 }
 motion-cure-clearance-move = move the obstacle, or allow less with clearance.least_mm if the shapes are right
 motion-no-shapes = { $machine } has no shapes: nothing is checked for collisions, and transfer moves go straight
-    .cause = The machine file has no `[[shapes]]`, so nothing moving could hit part or fixtures.
-    .cure = Add at least `[[shapes.torch]]`. Until then run new jobs slowly in a dry run.
+    .cause = The machine file has no shapes, so no distance from part or fixtures is computed.
+    .cure = Add at least `[[shapes.torch]]`. Until then make a dry run of every new job and watch the torch.
 motion-cure-no-shapes = describe torch and links with [[shapes.<link>]] in the machine file
 
 # Transfer moves.
@@ -253,11 +253,11 @@ motion-transfer-none = no clear path was found; on the straight path { $obstacle
     .cause = The obstacle stands on the straight move, and the search found no detour within the ranges of the axes.
     .cure = Move the obstacle, or make its shape smaller if it is larger than the real body.
 motion-retract-short = the torch can retract only { $distance } of { $asked } on { $move }
-    .cause = Farther back along the torch the axes leave their ranges or reach.
+    .cause = At the full `retract_mm` the axes leave their ranges or reach. Half and a quarter of it are tried next.
     .cure = Check that the torch leaves the groove. Move the part away from the range end, or lower `retract_mm` in `[air]`.
 motion-retract-none = no axis can retract the torch along its own direction on { $move }: it leaves sideways
-    .cause = Back along the torch no position of the axes exists, so the transfer move starts at the weld itself.
-    .cure = Look at the first transfer move in a dry run, with the override low.
+    .cause = Even at a quarter of `retract_mm` the axes leave their ranges or reach, so the transfer move starts at the weld.
+    .cure = Watch this move in a dry run with a low override, and place the part where the torch can retract.
 motion-cure-retract = make sure that nothing stands beside the seam there, or ask for a smaller retract
 motion-unwind = axis { $axis } unwinds by { $by } on { $move }
     .cause = The axis would otherwise reach the end of its range, or wind up cables, in the next pass. It turns by more than half a turn.
@@ -419,8 +419,8 @@ motion-jog-halted = the jog has halted: command rest before anything else
     .cause = An obstacle or a limit stopped the jog, and the keys have not been released since.
     .cure = Release all jog keys, then move away from the obstacle.
 motion-jog-no-motion = no motion within the limits was found from the present state to the target
-    .cause = From the present speed the axes do not reach the target within their ranges and limits.
-    .cure = Stop the axes, then give the target again. Check that it is not at the very end of a range.
+    .cause = No motion within ranges and limits, up to two hours long, leads from the present state to the target.
+    .cure = Raise `--override-percent` of `machine move`, or check the limits with `seamwright machine check`.
 
 # Pulses.
 motion-pulses-too-fast = a period needs { $asked } pulses, at most { $max } can be made
