@@ -169,10 +169,10 @@ motion-cure-near-singular = lean the torch or the work a few degrees away to gai
 
 # Axes that are held.
 motion-hold-unknown = there is no axis { $axis } between the work and the torch
-    .cause = `hold` names an axis that the machine does not have, or that does not carry the torch or the work.
+    .cause = `hold` names an axis that the machine does not have, or that is not between the work and the first head.
     .cure = Correct the name in `hold` of `[spare_axes]`.
 motion-hold-decided = axis { $axis } is not redundant: a torch pose determines all axes here
-    .cause = The machine has no redundant axis, so every axis is needed for the torch pose.
+    .cause = The machine has no redundant axis, or both heads weld at once. Then every axis is needed.
     .cure = Remove `hold` from `[spare_axes]`.
 motion-hold-too-few = with { $held } held, the other axes do not reach every torch pose
     .cause = With these axes held, fewer than five independent axes remain.
