@@ -5,13 +5,23 @@ document-help = help: { $help }
 
 # Keys and names.
 document-unknown-key = there is no key `{ $key }` here
+    .cause = The key is misspelt, belongs to another table, or ends in another unit. Keys after a table header belong to that table.
+    .cure = Use one of the allowed keys in the message. `seamwright schema` prints the whole format.
 document-unknown-name = `{ $name }` is not known
+    .cause = The value is not among the names that exist: of axes, links, machines or choices.
+    .cure = Use one of the allowed names in the message. Names are case-sensitive.
 document-missing-key = the key `{ $key }` is missing
+    .cause = The key has no default and is not in this table.
+    .cure = Add it to the table at the line in the message. Every file begins with `schema = 1`.
 document-key-in-unit = `{ $key } = ...`, in { $unit }
 document-missing-schema = begin the file with: schema = 1
 document-schema-version = 1, the version this build reads
 document-none-given = none is given
+    .cause = The table needs exactly one of several choices, as one kind of `[seam]`, and has none.
+    .cure = Add one of the choices. The reference page of the file lists them.
 document-several-given = several are given
+    .cause = The table needs exactly one of several choices, and has more.
+    .cure = Keep one of them.
 document-exactly-one = exactly one of them
 document-suggestion = did you mean `{ $name }`?
 document-suggestion-unit = did you mean `{ $name }`? This value is given in { $unit }
@@ -20,7 +30,11 @@ document-own-names = names of their own
 
 # Values.
 document-invalid-value = invalid value: { $value }
+    .cause = The value has the right type and is not allowed: 0 for a positive number, or a `schema` other than 1.
+    .cure = Replace it by one of the allowed values in the message.
 document-invalid-type = invalid type: { $value }
+    .cause = The value has another type: text in quotes for a number, or a number for a list.
+    .cure = Write numbers without quotes and names with them.
 document-number = a number
 document-positive-number = a finite number greater than 0
 document-non-negative-number = a finite number, 0 or greater
@@ -30,10 +44,18 @@ document-table = a table { $name }
 document-number-without-unit = a number stands alone: its unit is in the key
 document-direction = three numbers that are not all 0
 document-direction-without-length = the direction has no length
+    .cause = All three numbers of a direction are 0.
+    .cure = Give the direction, for example `[0, 0, 1]`. Its length does not matter.
 document-coordinates = three numbers within { $limit } of 0
 document-coordinate-too-large = the coordinate is too large
+    .cause = A coordinate is more than 10 km from 0, usually because it is in micrometres.
+    .cure = Give it in mm. For plant coordinates subtract the position of the machine.
 document-too-large = this is too large
+    .cause = The magnitude exceeds the bound of the unit in which the key ends, usually because of another unit or a missing decimal point.
+    .cure = Convert the value to the unit of the key. The job page lists all bounds.
 document-too-small = this is too small
+    .cause = The magnitude is below the bound of the unit in which the key ends, and is not 0.
+    .cure = Convert the value to the unit of the key, as m/s to mm/s.
 
 # Allowed values; numbers come with their units.
 document-at-least = at least { $min }

@@ -1,30 +1,78 @@
 # Errors of curves, surfaces and their intersections.
 geometry-size = { $what } must be a finite number greater than 0, not { $value }
+    .cause = The size is 0, negative or not finite, or follows from two equal points. A half angle must also be below 90 degrees.
+    .cure = Correct the key in the message. Lengths are in mm; two points must differ.
 geometry-range = { $what } must be more than { $min } and less than { $max }, not { $value }
+    .cause = A knuckle as large as the radius of the head leaves no room for the crown, plate or cone.
+    .cure = Compare `knuckle_radius_mm` and `outer_diameter_mm` of the head with the drawing.
 geometry-too-small = { $what } must be finite and more than { $min }, not { $value }
+    .cause = The crown radius of a head must exceed half its outer diameter. Both are compared on the outside, one thickness farther out.
+    .cure = Correct `crown_radius_mm`, or use `hemispherical_head`.
 geometry-direction = { $what } must be a finite vector with a length greater than 0
+    .cause = The direction is `[0, 0, 0]`, or a coordinate is not finite.
+    .cure = Give three numbers that are not all 0.
 geometry-parallel = { $first } and { $second } are parallel
+    .cause = Two directions that must span a plane lie on one line, or three points of an arc do.
+    .cure = Choose another second direction, as x when the first is z. Move the point `via_mm` off the line.
 geometry-tube-larger-than-body = the tube is larger than the body: its wall misses the body at every angle
+    .cause = The tube's axis meets the body, and the tube is wider.
+    .cure = Compare `radius_mm` of nozzle or branch with the radius of the body. Diameters are a frequent slip.
 geometry-tube-beside-body = the tube passes beside the body and does not meet it
+    .cause = Neither the tube's axis nor its wall meets the body.
+    .cure = Correct `origin_mm` and `direction` of the nozzle, or position and axis of the body.
 geometry-not-closed = the tube's wall misses the body between phi = { $from } and { $to }: the curve does not close
+    .cause = Between these angles about the tube's axis the wall passes beside the body, because the offset is too large.
+    .cure = Reduce the offset or eccentricity, or the radius of the tube. On a cone, stay away from the apex.
 geometry-beyond-head = the tube's wall is beyond the end of the head's flange between phi = { $from } and { $to }
+    .cause = Between these angles the wall meets the body only below the end of its flange.
+    .cure = Lengthen `flange_mm`, or move the nozzle towards the crown.
 geometry-tangent = the tube's wall is tangent to the body at phi = { $angle }: the curve has no tangent there
+    .cause = The tube's wall touches the body along its surface there, so the seam has a corner or a jump.
+    .cure = Reduce the offset or the radius of the tube a little, or incline the tube less.
 geometry-beside-trimming-tube = from phi = { $angle } on, the tube's wall passes beside the tube that trims it
+    .cause = The wall of the branch stands above the chord, and passes beside the other branch instead of ending on it.
+    .cure = Move the branches together or apart: `gap_mm` or `offset_mm` of `other`, and the `eccentricity_mm` of both.
 geometry-never-leaves = the tube's direction points into the body: the tube does not leave the body along +direction
+    .cause = Along `direction` the tube goes deeper into the body: along a plate, parallel to the cylinder, or inwards.
+    .cure = Let `direction` point out of the body. For a branch, check `angle_deg` of both branches.
 geometry-arc-length = the curve's length could not be determined to { $accuracy } near parameter { $parameter }
+    .cause = The curve has a corner there, or runs back on itself, or a coordinate is not finite.
+    .cure = Look for repeated points or a cusp near this parameter, and remove them.
 geometry-sharp-turn = { $what } turns by 90° or more from one point to the next
+    .cause = Points lie too far apart in a bend or in a wrong order, or a normal points to the other side.
+    .cure = Add points in the bend, sort the points, or reverse the normal.
 geometry-gap = piece { $piece } of the chain does not start at the end of the piece before it
+    .cause = Start and end of neighbouring pieces are apart. Pieces count from 0; piece 0 means that the ends do not close.
+    .cure = Give the end point of one piece exactly as the start of the next.
 geometry-knots = positions of a spline's values must increase strictly (value { $index })
+    .cause = A position is not greater than the one before: a repeated point or row. Positions count from 0.
+    .cure = Remove repeated points and sort rows. A periodic table must span less than one period.
 geometry-column = a column has { $values } values for { $points } points
+    .cause = Rows of the table have different numbers of values.
+    .cure = Complete or remove the incomplete rows of the CSV file.
 geometry-point = point { $index } has a value that is too large or not finite
+    .cause = A coordinate is missing, infinite, or too large. Points count from 0 after the header.
+    .cure = Correct this row of the CSV file. Coordinates are in mm.
 
 # Errors of fits to touched points.
 geometry-too-few-points = too few points of { $what }: { $given } given, at least { $min } needed
+    .cause = The fit needs more points than were recorded for this feature.
+    .cure = Touch more points. Check the words in the column `feature` of the CSV file.
 geometry-points-in-one-position = the points of { $what } nearly coincide: they do not define it
+    .cause = The points spread over less than 0.001 mm, as when the same touch was recorded several times.
+    .cure = Move along the feature between touches, as far as it allows.
 geometry-points-on-one-line = the points of { $what } lie nearly on one line: they do not define it
+    .cause = Across their line the points spread by less than a thousandth of their length.
+    .cure = Touch another point as far off the line as possible.
 geometry-short-arc = the circle was touched over { $touched } only; at least { $min } are needed
+    .cause = The touched points leave a gap of more than two thirds of the circle, so its centre is uncertain.
+    .cure = Touch points around the whole circumference, at least over 120 degrees.
 geometry-attitudes-alike = the attitudes differ by { $angle } at most: they do not determine the tool centre point
+    .cause = Between touches the torch turned too little, so the position of its tip has no effect on the axes.
+    .cure = Touch the same point with the torch tilted or turned by at least 20 degrees each time.
 geometry-no-fit = no pose was found in which the part fits the points
+    .cause = The search did not come to rest within about 70 degrees of the job's position, or a coordinate is not a number.
+    .cure = Correct the work offset roughly first. Check the columns, and which feature each point belongs to.
 
 # Motions that touched points leave free.
 geometry-motion-along = moving along { $direction }
@@ -33,16 +81,38 @@ geometry-motion-screw = turning about the axis along { $direction } through { $p
 
 # Maps between pixels and a plane.
 geometry-map-scale = a pixel of { $scale }: allowed are { $min } to { $max }
+    .cause = `mm_per_px` is outside 0.000001 to 1000 mm for each pixel.
+    .cure = Give mm for one pixel, not pixels for one mm.
 geometry-map-shear = a shear of { $shear }: allowed is { $min } to { $max }
+    .cause = `shear` is the displacement in mm along x for each mm down the picture. Beyond 0.9 the picture is hardly a map.
+    .cure = Correct `shear` in `map.heights`, or calibrate from a grid on the panel's Sensors page.
 geometry-map-rotation = a rotation of { $rotation }: allowed is a finite number within half a turn
+    .cause = `rotation_deg` is beyond half a turn.
+    .cure = Give the angle within -180 to 180 degrees.
 geometry-map-centre = the centre ({ $x }, { $y }) lies outside of the frame by more than the frame's size
+    .cause = `centre_px` is the pixel of the optical axis. It lies more than one frame outside of the picture.
+    .cure = Give columns and rows in pixels of `size_px`. Without the key it is the middle.
 geometry-map-barrel = a barrel of { $barrel }: allowed is at most { $max }, and no fold of the picture within the frame
+    .cause = `barrel` exceeds 0.25, or with a negative value the corners of the picture fold inwards.
+    .cure = Give the relative displacement half a width from the centre, for example -0.02 for 2 % barrel distortion.
 geometry-heights-empty = the table of heights has no rows
+    .cause = `map.heights` of the camera is an empty list.
+    .cure = Add at least one row with `mm_per_px`.
 geometry-heights-order = row { $row }: the height { $height } is not above the height of the row before
+    .cause = Heights of the table do not increase.
+    .cure = Sort the rows of `map.heights` by `z_mm`.
 geometry-heights-frame-size = row { $row }: the frame's size differs from the first row
+    .cause = The rows were calibrated from images of different sizes.
+    .cure = Calibrate all rows with the same image size, that of `size_px`.
 geometry-heights-between = between rows { $row } and { $next }: { $why }
+    .cause = Halfway between two rows the mean of both maps is invalid. Rows count from 0 and from the end of the list.
+    .cure = Compare scale, rotation and shear of the two rows. Often one has a sign or unit of its own.
 geometry-height-outside = a height of { $height }: the camera's table goes from { $min } to { $max }
+    .cause = The work is nearer to the camera or farther away than the rows of `map.heights`. Here heights count away from the camera, against `z_mm`.
+    .cure = Move the camera along its axis, or calibrate a further row at this height.
 geometry-pixel-folded = the pixel ({ $x }, { $y }) is beyond the range of the picture's distortion
+    .cause = With a negative `barrel` the picture has an outer limit, and this point lies beyond it.
+    .cure = Keep the joint nearer to the middle of the picture, or calibrate `barrel` again.
 
 # Names of sets of points.
 geometry-points-chain = the chain
