@@ -1,13 +1,31 @@
 # Positions on the weld, and torch angles.
 weld-position-beside-weld = this position is not on the weld
+    .cause = A station `s_mm` lies before 0 or after the end of the weld. On a seam welded all round, the end itself counts as the start.
+    .cure = Correct `s_mm` of `[[torch.at]]`, `[[weld.at]]`, `[[joint.fit_up]]` or the bead. `seamwright tools seam JOB` lists the path lengths.
 weld-positions-must-increase = the positions must increase
+    .cause = The `s_mm` of this station is equal to the one before it, or smaller. Positions within 0.000001 mm count as equal.
+    .cure = Sort `[[torch.at]]` or `[[weld.at]]` by `s_mm`, and delete stations that are given twice.
 weld-without-length = the weld has no length
+    .cause = The range from `start.phi_deg` to `start.end_phi_deg`, or the seam itself, has a length of 0.
+    .cure = Correct the dimensions of the seam and the angles in `[start]`.
 weld-angles-twice = angles are given both constant and at several positions
+    .cause = With `[[torch.at]]` stations, `torch.work_angle_deg` or `torch.travel_angle_deg` is also different from 0.
+    .cure = Delete the two keys in `[torch]`, or delete all `[[torch.at]]` tables.
 weld-travel-angle-too-large = the torch would lie along the seam
+    .cause = Travel angles beyond 75° either way are refused. The sign is positive for drag and negative for push.
+    .cure = Correct `travel_angle_deg` of `[torch]`, `[[torch.at]]` or the run of `[beads]`.
 weld-work-angle-too-large = the torch would lie behind a face
+    .cause = The work angle is 90° or more off the bisector of the two faces.
+    .cure = Correct `work_angle_deg`: 0 is the bisector, positive leans the torch towards the first part.
 weld-min-speed-too-high = the minimum speed is not below the welding speed
+    .cause = `weld.least_speed_mm_s` is equal to `weld.speed_mm_s` or greater.
+    .cure = Lower `least_speed_mm_s` to the minimum speed of the procedure, or raise `speed_mm_s`.
 weld-speed-below-min = the welding speed is not above the minimum speed
+    .cause = `speed_mm_s` of a `[[weld.at]]` station is not above `weld.least_speed_mm_s`.
+    .cure = Raise the speed at this station, or lower `weld.least_speed_mm_s`.
 weld-value-ramps-already = this value already ramps over the whole weld
+    .cause = `weld.process` gives this value as a ramp with `from` and `to`, and a `[[weld.at]]` station gives it too.
+    .cure = Give the value in `weld.process` as a number and keep the stations, or delete it in `[[weld.at]]`.
 
 # Allowed values of these.
 weld-allowed-from-less-than = { $min } or more, less than { $max }
@@ -45,27 +63,59 @@ weld-allowed-nozzle-on-head = a nozzle with its whole wall (radius { $radius }) 
 weld-allowed-nozzle-smaller = a nozzle smaller than the body: { $body }
 weld-allowed-nozzle-direction = a direction out of the body: { $body }
 weld-cone-angle-too-large = the half angle of the cone is too large
+    .cause = The half angle of a cone, measured from its axis to its surface, is 90° or more.
+    .cure = Check whether `half_angle_deg` is the full angle of the drawing, and halve it. For a flat body use `plane` or `flat_head`.
 weld-torus-meets-itself = the pipe would meet itself in the middle of the bend
+    .cause = The radius of the bend is not greater than the outer radius of the pipe.
+    .cure = Measure `bend_radius_mm` to the centre line of the pipe, and give `radius_mm` as a radius, not a diameter.
 weld-ellipsoid-inside-unknown = the inside of an ellipsoid's wall has no closed form
+    .cause = The nozzle is set in, or its inner surface is needed, and the body is `ellipsoid` or `ellipsoidal_head`.
+    .cure = Set `mount = "set_on"` in `[seam.nozzle]`, or approximate the head by `torispherical_head`.
 weld-allowed-bodies-with-inside = `mount = "set_on"`, or one of cylinder, cone, sphere, plane, torus, torispherical_head, hemispherical_head, flat_head, conical_head
 weld-set-in-wall-missing = the nozzle is set in: the thickness of the body's wall is missing
+    .cause = A nozzle with `mount = "set_in"` needs the inner surface of the body.
+    .cure = Give `thickness_mm` in the table of the body under `[seam.nozzle.body]`.
 weld-set-on-root-wall-missing = the root of a set-on nozzle is at its bore: the thickness of its wall is missing
+    .cause = The seam is `curve = "inner_root"` with `mount = "set_on"`, and `wall_mm` is missing.
+    .cure = Give `wall_mm` in `[seam.nozzle]`, the thickness of the nozzle's wall.
 weld-wall-leaves-no-room = the wall leaves no room inside
+    .cause = The wall is as thick as the body's outer radius, or thicker.
+    .cure = Correct `thickness_mm`. Check that radius and diameter are not confused in the outer size.
 weld-wall-leaves-no-bore = the wall leaves no bore
+    .cause = `wall_mm` is equal to the outer radius of the nozzle or branch, or greater.
+    .cure = Correct `wall_mm`, and check that `radius_mm` is the outer radius.
 weld-knuckle-too-large = the knuckle, with an inside radius of { $radius }, does not fit into the flange
+    .cause = The inside radius of the knuckle is not less than the inside radius of the flange: half of `outer_diameter_mm` minus `thickness_mm`.
+    .cure = Lower `knuckle_radius_mm`. If it follows from `standard`, check `outer_diameter_mm` and `thickness_mm`.
 weld-allowed-knuckle = an inside radius of the knuckle less than the flange's, { $max }
 weld-head-radii-missing = the radii of crown and knuckle are missing
+    .cause = A `torispherical_head` has no `standard`, and only one or none of its two radii is given.
+    .cure = Give `standard`, or the two inside radii from the drawing of the head.
 weld-allowed-head-radii = `standard` ("din_28011", "din_28013" or "asme_fd"), or both `crown_radius_mm` and `knuckle_radius_mm`
 weld-crown-too-curved = the crown is not flatter than a hemisphere
+    .cause = The inside radius of the crown is not greater than the inside radius of the flange.
+    .cure = Raise `crown_radius_mm`, or use `hemispherical_head`.
 weld-allowed-crown = more than the flange's inside radius, { $min }
 
 # Branches of tubes, and girths.
 weld-branch-along-chord = the branch lies along the chord
+    .cause = The angle between branch and chord is outside 10° to 170°.
+    .cure = Correct `angle_deg` of `[seam.branch]` or `[seam.branch.other]`: it is measured between the axes, 90 is square.
 weld-branch-wider-than-chord = the branch is not narrower than the chord
+    .cause = The outer radius of the branch is not less than `chord_radius_mm`.
+    .cure = Correct `radius_mm` or `chord_radius_mm`. Equal tubes need a branch that is slightly smaller.
 weld-branch-past-chord = the branch's wall goes past the chord
+    .cause = The eccentricity is not less than the chord's radius minus the radius of the branch, so part of the branch misses the chord.
+    .cure = Lower `eccentricity_mm`, or correct the radii.
 weld-branches-do-not-part = the two branches are parallel or run into each other
+    .cause = The two angles add up to 180° or more, so the axes of the branches do not diverge from the chord.
+    .cure = Lower `angle_deg` of `[seam.branch.other]` or of `[seam.branch]`.
 weld-branch-position-missing = the position of the other branch is missing
+    .cause = The table `[seam.branch.other]` has neither `gap_mm` nor `offset_mm`.
+    .cure = Measure the gap between the toes along the chord and give it as `gap_mm`.
 weld-branch-position-twice = the position of the other branch is given twice
+    .cause = The table `[seam.branch.other]` has `gap_mm` and `offset_mm`.
+    .cure = Delete one of the two keys.
 weld-allowed-tube = a tube
 weld-allowed-tubes-meet = tubes whose walls meet all round: a smaller branch, or less overlap
 weld-allowed-other-branch-angle = less than { $max } with the first branch at { $first }, so that the axes part
@@ -73,49 +123,89 @@ weld-allowed-gap-or-offset = exactly one of `gap_mm` (between the toes; negative
 weld-allowed-branch-within-chord = a branch within the chord
 weld-allowed-eccentricity = more than { $min } and less than { $max }: chord_radius_mm - radius_mm
 weld-cut-along-tube = the cut runs along the tube: its normal is { $angle } off the axis
+    .cause = The normal of the cutting plane is more than 85° off the axis of the tube.
+    .cure = Correct `seam.girth.cut_normal`, or delete it for a square cut.
 weld-allowed-cut-angle = up to { $max } off `direction`
 weld-allowed-other-plane = another plane
 
 # Shapes of seams.
 weld-seam-too-long = the seam would be { $length } long
+    .cause = The seam is longer than 1,000,000 mm.
+    .cure = Check the units of the dimensions in `[seam]`, and `turns` and `pitch_mm` of a helix.
 weld-allowed-smooth-seam = a smooth seam
 weld-zero-direction-along-normal = the zero direction lies along the normal
+    .cause = The `zero_direction` and the normal of the circle are parallel, so angles have no start.
+    .cure = Give a `zero_direction` across the normal, or delete the key.
 weld-arc-normal-off = the plane of the three points is { $angle } off this normal
+    .cause = The plate's `normal` is not perpendicular to the plane of start, intermediate point and end. The allowed error is 0.000001 of a unit vector.
+    .cure = Copy the normal from the message into `seam.arc.normal`, with the sign that points out of the plate.
 weld-allowed-arc-normal = perpendicular to that plane: { $normal } or its opposite
 weld-allowed-point-off-line-or-line-seam = a point off the straight line from start to end; a straight seam is [seam.line]
 weld-allowed-point-off-line = a point off the straight line from start to end, or no such key
 weld-corner-radius-too-large = the corner's radius is more than half the smaller side
+    .cause = `corner_mm` is more than half of the smaller of `width_mm` and `height_mm`.
+    .cure = Lower `corner_mm` of `[seam.rounded_rectangle]`, or correct the sides.
 weld-point-count = the seam has { $count ->
         [one] { $count } point
        *[other] { $count } points
     }
+    .cause = An open seam needs 2 points, a closed one 3. A spline takes up to 20,000.
+    .cure = Add points, or thin them out. `seamwright tools reduce` replaces dense points by few.
 weld-allowed-point-count = { $min } to { $max } points, here or in a `file`
 weld-point-above-plate = this point is { $height } above the plate
+    .cause = The points of a polyline must lie in one plane, within 0.000001 of its size. This one lies off it, on the side of the normal.
+    .cure = Correct the point, or `normal` of `[seam.polyline]`. For a seam out of a plane use `[seam.spline]`.
 weld-point-below-plate = this point is { $height } below the plate
+    .cause = The points of a polyline must lie in one plane, within 0.000001 of its size. This one lies off it, against the normal.
+    .cure = Correct the point, or `normal` of `[seam.polyline]`. For a seam out of a plane use `[seam.spline]`.
 weld-allowed-point-in-plane = a point in the plane through the first with this `normal`
 weld-point-repeated = this point coincides with the one before
+    .cause = The distance to the point before is at most 0.000001 of the size of the polyline.
+    .cure = Delete one of the two points in `seam.polyline.points_mm`.
 weld-last-point-repeated = the last point coincides with the first; the seam closes without it
+    .cause = With `closed = true` the seam returns to its first point by itself.
+    .cure = Delete the last point in `seam.polyline.points_mm`.
 weld-spline-point-repeated = point { $point } coincides with the one before
+    .cause = The distance to the point before is less than 0.001 mm. Recorded points may repeat where the hand rested.
+    .cure = Delete this point in `seam.spline.points_mm`, or its line in the CSV file.
 weld-spline-last-point-repeated = the last point, { $point }, coincides with the first; the seam closes without it
+    .cause = With `closed = true` the spline returns to its first point by itself.
+    .cure = Delete the last point in `seam.spline.points_mm`, or the last line of the CSV file.
 weld-allowed-points-apart = points at different positions
 weld-allowed-points-apart-by = points at least { $min } apart
 weld-allowed-leave-point-out = leave this point out
 weld-allowed-other-points = other points
 weld-normal-not-square = the face's normal is not perpendicular to the seam
+    .cause = The normal has a component along the line of more than 0.000001 of its length.
+    .cure = Correct `first_normal` or `second_normal` of `[seam.line]`, with more decimals if they are rounded.
 weld-allowed-square-to-line = perpendicular to end_mm - start_mm
 weld-faces-opposed = the faces point at each other and leave no joint to reach
+    .cause = The two normals are opposite to each other: the angle between the faces is 0.
+    .cure = Correct the sign of `first_normal` or `second_normal`: both point out of their parts.
 weld-spline-faces-opposed = point { $point }: the faces point at each other and leave no joint to reach
+    .cause = The first and the second normal at this point are opposite to each other.
+    .cure = Correct the sign in `first_normals` or `second_normals` of this point: both point out of their parts.
 weld-allowed-not-opposite = not opposite to `{ $key }`
 weld-helix-without-pitch = a helix without a pitch is a circle
+    .cause = `pitch_mm` of `[seam.helix]` is 0.
+    .cure = Give the climb per turn. Use `[seam.circle]` or `[seam.girth]` for a seam without climb.
 weld-allowed-pitch = not 0; for a seam around a tube use [seam.girth]
 weld-helix-too-long = the helix has too many turns
+    .cause = `turns` of `[seam.helix]` is more than 1000.
+    .cure = Check whether `turns` was given in degrees or mm.
 weld-allowed-less-turn = smaller turns from point to point
 weld-allowed-normals-less-turn = normals that turn by less than 90° from point to point
 weld-normal-along-seam = a face's normal lies along the seam somewhere
+    .cause = A normal of the plate or face is parallel to the direction of the spline at some point.
+    .cure = Correct `normal` or `first_normals` of `[seam.spline]`. Give a normal for each point if the seam climbs steeply.
 weld-allowed-normals-across = normals across the seam
 weld-closed-seam-has-no-ends = a closed seam has no ends
+    .cause = A spline with `closed = true` has a `start_tangent` or `end_tangent`.
+    .cure = Delete the tangents, or set `closed = false`.
 weld-allowed-no-key-closed = no such key with `closed = true`
 weld-tangent-backwards = the tangent points back, away from the next point of the seam
+    .cause = The tangent is 90° or more off the line between the two points at this end of the spline.
+    .cure = Reverse the signs of `start_tangent` or `end_tangent`: both point in the direction of welding.
 weld-allowed-welding-direction = a direction in the sense of welding
 weld-normal-count = { $normals ->
         [one] { $normals } normal
@@ -124,16 +214,26 @@ weld-normal-count = { $normals ->
         [one] { $points } point
        *[other] { $points } points
     }
+    .cause = `first_normals` or `second_normals` does not have as many entries as `points_mm`.
+    .cure = Give one normal for each point in the same order.
 weld-allowed-one-per-point = one for each point
 weld-second-normals-alone = `second_normals` need `first_normals`
+    .cause = The spline has `second_normals`, but no `first_normals`.
+    .cure = Add `first_normals`. To give the plate alone, rename the key to `first_normals`.
 weld-allowed-first-normals-too = `first_normals` too
 weld-normal-twice = every point already has a normal of its own
+    .cause = `[seam.spline]` has `first_normals` and also `normal`.
+    .cure = Delete `normal`.
 weld-allowed-one-or-all-normals = either one normal or one for each point
 weld-allowed-other-normals = other normals
 weld-skin-normal-along-web = the skin's normal lies along the web
+    .cause = `skin_normal` is within about 6° of the direction of the web at its start.
+    .cure = Correct `skin_normal` of `[seam.t_joint]`: it points out of the skin, on the side of the web.
 weld-allowed-out-of-skin = a direction out of the skin
 weld-allowed-thin-web = a web much thinner than the arc's radius
 weld-seam-without-surfaces = { $seam } has no surfaces to which points can be fitted
+    .cause = `machine place` with `--method best-fit` needs the surfaces of both parts. This kind of seam has no known surfaces.
+    .cure = Run `seamwright machine place` with `--method three-point` or `--method plane-line-point`.
 weld-seam-curved-t-joint = a curved T-joint
 weld-seam-arc = an arc
 weld-seam-rectangle = a rectangle
@@ -144,35 +244,67 @@ weld-allowed-fit-methods = the methods three-point and plane-line-point
 
 # Start and end of the weld.
 weld-phi-too-large = the angle is more than ten turns
+    .cause = An angle in `[start]` is beyond 3600° either way.
+    .cure = Correct `phi_deg` or `end_phi_deg`.
 weld-overlap-with-end = a weld that ends at `end_phi_deg` does not close and has no overlap
+    .cause = `[start]` has `end_phi_deg`, and `overlap_mm` is greater than 0.
+    .cure = Delete `overlap_mm`, or delete `end_phi_deg` to weld all round.
 weld-allowed-overlap-or-end = either `overlap_mm` or `end_phi_deg`
 weld-end-beside-turn = the weld would have no length, or more than one turn
+    .cause = Seen in the direction of welding, `end_phi_deg` lies at or before `phi_deg`, or more than a turn after it.
+    .cure = Add or subtract 360 to `end_phi_deg`, or set `direction` in `[start]`. From 300 through 360 to 40 is 300 to 400.
 weld-allowed-end-phi-more = more than phi_deg = { $start }, by up to { $max }
 weld-allowed-end-phi-less = less than phi_deg = { $start }, by up to { $max }
 weld-overlap-too-long = the overlap is longer than the seam
+    .cause = `start.overlap_mm` is greater than the length of the seam.
+    .cure = Lower `overlap_mm`. For several rounds use several passes.
 weld-start-at-first-point = this seam starts at its first point and runs to the second
+    .cause = The keys `phi_deg`, `end_phi_deg` and `direction` have no meaning on a closed polyline or spline.
+    .cure = Delete the key in `[start]`. To start elsewhere or weld in the other direction, reorder the points.
 weld-allowed-points-in-other-order = no such key; give the points in another order
 weld-start-of-open-seam = this seam runs from one end to the other and does not close
+    .cause = Angles, `direction` and `overlap_mm` in `[start]` are for closed seams only.
+    .cure = Delete the key in `[start]`. To weld in the other direction, exchange start and end of the seam.
 weld-allowed-no-key-on-open-seam = no such key on an open seam
 
 # Data outside the file.
 weld-no-machine-here = no machine is available here
+    .cause = The file has axis positions, and it was read without access to machine files. This happens in programs that use the library alone.
+    .cure = Give points instead of axis positions, or read the file with the command line or the panel.
 weld-allowed-tip-coordinates = tip coordinates x_mm, y_mm, z_mm
 weld-no-files-here = no files are available here
+    .cause = The spline names a CSV file, and the job was read without access to other files.
+    .cure = Put the points into `seam.spline.points_mm`, or use `program.toml` of `seamwright plan`, which contains them.
 weld-points-twice = the points are given twice
+    .cause = A `[[taught]]` table has `axes` and also `points_mm`.
+    .cure = Delete one of the two keys.
 weld-allowed-points-or-axes = either `points_mm` or `axes`
 weld-position-not-finite = the position is not finite
+    .cause = The axis positions of a taught point give a tip position beyond all bounds.
+    .cure = Check this row of `taught.axes`, and the units and dimensions in the machine file.
 weld-allowed-finite-numbers = finite numbers
 weld-file-and-points = both a file and `{ $key }` are given
+    .cause = `[seam.spline]` has `file`, and also points or normals of its own.
+    .cure = Delete `file`, or delete the points and normals in the job.
 weld-allowed-points-in-file-or-job = points and their normals in the file, or in the job
 weld-table-point-not-finite = { $file }: point { $point } is not finite
+    .cause = A coordinate in the CSV file is infinite, not a number, or beyond 10,000,000 mm.
+    .cure = Correct this line of the CSV file.
 weld-table-normal-without-length = { $file }: point { $point } has a normal without length
+    .cause = A normal in the CSV file is 0 in all three columns, or not finite.
+    .cure = Correct the columns `n1x` to `n2z` in this line, or delete the columns.
 weld-allowed-coordinates-and-normals = finite coordinates, and normals with a length
 weld-procedure-unreadable = the procedure file is not readable: { $error }
+    .cause = The `procedure` of the job is not a supplied procedure, and the operating system does not open a file of this name.
+    .cure = Correct the path, relative to the job's folder. `seamwright examples --procedures` lists the supplied ones.
 weld-allowed-procedure = { $names }, or the path of a procedure file from the job's folder
 weld-procedure-not-text = this is not a text file
+    .cause = The procedure file is not UTF-8: a word processor document, or another encoding.
+    .cure = Save it as plain text in UTF-8.
 weld-allowed-toml = a TOML file in UTF-8
 weld-wrong-wire = { $procedure } is welded with a wire of { $wire }
+    .cause = `beads.wire_mm` of the job differs from `wire_diameter_mm` of the procedure.
+    .cure = Set `beads.wire_mm` to the wire on the machine. Name another procedure if that wire is not qualified.
 weld-allowed-wire = { $wire }, or another procedure
 
 # Taught spans.
