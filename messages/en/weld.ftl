@@ -232,8 +232,8 @@ weld-skin-normal-along-web = the skin's normal lies along the web
 weld-allowed-out-of-skin = a direction out of the skin
 weld-allowed-thin-web = a web much thinner than the arc's radius
 weld-seam-without-surfaces = { $seam } has no surfaces to which points can be fitted
-    .cause = `machine place` with `--method best-fit` needs the surfaces of both parts. This kind of seam has no known surfaces.
-    .cure = Run `seamwright machine place` with `--method three-point` or `--method plane-line-point`.
+    .cause = `seamwright machine place` fits points to the surfaces of both parts. Arcs, rectangles, helices, splines, polylines and curved T-joints have no such surfaces.
+    .cure = Determine the position by other means, and give it in `[offsets.NAME]` with `move_mm`, `turn` and `angle_deg`.
 weld-seam-curved-t-joint = a curved T-joint
 weld-seam-arc = an arc
 weld-seam-rectangle = a rectangle
@@ -309,54 +309,110 @@ weld-allowed-wire = { $wire }, or another procedure
 
 # Taught spans.
 weld-taught-spans-overlap = this span starts before the one before it ends
+    .cause = `from_mm` of this `[[taught]]` table is less than `to_mm` of the table before it.
+    .cure = Sort the `[[taught]]` tables by `from_mm`. Join two overlapping spans into one with the points of both.
 weld-allowed-taught-from = { $min } or more; spans in the order of welding
 weld-taught-span-without-length = the span has no length
+    .cause = `to_mm` of this `[[taught]]` table is not greater than `from_mm`.
+    .cure = Exchange or correct the two path lengths; both count in the direction of welding.
 weld-taught-span-beyond-seam = the span ends beyond the nominal seam
+    .cause = `to_mm` is greater than the length of the nominal seam without overlap.
+    .cure = Lower `to_mm`. `seamwright tools seam JOB`, without `[[taught]]` in the job, prints the path lengths.
 weld-taught-span-without-points = there are no points between the joins
+    .cause = The `[[taught]]` table has neither `points_mm` nor `axes`, or the list is empty.
+    .cure = Teach at least one point between `from_mm` and `to_mm`, or delete the table.
 weld-allowed-taught-points = at least one, in `points_mm` or `axes`
 weld-allowed-smooth-points = points farther apart, or nearer to one smooth curve
 weld-taught-point-far = point { $point } is { $distance } from the nominal seam between the joins
+    .cause = The distance of the point from the nominal seam is greater than `within_mm` of this `[[taught]]` table. The part may have moved as a whole.
+    .cure = Check the point and the work offset first. Raise `within_mm` if the part is bent that far.
 weld-allowed-taught-within = { $key } = { $value }; or a larger `{ $key }`, if the part is that far off
 weld-taught-point-out-of-order = point { $point } lies at s = { $s } along the seam
+    .cause = The point nearest to it on the nominal seam is not after that of the point before, or not between the joins. The minimum step is 0.001 mm.
+    .cure = Sort the points in the direction of welding. Move `from_mm` or `to_mm` outwards if the point lies beyond a join.
 weld-allowed-taught-after-join = after the first join at { $min } and before the second join at { $max }
 weld-allowed-taught-after-point = after the point before at { $min } and before the second join at { $max }
 weld-taught-point-repeated = point { $point } coincides with a point or join beside it
+    .cause = Two neighbouring points, or a point and a join, are less than 0.001 mm apart.
+    .cure = Delete the repeated point in this `[[taught]]` table.
 weld-allowed-taught-apart = points and joins at least { $min } apart
 weld-taught-curve-turns = near point { $point } the curve through the points turns { $angle } off the seam
+    .cause = The spline through the points leaves the direction of the nominal seam by more than 60°. Points with errors of measurement lie too near to each other.
+    .cure = Delete or teach again the points near this one. Place points far apart where the part is smooth.
 weld-allowed-taught-turn = up to { $max }: points farther apart, or nearer to one smooth curve
 
 # Passes.
 weld-pass-begins-beyond-end = the pass starts beyond the end of the weld
+    .cause = `begin_mm` of the pass is greater than the length of the weld.
+    .cure = Lower `begin_mm` of `[[passes]]`. After a change of the seam, run `seamwright plan` on the job again.
 weld-pass-round-more-than-twice = the pass goes round the seam more than twice
+    .cause = On a seam welded all round a pass is at most two turns long.
+    .cure = Shorten the last span with `to_mm`. Repeat the pass with `repeat` for more turns.
 weld-pass-beyond-end = the pass runs beyond the end of the weld
+    .cause = On this seam `begin_mm` plus the length of the spans is greater than the length of the weld.
+    .cure = Lower `to_mm` of the last span, or `begin_mm`. After a change of the seam, run `seamwright plan` again.
 weld-pass-beyond-start = the pass runs back beyond the start of the weld
+    .cause = With `reverse = true` the pass is longer than `begin_mm`, so it runs past the start of the weld.
+    .cure = Raise `begin_mm` to the length of the pass, or lower `to_mm` of the last span.
 weld-pass-without-seam = the pass has no seam to run along
+    .cause = The pass has spans, but the program has no `[seam]`.
+    .cure = Add `[seam]`, or give the pass `[passes.points]`.
 weld-travel-too-long = { $pass } would travel for { $time }
+    .cause = The length of the pass, divided by its asked speed, is more than 86,400 s.
+    .cure = Check the unit of `speed_mm_s`: a value in m/min or m/s is too small.
 weld-allowed-travel-time = up to { $max }: a higher speed
 weld-bead-rows-too-short = the rows do not reach over the whole pass
+    .cause = The rows of `[passes.bead]` start after the pass starts, or end before it ends. Only one row, or a seam welded all round, needs no such range.
+    .cure = Extend `s_mm` of `[passes.bead]` with a row at the start or end of the pass.
 weld-pass-without-motion = nothing moves in this pass
+    .cause = All points of the pass are at the start point and take no time.
+    .cure = Correct the points in `[[passes.points.spans]]`, or delete the pass with `seamwright edit FILE delete-pass`.
 weld-allowed-point-elsewhere = a point elsewhere
 weld-arc-points-in-line = the arc's start, `via_mm` and end lie on a line, or two of them coincide
+    .cause = No circle goes through the three points, or with `normal` no helix about that direction.
+    .cure = Correct `via_mm` to a point about halfway on the arc. Use `along = "line"` for a straight way.
 weld-allowed-arc-points = three points that are not on a line; a full circle is two arcs
 
 # Findings of passes.
 weld-torch-inside-first-face = the torch would lie { $angle } inside the face of the first part (dihedral angle { $dihedral })
+    .cause = Work angle, wall tilt and travel angle together lean the torch past the face of the first part at these stations. Acute dihedral angles leave little room.
+    .cure = Lower `torch.work_angle_deg` or `beads.wall_tilt_deg`, or give smaller angles there by `[[torch.at]]`.
 weld-torch-inside-second-face = the torch would lie { $angle } inside the face of the second part (dihedral angle { $dihedral })
+    .cause = Work angle, wall tilt and travel angle together lean the torch past the face of the second part at these stations. Acute dihedral angles leave little room.
+    .cure = Bring a negative `torch.work_angle_deg` nearer to 0, lower `beads.wall_tilt_deg`, or give other angles there by `[[torch.at]]`.
 weld-cure-smaller-work-angle = make the work angle smaller than half the dihedral angle
 weld-bead-goes-back = the bead would (nearly) stand still or go back: it lies beyond the centre of the seam's bend, or its rows change too quickly
+    .cause = On the bead the tip advances by less than 0.1 mm for each mm along the seam. A bead inside a tight bend has no room.
+    .cure = Lower `across_mm` and `out_mm` of `[passes.bead]`, or space its rows farther apart. In a job use thinner layers in `[beads]`.
 weld-cure-bead-nearer = lay the bead nearer to the seam there
 weld-bead-area-out-of-range = to fill the groove, the bead would need { $area } at s = { $s }, { $ratio } of the { $run } of its run; allowed: { $min } to { $max }
+    .cause = The groove's area varies along the seam, and the beads follow it by more than `beads.most_percent`. Fit-up gaps or a varying dihedral angle are usual reasons.
+    .cure = Set `layer_mm`, speed or wire feed of the run in `[beads]` to fit the mean groove. `seamwright tools section JOB` lists the areas.
 weld-cure-thinner-layers = use thinner layers, larger runs (area, wire feed, lower speed), adapt = "passes", or a larger most_percent
 weld-cure-smaller-beads = use smaller beads (higher speed, less wire), adapt = "passes", or a larger most_percent
 
 # Joints.
 weld-groove-at = at s = { $s }: { $why }
+    .cause = The joint is drawn at 721 stations along the seam, and at those of `[beads]`. This is the first one without a valid groove.
+    .cure = Correct `[joint.preparation]`, or shorten the weld by `[start]`. The reason follows the position.
 weld-groove-no-butt = faces at { $dihedral } to each other do not form a butt joint
+    .cause = Butt preparations (`square`, `single_v`, `bevel`, `u`, `j`, `flare_v`) need faces at 120° or more to each other.
+    .cure = Use `fillet`, `t_bevel`, `t_j` or `flare_bevel` in `[joint.preparation]`, or correct the normals of the seam.
 weld-groove-no-corner = faces at { $dihedral } to each other do not form a fillet or T-joint
+    .cause = Corner preparations (`fillet`, `t_bevel`, `t_j`, `flare_bevel`) need faces at 170° or less to each other.
+    .cure = Use a butt preparation such as `single_v`, or correct the normals of the seam.
 weld-groove-edge-within-part = the prepared edge, { $angle } from the other part's face, stays within its part: the dihedral angle is { $dihedral }
+    .cause = The bevel is so flat that its edge never reaches the surface of its own part.
+    .cure = Lower `angle_deg` (or `cut_deg`) of `t_bevel` or `t_j`. The dihedral angle is smallest at the heel of an oblique nozzle or branch.
 weld-groove-edge-in-other-part = the cut leaves { $angle } to the other part's face: the edge would lie inside that part
+    .cause = `cut_deg` is less than 90° minus the dihedral angle at this station.
+    .cure = Raise `cut_deg` of `[joint.preparation.t_bevel]`, or give `angle_deg`, so that the groove stays constant.
 weld-groove-edges-cross = the edges cross each other
+    .cause = The prepared edges of the two parts intersect: the gap is too small, or the mismatch lifts one edge over the other.
+    .cure = Raise `root_gap_mm`, or lower `mismatch_mm` of `[[joint.fit_up]]` at this station.
 weld-groove-empty = the groove has no area
+    .cause = The area between the prepared edges and the line from toe to toe is 0 or negative.
+    .cure = Raise `root_gap_mm` or the groove angle. With parts that touch squarely, weld without `[joint]`.
 weld-allowed-butt-dihedral = a dihedral angle of { $min } or more, or a fillet
 weld-allowed-corner-dihedral = a dihedral angle up to { $max }, or a butt joint
 weld-allowed-edge-cut = more than 90° - dihedral angle everywhere
@@ -365,29 +421,57 @@ weld-allowed-room-to-weld = a gap or an angle that leaves room to weld
 
 # Beads.
 weld-beads-without-joint = there is no joint to fill
+    .cause = The job has `[beads]`, but no `[joint]`, so the area to fill is unknown.
+    .cure = Add `[joint.preparation.KIND]`, or delete `[beads]`.
 weld-allowed-joint = a [joint] with its preparation
 weld-stations-with-beads = with [beads], values belong to [beads.root], [beads.fill] and [beads.cap]
+    .cause = The job has `[beads]` and also `[[weld.at]]` stations.
+    .cure = Move speed and process values into `[beads.root]`, `[beads.fill]` and `[beads.cap]`, and delete `[[weld.at]]`.
 weld-allowed-no-table-or-beads = no such table, or no [beads]
 weld-ramp-with-beads = a value that ramps over the weld does not go with [beads]
+    .cause = A value in `weld.process` has `from` and `to`, and the job has `[beads]`.
+    .cure = Give this value as a number. Edit the spans of `program.toml` after planning if it must ramp.
 weld-travel-angle-twice = the travel angle is given here and at several positions of the seam
+    .cause = `travel_angle_deg` of a run stands beside `[[torch.at]]` stations.
+    .cure = Delete `travel_angle_deg` in `[beads]`, or delete the stations.
 weld-allowed-travel-angle-once = no such key, or no [[torch.at]]
 weld-area-with-wire-feed = a given area does not follow the wire feed
+    .cause = With `adapt = "wire_feed"` the wire feed gives the area of the bead, but `area_mm2` fixes it.
+    .cure = Delete `area_mm2` of the run and give `beads.wire_mm`, or choose another `adapt`.
 weld-allowed-no-area-with-wire-feed = no such key with adapt = "wire_feed"
 weld-bead-area-missing = the area of a bead is missing
+    .cause = The run has no `area_mm2`, and `[beads]` has no `wire_mm` to calculate it from.
+    .cure = Give `beads.wire_mm` and `wire_feed_m_min` in `weld.process`, or `area_mm2` of the run.
 weld-allowed-bead-area = area_mm2, or beads.wire_mm and a wire_feed_m_min
 weld-bead-area-needs-steady-feed = the area of a bead needs a steady wire feed
+    .cause = `wire_feed_m_min` is missing, 0, or a ramp.
+    .cure = Give `wire_feed_m_min` as a number in `weld.process` or in the run's `process`, or give `area_mm2`.
 weld-allowed-steady-feed = wire_feed_m_min greater than 0 in [weld.process] or here, or area_mm2
 weld-deposition-too-large = the bead would have more metal than the wire
+    .cause = `beads.deposition` is greater than 1.
+    .cure = Give it as a part, not in percent: 0.95 for 95 %.
 weld-bead-range-too-large = beads do not keep their shape over such a range
+    .cause = `beads.most_percent` is greater than 80.
+    .cure = Lower `most_percent`. With `adapt = "passes"` layers cover only a part of the seam.
 weld-wall-tilt-too-large = the wire would lie against the wall
+    .cause = `beads.wall_tilt_deg` is greater than 45.
+    .cure = Lower `wall_tilt_deg`; the default is 12.
 weld-station-distance-invalid = invalid distance between stations
+    .cause = `beads.station_mm` is outside 0.1 to 100 mm.
+    .cure = Correct `station_mm`; the default is 5.
 weld-no-bead-weaves = no bead weaves
+    .cause = With `adapt = "weave_width"` the width of the weave follows the groove, but no run has a weave.
+    .cure = Add `[weld.weave]`, or `weave` in a run, or choose another `adapt`.
 weld-allowed-weave = a [weld.weave] or a `weave` of [beads.root], [beads.fill] or [beads.cap], or another value
 weld-too-many-beads = the groove of { $groove } takes { $beads } beads of { $bead }
+    .cause = The area of the groove, divided by the area of the smallest bead, is more than 5,000. A wrong unit of speed, wire feed or thickness is the usual reason.
+    .cure = Check `speed_mm_s`, `wire_feed_m_min` or `area_mm2` in `[beads]`, and `thickness_mm` of the preparation.
 weld-too-many-stations = the beads would be laid out at { $count ->
         [one] { $count } station
        *[other] { $count } stations
     }
+    .cause = The length of the seam, divided by `beads.station_mm`, is more than 20,000.
+    .cure = Raise `station_mm`.
 weld-too-many-bead-positions = { $passes ->
         [one] { $passes } pass
        *[other] { $passes } passes
@@ -395,6 +479,8 @@ weld-too-many-bead-positions = { $passes ->
         [one] { $rows } row
        *[other] { $rows } rows
     } each are too many
+    .cause = The number of beads, multiplied by the number of stations, is more than 1,000,000.
+    .cure = Raise `beads.station_mm`, or use larger beads with a higher wire feed or a lower speed.
 weld-allowed-larger-beads = larger beads: lower speed, or more wire; up to { $max } beads fill a groove
 weld-allowed-smaller-groove = up to { $max } beads: a smaller groove, or larger beads
 weld-allowed-stations = up to { $max } stations: a larger distance
@@ -402,57 +488,111 @@ weld-allowed-bead-positions = up to { $max } positions: a larger distance, or la
 
 # Order of welding: copies, parts, tacks.
 weld-order-without-rows = there are no rows to go back and forth between
+    .cause = The rule is `back_and_forth`, and all copies are in the same row.
+    .cure = Give `row` in each `[[copies]]` table, use `[rows]` with 2 rows or more, or choose another `order.rule`.
 weld-allowed-two-rows = two rows: [rows], or `row` in each of [[copies]]
 weld-skip-invalid = this skips none of the copies, or all of them
+    .cause = The number in `skip` is below 2, or not less than the number of copies in the longest row.
+    .cure = Correct `skip` of `order.rule`, or choose `"in_turn"`.
 weld-allowed-no-skip = no skip: there are too few copies in a row
 weld-allowed-skip = 2 to { $max }: the longest row has { $copies ->
         [one] { $copies } copy
        *[other] { $copies } copies
     }
 weld-copies-twice = the copies are given twice
+    .cause = The job has `[rows]` and also `[[copies]]`.
+    .cure = Delete one of the two.
 weld-allowed-rows-or-copies = either [rows] or [[copies]]
 weld-too-many-passes = { $passes } passes in all are too many
+    .cause = Copies, tacks, beads, parts and repetitions multiply to more than 10,000 passes.
+    .cure = Lower the counts in `[rows]`, `[tacks]` or `[order]`, or use larger beads.
 weld-allowed-passes = up to { $max }: fewer copies or tacks, or fewer or longer parts
 weld-too-many-rows = { $passes ->
         [one] { $passes } pass
        *[other] { $passes } passes
     } with { $rows } rows of beads and spans in all are too many
+    .cause = The rows of beads and spans in all passes are more than 4,000,000.
+    .cure = Raise `beads.station_mm`, or use fewer copies, tacks and parts.
 weld-allowed-row-count = up to { $max } rows: fewer copies or tacks, fewer or longer parts, or a larger beads.station_mm
 weld-copy-count-invalid = invalid number of copies
+    .cause = `rows` or `columns` of `[rows]` is 0 or more than 1000.
+    .cure = Correct the count.
 weld-too-many-copies = too many copies
+    .cause = `rows` multiplied by `columns` is more than 1000.
+    .cure = Lower `columns` or `rows`, or split the job into several.
 weld-allowed-columns = 1 to { $max }: { $copies } copies in all
 weld-copies-coincide = copies would stand at the same position
+    .cause = With several columns `step_mm` is 0, with several rows `row_step_mm` is 0, or copies of two rows meet at one position.
+    .cure = Give `step_mm` and `row_step_mm` of `[rows]` different directions.
 weld-allowed-row-step = a step off the line of the row, or beyond its end
 weld-copy-too-far = a copy would stand too far away
+    .cause = A coordinate of a copy is beyond 10,000,000 mm.
+    .cure = Check `step_mm` and `row_step_mm` of `[rows]`.
 weld-allowed-copies-within = copies within { $limit } of 0
 weld-seam-without-corners = the seam has no corners
+    .cause = The seam is smooth: its direction changes nowhere by more than about 0.1°.
+    .cure = Choose another value of `order.parts`.
 weld-overlap-at-corners = parts from corner to corner have no overlap
+    .cause = With `parts = "at_corners"` the weld goes on past its start.
+    .cure = Delete `start.overlap_mm`, or correct `start.end_phi_deg`.
 weld-allowed-no-overlap-at-corners = 0 with order.parts = "at_corners"
 weld-seam-without-quarters = a seam that is not welded all round has no opposite quarters
+    .cause = `parts = "quadrants"` needs a closed seam without a shortened end.
+    .cure = Delete `start.end_phi_deg`, or use `back_step_mm` in `order.parts`.
 weld-pieces-longer-than-weld = the pieces would be longer than the weld
+    .cause = `back_step_mm` is not less than the length of the weld.
+    .cure = Lower `back_step_mm`, or set `parts = "whole"`.
 weld-too-many-pieces = too many pieces
+    .cause = The length of the weld, divided by `back_step_mm`, is more than 1000.
+    .cure = Raise `back_step_mm`.
 weld-allowed-piece-length = at least { $min }: up to { $count } pieces
 weld-tie-in-too-long = the tie-in is not shorter than a part
+    .cause = `order.tie_in_mm` is not less than a part, such as a quarter or a back step. Its default is 5 mm.
+    .cure = Lower `tie_in_mm`, or use longer parts.
 weld-allowed-tie-in = less than a part: { $max }
 weld-all-round-has-one-end = a seam that is welded all round ends where it starts
+    .cause = `either_end = true` needs a seam with two ends.
+    .cure = Delete `either_end` in `[order]`.
 weld-cosmetic-ramp = a cosmetic pass has steady values
+    .cause = A value in `cosmetic.process` has `from` and `to`.
+    .cure = Give it as a number.
 weld-cosmetic-beyond-end = the cosmetic pass starts beyond the end of the weld
+    .cause = `cosmetic.from_mm` leaves less than 1 mm of the weld.
+    .cure = Lower `from_mm`.
 weld-tack-count-or-pitch = the number of tacks follows from exactly one of two keys
+    .cause = `[tacks]` has both `count` and `pitch_mm`, or neither.
+    .cure = Delete or add one of the two keys.
 weld-allowed-count-or-pitch = either `count` or `pitch_mm`
 weld-tack-count-invalid = invalid number of tacks
+    .cause = `tacks.count` is below 2 or above 1000.
+    .cure = Correct `count`, or give `pitch_mm`.
 weld-tack-ramp = a tack has steady values
+    .cause = A value in `tacks.process` has `from` and `to`.
+    .cure = Give it as a number.
 weld-too-many-tacks = too many tacks
+    .cause = The length of the seam, divided by `tacks.pitch_mm`, is more than 1000.
+    .cure = Raise `pitch_mm`.
 weld-allowed-tack-pitch = at least { $min }: up to { $count } tacks
 weld-tacks-meet = the tacks would meet
+    .cause = `tacks.length_mm` is not less than the distance from one tack to the next.
+    .cure = Lower `length_mm` or `count`, or raise `pitch_mm`.
 weld-allowed-tack-length = less than the distance from one tack to the next: { $count } on { $length } of seam
 weld-tacks-near-start = tacks would start { $distance } from the weld's start
+    .cause = Half of the gap between two tacks is less than `tacks.clear_mm`, so the weld would start too near to a tack.
+    .cure = Lower `clear_mm` (default 5 mm), `count` or `length_mm`.
 weld-allowed-tack-clearance = up to { $max }, or fewer tacks
 
 # The part as solids.
 weld-part-replaced-by-nothing = the part made from the seam is replaced, but no solids are given
+    .cause = `part.replace` is true, and `[[part.solids]]` is empty.
+    .cure = Add `[[part.solids]]`. To leave out the check of the part, set `part.watched = false`.
 weld-allowed-part-solids = [[part.solids]] with it, or no such key
 weld-allowed-rigid-placement = a rigid placement
 weld-body-too-short = the body would end within the seam
+    .cause = `part.body_length_mm` is not greater than the extent of the seam on the body, so the solid would end under the weld.
+    .cure = Raise `body_length_mm`, or delete it to get the default.
 weld-part-from-seam = the part made from the seam: { $why }
+    .cause = The collision check needs solids of the part, and a size or position is invalid for one. Solids are limited to 10,000,000 mm.
+    .cure = Correct `nozzle_length_mm` and `body_length_mm` of `[part]`, or replace the part by `[[part.solids]]`.
 weld-allowed-part-sizes = sizes up to { $max }, also those of [part]; or [[part.solids]] with part.replace = true
 weld-allowed-sphere = a sphere
