@@ -161,7 +161,7 @@ record-trace-replaced = removed or replaced while it was written: its rows are l
 record-folder-untouched = leave the folder unchanged until the weld has ended
 record-no-raw-trace = not a raw trace, or cut off in its header
     .cause = The file `trace.raw` has no valid header, because the power failed at its creation or it was changed.
-    .cure = Move the file out of the weld's folder and run `seamwright records recover` again.
+    .cure = Run `seamwright records recover --data DIR`, which sets the file aside as `trace.raw.damaged`.
 record-own-raw-trace = a file begun by a trace
 
 # Backup and restore.
