@@ -1,6 +1,8 @@
 # Findings at the command line.
 project-weld-possible = the weld can be made as asked
 project-weld-possible-with-remarks = the weld can be made, with remarks
+    .cause = Some findings are warnings or notes, such as a lower speed permitted by `on_limit = "slow"`.
+    .cure = Read each finding; those with a cure are warnings.
 project-weld-impossible = the weld cannot be made as asked: { $findings ->
         [one] { $findings } finding
        *[other] { $findings } findings
@@ -26,9 +28,11 @@ project-more-places = { $places ->
 project-with-allowed =
     { $message }
     { "   " }{ $allowed }
+    .cause = The first line gives the fault, the second one the allowed values.
 project-with-hint =
     { $message }
     { "   " }{ $hint }
+    .cause = The first line gives the fault, the second one a suggestion.
 project-or = { $first } or { $second }
 project-note = note: { $note }
 project-planning-cancelled = planning was cancelled
@@ -41,8 +45,14 @@ project-standard-input = standard input: { $why }
     .cause = The bytes on standard input are not UTF-8 text, for example a binary file or a spreadsheet.
     .cure = Export the table as CSV in UTF-8 and redirect it again.
 project-in-machine-file = machine file: { $why }
+    .cause = The drives in the machine file are invalid, for the reason that follows.
+    .cure = Correct `[drives.AXIS]`; `seamwright machine check MACHINE` tests the whole file.
 project-in-file = { $file }: { $why }
+    .cause = The content of the file is invalid, for the reason that follows.
+    .cure = Correct the file as the reason and the allowed values name it.
 project-document-fault = { $file }:{ $line }: { $key }: { $message }
+    .cause = The value of this key in this line is invalid, for the reason that follows.
+    .cure = Correct the line; the reference of the file format explains the key.
 
 # Files.
 project-unreadable = { $file }: cannot be read: { $why }

@@ -68,6 +68,8 @@ record-busy =
 record-invalid =
     { $what }
        allowed: { $allowed }
+    .cause = The request names something that the data folder does not have, or has an invalid value.
+    .cure = Give one of the allowed values of the second line.
 record-database = { $path }: { $why }
     .cause = SQLite refused for a reason that is neither space, permission, lock nor damage.
     .cure = Run `seamwright records verify`; if it reports nothing, report the sentence of SQLite.
@@ -238,6 +240,7 @@ record-problem-changed = { $path }: changed since it was recorded
 
 # Notes of a weld.
 record-notes = { $first }; { $then }
+    .cause = Several things happened to the record of one weld; each part is explained under its own code.
 record-rows-lost =
     { $n ->
         [one] { $n } row
