@@ -52,35 +52,67 @@ fn pattern(of: &Pattern<&str>, text: &mut String) {
     }
 }
 
-/// The reference of messages: each code with its English, and cause and cure where the catalogue has them.
-fn reference() -> String {
-    let mut page = "# Messages\n\nFindings, errors of files, refusals and events print a code. Search for it here.\nArguments are in italics. This page is made from `messages/en/`; do not edit it.\n".to_owned();
-    for (area, title) in AREAS {
-        let _ = write!(page, "\n## {title}\n\n| code | message |\n|---|---|\n");
-        let text = source(Language::English, area);
-        let resource = parse(text.as_ref()).unwrap();
-        for entry in &resource.body {
-            let Entry::Message(message) = entry else { continue };
-            let mut words = String::new();
-            message.value.iter().for_each(|value| pattern(value, &mut words));
-            for attribute in &message.attributes {
-                let _ = write!(words, "<br>*{}*: ", attribute.id.name);
-                pattern(&attribute.value, &mut words);
-            }
-            let _ = writeln!(page, "| `{}` | {} |", message.id.name, words.trim());
-        }
-    }
-    page
+/// A page of the book below `docs/reference/`.
+struct Page {
+    file: String,
+    text: String,
 }
 
-/// The page in the book is that of the catalogues; `SEAMWRIGHT_BLESS=1` writes it.
+/// The page of an area: each code with its English, cause and cure; then those that are parts of other messages.
+fn page(area: &str, title: &str) -> Page {
+    let catalogue = source(Language::English, area);
+    let resource = parse(catalogue.as_ref()).unwrap();
+    let mut text = format!("# {title}\n\n{MADE}");
+    let mut parts = String::new();
+    for entry in &resource.body {
+        let Entry::Message(message) = entry else { continue };
+        let code = message.id.name;
+        let mut words = String::new();
+        message.value.iter().for_each(|value| pattern(value, &mut words));
+        // Arguments are in italics, also where the words put them in code.
+        let words = words.trim().replace("`*", "*").replace("*`", "*");
+        if message.attributes.is_empty() {
+            let _ = writeln!(parts, "| `{code}` | {words} |");
+            continue;
+        }
+        let _ = write!(text, "\n## `{code}` {{#{code}}}\n\n> {words}\n");
+        for attribute in &message.attributes {
+            let name = if attribute.id.name == "cause" { "Cause" } else { "Cure" };
+            let mut words = String::new();
+            pattern(&attribute.value, &mut words);
+            let _ = write!(text, "\n**{name}:** {}\n", words.trim());
+        }
+    }
+    if !parts.is_empty() {
+        let _ = write!(text, "\n## Other texts\n\n| code | text |\n|---|---|\n{parts}");
+    }
+    Page { file: format!("messages/{area}.md"), text }
+}
+
+const MADE: &str =
+    "Arguments are in italics. This page is made from the catalogues in `messages/en/`; do not edit it.\n";
+
+/// The reference of messages: the list of the areas, and a page for each.
+fn reference() -> Vec<Page> {
+    let mut text = "# Messages\n\nFindings, errors of files, refusals, alarms and events have a code. Enter it in the search field, or open the page of\nits first word. Each code has its English text, the cause and the cure.\n\n| codes | page |\n|---|---|\n".to_owned();
+    for (area, title) in AREAS {
+        let _ = writeln!(text, "| `{}-...` | [{title}](messages/{area}.md) |", area.trim_end_matches('s'));
+    }
+    let index = Page { file: "messages.md".to_owned(), text };
+    std::iter::once(index).chain(AREAS.map(|(area, title)| page(area, title))).collect()
+}
+
+/// The pages in the book are those of the catalogues; `SEAMWRIGHT_BLESS=1` writes them.
 #[test]
 fn the_reference_of_messages_is_current() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/messages.md");
-    let reference = reference();
-    if std::env::var_os("SEAMWRIGHT_BLESS").is_some() {
-        std::fs::write(&path, &reference).unwrap();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference");
+    for Page { file, text } in reference() {
+        let path = folder.join(&file);
+        if std::env::var_os("SEAMWRIGHT_BLESS").is_some() {
+            std::fs::create_dir_all(folder.join("messages")).unwrap();
+            std::fs::write(&path, &text).unwrap();
+        }
+        let current = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(current == text, "docs/reference/{file}: run this test with SEAMWRIGHT_BLESS=1");
     }
-    let current = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(current == reference, "docs/reference/messages.md: run this test with SEAMWRIGHT_BLESS=1");
 }
