@@ -242,7 +242,7 @@ post-letter-of-linear-axes = Achse { $axis } ist eine Drehachse, aber ihr Buchst
 post-letter-of-rotary-axes = Achse { $axis } ist eine Linearachse, aber ihr Buchstabe { $letter } gehört zu Drehachsen: in der Maschinendatei einen anderen `letter` wählen
 post-no-tip-level = Sätze auf Spitzenebene brauchen eine Maschine mit den Achsen X, Y und Z und passender Kinematik in der Steuerung; Achsebene verwenden
 post-tip-passes = die Transferbewegungen zwischen den Lagen sind für die Achsen geplant: Achsebene verwenden oder jede Lage einzeln ausgeben
-post-two-torches = zwei Brenner, die zugleich schweißen, werden nicht ausgegeben: Sätze werden nur für einen Brenner geprüft
+post-two-torches = zwei Brenner, die zugleich schweißen, werden auf Spitzenebene nicht ausgegeben, deren Sätze nur einen Brenner beschreiben; Achsebene verwenden
 post-nothing-moves = im Teileprogramm bewegt sich nichts: es braucht mindestens einen Satz mit G0, G1, G2 oder G3 zu einer anderen Position
 post-tolerance-too-small = die Toleranz verlangt bei s = { $s } Sätze, die für die Steuerung zu kurz sind: sie vergrößern
 post-unwritable = Schritt { $step }: { $what }; { $cure }

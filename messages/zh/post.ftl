@@ -242,7 +242,7 @@ post-letter-of-linear-axes = 轴 { $axis } 是旋转轴，但其字母 { $letter
 post-letter-of-rotary-axes = 轴 { $axis } 是直线轴，但其字母 { $letter } 用于旋转轴：在机床文件中选另一个 `letter`
 post-no-tip-level = 尖端级程序段需要有 X、Y、Z 轴的机床，且控制系统有相应运动学；请用轴级
 post-tip-passes = 焊道之间的转移运动按各轴规划：请用轴级，或一次输出一道
-post-two-torches = 不输出两把焊枪同时焊接的零件程序：程序段只对一把焊枪核对
+post-two-torches = 尖端级不输出两把焊枪同时焊接的零件程序：其程序段只描述一把焊枪；请用轴级
 post-nothing-moves = 零件程序中没有运动：至少需要一个用 G0、G1、G2 或 G3 到达其他位置的程序段
 post-tolerance-too-small = s = { $s } 附近，此公差要求的程序段过短，控制系统无法处理：请放宽
 post-unwritable = 第 { $step } 步：{ $what }；{ $cure }

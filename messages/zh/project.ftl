@@ -97,9 +97,9 @@ project-no-devices-or-tracking = 没有 [devices] 的机床文件，或不跟踪
 project-register-too-small = 焊道 { $pass } 要求 `{ $name }` 为 { $value }，设备 `{ $device }` 的寄存器（{ $register }）容纳不下
 project-register-range = { $min } 至 { $max }，或机床文件中的其他比例或类型
 project-register-or-no-value = 机床文件 [devices.{ $device }.modbus.set] 中的寄存器 `{ $value }`，或不含它的任务
-project-check-modbus = 检查电缆、地址、站号和寄存器；`seamwright io MACHINE` 逐个读取
+project-check-modbus = 检查电缆、地址、站号和寄存器；`seamwright machine io MACHINE` 逐个读取
 project-period-of-no-cell = 机床 `{ $machine }`：没有单元能以 servo_period_ms = { $period } 运行
-project-periods = { $min } 至 { $max }，未写则为 1 ms；`seamwright latency` 测量本机的能力
+project-periods = { $min } 至 { $max }，未写则为 1 ms；`seamwright machine latency` 测量本机的能力
 project-linuxcnc-needs-linux = LinuxCNC 驱动只能用于 Linux
 project-simulated = 仿真：{ $devices }
 project-drives = 驱动

@@ -451,12 +451,14 @@ pub(crate) enum Format {
     Operation,
     Procedure,
     Program,
+    /// OpenAPI 3.1 of the panel's server
+    Rest,
 }
 
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = "Example: seamwright schema job > job.schema.json")]
 pub(crate) struct SchemaArgs {
-    /// File format
+    /// File format, or interface
     #[arg(value_enum)]
     pub(crate) format: Format,
 }

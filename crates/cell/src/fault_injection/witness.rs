@@ -277,7 +277,7 @@ impl Witness {
             for i in 0..self.limits.len() {
                 let away = (cycle.orders.set[i].position - cycle.reports.drives.position[i]).abs();
                 if away > 0.2 + 0.02 * cycle.orders.set[i].velocity.abs() {
-                    let message = Message::new("cell-violation-jump").number("axis", i as f64, 0);
+                    let message = Message::new("cell-violation-jump").number("axis", (i + 1) as f64, 0);
                     self.violated(message.number("distance", away, 3));
                 }
             }
@@ -292,7 +292,7 @@ impl Witness {
                 let v = (c[i] - b[i]) / self.period;
                 let dv = (c[i] - 2.0 * b[i] + a[i]) / (self.period * self.period);
                 if v.abs() > speed * 1.001 || dv.abs() > acceleration * 1.01 + 1e-6 {
-                    let message = Message::new("cell-violation-limits").number("axis", i as f64, 0);
+                    let message = Message::new("cell-violation-limits").number("axis", (i + 1) as f64, 0);
                     self.violated(message.number("speed", v, 3).number("acceleration", dv, 2));
                 }
             }

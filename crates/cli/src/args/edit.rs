@@ -266,7 +266,7 @@ pub(crate) enum EditVerb {
         pass: usize,
         #[arg(long)]
         name: Option<String>,
-        #[arg(long, value_parser = ["tack", "root", "fill", "cap"])]
+        #[arg(long, value_parser = ["tack", "root", "fill", "cap", "cosmetic"])]
         role: Option<String>,
         #[arg(long)]
         arc: Option<bool>,

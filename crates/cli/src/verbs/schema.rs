@@ -13,6 +13,7 @@ pub(crate) fn run(args: &SchemaArgs) -> Result<(), Failure> {
         Format::Operation => schemars::schema_for!(Operation),
         Format::Procedure => schemars::schema_for!(Procedure),
         Format::Program => schemars::schema_for!(Program),
+        Format::Rest => return print_json(&seamwright_server::openapi()),
     };
     print_json(&schema)
 }

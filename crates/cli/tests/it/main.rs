@@ -10,6 +10,7 @@ mod edit;
 mod find_joint;
 mod follow;
 mod grouped_verbs;
+mod keys;
 mod killed;
 mod languages;
 mod machine_check;

@@ -92,6 +92,10 @@ fn three_points_three_faces_and_a_chuck() {
         "feature,x_mm,y_mm,z_mm\npoint,3,50,6\nplane,10,10,8\nplane,90,10,8\nline,10,9,6\nplane,50,80,8\nline,90,9,6\n";
     let found = json(&["--method", "plane-line-point", "--probe-radius-mm", "1"], faces);
     near(moved(&found), [4.0, 10.0, 7.0]);
+    // This method needs no surface: a polyline has none.
+    let polyline = example("weave");
+    let output = run_with(&["machine", "place", &polyline, "--points", "-", "--method", "three-point"], three);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     // A tube 0.3 mm off, leaning by a thousandth, 0.1 mm too large; the saddle's middle is at z = -19.8 mm or so.
     let mut chuck = "x_mm,y_mm,z_mm\n".to_owned();
     for i in 0..8 {

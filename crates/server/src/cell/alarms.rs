@@ -139,11 +139,10 @@ impl Mirror {
         Ok(name)
     }
 
-    /// Unshelves alarms whose time is over. Returns true if there were any.
-    pub(super) fn expire(&mut self) -> bool {
-        let before = self.shelf.len();
-        self.shelf.retain(|shelved| Instant::now() < shelved.ends);
-        before != self.shelf.len()
+    /// Unshelves alarms whose time is over. Returns their titles.
+    pub(super) fn expire(&mut self) -> Vec<Message> {
+        let now = Instant::now();
+        self.shelf.extract_if(.., |shelved| shelved.ends <= now).map(|shelved| title(&shelved.view)).collect()
     }
 
     /// Clears the list: another machine has its own executive, which raises its alarms anew.
@@ -283,9 +282,10 @@ mod tests {
         mirror.noted(&Note::Cleared(Alarm::JogStopped, 0), "");
         let views = mirror.views(&names);
         assert_eq!((views.len(), views[0].state.as_str()), (1, "gone"));
-        assert!(!mirror.expire());
+        assert!(mirror.expire().is_empty());
         mirror.shelf[0].ends = Instant::now();
-        assert!(mirror.expire() && mirror.views(&names).is_empty());
+        assert_eq!(mirror.expire(), [Alarm::JogStopped.entry().title]);
+        assert!(mirror.views(&names).is_empty());
         // A tracking warning, followed by its stop while still active.
         let Note::Alarm(told) = alarm(Alarm::Tracking) else { unreachable!() };
         let told = Raised { reaction: Reaction::Tell, ..told };

@@ -216,8 +216,12 @@ impl Desk {
         while let Ok(shown) = self.outside.cycles.pop() {
             self.cycle(&shown);
         }
-        if self.mirror.expire() {
+        let unshelved = self.mirror.expire();
+        if !unshelved.is_empty() {
             self.hub.alarms(self.mirror.views(&self.names));
+        }
+        for alarm in unshelved {
+            self.tell(happening(Message::new("server-event-unshelved").message("alarm", alarm)));
         }
         if self.hub.forget_silent() {
             self.tell(happening(Message::new("server-event-control-lost")));

@@ -8,7 +8,7 @@ pub(super) async fn document() -> Json<Value> {
 }
 
 /// Describes the interface as OpenAPI 3.1, generated from the routes.
-pub(crate) fn openapi() -> Value {
+pub fn openapi() -> Value {
     let settings = SchemaSettings::draft2020_12().with(|s| s.definitions_path = "/components/schemas".into());
     let mut generator = settings.into_generator();
     let mut paths = Map::new();
@@ -18,7 +18,9 @@ pub(crate) fn openapi() -> Value {
                 generator.subschema_for::<crate::wire::Trouble>() } } } } });
         if let Some(action) = route.action {
             operation["x-permission"] = json!(action);
-            operation["security"] = json!([{ "session": [] }]);
+            let reads = route.method == "get";
+            operation["security"] =
+                if reads { json!([{ "session": [] }]) } else { json!([{ "session": [], "token": [] }]) };
         }
         if let Some(body) = route.body {
             let schema = body(&mut generator);
@@ -52,7 +54,10 @@ pub(crate) fn openapi() -> Value {
         "paths": paths,
         "components": {
             "schemas": generator.take_definitions(true),
-            "securitySchemes": { "session": { "type": "apiKey", "in": "cookie", "name": super::guard::COOKIE } },
+            "securitySchemes": {
+                "session": { "type": "apiKey", "in": "cookie", "name": super::guard::COOKIE },
+                "token": { "type": "apiKey", "in": "header", "name": super::guard::TOKEN },
+            },
         },
     })
 }

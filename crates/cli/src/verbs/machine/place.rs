@@ -91,7 +91,8 @@ fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted,
         let (message, allowed) = (Message::new("cli-place-no-seam"), Message::new("project-job-or-seam"));
         return Err(NoPlace::Input(program.error_at("", message, allowed).into()));
     };
-    let surfaces = SeamSurfaces::new(program, seam).map_err(|e| NoPlace::Input(e.into()))?;
+    // Only these two methods measure against the seam's surfaces; not every seam has them.
+    let surfaces = || SeamSurfaces::new(program, seam).map_err(|e| NoPlace::Input(e.into()));
     match args.method {
         PlaceMethod::ThreePoint => {
             let pairs: Vec<(DVec3, DVec3)> = rows.iter().map(|r| (r.nominal, r.point)).collect();
@@ -101,6 +102,7 @@ fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted,
         }
         PlaceMethod::PlaneLinePoint => faces(args, rows, &program.value.work_offset()),
         PlaceMethod::BestFit => {
+            let surfaces = surfaces()?;
             let touch = |r: &Touched| {
                 let surface = if r.feature == "nozzle" { &surfaces.first } else { &surfaces.second };
                 Touch { point: r.point, surface: surface.as_ref(), outside: args.probe_radius_mm }
@@ -116,6 +118,7 @@ fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted,
             Ok(fitted)
         }
         PlaceMethod::Chuck => {
+            let surfaces = surfaces()?;
             let Some(nozzle) = &surfaces.nozzle else {
                 let (message, allowed) = (Message::new("cli-place-no-nozzle"), Message::new("cli-place-nozzle"));
                 return Err(NoPlace::Input(program.error_at("seam", message, allowed).into()));
