@@ -16,13 +16,14 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The blocks of a page that are fenced as `sh`, one after another.
+/// The blocks of a page that are fenced as `sh`, without the indentation of the list around them.
 fn script(page: &str) -> String {
     let mut script = String::new();
     let mut lines = page.lines();
-    while lines.by_ref().any(|line| line.trim_start() == "```sh") {
+    while let Some(fence) = lines.by_ref().find(|line| line.trim_start() == "```sh") {
+        let indent = fence.strip_suffix("```sh").unwrap_or_default();
         for line in lines.by_ref().take_while(|line| line.trim_start() != "```") {
-            script.push_str(line);
+            script.push_str(line.strip_prefix(indent).unwrap_or(line));
             script.push('\n');
         }
     }
