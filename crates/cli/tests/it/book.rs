@@ -67,3 +67,18 @@ fn commands_of_the_tutorials_run() {
 fn commands_of_the_how_to_guides_run() {
     run_part("how-to");
 }
+
+#[test]
+fn every_page_is_in_the_navigation_once() {
+    let navigation = std::fs::read_to_string(root().join("mkdocs.yml")).unwrap();
+    let entries: Vec<&str> = navigation.lines().filter_map(|line| line.trim().strip_prefix("- ")).collect();
+    let folder = root().join("docs");
+    let mut found = Vec::new();
+    pages(&folder, &mut found);
+    for page in found {
+        let name = page.strip_prefix(&folder).unwrap().display().to_string();
+        let titled = format!(": {name}");
+        let listed = entries.iter().filter(|entry| **entry == name || entry.ends_with(&titled)).count();
+        assert_eq!(listed, 1, "{name} in the nav of mkdocs.yml");
+    }
+}
