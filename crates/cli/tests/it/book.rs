@@ -16,13 +16,14 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The blocks of a page that are fenced as `sh`, one after another.
+/// The blocks of a page that are fenced as `sh`, without the indentation of the list around them.
 fn script(page: &str) -> String {
     let mut script = String::new();
     let mut lines = page.lines();
-    while lines.by_ref().any(|line| line.trim_start() == "```sh") {
+    while let Some(fence) = lines.by_ref().find(|line| line.trim_start() == "```sh") {
+        let indent = fence.strip_suffix("```sh").unwrap_or_default();
         for line in lines.by_ref().take_while(|line| line.trim_start() != "```") {
-            script.push_str(line);
+            script.push_str(line.strip_prefix(indent).unwrap_or(line));
             script.push('\n');
         }
     }
@@ -65,4 +66,19 @@ fn commands_of_the_tutorials_run() {
 #[test]
 fn commands_of_the_how_to_guides_run() {
     run_part("how-to");
+}
+
+#[test]
+fn every_page_is_in_the_navigation_once() {
+    let navigation = std::fs::read_to_string(root().join("mkdocs.yml")).unwrap();
+    let entries: Vec<&str> = navigation.lines().filter_map(|line| line.trim().strip_prefix("- ")).collect();
+    let folder = root().join("docs");
+    let mut found = Vec::new();
+    pages(&folder, &mut found);
+    for page in found {
+        let name = page.strip_prefix(&folder).unwrap().display().to_string();
+        let titled = format!(": {name}");
+        let listed = entries.iter().filter(|entry| **entry == name || entry.ends_with(&titled)).count();
+        assert_eq!(listed, 1, "{name} in the nav of mkdocs.yml");
+    }
 }
