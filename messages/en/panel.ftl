@@ -217,7 +217,7 @@ panel-job-limits = Limits
 
 # Tracking.
 panel-track-lateral = Lateral
-panel-track-height = Vertical
+panel-track-height = Height
 panel-track-head = Head
 panel-track-none = Tracking off
 panel-track-confidence = Confidence
@@ -452,7 +452,7 @@ panel-teach-by-hand = By hand
 panel-teach-by-eye = By camera
 panel-teach-open = Start camera
 panel-teach-pause = Pause
-panel-teach-resume = Resume
+panel-teach-resume = Continue
 panel-teach-stop = Stop teaching
 panel-teach-here-spot = Joint is at the point picked in 3D
 panel-teach-here-begin = Joint starts at the start of the program

@@ -68,7 +68,7 @@ async function goesOn() {
     if (asked) {
       await touch();
       await sleep(1500);
-    } else if (await button('Resume').isVisible()) await button('Resume').click();
+    } else if (await button('Continue').isVisible()) await button('Continue').click();
     else return;
     await sleep(500);
   }

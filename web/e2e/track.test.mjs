@@ -59,7 +59,7 @@ test('a part out of its place is found by the sensor, and the record says by how
   await one.locator('tr', { hasText: 'T-1' }).getByRole('button').click();
   await one.locator('.charts .uplot').nth(3).waitFor();
   const captions = await one.locator('.charts figcaption').allTextContents();
-  assert.deepEqual(captions.slice(0, 4).map((text) => text.replace(/ mm .*/, '').trim()), ['Seam deviation sideways', 'Seam deviation in height', 'Correction sideways', 'Correction in height']);
+  assert.deepEqual(captions.slice(0, 4).map((text) => text.replace(/ mm .*/, '').trim()), ['Seam deviation, lateral', 'Seam deviation, height', 'Correction, lateral', 'Correction, height']);
   await one.screenshot({ path: `${shots}track-record.png` });
   // The next weld of the same program begins with an empty window: what the last one was like is not drawn ahead of it.
   await tab(one, 'Weld');

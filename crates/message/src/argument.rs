@@ -38,10 +38,10 @@ pub enum Argument {
 }
 
 impl Quantity {
-    /// A value with as many decimals as it has, up to nine.
+    /// A value with as many decimals as it has, up to nine; 9.999999999999998 has none.
     pub fn exact(value: f64, unit: Unit) -> Self {
-        let text = format!("{value}");
-        let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len().min(9));
+        let text = format!("{value:.9}");
+        let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.trim_end_matches('0').len());
         Self { value, unit, decimals: decimals as u8 }
     }
 }

@@ -31,9 +31,9 @@ fn is_alike(a: &Argument, b: &Argument) -> bool {
     }
 }
 
-/// Joins two arguments that are alike; `a` may be a range already.
+/// Joins two arguments that are alike; `a` may be a range already. Numbers that are printed alike are one number.
 fn joined(a: &Argument, b: &Argument) -> Argument {
-    if a == b {
+    if a.to_string() == b.to_string() {
         return a.clone();
     }
     match (a, b) {
@@ -75,6 +75,7 @@ mod tests {
         let gathered = Message::gathered(&all.iter().collect::<Vec<_>>());
         assert_eq!(gathered.as_data(), "axis-unwinds: axis = j1, by = 35.1 deg to 711.0 deg, pass = 4 to 9");
         assert_eq!(Message::gathered(&[&all[1]]), all[1]);
+        assert_eq!(Message::gathered(&[&all[1], &turn(711.0000001, 5)]), all[1], "the difference is not shown");
         let other = Message::new("axis-unwinds").axis("axis", "j2").quantity("by", 318.2, Unit::Deg, 1).pass("pass", 4);
         assert!(!all[0].is_alike(&other), "another axis is another message");
     }

@@ -32,6 +32,7 @@ macro_rules! areas {
 areas![
     "units",
     "words",
+    "keys",
     "document",
     "machine",
     "program",

@@ -71,7 +71,9 @@ fn says_the_same(a: &Finding, b: &Finding) -> bool {
     let exactly = a.severity() == Severity::Error;
     (a.kind, a.allowed) == (b.kind, b.allowed)
         && if exactly {
-            (&a.message, &a.cure) == (&b.message, &b.cure)
+            // As they are printed: numbers may differ beyond the decimals that are shown.
+            let printed = |m: &Message| m.as_data();
+            printed(&a.message) == printed(&b.message) && a.cure.as_ref().map(printed) == b.cure.as_ref().map(printed)
         } else {
             let cures = match (&a.cure, &b.cure) {
                 (Some(a), Some(b)) => a.is_alike(b),
@@ -153,7 +155,7 @@ mod tests {
         let speed = |code, speed| Message::new(code).quantity("speed", speed, Unit::MmPerS, 1);
         let error =
             |v: f64| Finding { allowed: false, cure: Some(speed("set", v)), ..note(speed("allows", v), 1, (0.0, 1.0)) };
-        let groups = [error(4.1), error(3.9), error(4.1)];
+        let groups = [error(4.1), error(3.9), error(4.1), error(4.1000001)];
         let groups = group_findings(&groups);
         let cures: Vec<&Message> = groups.iter().filter_map(|group| group.cure.as_ref()).collect();
         assert_eq!(cures, [&speed("set", 4.1), &speed("set", 3.9)]);

@@ -1,16 +1,18 @@
 import { valueName } from '../parts/numbers';
 import { named, words } from '../words/index.svelte';
-import { keys } from '../words/keys';
+
+/** The words of a key without its unit, or of a word that stands in a file. */
+function keyWords(name: string): string | null {
+  return words.catalogue.words(`key-${name.replaceAll(/[_ ]/g, '-')}`, {});
+}
 
 /** A key of a file, or a word that stands there, in the chosen language, with the unit that it ends in; as it is where there is no word. */
 export function keyTitle(name: string): string {
-  const { language } = words;
-  // What looks like a unit may be none: a `single_v` has no volts.
-  const whole = keys[name];
-  if (whole) return whole[language] ?? name.replaceAll('_', ' ');
+  // The end may only look like a unit: a `single_v` has no volts.
+  const whole = keyWords(name);
+  if (whole !== null) return whole;
   const { title, unit } = valueName(name);
-  const known = keys[title.replaceAll(' ', '_')];
-  const word = known?.[language] ?? (language === 'en' ? title : named('value', title));
+  const word = keyWords(title) ?? (words.language === 'en' ? title : named('value', title));
   return unit ? `${word} [${unit}]` : word;
 }
 

@@ -39,7 +39,7 @@ function words(name: string): string[] {
   const [, axis, kind] = AXIS.exec(name) ?? [];
   if (axis && kind && OF_AXIS[kind]) return [`${axis}:`, t(OF_AXIS[kind])];
   const [, what, side, head] = HEAD.exec(name) ?? [];
-  if (what && side) return [head ? `${head}:` : '', named('trace', what), t(side === 'lateral' ? 'track.lateral' : 'track.height').toLowerCase()];
+  if (what && side) return [head ? `${head}:` : '', `${named('trace', what)},`, t(side === 'lateral' ? 'track.lateral' : 'track.height').toLowerCase()];
   const [, sure, of] = SURE.exec(name) ?? [];
   if (sure) return [of ? `${of}:` : '', t(sure === 'confidence' ? 'track.confidence' : 'track.sigma')];
   const isSet = name.endsWith('_set');

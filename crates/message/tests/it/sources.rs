@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Areas whose codes are made from numbers or names in files, and general values that any file may use.
-const BY_NAME: [&str; 5] = ["units", "words", "document", "alarms", "panel"];
+const BY_NAME: [&str; 6] = ["units", "words", "keys", "document", "alarms", "panel"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

@@ -269,6 +269,16 @@ impl Hub {
         told.control.as_ref().and_then(|h| told.clients.get(&h.station)).map(|c| c.user.clone())
     }
 
+    /// Returns the holder of the control token if it is not `user`, or not the page `page` of that user. A script
+    /// without a page is known by its user only.
+    pub(crate) fn held_by_other(&self, user: &str, page: &str) -> Option<Control> {
+        let told = self.told();
+        let held = told.control.as_ref()?;
+        let by = Control { station: held.station, user: told.clients.get(&held.station)?.user.clone() };
+        let is_own = by.user == user && (page.is_empty() || page == by.station.to_string());
+        (!is_own).then_some(by)
+    }
+
     /// Records a heartbeat.
     pub(crate) fn beat(&self, station: u32) {
         if let Some(holder) = self.told().control.as_mut().filter(|h| h.station == station) {

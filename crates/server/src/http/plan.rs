@@ -149,6 +149,11 @@ fn at_rest(panel: &Panel) -> Result<(), Refused> {
 /// Plans a job and loads it into the cell. The job is first planned beside the cell, with limits of memory and time. A
 /// valid one is planned again in this process for the cycle; starts are refused meanwhile.
 async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkView>, Refused> {
+    if let Some(by) = panel.cell.hub.held_by_other(&page.user, &page.page) {
+        let message = Message::new("server-control-held").text("user", by.user);
+        let message = message.number("page", f64::from(by.station), 0);
+        return Err(Refused::new(StatusCode::CONFLICT, "control", message));
+    }
     at_rest(panel)?;
     let (asked, job, user) = (Arc::clone(panel), load.job.clone(), page.user.clone());
     let text = panel.reading.run(move || text(&asked, &job)).await?;

@@ -1,5 +1,6 @@
 //! The socket: permission to command, handling of messages, jogging.
 
+use axum::http::StatusCode;
 use super::{Bench, Visitor};
 use futures_util::{SinkExt as _, StreamExt as _};
 use serde_json::{Value, json};
@@ -245,6 +246,10 @@ async fn one_page_commands_and_the_others_watch() {
         (&held["why"]["key"], &held["why"]["arguments"][0][1]["value"]),
         (&json!("control"), &json!("Operator"))
     );
+    // Nor may its user replace the program.
+    let load = json!({ "job": "half-ring.toml", "from": null, "part": null });
+    let (status, refused) = served.bench.ask(of("Service").request("POST", "/api/load", Some(&load))).await;
+    assert_eq!((status, refused["key"].as_str()), (StatusCode::CONFLICT, Some("control")), "{refused}");
     second.say(&json!({ "kind": "take_control", "over": true })).await;
     first.until("the loss", |v| v["kind"] == "control" && v["mine"] == false).await;
     assert_eq!(first.ask(json!({ "do": "home" })).await["why"]["key"], "control");
