@@ -16,7 +16,7 @@ async function leaveIn(pass) {
   await commands(one);
   await weld(one);
   await one.locator(`.passes li:nth-child(${pass}) button.now`).waitFor({ timeout: 60_000 });
-  await one.getByText(new RegExp(`Pass ${pass} .*mm`)).first().waitFor();
+  await one.getByText(new RegExp(`Pass ${pass}: .*mm`)).first().waitFor();
   await one.keyboard.press('F1');
   await mode(one, 'ready');
 }
