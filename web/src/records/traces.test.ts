@@ -50,7 +50,7 @@ test('columns of traces have words and units', async () => {
   expect(caption('theta_following_error_deg', 'deg')).toBe('theta: Following error °');
   expect(caption('b_2_current_part', '1')).toBe('b_2: Current (1 = 100 %)');
   expect(caption('deviation_lateral_mm', 'mm')).toBe('Seam deviation, lateral mm');
-  expect(caption('correction_height_mm_q', 'mm')).toBe('q: Correction vertical mm');
+  expect(caption('correction_height_mm_q', 'mm')).toBe('q: Correction, height mm');
   expect(caption('wire_feed_m_min_set', '')).toBe('Wire feed Set m/min');
   expect(caption('wire_feed_m_min', '')).toBe('Wire feed Actual m/min');
   expect(caption('burning', '1')).toBe('Arc or beam is on');
