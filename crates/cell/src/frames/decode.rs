@@ -34,7 +34,7 @@ display_by_message!(DecodeError);
 /// # Errors
 /// Another format, a damaged file, a picture larger than [`MAX_SIDE`] to a side.
 pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
-    let broken = |e: image::ImageError| DecodeError::Broken(Message::verbatim(e.to_string()));
+    let broken = |e: image::ImageError| DecodeError::Broken(Message::outside(&e));
     let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| DecodeError::Kind)?;
     if reader.format().is_none() {
         return Err(DecodeError::Kind);

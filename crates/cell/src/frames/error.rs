@@ -164,7 +164,7 @@ impl FrameError {
     }
 
     pub(super) fn io(what: impl Into<String>, error: &std::io::Error) -> Self {
-        Self::Io { what: what.into(), why: Message::verbatim(error.to_string()) }
+        Self::Io { what: what.into(), why: Message::outside(&error) }
     }
 
     /// A file or folder that the user named: a wrong name is a different mistake from a failing disk.
@@ -175,7 +175,7 @@ impl FrameError {
         let what = path.display().to_string();
         match error.kind() {
             AlreadyExists | IsADirectory | NotADirectory | NotFound | PermissionDenied | ReadOnlyFilesystem => {
-                Self::Named { what, why: Message::verbatim(error.to_string()) }
+                Self::Named { what, why: Message::outside(&error) }
             }
             _ => Self::io(what, error),
         }

@@ -175,7 +175,7 @@ impl Recorder {
         let failed = |why: Message| FrameError::Image { file: path.display().to_string(), why };
         frame.image.frame().map_err(|e| failed(e.message()))?;
         let count = || failed(Message::new("cell-pixel-count"));
-        let side = |n: usize| u32::try_from(n).map_err(|e| failed(Message::verbatim(e.to_string())));
+        let side = |n: usize| u32::try_from(n).map_err(|e| failed(Message::outside(&e)));
         let written = match &frame.image {
             Image::U8 { width, height, pixels } => {
                 let image = ImageBuffer::<Luma<u8>, _>::from_raw(side(*width)?, side(*height)?, pixels.as_slice());
@@ -187,7 +187,7 @@ impl Recorder {
             }
         };
         written
-            .map_err(|e| FrameError::Io { what: path.display().to_string(), why: Message::verbatim(e.to_string()) })?;
+            .map_err(|e| FrameError::Io { what: path.display().to_string(), why: Message::outside(&e) })?;
         let _ = write!(self.list, "{name},{}", frame.t_s);
         for value in frame.axes.iter().flatten() {
             let _ = write!(self.list, ",{value}");

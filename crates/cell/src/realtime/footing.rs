@@ -93,7 +93,7 @@ mod system {
     }
 
     pub(super) fn memory() -> Result<(), Message> {
-        mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE).map_err(|e| Message::verbatim(e.to_string()))
+        mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE).map_err(|e| Message::outside(&e))
     }
 
     pub(super) fn stay_on(cpu: usize) -> Result<usize, Message> {
@@ -102,7 +102,7 @@ mod system {
             return Err(Message::new("cell-no-such-cpu").number("cpu", cpu as f64, 0));
         }
         set.set(cpu);
-        sched_setaffinity(None, &set).map(|()| cpu).map_err(|e| Message::verbatim(e.to_string()))
+        sched_setaffinity(None, &set).map(|()| cpu).map_err(|e| Message::outside(&e))
     }
 }
 

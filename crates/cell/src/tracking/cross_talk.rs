@@ -27,7 +27,7 @@ pub fn cross_talk(
     );
     let other = |text: &str| -> Result<Vec<DVec2>, Error> {
         let distortion =
-            Distortion::read("displaced", text).map_err(|e| Error::Distortion(Message::verbatim(e.to_string())))?;
+            Distortion::read("displaced", text).map_err(|e| Error::Distortion(Message::outside(&e)))?;
         let conditions = Conditions { seed, distortion: Some(&distortion), tracking: true, ..Conditions::default() };
         let mut misses = Vec::new();
         simulate(machine, passes, motion, conditions, |sample: &Sample| {

@@ -154,7 +154,7 @@ impl History {
             let message = Message::new("program-history-line").number("line", line as f64, 0).message("fault", fault);
             empty.error_at("", message, Message::new("program-history-format"))
         };
-        let unreadable = |line: usize, e: &serde_json::Error| wrong(line, Message::verbatim(e.to_string()));
+        let unreadable = |line: usize, e: &serde_json::Error| wrong(line, Message::outside(&e));
         let mut rest = lines.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
         let head = rest.next().ok_or_else(|| wrong(1, Message::new("program-history-empty")))?;
         let head: Head = serde_json::from_str(head.1).map_err(|e| unreadable(1, &e))?;

@@ -194,7 +194,7 @@ impl Library {
             self.run("INSERT INTO welder (name) VALUES (?1) ON CONFLICT DO NOTHING", [name])?;
         }
         let basis = serde_json::to_string(&weld.basis)
-            .map_err(|e| Error::wrong(Message::verbatim(e.to_string()), Message::new("record-finite-numbers")))?;
+            .map_err(|e| Error::wrong(Message::outside(&e), Message::new("record-finite-numbers")))?;
         let NewWeld { part, title, simulated, job, program, machine, procedure, welder, begun, note, .. } = weld;
         self.run(
             "INSERT INTO weld (id, part, title, simulated, job, program, machine, procedure, welder, begun, result, basis, note)

@@ -95,7 +95,7 @@ impl Client {
             JogOf::Tip if index < 3 => {
                 let mut pose = machine.forward(&q);
                 pose.point[index] += by;
-                let there = machine.inverse_near(pose, &q).map_err(|e| lack("motion", e.to_string()))?;
+                let there = machine.inverse_near(pose, &q).map_err(|e| lack("motion", e.message()))?;
                 Ok(there.joints)
             }
             JogOf::Tip => Err(lack("value", Message::new("server-tip-directions"))),

@@ -92,7 +92,7 @@ fn check(asked: &PlaceText) -> Result<(), Refused> {
 
 /// Converts the reason for which points do not determine a pose.
 fn refused(e: &seamwright_geometry::Error) -> Refused {
-    Refused::input(Message::new("server-more-points").text("why", e.to_string()))
+    Refused::input(Message::new("server-more-points").message("why", e.message()))
 }
 
 /// Fits the surfaces to the points by least squares.
@@ -152,7 +152,7 @@ fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
 fn round(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [face, round] = ["face", "round"].map(|feature| of(points, feature));
     let found = chuck(&face, &round, radius, &program.work_offset())
-        .map_err(|e| Refused::input(Message::new("server-more-points-round").text("why", e.to_string())))?;
+        .map_err(|e| Refused::input(Message::new("server-more-points-round").message("why", e.message())))?;
     let [face, round, _] = &found.residuals;
     let residuals = in_order(points, [("face", face), ("round", round)]);
     let mut notes: Vec<Message> = found
@@ -176,7 +176,7 @@ fn three_alone(points: usize, code: &'static str) -> Option<Message> {
 
 fn answer(text: &str, found: Found) -> Result<PlaceAnswer, Refused> {
     let transform = offset::rounded(&found.offset).ok_or_else(|| Refused::input(Message::new("server-no-position")))?;
-    let placed = offset::put_into(text, NAME, &transform).map_err(|e| Refused::input(e.to_string()))?;
+    let placed = offset::put_into(text, NAME, &transform).map_err(|e| Refused::input(e.message()))?;
     let text = placed.ok_or_else(|| Refused::input(Message::new("server-offsets-no-table")))?;
     Ok(PlaceAnswer {
         text,

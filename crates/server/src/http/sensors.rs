@@ -57,7 +57,7 @@ fn camera<'a>(machine: &'a Machine, of: &Plate) -> Result<(&'a Sensor, MapParame
         let message = Message::new("server-grid").value("pitch", of.pitch_mm, Unit::Mm).value("z", of.z_mm, Unit::Mm);
         return Err(Refused::input(message));
     }
-    let believed = nearest(&camera.table, -of.z_mm).map_err(|e| Refused::input(e.to_string()))?;
+    let believed = nearest(&camera.table, -of.z_mm).map_err(|e| Refused::input(e.message()))?;
     Ok((sensor, believed))
 }
 
@@ -92,8 +92,8 @@ pub(super) async fn picture(State(panel): State<Arc<Panel>>, Query(asked): Query
         if !machine.devices.is_empty() || count > MAX_PX {
             return Err(Refused::input(Message::new("server-not-simulated").count("max", MAX_PX)));
         }
-        let (image, _) = plate(&believed, asked.pitch_mm, asked.seed).map_err(|e| Refused::input(e.to_string()))?;
-        let frame = image.frame().map_err(|e| Refused::server(e.to_string()))?;
+        let (image, _) = plate(&believed, asked.pitch_mm, asked.seed).map_err(|e| Refused::input(e.message()))?;
+        let frame = image.frame().map_err(|e| Refused::server(e.message()))?;
         Ok(Overlay::of(&frame).png()?)
     };
     let png = panel.drawing.run(painted).await?;
@@ -111,7 +111,7 @@ pub(super) async fn find(
         let (sensor, believed) = camera(&machine, &asked)?;
         Ok(match decode(&png) {
             Ok(image) => seen(&image, sensor, &believed, &asked),
-            Err(e) => none("picture", vec![], e.to_string().into()),
+            Err(e) => none("picture", vec![], e.message()),
         })
     };
     panel.drawing.run(found).await.map(Json)
@@ -135,7 +135,7 @@ fn none(verdict: &str, of: Vec<String>, message: Message) -> SensorAnswer {
 fn seen(image: &Image, sensor: &Sensor, believed: &MapParameters, plate: &Plate) -> SensorAnswer {
     let frame = match image.frame() {
         Ok(frame) => frame,
-        Err(e) => return none("picture", vec![], e.to_string().into()),
+        Err(e) => return none("picture", vec![], e.message()),
     };
     let (has, [width, height]) = ([frame.width(), frame.height()], sensor.size_px);
     if has != sensor.size_px {
@@ -180,7 +180,7 @@ fn refused(e: &GridError) -> SensorAnswer {
         GridError::Residual { rms, max } => ("residual", vec![format!("{rms:.2}"), format!("{max:.2}")]),
         GridError::Pitch(_) | GridError::Map(_) => ("map", vec![]),
     };
-    none(verdict, of, e.to_string().into())
+    none(verdict, of, e.message())
 }
 
 pub(super) async fn keep(

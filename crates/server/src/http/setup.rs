@@ -211,7 +211,7 @@ fn frame(machine: &Machine, head: usize, touch: &[f64]) -> Result<DAffine3, Refu
 
 fn tool(machine: &Machine, head: usize, frames: &[DAffine3]) -> Result<ToolAnswer, Refused> {
     let fit =
-        pivot(frames).map_err(|e| Refused::input(Message::new("server-more-touches").text("why", e.to_string())))?;
+        pivot(frames).map_err(|e| Refused::input(Message::new("server-more-touches").message("why", e.message())))?;
     let was = machine.heads[head].tip;
     let worst = fit.residuals.iter().copied().fold(0.0, f64::max);
     let verdict = if worst > AGREE_MM || fit.deviation.max_element() > 0.5 * AGREE_MM {

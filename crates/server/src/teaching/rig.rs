@@ -162,7 +162,7 @@ impl CellRig<'_, '_> {
         self.carrier.stands(set);
         let target = self.carrier.positions(pose)?;
         let way = route(hand.machine, self.station.around, &set, &target, AxisSet::default());
-        for place in way.map_err(|e| Message::verbatim(e.to_string()))?.iter().skip(1) {
+        for place in way.map_err(|e| Message::outside(&e))?.iter().skip(1) {
             match hand.go(place) {
                 Came::There => {}
                 other => return Ok(other),

@@ -58,6 +58,6 @@ display_by_message!(LinuxCncError);
 
 impl From<std::io::Error> for LinuxCncError {
     fn from(error: std::io::Error) -> Self {
-        Self::System(Message::verbatim(error.to_string()))
+        Self::System(Message::outside(&error))
     }
 }

@@ -146,7 +146,7 @@ pub fn connect(device: &ModbusDevice, values: &[String]) -> Result<ModbusParts, 
     let mut client = Client::new(device, values, ends).map_err(|trouble| unreachable(trouble.message()))?;
     client.connect().map_err(|trouble| unreachable(trouble.message()))?;
     let named = std::thread::Builder::new().name(format!("modbus {}", device.name));
-    let handle = named.spawn(move || client.run()).map_err(|e| unreachable(Message::verbatim(e.to_string())))?;
+    let handle = named.spawn(move || client.run()).map_err(|e| unreachable(Message::outside(&e)))?;
     let thread = Arc::new(ClientThread { life, handle: Some(handle) });
     Ok(ModbusParts {
         source: is_source.then(|| ModbusSource {

@@ -40,7 +40,7 @@ impl Trouble {
 
     /// A connection lost by an error of the system.
     fn gone(error: &impl Display) -> Self {
-        Self::Gone(Message::verbatim(error.to_string()))
+        Self::Gone(Message::outside(&error))
     }
 
     /// Adds the names of the affected registers to a refusal.
