@@ -12,8 +12,8 @@
 //! | teach a seam by camera | [`teach`], with images from [`frames`] or the [`camera_simulator`] |
 //! | test the response to every fault of every device | [`fault_injection`] |
 //!
-//! Simulation and real cell are the same executive. Only devices and time differ: on a real cell a [`devices::DeviceSet`]
-//! has real devices, and [`realtime::live()`] connects the executive with the panel.
+//! Simulation and real cell are the same executive. Only devices and time differ. On a real cell a
+//! [`devices::DeviceSet`] has real devices, and [`realtime::live()`] connects the executive with the panel.
 //!
 //! # Simulation
 //!
@@ -23,8 +23,8 @@
 //!
 //! # Units
 //!
-//! Lengths are in mm, angles in rad, times in s; [`Summary`] has angles in degrees. Path lengths count from the start of
-//! a pass, times from the start of the executive.
+//! Lengths are in mm, angles in rad, times in s; [`Summary`] has angles in degrees. Path lengths count from the start
+//! of a pass, times from the start of the executive.
 //!
 //! # Examples
 //!

@@ -27,8 +27,8 @@
 //!
 //! # Errors
 //!
-//! Planning returns all [`Finding`](seamwright_program::Finding)s against a weld, not only the first. Each has the pass,
-//! the stretch of the seam and usually a cure. A planned motion has remarks only: [`PassMotion::findings`].
+//! Planning returns all [`Finding`](seamwright_program::Finding)s against a weld, not only the first. Each has the
+//! pass, the stretch of the seam and usually a cure. A planned motion has remarks only: [`PassMotion::findings`].
 //!
 //! # Examples
 //!

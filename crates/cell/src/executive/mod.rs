@@ -9,7 +9,7 @@
 //!
 //! # A cycle
 //!
-//! 1. Orders of the last cycle go out, reports come in.
+//! 1. Orders go out, reports come in.
 //! 2. The reports are compared with conditions and alarms.
 //! 3. Commands are taken, or refused with a reason ([`Missing`]).
 //! 4. The cycle is shown to the outside ([`Cycle`]).

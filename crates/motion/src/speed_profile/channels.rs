@@ -33,17 +33,18 @@ pub trait Channels {
     /// no limit binds. Without limits of jerk it is enforced at the ends of cells only.
     fn asked(&self, u: f64) -> f64;
 
-    /// Returns the parameters inside the range at which a third derivative or the requested speed may jump or bend, increasing.
+    /// Returns the parameters inside the range at which a third derivative or the requested speed may jump or bend,
+    /// increasing.
     fn breaks(&self) -> Vec<f64>;
 
-    /// Returns the breaks at which the requested speed bends, increasing. The profile follows a listed bend even if missing it
-    /// costs little time.
+    /// Returns the breaks at which the requested speed bends, increasing. The profile follows a listed bend even if
+    /// missing it costs little time.
     fn bends(&self) -> Vec<Bend> {
         Vec::new()
     }
 
-    /// Returns the parameters inside the range at which the motion comes to rest: corners and cusps, increasing. They are breaks
-    /// too.
+    /// Returns the parameters inside the range at which the motion comes to rest: corners and cusps, increasing. They are
+    /// breaks too.
     fn stops(&self) -> Vec<f64> {
         Vec::new()
     }

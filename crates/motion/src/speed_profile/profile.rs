@@ -42,8 +42,8 @@ pub struct ProfilePoint {
 ///
 /// # Guarantees
 ///
-/// - No channel exceeds its speed, acceleration or jerk at any time. At least half a thousandth of each limit is kept in
-///   reserve (without limits of jerk 2e-5).
+/// - No channel exceeds its speed, acceleration or jerk at any time. At least half a thousandth of each limit is kept
+///   in reserve (without limits of jerk 2e-5).
 /// - The tip is never faster than requested, and exactly as fast unless slowed down.
 #[derive(Debug, Clone)]
 pub struct SpeedProfile {
