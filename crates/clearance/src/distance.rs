@@ -49,7 +49,8 @@ pub struct Near {
 /// assert!(near.is_some_and(|near| (near.distance - 5.0).abs() < 1e-3));
 /// assert!(near.is_some_and(|near| (near.on_a - DVec3::new(20.0, 0.0, 0.0)).length() < 1e-3));
 /// // Overlapping solids have the distance 0.
-/// let inside = nearest(&cube, &fixed, &ball, &fixed, f64::INFINITY);
+/// let within = DAffine3::from_translation(DVec3::new(10.0, 3.0, 2.0));
+/// let inside = nearest(&cube, &fixed, &ball, &within, f64::INFINITY);
 /// assert!(inside.is_some_and(|near| near.distance <= 0.0));
 /// # Ok::<(), seamwright_clearance::ClearanceError>(())
 /// ```
