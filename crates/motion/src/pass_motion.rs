@@ -66,7 +66,7 @@ impl PassMotion {
     /// [crate](crate#examples) has an example.
     ///
     /// # Errors
-    /// Every finding against it, in no particular order:
+    /// Every finding against it:
     ///
     /// - out of reach, or out of an axis' range;
     /// - too fast for an axis, if the pass refuses to slow down;
