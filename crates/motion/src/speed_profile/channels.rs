@@ -43,8 +43,8 @@ pub trait Channels {
         Vec::new()
     }
 
-    /// Returns the parameters inside the range at which the motion comes to rest: corners and cusps, increasing. They are
-    /// breaks too.
+    /// Returns the parameters inside the range at which the motion comes to rest: corners and cusps, increasing. They
+    /// are breaks too.
     fn stops(&self) -> Vec<f64> {
         Vec::new()
     }
