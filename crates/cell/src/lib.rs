@@ -1,11 +1,34 @@
 //! The running machine: an executive on real or simulated devices.
 //!
-//! - [`executive`] runs programs on devices: modes, process, interlocks, alarms, hold and resume.
-//! - [`devices`] are drives, process source and inputs: simulated ones, LinuxCNC's HAL, step pulses, Modbus.
-//! - [`simulate()`] runs a weld in virtual time on simulated devices: position loop, velocity loop, inertia, friction,
-//!   encoder and current limit. It finds the true torch tip from the true axis positions with the machine's own chain,
-//!   and measures its distance from the seam and its speed along the seam ([`Summary`]).
-//! - [`tracking`] corrects passes during welding, and [`teach`] teaches a seam by camera.
+//! # Where to start
+//!
+//! | task | item |
+//! |---|---|
+//! | simulate a whole weld in virtual time | [`simulate()`] |
+//! | understand modes, process, interlocks, alarms, hold and resume | [`executive`] |
+//! | connect a device: drives, process source, inputs, sensors | [`devices`] |
+//! | run the cycle in real time, and connect other threads to it | [`realtime`] |
+//! | correct passes during welding | [`tracking`] |
+//! | teach a seam by camera | [`teach`], with images from [`frames`] or the [`camera_simulator`] |
+//! | test the response to every fault of every device | [`fault_injection`] |
+//!
+//! Simulation and real cell are the same executive. Only devices and time differ. On a real cell a
+//! [`devices::DeviceSet`] has real devices, and [`realtime::live()`] connects the executive with the panel.
+//!
+//! # Simulation
+//!
+//! [`simulate()`] models position loop, velocity loop, inertia, friction, encoder and current limit. It finds the true
+//! torch tip from the true axis positions with the machine's own chain. It measures the distance of the tip from the
+//! seam and its speed along the seam ([`Summary`]). The same seed gives the same weld, bit for bit.
+//!
+//! # Units
+//!
+//! Lengths are in mm, angles in rad, times in s; [`Summary`] has angles in degrees. Path lengths count from the start
+//! of a pass, times from the start of the executive.
+//!
+//! # Examples
+//!
+//! Plan and simulate a supplied example:
 //!
 //! ```
 //! use seamwright_cell::{Conditions, Error, simulate};
@@ -22,6 +45,34 @@
 //! let conditions = Conditions { seed: 1, ..Conditions::default() };
 //! let passes = simulate(&machine, &[(&path, pass)], &motion, conditions, |_| Ok::<(), Error>(())).unwrap();
 //! assert!(passes[0].path_error_mm.max < 0.05);
+//! ```
+//!
+//! The same weld with a fault: the drives fall silent after 12 s. Process and power go off, and the cell is in the mode
+//! fault.
+//!
+//! ```
+//! # use seamwright_cell::{Conditions, Error, simulate};
+//! # use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+//! # use seamwright_motion::WeldMotion;
+//! # use seamwright_weld::Welding;
+//! # let job = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ellipse.toml"));
+//! # let welding = Welding::read("ellipse.toml", job).unwrap();
+//! # let (pass, path) = (&welding.program.value.passes[0], welding.path(0));
+//! # let machine = Machine::read("ellipse-xy", shipped("ellipse-xy").unwrap().text).unwrap();
+//! # let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
+//! # let motion = WeldMotion::plan(&machine, &around, &[(&path, pass)], 30.0).unwrap();
+//! use seamwright_cell::devices::Fault;
+//! use seamwright_cell::executive::Mode;
+//!
+//! let faults: [Fault; 1] = ["drives:silent@12".parse().unwrap()];
+//! let conditions = Conditions { seed: 1, faults: &faults, ..Conditions::default() };
+//! let mut mode = Mode::Off;
+//! let observer = |sample: &seamwright_cell::Sample| {
+//!     mode = sample.mode;
+//!     Ok::<(), Error>(())
+//! };
+//! simulate(&machine, &[(&path, pass)], &motion, conditions, observer).unwrap();
+//! assert_eq!(mode, Mode::Fault);
 //! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]

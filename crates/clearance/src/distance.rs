@@ -1,4 +1,7 @@
 //! The distance of any two shapes.
+//!
+//! Every pair of kinds has its own way: half-spaces and meshes here, convex bodies in `convex` (an iteration of parry,
+//! GJK, finds a direction; a plane across it proves the distance). Meshes search their tree of boxes (`mesh`).
 
 use crate::boxes::Bounds;
 use crate::convex::{self, Gap, Placed};
@@ -6,7 +9,7 @@ use crate::mesh::Last;
 use crate::{Mesh, Shape, Solid};
 use glam::{DAffine3, DVec3};
 
-/// Nearest points of two solids, in their common frame.
+/// Nearest points of two solids, in their common frame. This is returned by [`nearest`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Near {
     /// Distance, mm: a tight lower bound; 0 if they touch or overlap.
@@ -17,12 +20,40 @@ pub struct Near {
     pub on_b: DVec3,
 }
 
-/// Computes the distance of two solids; none if they are `limit` (mm) or more apart. `frame_a` and `frame_b` map the
-/// frames of the solids to a common one.
+/// Computes the distance of two solids.
 ///
-/// Guarantee: the distance is proven by planes between the solids (for a mesh, one for each triangle), less the
-/// rounding error. It is also 0 if one lies wholly inside a mesh, or if the frames are not finite or more than 1e9 mm
-/// apart.
+/// `frame_a` and `frame_b` map the frames of the solids to a common one. Returns `None` if the solids are `limit` (mm)
+/// or more apart: a small limit is faster. Pass `f64::INFINITY` for the distance in any case.
+///
+/// For many solids that move, use a [`Scene`](crate::Scene).
+///
+/// # Guarantees
+///
+/// - The distance is a lower bound. It is proven by planes between the solids (for a mesh, one for each triangle), less
+///   the rounding error.
+/// - It is 0 if the solids touch or overlap, also if one lies wholly inside a mesh.
+/// - Invalid frames never look clear: the distance is 0 if they are not finite or more than 1e9 mm apart.
+///
+/// # Examples
+///
+/// A sphere of radius 5 mm stands 30 mm beside the middle of a cube of 40 mm. Its centre moves with the frame:
+///
+/// ```
+/// use glam::{DAffine3, DVec3};
+/// use seamwright_clearance::{Shape, Solid, nearest};
+///
+/// let cube = Solid::new("part", Shape::Box { size: DVec3::splat(40.0) }, DAffine3::IDENTITY)?;
+/// let ball = Solid::new("probe", Shape::Sphere { radius: 5.0 }, DAffine3::IDENTITY)?;
+/// let (fixed, beside) = (DAffine3::IDENTITY, DAffine3::from_translation(DVec3::new(30.0, 0.0, 0.0)));
+/// let near = nearest(&cube, &fixed, &ball, &beside, f64::INFINITY);
+/// assert!(near.is_some_and(|near| (near.distance - 5.0).abs() < 1e-3));
+/// assert!(near.is_some_and(|near| (near.on_a - DVec3::new(20.0, 0.0, 0.0)).length() < 1e-3));
+/// // Overlapping solids have the distance 0.
+/// let within = DAffine3::from_translation(DVec3::new(10.0, 3.0, 2.0));
+/// let inside = nearest(&cube, &fixed, &ball, &within, f64::INFINITY);
+/// assert!(inside.is_some_and(|near| near.distance <= 0.0));
+/// # Ok::<(), seamwright_clearance::ClearanceError>(())
+/// ```
 pub fn nearest(a: &Solid, frame_a: &DAffine3, b: &Solid, frame_b: &DAffine3, limit: f64) -> Option<Near> {
     // In a frame at the first solid, to keep precision far from the common origin.
     let to_a = frame_a.inverse() * *frame_b;

@@ -1,15 +1,25 @@
 //! Clearance of solids: in one configuration, and along a whole motion.
 //!
-//! A [`Solid`] is a [`Shape`] in a pose, and [`nearest`] computes the distance of two of them. A [`Scene`] holds groups
-//! of solids that move rigidly (links, torch, part, fixtures) and their conditions: each [`Watch`] keeps two groups
-//! apart, or a group inside permitted zones. [`Scene::along`] follows a [`Motion`] and computes lower bounds that hold
-//! also *between* samples, so thin obstacles are never skipped.
+//! - A [`Solid`] is a [`Shape`] in a pose. [`nearest`] computes the distance of two solids.
+//! - A [`Scene`] holds groups of solids that move rigidly: links, torch, part, fixtures. Each [`Watch`] of it keeps two
+//!   groups apart, or a group inside permitted zones.
+//! - [`Scene::along`] follows a [`Motion`].
 //!
-//! Reported distances and margins are lower bounds. Every distance is proven by a plane between the solids, independent
-//! of the iteration that found the plane.
+//! This crate has no machine, welding, time or file access: a closure provides the bytes of STL files.
 //!
-//! Lengths are in mm. This crate has no machine, welding, time or file access: a closure provides the bytes of STL
-//! files.
+//! # Guarantees
+//!
+//! - Reported distances and margins are lower bounds, along a motion also *between* samples. So thin obstacles are never
+//!   skipped.
+//! - Every distance is proven by a plane between the solids, independent of the iteration that found the plane.
+//!
+//! # Units and frames
+//!
+//! Lengths are in mm. A shape is in its own frame, a solid in that of its group; the frames of groups are arguments.
+//!
+//! # Examples
+//!
+//! A clamp beside a gas nozzle:
 //!
 //! ```
 //! use glam::{DAffine3, DVec3};

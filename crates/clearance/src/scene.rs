@@ -79,7 +79,34 @@ pub struct Place {
     pub on_b: DVec3,
 }
 
-/// Groups and watches.
+/// Groups of solids, and the watches between them.
+///
+/// Evaluate it in one configuration with [`Scene::evaluate`] or [`Scene::nearest`], along a motion with
+/// [`Scene::along`]. Frames map the frame of each group to a common one, in the order of [`Scene::groups`].
+///
+/// # Examples
+///
+/// Torch and clamp keep 5 mm clear of each other:
+///
+/// ```
+/// use glam::{DAffine3, DVec3};
+/// use seamwright_clearance::{Group, Scene, Shape, Solid, Watch};
+///
+/// let solid = |name: &str, shape| Solid::new(name, shape, DAffine3::IDENTITY);
+/// let nozzle = solid("gas nozzle", Shape::Cylinder { radius: 10.0, length: 80.0 })?;
+/// let clamp = solid("clamp", Shape::Box { size: DVec3::splat(40.0) })?;
+/// let groups = vec![
+///     Group { name: "torch".to_owned(), solids: vec![nozzle] },
+///     Group { name: "fixtures".to_owned(), solids: vec![clamp] },
+/// ];
+/// let scene = Scene::new(groups, vec![Watch::Apart { a: 0, b: 1, least_mm: 5.0 }])?;
+/// // The faces are 10 mm apart.
+/// let frames = [DAffine3::IDENTITY, DAffine3::from_translation(DVec3::new(40.0, 0.0, 40.0))];
+/// let found = scene.evaluate(0, &frames, 100.0);
+/// assert!((found.distance - 10.0).abs() < 1e-3);
+/// assert!(found.distance >= scene.watches()[0].least_mm());
+/// # Ok::<(), seamwright_clearance::ClearanceError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Scene {
     groups: Vec<Group>,
@@ -96,7 +123,7 @@ pub struct Memory {
 }
 
 impl Scene {
-    /// A scene. A watch whose first group has a half-space is swapped, so that the first group is always bounded.
+    /// Makes a scene. A watch whose first group has a half-space is swapped, so that the first group is always bounded.
     ///
     /// # Errors
     /// Missing groups, watches between unbounded groups, minimum distances that are not above 0, missing or invalid
@@ -138,11 +165,17 @@ impl Scene {
 
     /// Evaluates one watch in one configuration: `frames` maps each group's frame to a common one. Distances of `limit`
     /// (mm) or more are only reported as at least that.
+    ///
+    /// # Panics
+    /// If there is no such watch, or no frame for one of its groups.
     pub fn evaluate(&self, watch: usize, frames: &[DAffine3], limit: f64) -> Evaluation {
         self.evaluate_near(watch, frames, limit, &mut Memory::default())
     }
 
-    /// The index and evaluation of the watch with the minimum distance or margin. None without watches.
+    /// Returns the index and evaluation of the watch with the minimum distance or margin; `None` without watches.
+    ///
+    /// # Panics
+    /// If there is no frame for a watched group.
     pub fn nearest(&self, frames: &[DAffine3], limit: f64) -> Option<(usize, Evaluation)> {
         let mut least: Option<(usize, Evaluation)> = None;
         for watch in 0..self.watches.len() {
@@ -156,6 +189,9 @@ impl Scene {
 
     /// As [`Scene::evaluate`], but faster after small motions since the last use of `memory` for this watch. After one
     /// use of `memory` with an infinite limit it does not allocate, except on meshes.
+    ///
+    /// # Panics
+    /// As [`Scene::evaluate`].
     pub fn evaluate_near(&self, watch: usize, frames: &[DAffine3], limit: f64, memory: &mut Memory) -> Evaluation {
         match &self.watches[watch] {
             Watch::Apart { a, b, .. } => self.apart(*a, *b, frames, limit, memory),

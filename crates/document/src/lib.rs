@@ -9,6 +9,10 @@
 //! exact, and describe themselves in the JSON Schema. Then every number is checked against the bound of its key's unit
 //! ([`BOUNDS`]): a new key of a format is bounded without further code.
 //!
+//! # Examples
+//!
+//! Read a file, and report an invalid value at its key:
+//!
 //! ```
 //! use seamwright_document::{Document, Positive};
 //!

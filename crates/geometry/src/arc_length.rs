@@ -21,9 +21,31 @@ const SMALLEST_PANEL: f64 = 1e-9;
 /// integral is the arc length, and the inverse, parameter by arc length, is a second series obtained by Newton's method
 /// at the nodes. Panels are halved until both hold the accuracy at check points between the nodes.
 ///
-/// Guarantee, for `accuracy_mm` not below the rounding of the curve's own evaluation: `|length(u) - true arc length| <=
-/// accuracy_mm` over the whole curve, and `|length(parameter(s)) - s| <= accuracy_mm`. Lengths count from the start of
-/// the curve's domain. On a closed curve `s` and `u` may take any value; they repeat with the curve.
+/// Lengths count from the start of the curve's domain. On a closed curve `s` and `u` may take any value; they repeat
+/// with the curve.
+///
+/// # Guarantees
+///
+/// For `accuracy_mm` not below the rounding of the curve's own evaluation:
+///
+/// - `|length_at(u) - true arc length| <= accuracy_mm` over the whole curve;
+/// - `|length_at(parameter(s)) - s| <= accuracy_mm`.
+///
+/// # Examples
+///
+/// One turn of a helix, by length:
+///
+/// ```
+/// use glam::DVec3;
+/// use seamwright_geometry::{ByLength, Curve, DEFAULT_ACCURACY_MM, Helix, Tube};
+///
+/// let tube = Tube::new(DVec3::ZERO, DVec3::Z, DVec3::X, 40.0)?;
+/// let helix = ByLength::new(Helix::new(tube, 12.0, 1.0)?, DEFAULT_ACCURACY_MM)?;
+/// // A third of the length climbs by a third of the pitch.
+/// let point = helix.curve().point(helix.parameter(helix.length() / 3.0));
+/// assert!((point.z - 4.0).abs() < 1e-9);
+/// # Ok::<(), seamwright_geometry::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct ByLength<C> {
     curve: C,
@@ -85,17 +107,18 @@ impl<C: Curve> ByLength<C> {
         Ok(Self { curve, panels, first, length })
     }
 
-    /// The curve itself.
+    /// Returns the curve itself.
     pub fn curve(&self) -> &C {
         &self.curve
     }
 
-    /// The curve's length, mm.
+    /// Returns the curve's length, mm.
     pub fn length(&self) -> f64 {
         self.length
     }
 
-    /// Arc length from the start of the domain to parameter `u`, mm.
+    /// Returns the arc length from the start of the domain to parameter `u`, mm. Its inverse is
+    /// [`ByLength::parameter`].
     pub fn length_at(&self, u: f64) -> f64 {
         let (start, end) = self.curve.domain();
         let turns = if self.curve.closed() { ((u - start) / (end - start)).floor() } else { 0.0 };
@@ -105,7 +128,8 @@ impl<C: Curve> ByLength<C> {
         turns * self.length + p.s0 + p.length.at((u - p.u0) / p.u_half - 1.0)
     }
 
-    /// Parameter at arc length `s` (mm) from the start of the domain.
+    /// Returns the parameter at arc length `s` (mm) from the start of the domain. To evaluate the curve there, pass it
+    /// to [`Curve::jet`].
     pub fn parameter(&self, s: f64) -> f64 {
         let (start, end) = self.curve.domain();
         let outside = !(0.0..=self.length).contains(&s);

@@ -1,19 +1,33 @@
 //! Curves, implicit surfaces, their intersections, and arc length.
 //!
-//! This crate knows no welding, files or time. Lengths are in mm, angles in rad, in one fixed frame that the caller
-//! chooses.
+//! This crate knows no welding, files or time.
 //!
-//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Chain`]s of both,
-//!   [`RoundedRectangle`], [`Ellipse`], [`Helix`], [`Spline`], [`TubeIntersection`], [`TrimmedIntersection`],
-//!   [`TorusIntersection`] and [`HeadIntersection`] implement it.
-//! - [`fit_spline`] finds a spline with few knots near given points.
-//! - [`Edge`] is a curve where two faces meet; it also provides their outward normals.
-//! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
-//! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] is the signed distance from it.
-//! - [`Head`] is the head of a vessel: quadrics and a [`Torus`] joined without a corner.
-//! - [`fit`] finds the rigid motion that brings nominal geometry to measured points.
-//! - [`PlaneMap`] maps the pixels of a camera to mm on a plane, [`HeightTable`] to mm in space.
-//! - [`reduce`] converts polylines to lines and arcs.
+//! # Where to start
+//!
+//! | task | item |
+//! |---|---|
+//! | a curve with exact derivatives | [`Curve`] |
+//! | simple curves | [`Line`], [`Arc`], [`Chain`]s of both, [`RoundedRectangle`], [`Ellipse`], [`Helix`], [`Spline`] |
+//! | the curve in which a tube meets a body | [`TubeIntersection`], [`TrimmedIntersection`], [`TorusIntersection`], [`HeadIntersection`] |
+//! | arc length, and the parameter at an arc length | [`ByLength`] |
+//! | a curve where two faces meet, with their outward normals | [`Edge`] |
+//! | a spline with few knots near given points | [`fit_spline`] |
+//! | lines and arcs near a polyline | [`reduce`] |
+//! | an implicit surface with gradient and Hessian; the distance from it | [`Quadric`], [`QuadricDistance`] |
+//! | the head of a vessel: quadrics and a [`Torus`] without a corner | [`Head`] |
+//! | the rigid motion that brings nominal geometry to measured points | [`fit`] |
+//! | pixels of a camera to mm on a plane, or in space | [`PlaneMap`], [`HeightTable`] |
+//!
+//! # Units and frames
+//!
+//! Lengths are in mm, angles in rad. All points and directions are in one fixed frame that the caller chooses.
+//!
+//! # Errors
+//!
+//! Constructors check their arguments and return [`Error`]; those of camera maps return [`MapError`] or [`HeightError`].
+//! Evaluation of a constructed curve or surface does not fail.
+//!
+//! # Examples
 //!
 //! The seam of a nozzle on a cylindrical shell, by arc length:
 //!

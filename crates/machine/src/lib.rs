@@ -7,6 +7,10 @@
 //!
 //! This crate has no time and no file access. Internal lengths are in mm and angles in rad; files are in degrees.
 //!
+//! # Examples
+//!
+//! Compute a pose, and the axis positions that reach it:
+//!
 //! ```
 //! use seamwright_machine::{Machine, shipped};
 //!

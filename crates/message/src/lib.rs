@@ -5,6 +5,10 @@
 //! which the panel uses too. English is a catalogue like the others. No code reads a sentence back. A catalogue with an
 //! error fails the tests; a code without words is printed with its arguments.
 //!
+//! # Examples
+//!
+//! One message in two languages:
+//!
 //! ```
 //! use seamwright_message::{Catalogue, Language, Message, Unit};
 //!

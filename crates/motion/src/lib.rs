@@ -1,14 +1,38 @@
 //! Turns a torch path and a machine into set-points over time.
 //!
-//! - [`WeldMotion`] plans a whole program: its passes and the transfer moves ([`transfer`]) between them.
-//! - [`PassMotion`] is one pass: the path of the axes ([`JointPath`]), the speed profile ([`SpeedProfile`]) and the process
-//!   sequence. The profile is the fastest up to the requested speed within every axis' speed, acceleration and jerk.
-//! - [`SetPoints`] plays a pass period by period in constant memory, without allocation.
-//! - [`feed_override`] plays a speed profile under an operator's commands, [`jog`] moves axes without a path, and [`taught`]
-//!   follows any number of points.
-//! - [`procedure`] compares the plan with the welding procedure specification.
-//! - [`fine`] interpolates coarse set-points, [`pulses`] generates step and direction pulses.
-//! - [`textbook`] has the interpolators of the papers, for comparison.
+//! # Where to start
+//!
+//! | task | item |
+//! |---|---|
+//! | plan a whole program with the transfer moves between its passes | [`WeldMotion::plan`] |
+//! | plan one pass | [`PassMotion::plan`] |
+//! | play a pass period by period, in constant memory, without allocation | [`PassMotion::set_points`] |
+//! | see which limit binds where | [`PassMotion::certificate`], a [`Certificate`](speed_profile::Certificate) |
+//! | play a motion under an operator's commands: override, hold, resume, reverse | [`feed_override`] |
+//! | move axes without a path | [`jog`], [`transfer`] |
+//! | follow any number of taught points | [`taught`] |
+//! | compare a plan with a welding procedure specification | [`procedure`] |
+//! | find the fastest speed profile of any path | [`speed_profile`] |
+//! | interpolate coarse set-points; make step and direction pulses | [`fine`], [`pulses`] |
+//! | compare with the interpolators of papers | [`textbook`] |
+//!
+//! A pass consists of the path of the axes ([`JointPath`]), the speed profile ([`SpeedProfile`]) and the process
+//! sequence. The profile is the fastest one up to the requested speed within every axis' speed, acceleration and jerk.
+//!
+//! # Units and frames
+//!
+//! Lengths are in mm, angles in rad, times in s. Axis positions are in the order of
+//! [`Machine::axes`](seamwright_machine::Machine::axes). A path length `s` counts from the start of the pass. Torch
+//! poses are in the work frame.
+//!
+//! # Errors
+//!
+//! Planning returns all [`Finding`](seamwright_program::Finding)s against a weld, not only the first. Each has the
+//! pass, the stretch of the seam and usually a cure. A planned motion has remarks only: [`PassMotion::findings`].
+//!
+//! # Examples
+//!
+//! Plan a supplied example, and play it:
 //!
 //! ```
 //! use seamwright_machine::{Machine, shipped};
@@ -22,6 +46,20 @@
 //! for point in motion.set_points(1e-3) {
 //!     assert!(machine.outside(&point.q).is_none());
 //! }
+//! ```
+//!
+//! The same weld at 200 mm/s is too fast: the acceleration of axis x allows 80 mm/s in the bends.
+//!
+//! ```
+//! # use seamwright_machine::{Machine, shipped};
+//! # use seamwright_motion::PassMotion;
+//! # use seamwright_weld::Welding;
+//! # let job = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ellipse.toml"));
+//! # let machine = Machine::read("ellipse-xy", shipped("ellipse-xy").unwrap().text).unwrap();
+//! let job = job.replace("speed_mm_s = 5", "speed_mm_s = 200");
+//! let welding = Welding::read("ellipse.toml", &job).unwrap();
+//! let findings = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).unwrap_err();
+//! assert!(findings.iter().any(|finding| finding.kind == "speed" && finding.cure.is_some()));
 //! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]

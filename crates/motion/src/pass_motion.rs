@@ -62,9 +62,15 @@ pub(crate) struct Before<'a> {
 impl PassMotion {
     /// Plans `pass` (the `number`-th, from 1) along `path` on `machine`.
     ///
+    /// Clearance and other passes are not regarded: for these see [`WeldMotion::plan`](crate::WeldMotion::plan). The
+    /// [crate](crate#examples) has an example.
+    ///
     /// # Errors
-    /// Every finding against it: out of reach, out of an axis' range, too fast for an axis (if the pass refuses to slow
-    /// down), not smooth.
+    /// Every finding against it:
+    ///
+    /// - out of reach, or out of an axis' range;
+    /// - too fast for an axis, if the pass refuses to slow down;
+    /// - not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(None);
         let before =
@@ -236,7 +242,9 @@ impl PassMotion {
         (since_on, self.arc_on_s() - since_on)
     }
 
-    /// The set-points every `period` s, from the first gas to the last.
+    /// Returns the set-points every `period` s, from the first gas to the last. The iterator does not allocate.
+    ///
+    /// For speeds and accelerations of the axes see [`SetPoint::rates`](crate::SetPoint::rates).
     pub fn set_points(&self, period: f64) -> SetPoints<'_> {
         SetPoints::new(self, period)
     }

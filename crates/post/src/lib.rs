@@ -10,6 +10,10 @@
 //! verification plays the text that was read back (`play.rs`) and takes the plan from the motion, never from the
 //! writer.
 //!
+//! # Examples
+//!
+//! Read a part program of Sinumerik:
+//!
 //! ```
 //! use seamwright_machine::{Machine, shipped};
 //! use seamwright_post::{Control, Dialect, ReadOptions, What, read};

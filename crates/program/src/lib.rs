@@ -7,6 +7,10 @@
 //! This crate has no machine, time or file access. Files are TOML with `schema = 1`; lengths are in mm, angles in files
 //! in degrees.
 //!
+//! # Examples
+//!
+//! Read a program with a variable:
+//!
 //! ```
 //! use seamwright_program::Program;
 //!

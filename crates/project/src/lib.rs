@@ -5,6 +5,10 @@
 //! - [`posting`] writes part programs, [`recording`] records welds, [`teaching`] teaches seams by camera.
 //! - [`Failure`] is the reason why a command ends without its result, with its exit code.
 //!
+//! # Examples
+//!
+//! Load and plan an example:
+//!
 //! ```
 //! use seamwright_project::load::load;
 //! use std::path::Path;

@@ -9,6 +9,10 @@
 //!
 //! `docs/reference/records.md` has the folder, the tables and the columns.
 //!
+//! # Examples
+//!
+//! Open a data folder, search the welds of a part, and verify the content:
+//!
 //! ```
 //! use seamwright_record::DataFolder;
 //! use seamwright_record::library::Query;

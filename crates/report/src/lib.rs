@@ -13,6 +13,10 @@
 //! Each drawing comes in two forms: `to_svg` for a [`Page`], which carries the styles, and `to_svg_standalone` for a
 //! file of its own.
 //!
+//! # Examples
+//!
+//! Draw a speed over the path length, with its limit:
+//!
 //! ```
 //! use seamwright_report::{Axis, Chart, LimitLine, Series};
 //!

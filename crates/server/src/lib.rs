@@ -11,6 +11,10 @@
 //! - Plans from texts run in a process with limits of memory and time (`planner`).
 //! - Every route states its permission in one table, which a test checks route by route.
 //!
+//! # Examples
+//!
+//! Serve a cell until a signal ends it:
+//!
 //! ```no_run
 //! use seamwright_machine::{Machine, shipped};
 //! use seamwright_server::{Settings, serve};

@@ -7,6 +7,10 @@
 //!
 //! All are plain state machines: frames, positions and time are arguments.
 //!
+//! # Examples
+//!
+//! Track a part that is turned a little:
+//!
 //! ```
 //! use glam::DVec2;
 //! use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, Settings, Tracker};

@@ -7,6 +7,10 @@
 //!
 //! All are pure functions of pixels: no files, clocks or cameras.
 //!
+//! # Examples
+//!
+//! Follow a joint through a drawn frame:
+//!
 //! ```
 //! use seamwright_vision::joint::{End, Follower, Options, Start};
 //! use seamwright_vision::{Frame, Pixels};

@@ -4,6 +4,10 @@
 //! and the plan of its beads ([`BeadPlan`]). [`Welding::path`] is the [`TorchPath`](seamwright_program::TorchPath) of a
 //! pass. This crate is independent of machines; [`Outside`] gives it access to files and machines.
 //!
+//! # Examples
+//!
+//! Read a job, and evaluate its path:
+//!
 //! ```
 //! use seamwright_program::TorchPath;
 //! use seamwright_weld::Welding;

@@ -1,20 +1,31 @@
 //! The executive: runs a cell cycle by cycle, from power-on to the end of a weld and after every fault.
 //!
-//! [`Mode`] and [`Event`] form one table of transitions. [`Executive`] runs in one thread, with one cycle per servo
-//! period. It sends orders to the devices and gets reports ([`Devices::exchange`], the only place where it waits). It
-//! compares the reports with conditions and alarms, takes commands, and shows the cycle to the outside ([`Port`]). A
-//! cycle neither allocates nor locks.
+//! - [`Executive`] runs in one thread, with one cycle per servo period: [`Executive::serve`].
+//! - [`Mode`] and [`Event`] form one table of transitions: [`Mode::after`].
+//! - [`Devices::exchange`] sends orders to the devices and gets reports. It is the only place that waits.
+//! - [`Port`] is the outside: commands come in, and every cycle is shown.
+//! - A [`Guide`] may correct the planned set-point of a pass before it becomes an order: seam tracking enters here.
+//! - [`Work`], built before the weld, holds everything that allocates.
 //!
-//! A [`Guide`] may correct the planned set-point of a pass before it becomes an order: seam tracking enters here.
+//! # A cycle
 //!
-//! Every action needs a command: power, motion and process each come from one, the process only if it was armed for
-//! that start. The process is off within one cycle of its cause.
+//! 1. Orders go out, reports come in.
+//! 2. The reports are compared with conditions and alarms.
+//! 3. Commands are taken, or refused with a reason ([`Missing`]).
+//! 4. The cycle is shown to the outside ([`Cycle`]).
 //!
-//! **Nested loops.** One thread runs nested loops (a program, a stretch of it, cycles) instead of one state machine of
-//! everything. The mode, one table, decides the next step of the loops. Devices are called at one place
-//! (`Devices::exchange`), commands enter at another (`Port`), corrections at a third (`Guide`). `simulate` runs the
-//! same code with simulated devices, an operator who requests one weld, and a judge who knows the true positions
-//! (`Reports::truth`). `Work`, built before the weld, holds everything that allocates.
+//! # Guarantees
+//!
+//! - Every action needs a command: power, motion and process each come from one, the process only if it was armed for
+//!   that start.
+//! - The process is off within one cycle of its cause.
+//! - A cycle neither allocates nor locks.
+//!
+//! # Structure
+//!
+//! One thread runs nested loops (a program, a stretch of it, cycles) instead of one state machine of everything. The
+//! mode, one table, decides the next step of the loops. `simulate` runs the same code with simulated devices, an
+//! operator who requests one weld, and a judge who knows the true positions (`Reports::truth`).
 
 mod alarm;
 mod alarm_list;

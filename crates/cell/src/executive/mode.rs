@@ -72,11 +72,24 @@ impl Mode {
         Self::Fault,
     ];
 
-    /// Returns the mode after `event`: the single table of transitions.
+    /// Returns the mode after `event`: the single table of transitions. [`table`] prints it.
     ///
-    /// Guarantees, tested for every event in every mode: a trip leads to [`Mode::Fault`] from every mode. Hold and
-    /// abort are never refused. Only a reset leaves a fault, and it leads to [`Mode::Off`]. The process can only come
-    /// on by [`Event::Weld`], from rest with known positions or from a hold.
+    /// # Guarantees
+    /// Tested for every event in every mode:
+    ///
+    /// - A trip leads to [`Mode::Fault`] from every mode.
+    /// - Hold and abort are never refused.
+    /// - Only a reset leaves a fault, and it leads to [`Mode::Off`].
+    /// - The process can only come on by [`Event::Weld`], from rest with known positions or from a hold.
+    ///
+    /// # Examples
+    /// ```
+    /// use seamwright_cell::executive::{Event, Mode};
+    ///
+    /// assert_eq!(Mode::Off.after(Event::SwitchOn), Ok(Mode::Idle));
+    /// assert!(Mode::Off.after(Event::Weld).is_err());
+    /// assert_eq!(Mode::Weld.after(Event::Trip), Ok(Mode::Fault));
+    /// ```
     ///
     /// # Errors
     /// [`Refused`] if the mode does not accept the event.

@@ -4,37 +4,47 @@ use crate::LimitKind;
 /// Input of a speed profile: the motion of everything with limits by the path's parameter `u`.
 ///
 /// A channel is an axis, or anything else whose speed, acceleration and jerk are bounded (a coordinate of the torch
-/// tip, say). Positions must be twice continuously differentiable by `u` between [`Channels::stops`] and have a
-/// bounded third derivative, which may jump at [`Channels::breaks`]. Between breaks derivatives are sampled at five
-/// points of every cell, and cells are a sixtieth of the path or less. A feature shorter than a thousandth of the path
-/// needs breaks around it, as the pieces of a spline have them, or it may be missed.
+/// tip, say). The [module](super) has an example.
+///
+/// # Contract
+///
+/// - Positions are twice continuously differentiable by `u` between [`Channels::stops`].
+/// - The third derivative is bounded, and may jump at [`Channels::breaks`].
+/// - A feature shorter than a thousandth of the path has breaks around it, as the pieces of a spline have them.
+///   Otherwise it may be missed: between breaks derivatives are sampled at five points of every cell, and cells are a
+///   sixtieth of the path or less.
 pub trait Channels {
-    /// First and last parameter.
+    /// Returns the first and the last parameter.
     fn range(&self) -> (f64, f64);
 
-    /// Limits of every channel, always the same number.
+    /// Returns the limits of every channel: always the same number of channels, in the same order.
     fn limits(&self) -> &[Limits];
 
-    /// First, second and third derivative of every channel at `u`, from the piece before it if `before`, into `out`;
-    /// and the tip's speed by `u`, mm.
+    /// Writes the first, second and third derivative of every channel at `u` to `out`, in the order of
+    /// [`Channels::limits`]. At a break they are those of the piece before it if `before`, else of the piece behind it.
+    ///
+    /// Returns the travel of the tip by `u`: mm per unit of the parameter.
     fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64;
 
-    /// Requested speed of the tip at `u`, mm/s; smooth between breaks, and only evaluated inside them. Infinite without
-    /// a request. If it or the tip's speed by `u` changes, the profile stays below it by a thousandth, and by at most
-    /// four where no limit binds. Without limits of jerk it is enforced at the ends of cells only.
+    /// Returns the requested speed of the tip at `u`, mm/s; smooth between breaks, and only evaluated inside them.
+    /// Infinite without a request.
+    ///
+    /// If it or the tip's travel by `u` changes, the profile stays below it by a thousandth, and by at most four where
+    /// no limit binds. Without limits of jerk it is enforced at the ends of cells only.
     fn asked(&self, u: f64) -> f64;
 
-    /// Parameters inside the range at which a third derivative or the requested speed may jump or bend, increasing.
+    /// Returns the parameters inside the range at which a third derivative or the requested speed may jump or bend,
+    /// increasing.
     fn breaks(&self) -> Vec<f64>;
 
-    /// Breaks at which the requested speed bends, increasing. The profile follows a listed bend even if missing it
-    /// costs little time.
+    /// Returns the breaks at which the requested speed bends, increasing. The profile follows a listed bend even if
+    /// missing it costs little time.
     fn bends(&self) -> Vec<Bend> {
         Vec::new()
     }
 
-    /// Parameters inside the range at which the motion comes to rest: corners and cusps, increasing. They are breaks
-    /// too.
+    /// Returns the parameters inside the range at which the motion comes to rest: corners and cusps, increasing. They
+    /// are breaks too.
     fn stops(&self) -> Vec<f64> {
         Vec::new()
     }
@@ -52,11 +62,11 @@ pub struct Bend {
 /// Symmetric limits of one channel, in its unit per s, s^2 and s^3. The jerk may be infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Highest speed.
+    /// Maximum speed; > 0.
     pub speed: f64,
-    /// Highest acceleration.
+    /// Maximum acceleration; > 0.
     pub acceleration: f64,
-    /// Highest jerk.
+    /// Maximum jerk; > 0.
     pub jerk: f64,
 }
 

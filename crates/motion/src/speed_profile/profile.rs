@@ -37,9 +37,14 @@ pub struct ProfilePoint {
 /// bounded, and time follows in closed form in every cell. Its coefficients come from an interior-point method (the
 /// problem is not convex under limits of jerk; see [`super`]).
 ///
-/// Guarantee: no channel exceeds its speed, acceleration or jerk at any time; the tip is never faster than requested,
-/// and exactly as fast unless slowed down. At least half a thousandth of each limit is kept in reserve (without limits
-/// of jerk 2e-5).
+/// To play it, call [`SpeedProfile::at`] with rising times. To see what slows it, make a
+/// [`Certificate`](super::Certificate).
+///
+/// # Guarantees
+///
+/// - No channel exceeds its speed, acceleration or jerk at any time. At least half a thousandth of each limit is kept
+///   in reserve (without limits of jerk 2e-5).
+/// - The tip is never faster than requested, and exactly as fast unless slowed down.
 #[derive(Debug, Clone)]
 pub struct SpeedProfile {
     pieces: Vec<RestToRest>,
@@ -121,12 +126,16 @@ impl SpeedProfile {
         self.cells.push(cell);
     }
 
-    /// Time from rest to rest, s.
+    /// Returns the time from rest to rest, s.
     pub fn duration(&self) -> f64 {
         self.duration
     }
 
-    /// The profile at time `t` (s); `cursor` keeps the cell, so that a rising `t` needs no search.
+    /// Evaluates the profile at time `t`, s: at rest at the start before 0, and at the end after
+    /// [`SpeedProfile::duration`].
+    ///
+    /// `cursor` keeps the cell between calls, so that a rising `t` needs no search. Start with any value, such as 0.
+    /// Does not allocate.
     pub fn at(&self, t: f64, cursor: &mut usize) -> ProfilePoint {
         if t >= self.duration {
             return ProfilePoint { s: self.end, ..ProfilePoint::default() };
@@ -151,12 +160,18 @@ impl SpeedProfile {
         self.cells.len()
     }
 
-    /// First and last instant of cell `i`, s.
+    /// Returns the first and the last instant of cell `i`, s.
+    ///
+    /// # Panics
+    /// If `i` is not less than [`SpeedProfile::cells`].
     pub fn cell_times(&self, i: usize) -> (f64, f64) {
         (self.cells[i].t, self.cells.get(i + 1).map_or(self.duration, |c| c.t))
     }
 
-    /// The profile in cell `i` at the `part` of its time, from 0 to 1; at its ends the limit from inside.
+    /// Evaluates the profile in cell `i` at the `part` of its time, from 0 to 1; at its ends the limit from inside.
+    ///
+    /// # Panics
+    /// If `i` is not less than [`SpeedProfile::cells`].
     pub fn in_cell(&self, i: usize, part: f64) -> ProfilePoint {
         self.point(i, part * self.cells[i].time, part > 0.5)
     }
@@ -166,13 +181,13 @@ impl SpeedProfile {
         self.cells[i].cruises
     }
 
-    /// Speed at the parameter `s`, 1/s.
+    /// Evaluates the speed at the parameter `s`, 1/s.
     pub fn speed(&self, s: f64) -> f64 {
         let (i, v, tau) = self.passing(s);
         v * self.pieces[self.owner[i] as usize].at(tau, false)[1]
     }
 
-    /// Time at which the parameter `s` is reached, s.
+    /// Returns the time at which the parameter `s` is reached, s: the inverse of [`SpeedProfile::at`].
     pub fn time(&self, s: f64) -> f64 {
         if s >= self.end {
             return self.duration;
