@@ -30,9 +30,9 @@ fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
     if edit.operations.len() > MAX_OPERATIONS {
         return Err(Message::new("server-too-many-operations").count("max", MAX_OPERATIONS));
     }
-    let mut editor = Editor::new("job.toml", &edit.text).map_err(|e| told(&e))?;
+    let mut editor = Editor::new("job.toml", &edit.text).map_err(|e| document_message(&e))?;
     let several = edit.operations.len() > 1;
-    let reports = editor.apply_all(&edit.operations).map_err(|(i, e)| match told(&e) {
+    let reports = editor.apply_all(&edit.operations).map_err(|(i, e)| match document_message(&e) {
         why if several => Message::new("server-operation").count("n", i + 1).message("why", why),
         why => why,
     })?;
@@ -41,7 +41,7 @@ fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
 }
 
 /// Describes an error without its line: the line belongs to a text that the user does not see.
-fn told(e: &DocumentError) -> Message {
+pub(super) fn document_message(e: &DocumentError) -> Message {
     let mut message = match (e.key.as_str(), e.value.as_str()) {
         ("", _) => e.message.clone(),
         (key, "") => Message::new("server-at-key").key("key", key).message("what", e.message.clone()),

@@ -305,7 +305,7 @@ fn overlap(load: &Load) -> Result<f64, Refused> {
 /// Returns the part to be welded, for simulated devices.
 fn simulated_part(distortion: Option<&str>) -> Result<Part, Refused> {
     let distortion = distortion.map(|text| Distortion::read("distortion", text)).transpose();
-    let distortion = distortion.map_err(|e| Refused::input(e))?;
+    let distortion = distortion.map_err(|e| Refused::input(super::edit::document_message(&e)))?;
     Ok(Part { tracking: distortion.is_some(), distortion, replay: None })
 }
 
