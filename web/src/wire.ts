@@ -2099,9 +2099,9 @@ export type PostAnswer = {
  */
 text: string, 
 /**
- * Proof, a line for each check.
+ * Proof, a message for each check.
  */
-proof: Array<string>, };
+proof: Array<MessageView>, };
 
 /**
  * The answer of `POST /api/edit`, which takes `{ text, operations }` as `seamwright edit --script` does.
@@ -2114,7 +2114,7 @@ text: string,
 /**
  * Description of the edits.
  */
-words: Array<string>, };
+words: Array<MessageView>, };
 
 /**
  * A row of `GET /api/audit?most=200&before=1234&after=1000&text=load`, the newest first: of those that are older or newer than an

@@ -36,7 +36,7 @@ fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
         why if several => Message::new("server-operation").count("n", i + 1).message("why", why),
         why => why,
     })?;
-    let words = reports.into_iter().map(|report| report.words.to_string()).collect();
+    let words = reports.into_iter().map(|report| report.words.into()).collect();
     Ok(EditAnswer { text: editor.text().to_owned(), words })
 }
 

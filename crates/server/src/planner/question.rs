@@ -138,5 +138,5 @@ fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {
         Unproven::Failure(failure) => failure.into(),
         Unproven::Wrong(lines) => Refused::server(lines.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")),
     })?;
-    Ok(PostAnswer { text, proof: proof.lines() })
+    Ok(PostAnswer { text, proof: proof.messages().into_iter().map(Into::into).collect() })
 }

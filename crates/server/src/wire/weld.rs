@@ -429,8 +429,8 @@ pub struct PostText {
 pub struct PostAnswer {
     /// The part program.
     pub text: String,
-    /// Proof, a line for each check.
-    pub proof: Vec<String>,
+    /// Proof, a message for each check.
+    pub proof: Vec<MessageView>,
 }
 
 /// The answer of `POST /api/edit`, which takes `{ text, operations }` as `seamwright edit --script` does.
@@ -439,5 +439,5 @@ pub struct EditAnswer {
     /// The text as it is now.
     pub text: String,
     /// Description of the edits.
-    pub words: Vec<String>,
+    pub words: Vec<MessageView>,
 }
