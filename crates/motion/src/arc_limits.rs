@@ -4,6 +4,7 @@ use crate::corners::Left;
 use crate::limits::Binding;
 use crate::planned::Planned;
 use crate::speed_profile::{Bound, Interval};
+use crate::stretch::Stretch;
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{AtCorner, Finding, Pass};
@@ -63,10 +64,12 @@ pub(crate) fn least_speed_findings(planned: Planned, pass: &Pass, number: usize)
         let all = Slow { from: 0.0, to: length, least: (at_up, up) };
         return vec![too_slow_in(planned, least, &all, number)];
     }
-    let slow = slow_between(planned, (up, down), least);
+    let slow = slow_between(planned, Stretch { from: up, to: down }, least);
     let mut findings: Vec<Finding> = slow.iter().map(|slow| too_slow_in(planned, least, slow, number)).collect();
-    findings.push(slow_end("motion-least-speed-start", (0.0, crossing(planned, 0.0, up, least)), least, number));
-    findings.push(slow_end("motion-least-speed-end", (crossing(planned, length, down, least), length), least, number));
+    let start = Stretch { from: 0.0, to: crossing(planned, 0.0, up, least) };
+    let end = Stretch { from: crossing(planned, length, down, least), to: length };
+    findings.push(slow_end("motion-least-speed-start", start, least, number));
+    findings.push(slow_end("motion-least-speed-end", end, least, number));
     findings
 }
 
@@ -74,9 +77,10 @@ fn too_slow(v: f64, least: f64) -> bool {
     v < least * (1.0 - ROUNDING)
 }
 
-/// Stretches between acceleration and deceleration phase with a tip speed below `least`, cell by cell of the speed
-/// profile.
-fn slow_between(planned: Planned, (up, down): (f64, f64), least: f64) -> Vec<Slow> {
+/// Stretches with a tip speed below `least` in `between`, the path between acceleration and deceleration phase; cell by
+/// cell of the speed profile.
+fn slow_between(planned: Planned, between: Stretch, least: f64) -> Vec<Slow> {
+    let Stretch { from: up, to: down } = between;
     let mut all: Vec<Slow> = Vec::new();
     let (mut open, mut before) = (false, up);
     for cell in 0..planned.profile.cells() {
@@ -151,7 +155,8 @@ fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Findin
 }
 
 /// Note `code` for the start or end of the weld, where the torch is too slow.
-fn slow_end(code: &'static str, (from_mm, to_mm): (f64, f64), least: f64, pass: usize) -> Finding {
+fn slow_end(code: &'static str, slow: Stretch, least: f64, pass: usize) -> Finding {
+    let Stretch { from: from_mm, to: to_mm } = slow;
     let over = to_mm - from_mm;
     let message = Message::new(code).quantity("over", over, Unit::Mm, 3).quantity("minimum", least, Unit::MmPerS, 3);
     Finding::note("least_speed", message, pass, (from_mm, to_mm))

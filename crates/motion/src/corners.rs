@@ -10,6 +10,7 @@ use crate::JointPath;
 use crate::follower::Follower;
 use crate::pass_channels::PassChannels;
 use crate::speed_profile::{Channels, Limits};
+use crate::stretch::Stretch;
 use crate::taught::Piece;
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -89,11 +90,12 @@ pub(crate) fn rounded(
     for (i, &(s, axis)) in corners.iter().enumerate() {
         let before = if i > 0 { corners[i - 1].0 } else { 0.0 };
         let after = corners.get(i + 1).map_or(joints.length(), |c| c.0);
-        let corner = Corner { follower, joints: &joints, channels: &channels, s, reach: (before, after) };
+        let reach = Stretch { from: before, to: after };
+        let corner = Corner { follower, joints: &joints, channels: &channels, s, reach };
         match corner.blend(&most) {
-            Ok(Fitting { piece, away }) => {
-                notes.extend(note((&piece, &away), s, number));
-                blends.push(piece);
+            Ok(fitting) => {
+                notes.extend(note(&fitting, s, number));
+                blends.push(fitting.piece);
             }
             Err(why) => left.push(Left { s, axis, why: Some(why) }),
         }
@@ -101,8 +103,9 @@ pub(crate) fn rounded(
     if blends.is_empty() { (joints, left, notes) } else { (joints.blended(&blends), left, notes) }
 }
 
-/// Note of a blend, if its deviation is relevant.
-fn note((piece, away): (&Piece, &Away), s: f64, pass: usize) -> Option<Finding> {
+/// Note of the blend of the corner at `s`, if its deviation is relevant.
+fn note(blend: &Fitting, s: f64, pass: usize) -> Option<Finding> {
+    let Fitting { piece, away } = blend;
     let turned = away.direction.to_degrees();
     if away.tip < RELEVANT_MM && turned < RELEVANT_DEG {
         return None;
@@ -127,15 +130,15 @@ struct Corner<'a> {
     joints: &'a JointPath,
     channels: &'a PassChannels<'a>,
     s: f64,
-    /// The corners beside it, or the ends of the path, mm.
-    reach: (f64, f64),
+    /// The path between the corners beside it, or the ends of the path, mm.
+    reach: Stretch,
 }
 
 impl Corner<'_> {
     /// Finds the fastest blend within `most` and half the distance to the next corner or end: as wide as allowed, but
     /// no wider than the requested speed needs. Else returns the reason.
     fn blend(&self, most: &Away) -> Result<Fitting, Message> {
-        let room = 0.5 * (self.s - self.reach.0).min(self.reach.1 - self.s);
+        let room = 0.5 * (self.s - self.reach.from).min(self.reach.to - self.s);
         let shortest = SHORTEST.0.max(SHORTEST.1 * self.joints.length());
         if room < shortest {
             return Err(Message::new("motion-blend-no-room").quantity("distance", 2.0 * room, Unit::Mm, 4));
@@ -161,12 +164,13 @@ impl Corner<'_> {
 
     /// Builds the blend `half` mm to each side, if it stays within `most`.
     fn fitting(&self, half: f64, most: &Away) -> Result<Fitting, Unfit> {
-        let (from, to) = (self.s - half, self.s + half);
+        let over = Stretch { from: self.s - half, to: self.s + half };
+        let Stretch { from, to } = over;
         let end = |s: f64, before: bool| {
             let p = self.joints.point(s, before);
             [p.q, p.d1, p.d2]
         };
-        let piece = Piece::quintic((from, to), end(from, true), end(to, false));
+        let piece = Piece::quintic(over, end(from, true), end(to, false));
         let at = |i: f64| from + (to - from) * i / f64::from(PLACES);
         let mut away = Away::default();
         let mut worst = [(0.0, 0.0); 2];
@@ -187,7 +191,8 @@ impl Corner<'_> {
         }
         for (kind, (i, _)) in worst.into_iter().enumerate() {
             let value = |i: f64| self.away(&piece.derivatives(at(i))[0], half);
-            let greatest = greatest((i - 1.0, i + 1.0), |i| [value(i).tip, value(i).direction][kind]);
+            let around = Stretch { from: i - 1.0, to: i + 1.0 };
+            let greatest = greatest(around, |i| [value(i).tip, value(i).direction][kind]);
             away = away.greater(value(greatest));
         }
         if away.within(most) { Ok(Fitting { piece, away }) } else { Err(Unfit::TooFar) }
@@ -223,8 +228,10 @@ impl Corner<'_> {
     /// Deviation of the torches at positions `q`, in a blend `half` mm to each side.
     fn away(&self, q: &Joints, half: f64) -> Away {
         let Follower { machine, path, .. } = self.follower;
-        let sides =
-            [((self.s - 2.0 * half).max(self.reach.0), self.s), (self.s, (self.s + 2.0 * half).min(self.reach.1))];
+        let sides = [
+            Stretch { from: (self.s - 2.0 * half).max(self.reach.from), to: self.s },
+            Stretch { from: self.s, to: (self.s + 2.0 * half).min(self.reach.to) },
+        ];
         let first = nearest(|s| path.pose(s), machine.forward(q), sides);
         match path.second(self.s) {
             // A path has a second torch everywhere or nowhere.
@@ -248,7 +255,7 @@ impl Away {
 }
 
 /// Deviation of `torch` from the nearest point of the seam, which is smooth on both `sides` of a corner.
-fn nearest(pose: impl Fn(f64) -> Pose, torch: Pose, sides: [(f64, f64); 2]) -> Away {
+fn nearest(pose: impl Fn(f64) -> Pose, torch: Pose, sides: [Stretch; 2]) -> Away {
     let there = pose(foot_at_corner(&pose, torch.point, sides));
     Away { tip: there.point.distance(torch.point), direction: angle(there.direction, torch.direction) }
 }
@@ -258,20 +265,22 @@ fn nearest(pose: impl Fn(f64) -> Pose, torch: Pose, sides: [(f64, f64); 2]) -> A
 pub fn foot_in_blend(joints: &JointPath, pose: impl Fn(f64) -> Pose, point: DVec3, s: f64) -> Option<f64> {
     let &(from, to) = joints.blends().iter().find(|(from, to)| *from <= s && s <= *to)?;
     let (corner, half) = (0.5 * (from + to), 0.5 * (to - from));
-    let ends = ((from - half).max(0.0), (to + half).min(joints.length()));
-    Some(foot_at_corner(pose, point, [(ends.0, corner), (corner, ends.1)]))
+    let before = Stretch { from: (from - half).max(0.0), to: corner };
+    let after = Stretch { from: corner, to: (to + half).min(joints.length()) };
+    Some(foot_at_corner(pose, point, [before, after]))
 }
 
 /// Path length of the seam's nearest point to `point`; the seam is smooth on both `sides` of a corner.
-fn foot_at_corner(pose: impl Fn(f64) -> Pose, point: DVec3, sides: [(f64, f64); 2]) -> f64 {
-    let feet = [foot(&pose, point, sides[0], sides[0].1), foot(&pose, point, sides[1], sides[1].0)];
+fn foot_at_corner(pose: impl Fn(f64) -> Pose, point: DVec3, sides: [Stretch; 2]) -> f64 {
+    let feet = [foot(&pose, point, sides[0], sides[0].to), foot(&pose, point, sides[1], sides[1].from)];
     let [before, after] = feet.map(|s| pose(s).point.distance(point));
     if before <= after { feet[0] } else { feet[1] }
 }
 
-/// Path length of the seam's nearest point to `point` in the given range, by Newton's method without the curvature.
-/// Before convergence the distance found is slightly too large, never too small.
-fn foot(pose: impl Fn(f64) -> Pose, point: DVec3, (from, to): (f64, f64), start: f64) -> f64 {
+/// Path length of the seam's nearest point to `point` on one `side` of a corner, by Newton's method without the
+/// curvature. Before convergence the distance found is slightly too large, never too small.
+fn foot(pose: impl Fn(f64) -> Pose, point: DVec3, side: Stretch, start: f64) -> f64 {
+    let Stretch { from, to } = side;
     let h = 1e-4 * (to - from);
     let mut s = start;
     for _ in 0..5 {
@@ -289,8 +298,9 @@ fn foot(pose: impl Fn(f64) -> Pose, point: DVec3, (from, to): (f64, f64), start:
     s
 }
 
-/// Argument of the maximum of a unimodal function between `low` and `high`.
-fn greatest((mut low, mut high): (f64, f64), value: impl Fn(f64) -> f64) -> f64 {
+/// Argument of the maximum of a function that is unimodal `within` a range.
+fn greatest(within: Stretch, value: impl Fn(f64) -> f64) -> f64 {
+    let Stretch { from: mut low, to: mut high } = within;
     for _ in 0..REFINED {
         let [a, b] = [low + (high - low) * 0.45, low + (high - low) * 0.55];
         if value(a) < value(b) { low = a } else { high = b }

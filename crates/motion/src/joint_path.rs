@@ -7,6 +7,7 @@
 mod blended;
 
 use crate::follower::Follower;
+use crate::stretch::Stretch;
 use crate::survey::PLACES;
 use seamwright_geometry::{NODES, Series, nodes};
 use seamwright_machine::{Axis, AxisKind, Course, Joints, MAX_AXES, Machine};
@@ -85,11 +86,12 @@ pub(crate) struct NotSmooth {
 impl JointPath {
     /// Fits the axes' path of `follower`, starting at the positions `start` (one branch of the inverse at s = 0).
     pub(crate) fn new(follower: Follower, start: &Joints) -> Result<Self, NotSmooth> {
-        Self::over(follower, start, (0.0, follower.path.length()))
+        Self::over(follower, start, Stretch { from: 0.0, to: follower.path.length() })
     }
 
     /// Fits a part of the path alone, starting at the positions `start`; valid only in its range.
-    pub(crate) fn over(follower: Follower, start: &Joints, (from, to): (f64, f64)) -> Result<Self, NotSmooth> {
+    pub(crate) fn over(follower: Follower, start: &Joints, part: Stretch) -> Result<Self, NotSmooth> {
+        let Stretch { from, to } = part;
         let axes = follower.machine.axes.len();
         let length = follower.path.length();
         let mut built = Self::empty(axes, length);

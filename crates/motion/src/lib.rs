@@ -86,6 +86,7 @@ pub mod redundancy;
 mod set_points;
 mod singular;
 pub mod speed_profile;
+mod stretch;
 mod survey;
 pub mod taught;
 pub mod textbook;

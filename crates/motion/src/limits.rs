@@ -4,6 +4,7 @@ use crate::limit_kind::LimitKind;
 use crate::pass_channels::PassChannels;
 use crate::planned::{Band, Planned};
 use crate::speed_profile::{Bound, Certificate, Interval, Leg, SpeedProfile};
+use crate::stretch::Stretch;
 use seamwright_machine::{AxisKind, Machine, TipLimits};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass};
@@ -91,7 +92,7 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
     // The speed of a weave is reported with its frequency, see `weave_limits`.
     let wanted = pass.on_limit == OnLimit::Refuse && bound && !planned.joints.is_woven();
     let keepable = if wanted { keepable(planned, pass, &slow) } else { None };
-    slow.iter().map(|run| speed_finding(planned, run, (pass, number), keepable)).collect()
+    slow.iter().map(|run| speed_finding(planned, run, pass, number, keepable)).collect()
 }
 
 /// True if the tip keeps the speed that `pass` asks for.
@@ -126,7 +127,11 @@ fn slow_runs(planned: Planned, pass: &Pass, times: f64) -> Vec<SlowRun> {
     let slowest = |run: &[Interval]| run.iter().copied().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0));
     runs.retain(|run| {
         let reached = slowest(run).map_or(1.0, |interval| interval.reached.0);
-        run.last().is_some_and(|last| reached <= 1.0 - worth_saying(planned, (run[0].from, last.to), changes))
+        let falls_short = |last: &Interval| {
+            let stretch = Stretch { from: run[0].from, to: last.to };
+            reached <= 1.0 - worth_saying(planned, stretch, changes)
+        };
+        run.last().is_some_and(falls_short)
     });
     if planned.joints.is_woven() {
         // Every swing has such a stretch: they are reported as one.
@@ -142,9 +147,9 @@ fn slow_runs(planned: Planned, pass: &Pass, times: f64) -> Vec<SlowRun> {
     runs.iter().filter_map(slow).collect()
 }
 
-/// Fraction of the requested speed by which the tip may fall short between two stations unreported; larger if speeds
-/// change.
-fn worth_saying(planned: Planned, (from, to): (f64, f64), changes: bool) -> f64 {
+/// Fraction of the requested speed by which the tip may fall short on a stretch unreported; larger if speeds change.
+fn worth_saying(planned: Planned, stretch: Stretch, changes: bool) -> f64 {
+    let Stretch { from, to } = stretch;
     // An acceleration phase that passes smoothly into a changing speed has no clear end.
     let near = |leg: &Leg| {
         let inside = leg.from <= from && to <= leg.to;
@@ -157,12 +162,7 @@ fn worth_saying(planned: Planned, (from, to): (f64, f64), changes: bool) -> f64 
     }
 }
 
-fn speed_finding(
-    planned: Planned,
-    run: &SlowRun,
-    (pass, number): (&Pass, usize),
-    keepable: Option<Keepable>,
-) -> Finding {
+fn speed_finding(planned: Planned, run: &SlowRun, pass: &Pass, number: usize, keepable: Option<Keepable>) -> Finding {
     let SlowRun { from, to, at, asked, reached, binding } = run;
     let message = match binding {
         Some(binding) => binding.cannot_keep(*asked, *reached),
@@ -249,7 +249,7 @@ fn between(planned: Planned, asked: &dyn Fn(f64) -> f64) -> Vec<Interval> {
             if from - i.from <= rounding && i.to - to <= rounding {
                 all.push(*i);
             } else if to - from > rounding
-                && let Some(band) = planned.tip_band((from, to), asked)
+                && let Some(band) = planned.tip_band(Stretch { from, to }, asked)
             {
                 let Band { least, greatest, reached } = band;
                 all.push(Interval { from, to, speed: (least.0, greatest), least_at: least.1, reached, ..*i });

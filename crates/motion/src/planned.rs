@@ -1,4 +1,5 @@
 use crate::speed_profile::{Certificate, Leg};
+use crate::stretch::Stretch;
 use crate::{JointPath, ProfilePoint, SpeedProfile};
 use seamwright_machine::Machine;
 
@@ -23,8 +24,9 @@ impl Planned<'_> {
         self.profile.speed(s) * self.joints.speed_rate(self.machine, s)
     }
 
-    /// Range of the tip speed between two path lengths, from samples of the profile's cells there; none without cells.
-    pub(crate) fn tip_band(&self, (from, to): (f64, f64), asked: &dyn Fn(f64) -> f64) -> Option<Band> {
+    /// Range of the tip speed on a stretch, from samples of the profile's cells there; none without cells.
+    pub(crate) fn tip_band(&self, stretch: Stretch, asked: &dyn Fn(f64) -> f64) -> Option<Band> {
+        let Stretch { from, to } = stretch;
         let at = |cell: usize, part: f64| self.profile.in_cell(cell, part).s;
         let first = first_where(self.profile.cells(), |cell| at(cell, 1.0) >= from);
         let cells = (first..self.profile.cells()).take_while(|cell| at(*cell, 0.0) <= to);

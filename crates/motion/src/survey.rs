@@ -5,6 +5,7 @@ use crate::effort::Effort;
 use crate::follower::Follower;
 use crate::limit_kind::position_unit;
 use crate::limits::Runs;
+use crate::stretch::Stretch;
 use seamwright_machine::{Axis, AxisKind, Joints, Machine};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Tolerance};
@@ -22,6 +23,9 @@ const SEARCH_WORK: u64 = 600;
 
 /// Attitude errors above this are listed as findings, rad.
 const ATTITUDE_WORTH_SAYING: f64 = 0.5 * std::f64::consts::PI / 180.0;
+
+/// The start of the path, as a stretch without length.
+const START: Stretch = Stretch { from: 0.0, to: 0.0 };
 
 /// Result of a walk along the path.
 pub(crate) struct Survey {
@@ -72,8 +76,8 @@ pub(crate) fn survey(
             best = Some((cost, walk));
         }
     }
-    best.map(|(_, survey)| survey)
-        .ok_or_else(|| vec![reach_finding(machine, Message::new("motion-no-solution"), (0.0, 0.0), pass)])
+    let no_solution = || reach_finding(machine, Message::new("motion-no-solution"), START, pass);
+    best.map(|(_, survey)| survey).ok_or_else(|| vec![no_solution()])
 }
 
 /// Possible start positions of a walk.
@@ -86,7 +90,7 @@ fn starts(follower: Follower, places: &[f64], pass: usize) -> Result<Vec<Joints>
     let later = follower.near(places[1] * 1e-3, &home).map_or(home, |s| s.joints);
     match follower.branches(0.0, &later) {
         Ok(branches) => Ok(branches.iter().map(|b| b.joints).collect()),
-        Err(reason) => Err(vec![reach_finding(follower.machine, reason.message(), (0.0, 0.0), pass)]),
+        Err(reason) => Err(vec![reach_finding(follower.machine, reason.message(), START, pass)]),
     }
 }
 
@@ -123,17 +127,20 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
         };
         runs.add(s, reason.map(|message| (0, 0.0, message)));
     }
-    runs.findings(|run| reach_finding(follower.machine, run.message.clone(), (run.from, run.to), pass))
+    runs.findings(|run| {
+        let stretch = Stretch { from: run.from, to: run.to };
+        reach_finding(follower.machine, run.message.clone(), stretch, pass)
+    })
 }
 
 /// Finding for a stretch that no axis positions reach.
-fn reach_finding(machine: &Machine, reason: Message, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
+fn reach_finding(machine: &Machine, reason: Message, stretch: Stretch, pass: usize) -> Finding {
     Finding {
         kind: "reach",
         message: Message::new("motion-unreachable").text("machine", machine.name.as_str()).message("reason", reason),
         pass,
-        from_mm,
-        to_mm,
+        from_mm: stretch.from,
+        to_mm: stretch.to,
         cure: Some(Message::new("motion-cure-unreachable")),
         allowed: false,
     }
@@ -218,13 +225,14 @@ fn range_findings(machine: &Machine, places: &[f64], rows: &[Joints], pass: usiz
                     Some((from, s, if worse { q[i] } else { worst }, limit))
                 }
                 (None, Some((from, to, worst, limit))) => {
-                    findings.push(range_finding(axis, worst, limit, (from, to), pass));
+                    findings.push(range_finding(axis, worst, limit, Stretch { from, to }, pass));
                     None
                 }
                 (None, None) => None,
             };
         }
-        findings.extend(run.map(|(from, to, worst, limit)| range_finding(axis, worst, limit, (from, to), pass)));
+        let last = |(from, to, worst, limit)| range_finding(axis, worst, limit, Stretch { from, to }, pass);
+        findings.extend(run.map(last));
     }
     findings
 }
@@ -263,7 +271,7 @@ pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) ->
                 && axis.outside(start.q[k]).is_none()
                 && axis.outside(end.q[k]).is_none()
             {
-                findings.push(range_finding(axis, value, limit, (low, low), pass));
+                findings.push(range_finding(axis, value, limit, Stretch { from: low, to: low }, pass));
             }
         }
     }
@@ -271,7 +279,7 @@ pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) ->
 }
 
 /// Finding for an axis beyond its range.
-fn range_finding(axis: &Axis, value: f64, limit: f64, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
+fn range_finding(axis: &Axis, value: f64, limit: f64, stretch: Stretch, pass: usize) -> Finding {
     let (value, limit, unit) = (axis.to_file(value), axis.to_file(limit), position_unit(axis.kind));
     Finding {
         kind: "range",
@@ -281,8 +289,8 @@ fn range_finding(axis: &Axis, value: f64, limit: f64, (from_mm, to_mm): (f64, f6
             .quantity("by", (value - limit).abs(), unit, 3)
             .quantity("limit", limit, unit, 3),
         pass,
-        from_mm,
-        to_mm,
+        from_mm: stretch.from,
+        to_mm: stretch.to,
         // Changes are tried when the pass is planned.
         cure: Some(Message::new("motion-cure-range")),
         allowed: false,

@@ -11,6 +11,7 @@ use crate::limits::{Binding, keeps_speed};
 use crate::pass_channels::PassChannels;
 use crate::planned::Planned;
 use crate::speed_profile::{Bound, Certificate, Channels, Limits, SpeedProfile};
+use crate::stretch::Stretch;
 use seamwright_machine::Joints;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass};
@@ -45,11 +46,27 @@ pub(crate) struct Woven<'a> {
     /// Positions at the start of the pass.
     start: &'a Joints,
     pass: &'a Pass,
-    /// Middles of the windows, mm, with nearby positions.
-    windows: Vec<(f64, Joints)>,
+    windows: Vec<Window>,
     effort: &'a Effort<'a>,
     /// Units of effort spent.
     spent: Cell<u64>,
+}
+
+/// A part of the pass, one swing long.
+struct Window {
+    /// Path length of its middle, mm.
+    middle: f64,
+    /// Positions of the axes near it.
+    near: Joints,
+}
+
+/// A station with a steady speed of the centre line there.
+#[derive(Clone, Copy)]
+struct Station {
+    /// Path length, mm.
+    at: f64,
+    /// Speed by path length, mm/s.
+    speed: f64,
 }
 
 /// Maximum use of a limit.
@@ -93,7 +110,7 @@ impl<'a> Woven<'a> {
                 q = line.near(s, &q).ok()?.joints;
             }
             here = middle;
-            windows.push((middle, q));
+            windows.push(Window { middle, near: q });
         }
         Some(Self { follower, start, pass, windows, effort, spent: Cell::new(0) })
     }
@@ -184,32 +201,35 @@ impl<'a> Woven<'a> {
     fn used(&self, factor: f64) -> Option<Vec<Used>> {
         let slower = self.follower.path.slower(factor)?;
         let follower = Follower { path: &*slower, ..self.follower };
-        let used = |(middle, near): &(f64, Joints)| {
+        let used = |window: &Window| {
             let goes_on = self.spend(WINDOW_WORK);
-            goes_on.then(|| self.window(follower, (*middle, near), factor)).flatten()
+            goes_on.then(|| self.used_in(window, follower, factor)).flatten()
         };
         self.windows.iter().map(used).collect()
     }
 
-    fn window(&self, follower: Follower, (middle, near): (f64, &Joints), factor: f64) -> Option<Used> {
+    /// Maximum use of a limit in one window by `follower`, which weaves `factor` times as fast.
+    fn used_in(&self, window: &Window, follower: Follower, factor: f64) -> Option<Used> {
+        let Window { middle, near } = *window;
         let weave = self.pass.weave.as_ref()?.faster(factor);
         let speed = self.pass.speed_at(middle);
         let period = weave.frequency_hz.map_or(weave.pitch_mm.map_or(0.0, f64::from), |hz| speed / hz.get());
         let half = 0.5 * SWINGS * period;
-        let range = ((middle - half).max(0.0), (middle + half).min(follower.path.length()));
-        let near = follower.near(range.0, near).ok()?.joints;
+        let range = Stretch { from: (middle - half).max(0.0), to: (middle + half).min(follower.path.length()) };
+        let near = follower.near(range.from, &near).ok()?.joints;
         let joints = JointPath::over(follower, &near, range).ok()?;
         let channels = PassChannels::new(follower.machine, &joints, self.pass, 1.0);
         let mut rows = vec![[0.0; 3]; channels.limits().len()];
         let mut most = Used { part: 0.0, bound: Bound::Asked, at: middle, holds: f64::INFINITY };
         let mut edges = joints.edges();
         // The last edge is the end of the pass.
-        *edges.last_mut()? = range.1;
+        *edges.last_mut()? = range.to;
         for panel in edges.windows(2) {
             for place in 0..=PLACES {
                 let s = panel[0] + (panel[1] - panel[0]) * f64::from(place) / f64::from(PLACES);
                 let rate = channels.derivatives(s, place == PLACES, &mut rows);
-                most = greater(most, (s, channels.asked(s) / rate), &rows, channels.limits());
+                let station = Station { at: s, speed: channels.asked(s) / rate };
+                most = greater(most, station, &rows, channels.limits());
             }
         }
         Some(most)
@@ -240,8 +260,9 @@ impl<'a> Woven<'a> {
     }
 }
 
-/// The greater use of a limit: `most`, or that of channels with the derivatives `rows` at `s` at a steady speed.
-fn greater(most: Used, (at, speed): (f64, f64), rows: &[[f64; 3]], limits: &[Limits]) -> Used {
+/// The greater use of a limit: `most`, or that of channels with the derivatives `rows` at a station.
+fn greater(most: Used, station: Station, rows: &[[f64; 3]], limits: &[Limits]) -> Used {
+    let Station { at, speed } = station;
     rows.iter().zip(limits).enumerate().fold(most, |most, (i, ([q1, q2, q3], limits))| {
         let uses = [
             (q1.abs() * speed / limits.speed, Bound::Speed(i), 1.0),

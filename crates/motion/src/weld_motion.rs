@@ -3,7 +3,7 @@ use crate::effort::{Effort, Watch};
 use crate::pass_clearance::{PassClearance, pass_clearance};
 use crate::pass_motion::Before;
 use crate::pass_time::{MAX_PASS_S, at_most};
-use crate::procedure::PassProcedure;
+use crate::procedure::{PassProcedure, PlannedPass};
 use crate::redundancy::{Clearance, holding};
 use crate::transfer::{Blocked, Leg, MoveEnd, TransferMove, route_within};
 use crate::{PassMotion, Phase, ProfilePoint, SetPoint};
@@ -88,7 +88,7 @@ impl WeldMotion {
                 weld: passes,
                 clearance: None,
             };
-            let (motion, clearance) = one(machine, around, (path, pass, i + 1), before).map_err(|mut f| {
+            let (motion, clearance) = one(machine, around, path, pass, i + 1, before).map_err(|mut f| {
                 f.extend(planned.findings.clone());
                 f
             })?;
@@ -127,7 +127,7 @@ impl WeldMotion {
         let held = (1..).zip(passes).zip(&self.passes);
         self.procedure = held
             .map(|((number, &(path, pass)), motion)| {
-                PassProcedure::new(procedure, machine, path, (pass, number, motion))
+                PassProcedure::new(procedure, PlannedPass { machine, path, pass, number, motion })
             })
             .collect();
         self.findings.extend(self.procedure.iter().flat_map(|p| p.findings.iter().cloned()));
@@ -297,7 +297,9 @@ impl Stage<'_> {
 fn one(
     machine: &Machine,
     around: &Surroundings,
-    (path, pass, number): (&dyn TorchPath, &Pass, usize),
+    path: &dyn TorchPath,
+    pass: &Pass,
+    number: usize,
     before: Before,
 ) -> Result<(PassMotion, Option<PassClearance>), Vec<Finding>> {
     let plan = |clearance| {
@@ -396,7 +398,7 @@ impl TransferSettings<'_> {
             self.straight(MoveEnd::Retract, &q, &from)?;
             points.push(q);
         }
-        points.extend(route_within(self.effort, self.machine, self.around, (&from, &to), AxisSet::default())?);
+        points.extend(route_within(self.effort, self.machine, self.around, &from, &to, AxisSet::default())?);
         if let (Some(PassEnd { q, .. }), Some(_)) = (start, back_start) {
             self.straight(MoveEnd::Approach, &to, &q)?;
             points.push(q);

@@ -1,6 +1,6 @@
 mod search;
 
-use super::course::{Course, State};
+use super::course::{Course, Return, Segment, State};
 use super::shield::Shield;
 use super::timed::{Limits, Pacing, Rates, Timed};
 use super::{Command, FeedOverrideError};
@@ -294,7 +294,8 @@ impl<'a, L: Timed + ?Sized> FeedOverride<'a, L> {
         }
         let state = State { theta, feed_override: Pacing { phi, d1, d2: 0.0 } };
         let back = self.shield.strength(&other.at(theta, false)) * self.boldness;
-        let course = Course::heading(state, 0.0, 0.0, (0.0, back), None);
+        let at_once = Segment { d2: 0.0, duration: 0.0 };
+        let course = Course::heading(state, at_once, Return { delay: 0.0, d2: back }, None);
         if course.steady.abs() <= 1.0 && self.shield.check(other, &course).is_ok() {
             self.on_faster = !self.on_faster;
             self.follow(course);

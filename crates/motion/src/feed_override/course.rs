@@ -27,6 +27,15 @@ pub(crate) struct Segment {
     pub(crate) duration: f64,
 }
 
+/// Return of the override to steady.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Return {
+    /// Time before it, s.
+    pub(crate) delay: f64,
+    /// Its second derivative, of either sign.
+    pub(crate) d2: f64,
+}
+
 /// Maximum number of segments of a course: one period, straight on, back to steady, a few periods steady, two of a
 /// stop, and a spare one.
 pub(crate) const SEGMENTS: usize = 8;
@@ -52,14 +61,15 @@ impl Course {
         Self { start: State { theta, feed_override }, segments: ArrayVec::new(), steady: phi, stop: None }
     }
 
-    /// Builds a course with `d2` for a time, straight on for `delay`, then back to a steady override with `back` of
-    /// either sign; steady at exactly `end` if it arrives there within rounding.
-    pub(crate) fn heading(start: State, d2: f64, duration: f64, (delay, back): (f64, f64), end: Option<f64>) -> Self {
+    /// Builds a course with a `first` segment, straight on until the return `home`, then back to a steady override;
+    /// steady at exactly `end` if it arrives there within rounding.
+    pub(crate) fn heading(start: State, first: Segment, home: Return, end: Option<f64>) -> Self {
+        let Return { delay, d2: back } = home;
         let mut segments = ArrayVec::new();
         let mut now = start;
-        if duration > 0.0 {
-            segments.push(Segment { d2, duration });
-            now = start.after(duration, d2);
+        if first.duration > 0.0 {
+            segments.push(first);
+            now = start.after(first.duration, first.d2);
         }
         if delay > 0.0 {
             segments.push(Segment { d2: 0.0, duration: delay });

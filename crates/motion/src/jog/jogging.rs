@@ -1,4 +1,5 @@
 use super::point_to_point::Goal;
+use super::state::AxisState;
 use super::stop::{Commitment, Stop};
 use super::tip::{TipLine, same_way};
 use super::{AxisName, AxisValue, JogError, JogSetting, PointToPoint, State, TipFrame};
@@ -402,7 +403,7 @@ impl<'a> Jog<'a> {
         let mut by = Joints::default();
         for (i, limits) in self.plan.limits().iter().enumerate() {
             // An axis at rest with no acceleration does not move.
-            let (_, v, a) = self.state.axis(i);
+            let AxisState { speed: v, acceleration: a, .. } = self.state.axis(i);
             by[i] = if v == 0.0 && a == 0.0 { 0.0 } else { limits.stopping_distance(v) };
         }
         self.machine.tip_travel(&self.state.q, &by)
@@ -413,12 +414,15 @@ impl<'a> Jog<'a> {
 const SLACK: f64 = 1e-9;
 
 /// True if `next` can follow `now` after a period within the jerk limit.
-fn follows(now: (f64, f64, f64), next: (f64, f64, f64), jerk: f64, t: f64) -> bool {
-    let (q, v, a) = (now.0 + t * (now.1 + 0.5 * t * now.2), now.1 + t * now.2, now.2);
+fn follows(now: AxisState, next: AxisState, jerk: f64, t: f64) -> bool {
+    let a = now.acceleration;
+    let (q, v) = (now.q + t * (now.speed + 0.5 * t * a), now.speed + t * a);
     let near = |x: f64, y: f64, share: f64, size: f64| {
-        (x - y).abs() <= share * (1.0 + 1e-6) + 1e-12 * (size.abs() + now.0.abs())
+        (x - y).abs() <= share * (1.0 + 1e-6) + 1e-12 * (size.abs() + now.q.abs())
     };
-    near(next.2, a, jerk * t, a) && near(next.1, v, jerk * t * t / 2.0, v) && near(next.0, q, jerk * t.powi(3) / 6.0, q)
+    near(next.acceleration, a, jerk * t, a)
+        && near(next.speed, v, jerk * t * t / 2.0, v)
+        && near(next.q, q, jerk * t.powi(3) / 6.0, q)
 }
 
 /// Name of an axis, truncated to fit.

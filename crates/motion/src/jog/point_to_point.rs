@@ -1,3 +1,4 @@
+use super::state::AxisState;
 use super::{AxisLimits, JogError, State};
 use rsruckig::prelude::*;
 use seamwright_machine::{Joints, MAX_AXES, Machine};
@@ -90,7 +91,7 @@ impl PointToPoint {
         self.goes_on = goals.iter().any(|g| matches!(g, Goal::Speed(v) if *v != 0.0));
         let mut finite = true;
         for (i, limits) in self.limits.iter().enumerate() {
-            let (q, v, a) = from.axis(i);
+            let AxisState { q, speed: v, acceleration: a } = from.axis(i);
             let (interface, at, speed, to) = match goals[i] {
                 Goal::Position { at, speed } => (ControlInterface::Position, at, speed, 0.0),
                 Goal::Speed(v) => (ControlInterface::Velocity, q, limits.speed, v),

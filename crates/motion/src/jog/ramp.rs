@@ -1,26 +1,21 @@
 use super::AxisLimits;
+use super::state::AxisState;
 
 /// Time-optimal change of one axis from any speed and acceleration to a constant speed within its acceleration and
 /// jerk: three phases of constant jerk, in closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Ramp {
-    /// Position, speed and acceleration at the start of each phase.
-    begins: [(f64, f64, f64); 4],
+    /// State at the start of each phase, and at the end of the last one.
+    begins: [AxisState; 4],
     jerks: [f64; 3],
     /// End time of each phase.
     ends: [f64; 3],
 }
 
-/// The state after a time with constant jerk.
-fn moved((q, v, a): (f64, f64, f64), j: f64, t: f64) -> (f64, f64, f64) {
-    (q + t * (v + t * (a / 2.0 + t * j / 6.0)), v + t * (a + t * j / 2.0), a + t * j)
-}
-
 impl Ramp {
-    /// Plans from position, speed and acceleration `from` to the speed `to`. An acceleration beyond its limit is
-    /// reduced.
-    pub(super) fn new(limits: &AxisLimits, from: (f64, f64, f64), to: f64) -> Self {
-        let (_, v, a) = from;
+    /// Plans from the state `from` to the speed `to`. An acceleration beyond its limit is reduced.
+    pub(super) fn new(limits: &AxisLimits, from: AxisState, to: f64) -> Self {
+        let AxisState { speed: v, acceleration: a, .. } = from;
         let j = limits.jerk;
         // The sign follows from the speed left missing after only reducing the acceleration to 0.
         let way = if to >= v + a * a.abs() / (2.0 * j) { 1.0 } else { -1.0 };
@@ -40,10 +35,10 @@ impl Ramp {
         for i in 0..3 {
             t += times[i];
             ramp.ends[i] = t;
-            ramp.begins[i + 1] = moved(ramp.begins[i], jerks[i], times[i]);
+            ramp.begins[i + 1] = ramp.begins[i].after(times[i], jerks[i]);
         }
         // Removes the rounding of the end.
-        (ramp.begins[3].1, ramp.begins[3].2) = (to, 0.0);
+        (ramp.begins[3].speed, ramp.begins[3].acceleration) = (to, 0.0);
         ramp
     }
 
@@ -53,34 +48,34 @@ impl Ramp {
 
     /// Position at which the speed is reached.
     pub(super) fn end(&self) -> f64 {
-        self.begins[3].0
+        self.begins[3].q
     }
 
-    /// Position, speed and acceleration at time `t`, from 0 on.
-    pub(super) fn at(&self, t: f64) -> (f64, f64, f64) {
+    /// The state at time `t`, from 0 on.
+    pub(super) fn at(&self, t: f64) -> AxisState {
         match self.ends.iter().position(|end| t < *end) {
-            Some(i) => moved(self.begins[i], self.jerks[i], t - if i == 0 { 0.0 } else { self.ends[i - 1] }),
-            None => moved(self.begins[3], 0.0, t - self.ends[2]),
+            Some(i) => self.begins[i].after(t - if i == 0 { 0.0 } else { self.ends[i - 1] }, self.jerks[i]),
+            None => self.begins[3].after(t - self.ends[2], 0.0),
         }
     }
 
     /// Minimum and maximum position during the change.
     pub(super) fn reach(&self) -> (f64, f64) {
-        let mut reach = (self.begins[0].0, self.begins[0].0);
+        let mut reach = (self.begins[0].q, self.begins[0].q);
         let mut meets = |q: f64| reach = (reach.0.min(q), reach.1.max(q));
         for i in 0..3 {
             let (begin, j) = (self.begins[i], self.jerks[i]);
             let length = self.ends[i] - if i == 0 { 0.0 } else { self.ends[i - 1] };
-            let (_, v, a) = begin;
+            let AxisState { speed: v, acceleration: a, .. } = begin;
             // The axis reverses where v + a t + j t^2 / 2 = 0: both roots without cancellation.
             let root = (a * a - 2.0 * j * v).max(0.0).sqrt();
             let sum = -(a + root.copysign(a));
             for t in [sum / j, 2.0 * v / sum] {
                 if t > 0.0 && t < length {
-                    meets(moved(begin, j, t).0);
+                    meets(begin.after(t, j).q);
                 }
             }
-            meets(self.begins[i + 1].0);
+            meets(self.begins[i + 1].q);
         }
         reach
     }
@@ -88,10 +83,9 @@ impl Ramp {
     /// Maximum absolute speed between two times from 0 on.
     pub(super) fn greatest_speed(&self, from: f64, to: f64) -> f64 {
         // The acceleration passes 0 at most once: in the first stretch.
-        let (_, _, a) = self.begins[0];
-        let turn = -a / self.jerks[0];
-        let ends = self.at(from).1.abs().max(self.at(to).1.abs());
-        if turn > from && turn < to && turn < self.ends[0] { ends.max(self.at(turn).1.abs()) } else { ends }
+        let turn = -self.begins[0].acceleration / self.jerks[0];
+        let ends = self.at(from).speed.abs().max(self.at(to).speed.abs());
+        if turn > from && turn < to && turn < self.ends[0] { ends.max(self.at(turn).speed.abs()) } else { ends }
     }
 }
 
@@ -111,7 +105,7 @@ mod tests {
             let range = (f64::NEG_INFINITY, f64::INFINITY);
             let limits = AxisLimits { speed: 50.0, acceleration, jerk, range };
             let a = a * acceleration;
-            let ramp = Ramp::new(&limits, (3.0, v, a), to);
+            let ramp = Ramp::new(&limits, AxisState { q: 3.0, speed: v, acceleration: a }, to);
             let mut ruckig = Ruckig::<1, ThrowErrorHandler>::new(None, 1e-3);
             let mut input = InputParameter::new(None);
             let mut found = Trajectory::new(None);
@@ -129,15 +123,15 @@ mod tests {
             let (mut least, mut most_far) = (f64::INFINITY, f64::NEG_INFINITY);
             for i in 0..=1000 {
                 let t = f64::from(i) * 1e-3 * ramp.duration();
-                let (q, v, a) = ramp.at(t);
+                let AxisState { q, speed: v, acceleration: a } = ramp.at(t);
                 prop_assert!(q >= low - 1e-9 && q <= high + 1e-9 && a.abs() <= acceleration * (1.0 + 1e-9));
                 let mut theirs = DataArrayOrVec::new(None, 0.0);
                 found.at_time(t, &mut Some(&mut theirs), &mut None, &mut None, &mut None, &mut None);
                 prop_assert!((theirs[0] - q).abs() < 1e-7 * (1.0 + high - low));
                 (least, most_far) = (least.min(q), most_far.max(q));
                 let jumps = jerk * 1e-3 * ramp.duration() * (1.0 + 1e-6) + 1e-9;
-                prop_assert!((a - last.2).abs() <= jumps);
-                last = (q, v, a);
+                prop_assert!((a - last.acceleration).abs() <= jumps);
+                last = ramp.at(t);
                 if t >= begin && t <= end {
                     prop_assert!(v.abs() <= most * (1.0 + 1e-12) + 1e-12);
                     sampled = sampled.max(v.abs());
@@ -147,7 +141,8 @@ mod tests {
             let missed = acceleration * (1e-3 * ramp.duration()).powi(2) + 1e-9;
             prop_assert!(least - low < missed && high - most_far < missed);
             prop_assert!(most <= sampled + 2e-3 * acceleration * ramp.duration());
-            prop_assert!(ramp.at(ramp.duration()) == (ramp.end(), to, 0.0));
+            let end = AxisState { q: ramp.end(), speed: to, acceleration: 0.0 };
+            prop_assert!(ramp.at(ramp.duration()) == end);
         }
     }
 
@@ -157,8 +152,8 @@ mod tests {
         let range = (f64::NEG_INFINITY, f64::INFINITY);
         let limits = AxisLimits { speed: 50.0, acceleration: 10.0, jerk: 100.0, range };
         for (v, to) in [(5.0, 40.0), (5.0, 0.0), (-5.0, 0.0)] {
-            let ramp = Ramp::new(&limits, (0.0, v, 20.0), to);
-            let (_, reached, a) = ramp.at(ramp.duration() * (1.0 - 1e-12));
+            let ramp = Ramp::new(&limits, AxisState { q: 0.0, speed: v, acceleration: 20.0 }, to);
+            let AxisState { speed: reached, acceleration: a, .. } = ramp.at(ramp.duration() * (1.0 - 1e-12));
             assert!((reached - to).abs() < 1e-6 && a.abs() < 1e-3, "{v} {to}: {reached} {a}");
         }
     }

@@ -39,7 +39,8 @@ impl Stop {
     pub(super) fn at(&self, t: f64) -> State {
         let mut state = State::default();
         for (i, ramp) in self.ramps().iter().enumerate() {
-            (state.q[i], state.speed[i], state.acceleration[i]) = ramp.at(t);
+            let axis = ramp.at(t);
+            (state.q[i], state.speed[i], state.acceleration[i]) = (axis.q, axis.speed, axis.acceleration);
         }
         state
     }
@@ -80,7 +81,7 @@ impl Course for Commitment<'_> {
     fn greatest_rates(&self, from: f64, to: f64) -> Joints {
         let mut rates = Joints::default();
         for (i, ramp) in self.stop.ramps().iter().enumerate() {
-            let before = if from < 0.0 { (ramp.at(0.0).0 - self.before[i]).abs() / self.period } else { 0.0 };
+            let before = if from < 0.0 { (ramp.at(0.0).q - self.before[i]).abs() / self.period } else { 0.0 };
             let after = if to > 0.0 { ramp.greatest_speed(from.max(0.0), to) } else { 0.0 };
             rates[i] = before.max(after);
         }

@@ -1,4 +1,5 @@
 use super::ramp::Ramp;
+use super::state::AxisState;
 use super::{AxisLimits, State};
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -35,8 +36,8 @@ pub(super) struct TipLine {
     start: Pose,
     /// Unit vector.
     along: DVec3,
-    /// Length, speed and acceleration along it: mm and s.
-    at: (f64, f64, f64),
+    /// State along it: mm and s.
+    at: AxisState,
 }
 
 /// Step of the differences for derivatives along the line, mm: rounding is then some 1e-9 of a mm per mm^2, and the
@@ -46,7 +47,7 @@ const APART_MM: f64 = 0.02;
 impl TipLine {
     /// Creates a line from rest at positions `q`.
     pub(super) fn new(machine: &Machine, q: &Joints, along: DVec3) -> Self {
-        Self { start: machine.forward(q), along, at: (0.0, 0.0, 0.0) }
+        Self { start: machine.forward(q), along, at: AxisState::default() }
     }
 
     /// Advances a period towards the speed `wanted` (mm/s), within the limits of the axes at `now`. Returns the new
@@ -59,11 +60,11 @@ impl TipLine {
         wanted: f64,
         period: f64,
     ) -> Option<State> {
-        let (first, second) = self.derivatives(machine, &now.q, self.at.0)?;
+        let (first, second) = self.derivatives(machine, &now.q, self.at.q)?;
         let most = along_limits(limits, &first, &second);
         let ramp = Ramp::new(&most, self.at, wanted.min(most.speed));
         self.at = ramp.at(period);
-        let (s, v, a) = self.at;
+        let AxisState { q: s, speed: v, acceleration: a } = self.at;
         let q = self.inverse(machine, &now.q, s)?;
         let (first, second) = self.derivatives(machine, &q, s)?;
         let mut state = State::at_rest(&q);

@@ -20,32 +20,33 @@ impl JointPath {
             // The blend before may reach into this panel, or beyond it.
             let mut from = built.panels.last().map_or(0.0, |last| last.end).max(panel.start);
             while let Some(blend) = blends.next_if(|b| b.from < panel.end) {
-                built.part(self, i, (from, blend.from));
-                built.add((blend.from, blend.to), |s| blend.derivatives(s)[0]);
+                built.part(self, i, Panel { start: from, end: blend.from });
+                built.add(Panel { start: blend.from, end: blend.to }, |s| blend.derivatives(s)[0]);
                 from = blend.to;
             }
-            built.part(self, i, (from, panel.end));
+            built.part(self, i, Panel { start: from, end: panel.end });
         }
         built
     }
 
-    /// Appends a part of panel `i` of another path: the same polynomial.
-    fn part(&mut self, of: &Self, i: usize, (from, to): (f64, f64)) {
+    /// Appends a `part` of panel `i` of another path: the same polynomial.
+    fn part(&mut self, of: &Self, i: usize, part: Panel) {
         let whole = of.panels[i];
-        if from <= whole.start && to >= whole.end {
+        if part.start <= whole.start && part.end >= whole.end {
             self.panels.push(whole);
             self.blocks.extend_from_slice(&of.blocks[i * of.blocks_a_panel..][..of.blocks_a_panel]);
-        } else if to - from > ROUNDING * self.length {
-            self.add((from, to), |s| of.point_in(i, s).q);
+        } else if part.end - part.start > ROUNDING * self.length {
+            self.add(part, |s| of.point_in(i, s).q);
         }
     }
 
-    /// Appends a panel that is the polynomial `q`, of a degree below [`NODES`].
-    fn add(&mut self, (start, end): (f64, f64), q: impl Fn(f64) -> Joints) {
+    /// Appends a `panel` that is the polynomial `q`, of a degree below [`NODES`].
+    fn add(&mut self, panel: Panel, q: impl Fn(f64) -> Joints) {
+        let Panel { start, end } = panel;
         let places = nodes().map(|x| q(start + 0.5 * (end - start) * (1.0 + x)));
         let values: Vec<[f64; NODES]> = (0..self.axes).map(|axis| places.map(|q| q[axis])).collect();
         let series = values.iter().map(|values| Series::fit(values).without_rounding());
-        self.panels.push(Panel { start, end });
+        self.panels.push(panel);
         self.blocks.extend(blocks(series, self.blocks_a_panel));
     }
 

@@ -1,19 +1,20 @@
 //! Findings for a plan outside its procedure.
 
-use super::{PassProcedure, Quantity};
+use super::{PassProcedure, PlannedPass, Quantity};
 use seamwright_message::{Argument, Message, Unit};
 use seamwright_program::{Finding, Outside, Pass, PositionStretch, Procedure, Run, WeldingPosition};
 
 /// Temperatures are measured before welding, not planned.
 const MEASURED: [&str; 2] = ["preheat_c", "interpass_c"];
 
-/// The findings of a pass under `procedure`.
+/// The findings of a planned pass under `procedure`, compared with it in `held`.
 pub(super) fn findings(
     held: &PassProcedure,
     procedure: &Procedure,
     run: Option<&Run>,
-    (pass, number): (&Pass, usize),
+    planned: PlannedPass,
 ) -> Vec<Finding> {
+    let PlannedPass { pass, number, .. } = planned;
     let finding = |(from_mm, to_mm): (f64, f64), message: Message, cure: Message| Finding {
         kind: "procedure",
         message: message.text("procedure", procedure.number.as_str()),

@@ -1,8 +1,7 @@
 //! Inclination of the weld against gravity and angles of the torch along a planned pass.
 
-use crate::PassMotion;
+use super::PlannedPass;
 use crate::survey::PLACES;
-use seamwright_machine::Machine;
 use seamwright_program::{Inclination, TorchPath};
 
 /// Weld and torch at one station.
@@ -16,17 +15,19 @@ pub(super) struct Lie {
 }
 
 /// Samples at evenly spaced path lengths and at the path's knots.
-pub(super) fn along(machine: &Machine, path: &dyn TorchPath, motion: &PassMotion) -> Vec<Lie> {
+pub(super) fn along(planned: PlannedPass) -> Vec<Lie> {
+    let path = planned.path;
     let length = path.length();
     let mut places: Vec<f64> = (0..=PLACES).map(|i| length * i as f64 / PLACES as f64).collect();
     places.extend(path.knots());
     places.sort_by(f64::total_cmp);
     places.dedup();
-    places.into_iter().map(|s| at(machine, path, motion, s)).collect()
+    places.into_iter().map(|s| at(planned, s)).collect()
 }
 
 /// Sample at path length `s`, with the axes at their planned positions.
-pub(super) fn at(machine: &Machine, path: &dyn TorchPath, motion: &PassMotion, s: f64) -> Lie {
+pub(super) fn at(planned: PlannedPass, s: f64) -> Lie {
+    let PlannedPass { machine, path, motion, .. } = planned;
     let q = motion.path.at(s);
     let groove = path.groove(s);
     let (face, tangent) = (path.face(s), groove.map_or_else(|| path.tangent(s), |g| g.tangent));

@@ -16,6 +16,21 @@ use seamwright_program::{
     FilletOrButt, Finding, Inclination, Outside, Pass, PositionStretch, Procedure, TorchPath, Window,
 };
 
+/// A pass with its planned motion.
+#[derive(Clone, Copy)]
+pub struct PlannedPass<'a> {
+    /// The machine whose motion it is.
+    pub machine: &'a Machine,
+    /// The torch path of the pass.
+    pub path: &'a dyn TorchPath,
+    /// The pass.
+    pub pass: &'a Pass,
+    /// Its number in the program, from 1.
+    pub number: usize,
+    /// The planned motion.
+    pub motion: &'a PassMotion,
+}
+
 /// Values of a planned pass, and the windows of its procedure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PassProcedure {
@@ -50,30 +65,24 @@ pub struct Quantity {
 }
 
 impl PassProcedure {
-    /// Compares `motion`, planned for `pass` (the `number`-th, from 1) along `path` on `machine`, with `procedure`.
-    pub fn new(
-        procedure: &Procedure,
-        machine: &Machine,
-        path: &dyn TorchPath,
-        (pass, number, motion): (&Pass, usize, &PassMotion),
-    ) -> Self {
-        let run = procedure.run_of(number, pass);
-        let lies = lie::along(machine, path, motion);
-        let joint = procedure.joint(lie::dihedrals(path, &lies));
+    /// Compares a planned pass with `procedure`.
+    pub fn new(procedure: &Procedure, planned: PlannedPass) -> Self {
+        let run = procedure.run_of(planned.number, planned.pass);
+        let lies = lie::along(planned);
+        let joint = procedure.joint(lie::dihedrals(planned.path, &lies));
         let limits = &procedure.position_limits;
         let places: Vec<f64> = lies.iter().map(|lie| lie.s).collect();
-        let at = |s: f64| lie::at(machine, path, motion, s).inclination;
-        let heat_input = windows::heat_input(procedure, machine, (pass, motion));
+        let at = |s: f64| lie::at(planned, s).inclination;
         let mut held = Self {
             run: run.map(findings::label),
             joint,
-            quantities: windows::quantities(procedure, run, machine, (path, pass, motion), &lies),
-            heat_input,
+            quantities: windows::quantities(procedure, run, planned, &lies),
+            heat_input: windows::heat_input(procedure, planned),
             inclinations: lies.iter().map(|lie| (lie.s, lie.inclination)).collect(),
             positions: limits.along(joint, &places, at),
             findings: Vec::new(),
         };
-        held.findings = findings::findings(&held, procedure, run, (pass, number));
+        held.findings = findings::findings(&held, procedure, run, planned);
         held
     }
 

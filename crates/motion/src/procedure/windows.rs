@@ -1,11 +1,9 @@
 //! Comparison of values along a planned pass with their windows.
 
-use super::Quantity;
 use super::lie::{self, Lie};
-use crate::PassMotion;
+use super::{PlannedPass, Quantity};
 use seamwright_document::Finite;
-use seamwright_machine::Machine;
-use seamwright_program::{Outside, Pass, Procedure, Run, Span, SpanValue, TorchPath, Window};
+use seamwright_program::{Outside, Pass, Procedure, Run, Span, SpanValue, Window};
 
 /// A stretch over which every value is continuous: samples in it, and its span.
 struct Piece<'a> {
@@ -14,30 +12,32 @@ struct Piece<'a> {
 }
 
 /// The pass between acceleration and deceleration phase, span by span, sampled at the profile's cells.
-fn steady<'a>(pass: &'a Pass, motion: &PassMotion) -> Vec<Piece<'a>> {
+fn steady(planned: PlannedPass<'_>) -> Vec<Piece<'_>> {
+    let PlannedPass { pass, motion, .. } = planned;
     let legs = motion.profile.legs();
     let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return Vec::new() };
     let (from, to) = (first.run_up_end, last.run_down_start);
     let cells =
         (0..motion.profile.cells()).flat_map(|i| [0.0, 0.25, 0.5, 0.75].map(|part| motion.profile.in_cell(i, part).s));
     let places: Vec<f64> = cells.collect();
-    let piece = |span: &'a Span| {
+    let pieces = pass.spans.iter().filter_map(|span| {
         let (from, to) = (from.max(span.from_mm.get()), to.min(span.to_mm.get()));
         let inside = places.iter().copied().filter(|s| *s > from && *s < to);
         let mut places: Vec<f64> = std::iter::once(from).chain(inside).chain([to]).collect();
         places.dedup();
         (from <= to).then_some(Piece { span, places })
-    };
-    pass.spans.iter().filter_map(piece).collect()
+    });
+    pieces.collect()
 }
 
 /// Speed of the tip at path length `s`, mm/s.
-fn speed(machine: &Machine, motion: &PassMotion, s: f64) -> f64 {
+fn speed(planned: PlannedPass, s: f64) -> f64 {
+    let PlannedPass { machine, motion, .. } = planned;
     motion.profile.speed(s) * motion.path.tip_rate(machine, s)
 }
 
 /// Power at path length `s` of a span of `pass`, W; includes the values at the sides of a weave.
-fn power(procedure: &Procedure, (pass, span): (&Pass, &Span), s: f64) -> Option<f64> {
+fn power(procedure: &Procedure, pass: &Pass, span: &Span, s: f64) -> Option<f64> {
     if pass.weave.as_ref().is_none_or(|weave| weave.at_sides.is_empty()) {
         return procedure.power_w(&span.process, span.part(s));
     }
@@ -47,16 +47,16 @@ fn power(procedure: &Procedure, (pass, span): (&Pass, &Span), s: f64) -> Option<
     procedure.power_w(&span.process.keys().filter_map(there).collect(), 0.0)
 }
 
+/// Heat input at path length `s` of a span of the pass, kJ/mm; none if the power is unknown.
+fn heat_input_at(procedure: &Procedure, planned: PlannedPass, span: &Span, s: f64) -> Option<f64> {
+    Some(procedure.heat_input_kj_mm(power(procedure, planned.pass, span, s)?, speed(planned, s)))
+}
+
 /// Heat input between acceleration and deceleration phase, by path length.
-pub(super) fn heat_input(
-    procedure: &Procedure,
-    machine: &Machine,
-    (pass, motion): (&Pass, &PassMotion),
-) -> Vec<(f64, f64)> {
+pub(super) fn heat_input(procedure: &Procedure, planned: PlannedPass) -> Vec<(f64, f64)> {
     let mut curve = Vec::new();
-    for Piece { span, places } in steady(pass, motion) {
-        let heat =
-            |s: f64| Some(procedure.heat_input_kj_mm(power(procedure, (pass, span), s)?, speed(machine, motion, s)));
+    for Piece { span, places } in steady(planned) {
+        let heat = |s: f64| heat_input_at(procedure, planned, span, s);
         curve.extend(places.iter().filter_map(|&s| Some((s, heat(s)?))));
     }
     curve
@@ -66,20 +66,19 @@ pub(super) fn heat_input(
 pub(super) fn quantities(
     procedure: &Procedure,
     run: Option<&Run>,
-    machine: &Machine,
-    (path, pass, motion): (&dyn TorchPath, &Pass, &PassMotion),
+    planned: PlannedPass,
     lies: &[Lie],
 ) -> Vec<Quantity> {
-    let mut all = process_values(run, pass);
+    let mut all = process_values(run, planned.pass);
     let window = |of: fn(&Run) -> Option<Window>| run.and_then(of);
-    let steady = steady(pass, motion);
-    all.push(quantity("speed_mm_s", window(|r| r.speed_mm_s), &steady, |_, s| Some(speed(machine, motion, s))));
+    let steady = steady(planned);
+    all.push(quantity("speed_mm_s", window(|r| r.speed_mm_s), &steady, |_, s| Some(speed(planned, s))));
     all.push(quantity("heat_input_kj_mm", window(|r| r.heat_input_kj_mm), &steady, |span, s| {
-        Some(procedure.heat_input_kj_mm(power(procedure, (pass, span), s)?, speed(machine, motion, s)))
+        heat_input_at(procedure, planned, span, s)
     }));
-    let Some(span) = pass.spans.first() else { return all };
+    let Some(span) = planned.pass.spans.first() else { return all };
     let whole = [Piece { span, places: lies.iter().map(|lie| lie.s).collect() }];
-    let at = |s: f64| lie::at(machine, path, motion, s);
+    let at = |s: f64| lie::at(planned, s);
     all.push(quantity("travel_angle_deg", window(|r| r.travel_angle_deg), &whole, |_, s| Some(at(s).travel)));
     all.push(quantity("work_angle_deg", window(|r| r.work_angle_deg), &whole, |_, s| at(s).work));
     for (key, allowed) in [("preheat_c", window(|r| r.preheat_c)), ("interpass_c", window(|r| r.interpass_c))] {

@@ -1,4 +1,5 @@
 use super::timing::check_period;
+use super::train::EvenTicks;
 use super::{Error, Timing, Train};
 
 /// Fraction bits of a position in steps. Positions are even multiples of the smallest fraction and pulse positions odd
@@ -88,8 +89,8 @@ impl Generator {
         let rest = if positive { to - place(count(to) - 1) } else { place(count(to)) - to };
         let first = first.unsigned_abs() * period;
         let mut last = period - (rest.unsigned_abs() * period).div_ceil(way);
-        let train = if first / way >= earliest {
-            Train::new((positive, turn), pulses, (first / way, first % way), step * period, way)
+        let ticks = if first / way >= earliest {
+            EvenTicks { tick: first / way, part: first % way, gap: step * period, whole: way }
         } else {
             // The first pulse must wait: the pulses are spread from then on, up to the last one's position if possible.
             let gaps = pulses - 1;
@@ -97,11 +98,11 @@ impl Generator {
             if last >= period {
                 return Err(Error::Crowded { pulses });
             }
-            Train::new((positive, turn), pulses, (earliest, 0), last - earliest, gaps.max(1))
+            EvenTicks { tick: earliest, part: 0, gap: last - earliest, whole: gaps.max(1) }
         };
         self.last = last.cast_signed();
         self.positive = Some(positive);
-        Ok(train)
+        Ok(Train::new(positive, turn, pulses, ticks))
     }
 
     /// Position after the pulses so far, steps.

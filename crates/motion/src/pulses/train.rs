@@ -17,16 +17,20 @@ pub struct Train {
     whole: u64,
 }
 
+/// Evenly spaced points of time in ticks: the first at `tick + part / whole`, the others `gap / whole` apart.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct EvenTicks {
+    pub(super) tick: u64,
+    pub(super) part: u64,
+    pub(super) gap: u64,
+    pub(super) whole: u64,
+}
+
 impl Train {
-    /// `count` pulses, the first in tick `first` and a `part` of `whole`, each `gap / whole` ticks after the one
-    /// before, rounded down.
-    pub(super) fn new(
-        (positive, turn): (bool, Option<u64>),
-        count: u64,
-        (tick, part): (u64, u64),
-        gap: u64,
-        whole: u64,
-    ) -> Self {
+    /// The first `count` pulses `at` evenly spaced ticks, each rounded down. The direction line changes in tick `turn`,
+    /// if it does.
+    pub(super) fn new(positive: bool, turn: Option<u64>, count: u64, at: EvenTicks) -> Self {
+        let EvenTicks { tick, part, gap, whole } = at;
         Self { positive, turn, left: count, tick, part, gap: gap / whole, gap_part: gap % whole, whole }
     }
 }

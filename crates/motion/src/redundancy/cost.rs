@@ -82,12 +82,9 @@ pub(crate) struct Cost<'a> {
 }
 
 impl<'a> Cost<'a> {
-    pub(crate) fn new(
-        machine: &'a Machine,
-        Aim { speed, wishes, clearance, positions, .. }: Aim<'a>,
-        (looked_for, still): (AxisSet, AxisSet),
-        base: &Joints,
-    ) -> Self {
+    /// Cost of motions of `machine` towards `aim`, with the axes in `still` held at `base`.
+    pub(crate) fn new(machine: &'a Machine, aim: Aim<'a>, still: AxisSet, base: &Joints) -> Self {
+        let Aim { speed, wishes, clearance, positions, .. } = aim;
         let w = &wishes.weights;
         let all: AxisSet = (0..machine.axes.len()).collect();
         // A weight of motion above 0 keeps the optimum unique.
@@ -104,7 +101,7 @@ impl<'a> Cost<'a> {
             wishes,
             clearance,
             positions,
-            decided: all.different(looked_for.union(still)),
+            decided: all.different(machine.free().union(still)),
             still,
             // Dependent axes under the work turn with the free ones.
             tilts: tilts(machine, all.different(still), base),

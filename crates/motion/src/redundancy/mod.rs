@@ -289,7 +289,7 @@ impl<'a> Task<'a> {
         held.iter().for_each(|&(axis, value)| base[axis] = value);
         let still: AxisSet = held.iter().map(|(axis, _)| *axis).collect();
         let looked_for = machine.free().different(still);
-        let cost = Cost::new(machine, aim, (looked_for, still), &base);
+        let cost = Cost::new(machine, aim, still, &base);
         let winding = (0..machine.axes.len()).filter(|&axis| {
             // A free axis is sampled over one turn: the path may need another one.
             let turns = if looked_for.has(axis) { 2.0 } else { 1.0 };

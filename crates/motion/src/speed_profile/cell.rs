@@ -1,6 +1,7 @@
 use super::cells::Cells;
 use super::profile::ProfilePoint;
 use super::rest::RestToRest;
+use crate::stretch::Stretch;
 
 /// A cell of a speed profile: `d2 tau / dt2 = a + w tau`, with `tau` from its start.
 #[derive(Debug, Clone, Copy)]
@@ -22,9 +23,11 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Creates the cell between these `tau` from time `t` on, with the squared speed and its derivatives at its start,
-    /// and the requested squared speeds at its ends.
-    pub(super) fn new((tau, end): (f64, f64), t: f64, [b, d, e]: [f64; 3], (cruises, asked): (bool, [f64; 2])) -> Self {
+    /// Creates the cell over a stretch of `tau` from time `t` on, with the squared speed and its derivatives at its
+    /// start (`profile`), and the requested squared speeds at its ends (`asked`).
+    pub(super) fn new(over: Stretch, t: f64, profile: [f64; 3], cruises: bool, asked: [f64; 2]) -> Self {
+        let Stretch { from: tau, to: end } = over;
+        let [b, d, e] = profile;
         let width = end - tau;
         let b_end = b + width * (d + 0.5 * width * e);
         let v_end = b_end.max(0.0).sqrt();
@@ -42,7 +45,7 @@ impl Cell {
         let constant = cruises && (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
         let profile = if constant { [c[i], 0.0, 0.0] } else { [dot(&w.value), dot(&w.first), dot(&w.second)] };
         let asked = cells.asked(i);
-        Self::new((cells.tau[i], cells.tau[i + 1]), t, profile, (cruises, [asked[0], asked[asked.len() - 1]]))
+        Self::new(cells.stretch(i), t, profile, cruises, [asked[0], asked[asked.len() - 1]])
     }
 
     /// Speed in `tau` at `tau`: the squared speed is `v^2 + 2 a x + w x^2`.

@@ -1,6 +1,7 @@
 use super::channels::{Channels, Limits};
 use super::error::SpeedProfileError;
 use super::rest::RestToRest;
+use crate::stretch::Stretch;
 
 /// Sample points of the path in each cell, as fractions of its width.
 pub(crate) const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -50,7 +51,7 @@ impl Cells {
         let mut asked = Vec::with_capacity(cells * PARTS.len());
         for (i, row) in derivatives.chunks_exact_mut(channels).enumerate() {
             let (cell, part) = (i / PARTS.len(), PARTS[i % PARTS.len()]);
-            let here = place(path, &map, (tau[cell], tau[cell + 1]), part, row);
+            let here = place(path, &map, Stretch { from: tau[cell], to: tau[cell + 1] }, part, row);
             if here.is_nan() || row.iter().flatten().any(|d| !d.is_finite()) {
                 return Err(broken(path, map.at(tau[cell] + part * (tau[cell + 1] - tau[cell]), part > 0.5)[0], row));
             }
@@ -69,6 +70,11 @@ impl Cells {
     /// Number of cells.
     pub(crate) fn count(&self) -> usize {
         self.tau.len() - 1
+    }
+
+    /// The `tau` of cell `i`.
+    pub(crate) fn stretch(&self, i: usize) -> Stretch {
+        Stretch { from: self.tau[i], to: self.tau[i + 1] }
     }
 
     /// Width of cell `i`, by `tau`.
@@ -229,15 +235,10 @@ impl Cells {
     }
 }
 
-/// Writes the channels' derivatives by `tau` at the `part` of a cell to `row`. Returns the requested squared speed
-/// there: infinite if none, NaN if invalid.
-pub(crate) fn place(
-    path: &dyn Channels,
-    map: &RestToRest,
-    (from, to): (f64, f64),
-    part: f64,
-    row: &mut [[f64; 3]],
-) -> f64 {
+/// Writes the channels' derivatives by `tau` at the `part` of a cell, which lies over a stretch of `tau`, to `row`.
+/// Returns the requested squared speed there: infinite if none, NaN if invalid.
+pub(crate) fn place(path: &dyn Channels, map: &RestToRest, cell: Stretch, part: f64, row: &mut [[f64; 3]]) -> f64 {
+    let Stretch { from, to } = cell;
     let before = part > 0.5;
     let tau = if part >= 1.0 { to } else { from + part * (to - from) };
     // A part inside a cell may round to its end.

@@ -2,6 +2,7 @@
 
 use super::channels::{Channels, Limits};
 use super::rest::RestToRest;
+use crate::stretch::Stretch;
 
 /// Number of cells of a path without breaks, if evenly spaced.
 const CELLS: f64 = 60.0;
@@ -17,8 +18,9 @@ const PART_AT_REST: (f64, f64) = (1e-6, 0.25);
 /// Stations closer than this fraction of the path are merged.
 const SAME: f64 = 1e-9;
 
-/// The map and the first stations (by `tau`) of the piece of `path` between two stops.
-pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64, f64)) -> (RestToRest, Vec<f64>) {
+/// The map and the first stations (by `tau`) of the `piece` of `path` between two stops.
+pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], piece: Stretch) -> (RestToRest, Vec<f64>) {
+    let Stretch { from, to } = piece;
     let length = to - from;
     let [least, most] = [PART_AT_REST.0 * length, PART_AT_REST.1 * length];
     let breaks = path.breaks();
@@ -53,13 +55,15 @@ pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64,
     };
     let mut tau = vec![0.0];
     for w in fixed.windows(2) {
-        divide(&mut tau, (w[0], w[1]), |t| width(t).min((w[1] - w[0]) / CELLS_BETWEEN_BREAKS));
+        let stretch = Stretch { from: w[0], to: w[1] };
+        divide(&mut tau, stretch, |t| width(t).min((w[1] - w[0]) / CELLS_BETWEEN_BREAKS));
     }
     (map, tau)
 }
 
-/// Adds stations in (from, to], about `width` apart.
-fn divide(tau: &mut Vec<f64>, (from, to): (f64, f64), width: impl Fn(f64) -> f64) {
+/// Adds stations after the start of a stretch up to its end, about `width` apart.
+fn divide(tau: &mut Vec<f64>, stretch: Stretch, width: impl Fn(f64) -> f64) {
+    let Stretch { from, to } = stretch;
     let begin = tau.len();
     let mut at = from;
     while at < to {

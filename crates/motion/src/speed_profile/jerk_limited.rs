@@ -70,7 +70,8 @@ pub(crate) fn plan(
         let mut profile = begin(&problem, near.as_deref());
         profile.solve(&problem, COARSE_GAP);
         let found = profile.coefficients();
-        let Some(tau) = refined(&cells, most, (found, problem.lost(problem.time(found)))) else {
+        let lost = problem.lost(problem.time(found));
+        let Some(tau) = refined(&cells, found, lost, most) else {
             let c = certified(&cells, problem, room, profile);
             return Ok((cells, c));
         };
@@ -82,7 +83,7 @@ pub(crate) fn plan(
 
 /// Stations after halving cells in which the profile with coefficients `c` bends, uses too much of a limit, or is too
 /// stiff; it loses the time `lost`. None if the gain is negligible, or if there are more than `most` cells.
-fn refined(cells: &Cells, most: usize, (c, lost): (&[f64], f64)) -> Option<Vec<f64>> {
+fn refined(cells: &Cells, c: &[f64], lost: f64, most: usize) -> Option<Vec<f64>> {
     let bends: Vec<f64> = (0..cells.count()).map(|i| bend(cells, c, i)).collect();
     let narrow = NARROWEST * cells.map.length();
     let rough: Vec<bool> = (0..cells.count()).map(|i| cells.width(i) > narrow && peak(cells, c, i) > ROUGH).collect();

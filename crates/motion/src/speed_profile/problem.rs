@@ -1,6 +1,7 @@
 use super::cells::{Cells, Weights};
 use super::pentadiagonal::Pentadiagonal;
 use super::rows::{Forms, Room};
+use std::ops::Range;
 
 /// The rows that a profile's coefficients must satisfy, each as a slack that must stay positive.
 ///
@@ -38,17 +39,17 @@ pub(super) struct Group {
     pub(super) cell: usize,
     /// At the cell's start.
     pub(super) weights: Weights,
-    /// First and last of its caps, accelerations, and points with jerks.
-    pub(super) caps: (usize, usize),
-    pub(super) accelerations: (usize, usize),
-    pub(super) places: (usize, usize),
+    /// Its caps, accelerations, and points with jerks.
+    pub(super) caps: Range<usize>,
+    pub(super) accelerations: Range<usize>,
+    pub(super) places: Range<usize>,
 }
 
 /// A point in a cell with rows of jerks.
 pub(super) struct Place {
     /// Weights of the squared speed and its derivatives at the cell's start in the squared speed here.
     pub(super) along: [f64; 3],
-    pub(super) jerks: (usize, usize),
+    pub(super) jerks: Range<usize>,
 }
 
 /// One value for each slack: of accelerations and of jerks with either sign, of caps, and of the unknowns' lower and
@@ -107,6 +108,12 @@ impl Group {
 /// Upper triangle of a symmetric matrix of three rows, row by row.
 #[derive(Default, Clone, Copy)]
 struct Square([f64; 6]);
+
+/// Curvature in one cell, and its part that is not convex.
+struct Curvature {
+    whole: Square,
+    concave: Square,
+}
 
 impl Square {
     /// Adds `factor (x y^T + y x^T) / 2`.
@@ -210,14 +217,14 @@ impl Problem {
         let [faster, slower, up, down, caps, zero, upper] = out;
         for group in &self.groups {
             let profile = group.profile(c);
-            self.caps.left(group.caps, profile, caps);
-            self.accelerations.both(group.accelerations, profile, 1.0, faster, slower);
-            for place in &self.places[group.places.0..group.places.1] {
+            self.caps.left(&group.caps, profile, caps);
+            self.accelerations.both(&group.accelerations, profile, 1.0, faster, slower);
+            for place in &self.places[group.places.clone()] {
                 let b = dot(&place.along, &profile);
                 if b.is_nan() || b <= 0.0 {
                     return false;
                 }
-                self.jerks.both(place.jerks, profile, 1.0 / b.sqrt(), up, down);
+                self.jerks.both(&place.jerks, profile, 1.0 / b.sqrt(), up, down);
             }
         }
         zero.copy_from_slice(c);
@@ -230,12 +237,12 @@ impl Problem {
         let [faster, slower, up, down, caps, zero, upper] = out;
         for group in &self.groups {
             let profile = group.profile(step);
-            self.caps.left(group.caps, profile, caps);
-            caps[group.caps.0..group.caps.1].iter_mut().for_each(|g| *g -= 1.0);
-            self.accelerations.both(group.accelerations, profile, 0.0, faster, slower);
-            for i in group.places.0..group.places.1 {
+            self.caps.left(&group.caps, profile, caps);
+            caps[group.caps.clone()].iter_mut().for_each(|g| *g -= 1.0);
+            self.accelerations.both(&group.accelerations, profile, 0.0, faster, slower);
+            for i in group.places.clone() {
                 let place = &self.places[i];
-                self.jerks.both(place.jerks, profile, newton.steep[i] * dot(&place.along, &profile), up, down);
+                self.jerks.both(&place.jerks, profile, newton.steep[i] * dot(&place.along, &profile), up, down);
             }
         }
         zero.copy_from_slice(step);
@@ -258,16 +265,16 @@ impl Problem {
         let [faster, slower, up, down, caps, ..] = weight;
         let mut by = [0.0; 3];
         let mut add = |w: f64, form: [f64; 3]| (0..3).for_each(|k| by[k] += w * form[k]);
-        for (i, w) in (group.caps.0..group.caps.1).zip(&caps[group.caps.0..]) {
+        for (i, w) in group.caps.clone().zip(&caps[group.caps.start..]) {
             add(-w, self.caps.at(i));
         }
-        for i in group.accelerations.0..group.accelerations.1 {
+        for i in group.accelerations.clone() {
             add(slower[i] - faster[i], self.accelerations.at(i));
         }
-        let (from, to) = group.places;
-        for (place, steep) in self.places[from..to].iter().zip(&steep[from..to]) {
+        let places = self.places[group.places.clone()].iter();
+        for (place, steep) in places.zip(&steep[group.places.clone()]) {
             let mut sum = 0.0;
-            for i in place.jerks.0..place.jerks.1 {
+            for i in place.jerks.clone() {
                 sum += up[i] + down[i];
                 add(down[i] - up[i], self.jerks.at(i));
             }
@@ -291,14 +298,13 @@ impl Problem {
         }
         for group in &self.groups {
             let profile = group.profile(c);
-            let mut m = self.squares(group, ratio);
-            let mut concave = Square::default();
-            for p in group.places.0..group.places.1 {
-                self.add_jerks(p, &profile, (ratio, z), (&mut m, &mut concave), &mut out.steep[p]);
+            let mut curvature = Curvature { whole: self.squares(group, ratio), concave: Square::default() };
+            for p in group.places.clone() {
+                out.steep[p] = self.add_jerks(&self.places[p], &profile, ratio, z, &mut curvature);
             }
-            group.add(&m, &mut out.matrix);
-            if group.places.0 < group.places.1 {
-                group.add(&concave, &mut out.concave);
+            group.add(&curvature.whole, &mut out.matrix);
+            if !group.places.is_empty() {
+                group.add(&curvature.concave, &mut out.concave);
             }
         }
         let [.., zero, upper] = ratio;
@@ -313,41 +319,37 @@ impl Problem {
     fn squares(&self, group: &Group, ratio: &Lists) -> Square {
         let [faster, slower, _, _, caps, ..] = ratio;
         let mut m = Square::default();
-        for (i, w) in (group.caps.0..group.caps.1).zip(&caps[group.caps.0..]) {
+        for (i, w) in group.caps.clone().zip(&caps[group.caps.start..]) {
             m.add_own(*w, &self.caps.at(i));
         }
-        for i in group.accelerations.0..group.accelerations.1 {
+        for i in group.accelerations.clone() {
             m.add_own(faster[i] + slower[i], &self.accelerations.at(i));
         }
         m
     }
 
-    /// Adds the squares of the slopes of a point's jerks, and the curvature of `1 / sqrt(b)`.
-    fn add_jerks(
-        &self,
-        place: usize,
-        profile: &[f64; 3],
-        (ratio, z): (&Lists, &Lists),
-        (m, concave): (&mut Square, &mut Square),
-        steep: &mut f64,
-    ) {
-        let Place { along, jerks } = &self.places[place];
+    /// Adds the squares of the slopes of a point's jerks, and the curvature of `1 / sqrt(b)`. Returns the slope of
+    /// `1 / sqrt(b)` by `b` there.
+    fn add_jerks(&self, place: &Place, profile: &[f64; 3], ratio: &Lists, z: &Lists, curvature: &mut Curvature) -> f64 {
+        let Place { along, jerks } = place;
         let ([_, _, up, down, ..], [_, _, up_z, down_z, ..]) = (ratio, z);
+        let Curvature { whole, concave } = curvature;
         let b = dot(along, profile);
         let cube = 1.0 / (b * b.sqrt());
-        *steep = -0.5 * cube;
+        let steep = -0.5 * cube;
         let (mut sum, mut multipliers, mut uneven) = (0.0, 0.0, [0.0; 3]);
-        for i in jerks.0..jerks.1 {
+        for i in jerks.clone() {
             let form = self.jerks.at(i);
             let both = up[i] + down[i];
             sum += both;
             multipliers += up_z[i] + down_z[i];
             (0..3).for_each(|k| uneven[k] += (down[i] - up[i]) * form[k]);
-            m.add_own(both, &form);
+            whole.add_own(both, &form);
         }
         // (steep along - form)(..)^T and (steep along + form)(..)^T.
-        m.add_own(sum * *steep * *steep, along);
-        m.add(2.0 * *steep, along, &uneven);
+        whole.add_own(sum * steep * steep, along);
+        whole.add(2.0 * steep, along, &uneven);
         concave.add_own(0.75 * multipliers * cube / b, along);
+        steep
     }
 }

@@ -7,6 +7,7 @@ use super::jerk_limited::plan;
 use super::reach;
 use super::rest::RestToRest;
 use super::spread::spread;
+use crate::stretch::Stretch;
 use std::ops::Range;
 
 /// Number of cells of a profile without limits of jerk.
@@ -69,7 +70,7 @@ impl SpeedProfile {
         let ends = ends(path)?;
         let mut profile = Self::empty(path);
         for w in ends.windows(2) {
-            let (map, tau) = stations(path, path.limits(), (w[0], w[1]));
+            let (map, tau) = stations(path, path.limits(), Stretch { from: w[0], to: w[1] });
             let (cells, c) = plan(path, map, tau, path.limits())?;
             profile.add(&cells, &c);
         }
@@ -86,7 +87,7 @@ impl SpeedProfile {
         let ends = ends(path)?;
         let mut profile = Self::empty(path);
         for w in ends.windows(2) {
-            let stations = spread(path, (w[0], w[1]), cells);
+            let stations = spread(path, Stretch { from: w[0], to: w[1] }, cells);
             let (b, asked) = reach::fastest(path, &stations)?;
             profile.add_linear(&stations, &b, &asked);
         }
@@ -114,8 +115,8 @@ impl SpeedProfile {
         for (i, asked) in asked.iter().enumerate() {
             let width = stations[i + 1] - stations[i];
             let cruises = (0..2).all(|end| b[i + end] >= (1.0 - AS_ASKED) * asked[end]);
-            let range = (stations[i] - from, stations[i + 1] - from);
-            self.push(Cell::new(range, self.duration, [b[i], (b[i + 1] - b[i]) / width, 0.0], (cruises, *asked)));
+            let over = Stretch { from: stations[i] - from, to: stations[i + 1] - from };
+            self.push(Cell::new(over, self.duration, [b[i], (b[i + 1] - b[i]) / width, 0.0], cruises, *asked));
         }
     }
 

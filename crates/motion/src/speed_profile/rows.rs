@@ -2,6 +2,7 @@
 
 use super::cells::{Cells, PARTS};
 use super::problem::{Group, Place, Problem};
+use std::ops::Range;
 
 /// Forms of the squared speed and its first and second derivative: the weights of each in a list.
 #[derive(Default)]
@@ -20,8 +21,8 @@ impl Forms {
         [self.0[0][i], self.0[1][i], self.0[2][i]]
     }
 
-    fn scale(&mut self, (from, to): (usize, usize), by: f64) {
-        self.0.iter_mut().for_each(|list| list[from..to].iter_mut().for_each(|x| *x *= by));
+    fn scale(&mut self, rows: &Range<usize>, by: f64) {
+        self.0.iter_mut().for_each(|list| list[rows.clone()].iter_mut().for_each(|x| *x *= by));
     }
 
     /// Maximum weight of the squared speed.
@@ -29,25 +30,21 @@ impl Forms {
         self.0[0].iter().map(|x| x.abs()).fold(0.0, f64::max)
     }
 
-    /// 1 less these forms.
-    pub(super) fn left(&self, (from, to): (usize, usize), [b, d, e]: [f64; 3], out: &mut [f64]) {
-        let [x, y, z] = self.0.each_ref().map(|list| &list[from..to]);
-        for (i, out) in out[from..to].iter_mut().enumerate() {
+    /// 1 less the forms of these `rows`, at a squared speed and its derivatives (`profile`).
+    pub(super) fn left(&self, rows: &Range<usize>, profile: [f64; 3], out: &mut [f64]) {
+        let [b, d, e] = profile;
+        let [x, y, z] = self.0.each_ref().map(|list| &list[rows.clone()]);
+        for (i, out) in out[rows.clone()].iter_mut().enumerate() {
             *out = 1.0 - (x[i] * b + y[i] * d + z[i] * e);
         }
     }
 
-    /// `room` less these forms, and less their opposites.
-    pub(super) fn both(
-        &self,
-        (from, to): (usize, usize),
-        [b, d, e]: [f64; 3],
-        room: f64,
-        up: &mut [f64],
-        down: &mut [f64],
-    ) {
-        let [x, y, z] = self.0.each_ref().map(|list| &list[from..to]);
-        for (i, (up, down)) in up[from..to].iter_mut().zip(&mut down[from..to]).enumerate() {
+    /// `room` less the forms of these `rows`, and less their opposites, at a squared speed and its derivatives
+    /// (`profile`).
+    pub(super) fn both(&self, rows: &Range<usize>, profile: [f64; 3], room: f64, up: &mut [f64], down: &mut [f64]) {
+        let [b, d, e] = profile;
+        let [x, y, z] = self.0.each_ref().map(|list| &list[rows.clone()]);
+        for (i, (up, down)) in up[rows.clone()].iter_mut().zip(&mut down[rows.clone()]).enumerate() {
             let form = x[i] * b + y[i] * d + z[i] * e;
             (*up, *down) = (room - form, room + form);
         }
@@ -95,10 +92,10 @@ impl Problem {
     pub(crate) fn tighten(&mut self, cells: &Cells, room: &Room) {
         for group in &self.groups {
             let by = self.room.part[group.cell] / room.part[group.cell];
-            self.caps.scale(group.caps, by * by);
-            self.accelerations.scale(group.accelerations, by);
-            for place in &self.places[group.places.0..group.places.1] {
-                self.jerks.scale(place.jerks, by);
+            self.caps.scale(&group.caps, by * by);
+            self.accelerations.scale(&group.accelerations, by);
+            for place in &self.places[group.places.clone()] {
+                self.jerks.scale(&place.jerks, by);
             }
         }
         self.room.part.clone_from(&room.part);
@@ -155,15 +152,15 @@ impl Problem {
                 }
             }
             if self.jerks.count() > first {
-                self.places.push(Place { along, jerks: (first, self.jerks.count()) });
+                self.places.push(Place { along, jerks: first..self.jerks.count() });
             }
         }
         self.groups.push(Group {
             cell,
             weights: cells.weights(cell),
-            caps: (begin.0, self.caps.count()),
-            accelerations: (begin.1, self.accelerations.count()),
-            places: (begin.2, self.places.len()),
+            caps: begin.0..self.caps.count(),
+            accelerations: begin.1..self.accelerations.count(),
+            places: begin.2..self.places.len(),
         });
     }
 }

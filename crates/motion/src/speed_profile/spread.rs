@@ -1,6 +1,7 @@
 //! Division of a path into the cells of a profile without limits of jerk: narrow cells at low tip speed.
 
 use super::channels::{Channels, Limits};
+use crate::stretch::Stretch;
 
 /// Number of cells per probe of the speed.
 const CELLS_A_PROBE: usize = 4;
@@ -15,18 +16,19 @@ const EVEN: f64 = 0.1;
 /// Minimum number of cells between two breaks.
 const MIN_CELLS_BETWEEN_BREAKS: f64 = 2.0;
 
-/// Stations (in `u`) of the piece of `path` between two stops: `count` cells or more, a station at each break. Most are
-/// even by an estimated time from the limits of speed, of centripetal acceleration, and of acceleration and
+/// Stations (in `u`) of the `piece` of `path` between two stops: `count` cells or more, a station at each break. Most
+/// are even by an estimated time from the limits of speed, of centripetal acceleration, and of acceleration and
 /// deceleration phase alone.
 ///
 /// A profile with few cells loses its time at low speed.
-pub(super) fn spread(path: &dyn Channels, (from, to): (f64, f64), count: usize) -> Vec<f64> {
+pub(super) fn spread(path: &dyn Channels, piece: Stretch, count: usize) -> Vec<f64> {
+    let Stretch { from, to } = piece;
     let length = to - from;
     let inside = |u: &f64| *u > from + 1e-9 * length && *u < to - 1e-9 * length;
     let mut fixed: Vec<f64> = path.breaks().into_iter().filter(inside).collect();
     fixed.dedup_by(|a, b| *a - *b < 1e-9 * length);
     fixed.push(to);
-    let bins = Bins::new(path, (from, to), count.div_ceil(CELLS_A_PROBE).max(MIN_PROBES));
+    let bins = Bins::new(path, piece, count.div_ceil(CELLS_A_PROBE).max(MIN_PROBES));
     let mut stations = Vec::with_capacity(count + 2 * fixed.len() + 1);
     stations.push(from);
     let (mut begin, mut bin) = (0.0, 0);
@@ -50,7 +52,9 @@ struct Bins {
 }
 
 impl Bins {
-    fn new(path: &dyn Channels, (from, to): (f64, f64), probes: usize) -> Self {
+    /// Measures the `piece` of `path` by estimated times, with `probes` of the speed.
+    fn new(path: &dyn Channels, piece: Stretch, probes: usize) -> Self {
+        let Stretch { from, to } = piece;
         let limits = path.limits();
         let mut row = vec![[0.0; 3]; limits.len()];
         let mut highest = |u: f64, before: bool| {

@@ -7,6 +7,7 @@ use super::jerk_limited::plan;
 use super::peak::peak;
 use super::profile::ProfilePoint;
 use super::rest::RestToRest;
+use crate::stretch::Stretch;
 use std::collections::VecDeque;
 
 /// A path that is read on demand: its channels are known over the loaded part, given by [`Channels::range`].
@@ -64,7 +65,7 @@ const ZONES: usize = 6;
 
 impl Plan {
     fn new(path: &dyn Channels, from: f64, to: f64) -> Result<Self, SpeedProfileError> {
-        let (map, tau) = stations(path, path.limits(), (from, to));
+        let (map, tau) = stations(path, path.limits(), Stretch { from, to });
         let (cells, c) = plan(path, map, tau, path.limits())?;
         Ok(Self { from, to, cells, c, next: 0 })
     }
@@ -211,7 +212,7 @@ impl<F: Feed> ProfileStream<F> {
         let mut order: Vec<usize> = (0..ZONES).collect();
         order.sort_by_key(|i| (2 * i).abs_diff(ZONES - 1));
         for i in order {
-            let zone = (begin + step * i as f64, begin + step * i as f64 + width);
+            let zone = Stretch { from: begin + step * i as f64, to: begin + step * i as f64 + width };
             if let Some((cells, c, first, after)) = self.passage(&next, zone)? {
                 self.give_out(first);
                 for k in 0..cells.count() {
@@ -228,8 +229,8 @@ impl<F: Feed> ProfileStream<F> {
     }
 
     /// The profile that joins the plan to `next` in about `zone`, if the limits allow one.
-    fn passage(&self, next: &Plan, zone: (f64, f64)) -> Result<Option<Passage>, SpeedProfileError> {
-        let (first, after) = (self.plan.station(zone.0), next.station(zone.1));
+    fn passage(&self, next: &Plan, zone: Stretch) -> Result<Option<Passage>, SpeedProfileError> {
+        let (first, after) = (self.plan.station(zone.from), next.station(zone.to));
         let (from, to) = (self.plan.at(first), next.at(after));
         let inside = |u: f64| u > from && u < to;
         let mut u: Vec<f64> = vec![from];

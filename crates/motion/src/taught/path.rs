@@ -1,7 +1,8 @@
 use super::spline::{Piece, slopes};
-use super::thin::{Kept, SAME, Taught, Thinned};
+use super::thin::{Kept, SAME, Taught, Thinned, Tolerance};
 use crate::pass_channels::limits;
 use crate::speed_profile::{Channels, Feed, Limits};
+use crate::stretch::Stretch;
 use crate::tip_channels::TipChannels;
 use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
 use std::collections::VecDeque;
@@ -32,8 +33,8 @@ pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
     pieces: VecDeque<Piece>,
     /// Points of the current run with their parameters, and the slope of the first one if pieces already end there.
     run: Vec<(f64, Kept)>,
-    /// Maximum distance of the tip (mm) and each axis (mm or rad) from an omitted point.
-    tolerance: (f64, Joints),
+    /// Maximum distance from an omitted point.
+    tolerance: Tolerance,
     slope: Option<Joints>,
     /// The last piece before a corner, until the next piece is known.
     held: Option<Piece>,
@@ -62,13 +63,14 @@ impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
             _ => tolerance,
         };
         let tips = Tips { machine, points };
+        let tolerance = Tolerance { tip: tolerance, axes: std::array::from_fn(near) };
         Self {
             machine,
             limits: machine.axes.iter().map(limits).chain(TipChannels::limits(machine)).collect(),
             speed,
             corner,
-            points: Thinned::new(tips, (tolerance, std::array::from_fn(near))).peekable(),
-            tolerance: (tolerance, std::array::from_fn(near)),
+            points: Thinned::new(tips, tolerance).peekable(),
+            tolerance,
             pieces: VecDeque::new(),
             run: Vec::new(),
             slope: None,
@@ -207,7 +209,10 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         let u: Vec<f64> = self.run.iter().map(|r| r.0).collect();
         let q: Vec<Joints> = self.run.iter().map(|r| r.1.point.q).collect();
         let d = slopes(&u, &q, self.slope.as_ref());
-        let piece = |i: usize| Piece::cubic((u[i], u[i + 1]), [&q[i], &q[i + 1]], [&d[i], &d[i + 1]]);
+        let piece = |i: usize| {
+            let over = Stretch { from: u[i], to: u[i + 1] };
+            Piece::cubic(over, [&q[i], &q[i + 1]], [&d[i], &d[i + 1]])
+        };
         (0..u.len() - 1).map(piece).collect()
     }
 
@@ -221,7 +226,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
 
     /// Distance of `point` (number `k` of `count` omitted ones) from a piece, as a fraction of the tolerance.
     fn away(&self, piece: &Piece, point: &Taught, k: usize, count: usize) -> f64 {
-        let (tip, axes) = &self.tolerance;
+        let Tolerance { tip, axes } = &self.tolerance;
         let off = |q: &Joints, i: usize| (point.q[i] - q[i]) / axes[i];
         // Nearest parameter on it, by Newton's method without the curvature.
         let mut u = piece.from + (piece.to - piece.from) * (k + 1) as f64 / (count + 1) as f64;
@@ -241,7 +246,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
     /// True if a piece deviates from the chord between its ends by more than an even turn and by more than the
     /// tolerance.
     fn swings(&self, piece: &Piece) -> bool {
-        let axes = &self.tolerance.1;
+        let axes = &self.tolerance.axes;
         let between = |a: &Joints, b: &Joints| -> Joints { std::array::from_fn(|i| (b[i] - a[i]) / axes[i]) };
         let dot = |a: &Joints, b: &Joints| (0..MAX_AXES).map(|i| a[i] * b[i]).sum::<f64>();
         let at = |part: f64| piece.derivatives(piece.from + part * (piece.to - piece.from))[0];

@@ -1,3 +1,4 @@
+use crate::stretch::Stretch;
 use seamwright_machine::{Joints, MAX_AXES};
 
 /// A polynomial of all axes over a range of the parameter.
@@ -12,8 +13,9 @@ pub(crate) struct Piece {
 }
 
 impl Piece {
-    /// The cubic from `q0` to `q1` with slopes `d0` and `d1` by the parameter.
-    pub(crate) fn cubic((from, to): (f64, f64), q: [&Joints; 2], d: [&Joints; 2]) -> Self {
+    /// The cubic over a stretch with the positions `q` and slopes `d` by the parameter at its start and end.
+    pub(crate) fn cubic(over: Stretch, q: [&Joints; 2], d: [&Joints; 2]) -> Self {
+        let Stretch { from, to } = over;
         let h = to - from;
         let mut c = [Joints::default(); 6];
         for i in 0..MAX_AXES {
@@ -28,13 +30,14 @@ impl Piece {
 
     /// The quintic from the end of `before` to the start of `after`, twice continuously differentiable.
     pub(crate) fn blend(before: &Self, after: &Self) -> Self {
-        let (from, to) = (before.to, after.from);
+        let over = Stretch { from: before.to, to: after.from };
         let start = |[q, d1, d2, _]: [Joints; 4]| [q, d1, d2];
-        Self::quintic((from, to), start(before.derivatives(from)), start(after.derivatives(to)))
+        Self::quintic(over, start(before.derivatives(over.from)), start(after.derivatives(over.to)))
     }
 
-    /// The quintic with the positions and two derivatives `a` at its start and `b` at its end.
-    pub(crate) fn quintic((from, to): (f64, f64), a: [Joints; 3], b: [Joints; 3]) -> Self {
+    /// The quintic over a stretch with the positions and two derivatives `a` at its start and `b` at its end.
+    pub(crate) fn quintic(over: Stretch, a: [Joints; 3], b: [Joints; 3]) -> Self {
+        let Stretch { from, to } = over;
         let h = to - from;
         let mut c = [Joints::default(); 6];
         for i in 0..MAX_AXES {
@@ -152,7 +155,10 @@ mod tests {
         let u: Vec<f64> = (0..60).map(|i| 0.05 * f64::from(i) + 0.02 * f64::from(i % 3)).collect();
         let q: Vec<Joints> = u.iter().map(|u| at(*u)).collect();
         let slopes = slopes(&u, &q, None);
-        let piece = |i: usize| Piece::cubic((u[i], u[i + 1]), [&q[i], &q[i + 1]], [&slopes[i], &slopes[i + 1]]);
+        let piece = |i: usize| {
+            let over = Stretch { from: u[i], to: u[i + 1] };
+            Piece::cubic(over, [&q[i], &q[i + 1]], [&slopes[i], &slopes[i + 1]])
+        };
         for i in 1..u.len() - 1 {
             let (a, b) = (piece(i - 1).derivatives(u[i]), piece(i).derivatives(u[i]));
             for k in 0..MAX_AXES {
@@ -172,8 +178,8 @@ mod tests {
     fn a_blend_goes_on_from_one_piece_into_the_other() {
         let (a, b, c) = ([0.0; MAX_AXES], [1.0; MAX_AXES], std::array::from_fn(|i| 1.0 + i as f64 * 0.1));
         let slope = |p: &Joints, q: &Joints| std::array::from_fn::<f64, MAX_AXES, _>(|i| q[i] - p[i]);
-        let mut first = Piece::cubic((0.0, 1.0), [&a, &b], [&slope(&a, &b); 2]);
-        let mut second = Piece::cubic((1.0, 2.0), [&b, &c], [&slope(&b, &c); 2]);
+        let mut first = Piece::cubic(Stretch { from: 0.0, to: 1.0 }, [&a, &b], [&slope(&a, &b); 2]);
+        let mut second = Piece::cubic(Stretch { from: 1.0, to: 2.0 }, [&b, &c], [&slope(&b, &c); 2]);
         (first.to, second.from) = (0.8, 1.2);
         let blend = Piece::blend(&first, &second);
         for (own, beside) in

@@ -15,6 +15,15 @@ pub(crate) struct Kept {
     pub(crate) left_out: Vec<Taught>,
 }
 
+/// Maximum distance of a path from the points that it omits.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Tolerance {
+    /// Of the tip, mm.
+    pub(crate) tip: f64,
+    /// Of each axis, mm or rad.
+    pub(crate) axes: Joints,
+}
+
 /// Maximum distance of equal points, of their tips (mm) and of their axes (mm or rad).
 pub(crate) const SAME: f64 = 1e-6;
 
@@ -27,8 +36,8 @@ const SHRINK: f64 = 2.5;
 /// kept points change gradually, since a spline swings if a long piece meets a short one.
 pub(crate) struct Thinned<I> {
     points: I,
-    /// Maximum distance of an omitted point from the line, mm for the tip and linear axes, rad for rotary ones.
-    tolerance: (f64, Joints),
+    /// Maximum distance of an omitted point from the line.
+    tolerance: Tolerance,
     /// The last kept point, and the points since.
     kept: Option<Taught>,
     run: Vec<Taught>,
@@ -40,7 +49,7 @@ pub(crate) struct Thinned<I> {
 }
 
 impl<I> Thinned<I> {
-    pub(crate) fn new(points: I, tolerance: (f64, Joints)) -> Self {
+    pub(crate) fn new(points: I, tolerance: Tolerance) -> Self {
         Self {
             points,
             tolerance,
@@ -67,9 +76,9 @@ impl<I> Thinned<I> {
             let off = (from.tip + part * chord).distance(p.tip);
             let axes = (0..MAX_AXES).all(|i| {
                 let line = from.q[i] + part * (to.q[i] - from.q[i]);
-                (line - p.q[i]).abs() <= self.tolerance.1[i]
+                (line - p.q[i]).abs() <= self.tolerance.axes[i]
             });
-            (0.0..=1.0).contains(&part) && off <= self.tolerance.0 && axes
+            (0.0..=1.0).contains(&part) && off <= self.tolerance.tip && axes
         })
     }
 

@@ -76,7 +76,7 @@ pub fn route(
     to: &Joints,
     held: AxisSet,
 ) -> Result<Vec<Joints>, Blocked> {
-    route_within(&Effort::new(None), machine, around, (from, to), held)
+    route_within(&Effort::new(None), machine, around, from, to, held)
 }
 
 /// Finds the same path as [`route`]; `effort` may stop the search.
@@ -84,7 +84,8 @@ pub(crate) fn route_within(
     effort: &Effort,
     machine: &Machine,
     around: &Surroundings,
-    (from, to): (&Joints, &Joints),
+    from: &Joints,
+    to: &Joints,
     held: AxisSet,
 ) -> Result<Vec<Joints>, Blocked> {
     effort.begin(SearchStage::Transfer);

@@ -162,8 +162,7 @@ fn near(case: &Case, what: &str) -> usize {
         let i = places.iter().position(|s| (s - corner.from).abs() < 1e-9).unwrap();
         let room = 0.5 * (places[i] - places[i - 1]).min(places[i + 1] - places[i]);
         let full = (0.5 * (to - from) - room).abs() < 1e-9;
-        if let Some(used) =
-            used_at_constant_speed(case, (from, to)).filter(|_| !full && most < 0.97 * mm && turned < 9.0)
+        if let Some(used) = used_at_constant_speed(case, from, to).filter(|_| !full && most < 0.97 * mm && turned < 9.0)
         {
             assert!((0.8..0.92).contains(&used), "{what}: {used} of the limits, {most} of {mm}, {from} {to}");
         }
@@ -172,9 +171,9 @@ fn near(case: &Case, what: &str) -> usize {
     wide
 }
 
-/// Maximum use of a limit by an axis if the tip passes a blend at constant requested speed, by differences; none if
-/// these would be rounding.
-fn used_at_constant_speed(case: &Case, (from, to): (f64, f64)) -> Option<f64> {
+/// Maximum use of a limit by an axis if the tip passes a blend between two stations at constant requested speed, by
+/// differences; none if these would be rounding.
+fn used_at_constant_speed(case: &Case, from: f64, to: f64) -> Option<f64> {
     let Case { machine, motion, speed, .. } = case;
     let tip = |s: f64| machine.forward(&motion.path.at(s)).point;
     let (mut rows, mut s, period) = (Vec::new(), from, (to - from) / speed / 150.0);

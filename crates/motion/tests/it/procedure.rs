@@ -3,7 +3,7 @@
 
 use glam::{DMat3, DVec3};
 use seamwright_machine::{Joints, Machine, Surroundings, shipped};
-use seamwright_motion::procedure::{PassProcedure, Quantity};
+use seamwright_motion::procedure::{PassProcedure, PlannedPass, Quantity};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Finding, Inclination, Procedure, TorchPath, WeldingPosition};
 use seamwright_weld::Welding;
@@ -34,7 +34,8 @@ fn hold_job(text: &str, machine: &Machine, procedure: &str) -> Held {
     let path = welding.path(0);
     let pass = &welding.program.value.passes[0];
     let motion = PassMotion::plan(machine, &path, pass, 1).unwrap_or_else(|f| panic!("{f:?}"));
-    let held = PassProcedure::new(&procedure, machine, &path, (pass, 1, &motion));
+    let planned = PlannedPass { machine, path: &path, pass, number: 1, motion: &motion };
+    let held = PassProcedure::new(&procedure, planned);
     drop(path);
     Held { motion, held, machine: machine.clone(), welding }
 }

@@ -1,7 +1,7 @@
 //! Search for a course, in each period in which the override is not the wanted one.
 
 use super::{BOLDEST, FeedOverride, Stop};
-use crate::feed_override::course::{Course, State};
+use crate::feed_override::course::{Course, Return, Segment, State};
 use crate::feed_override::shield::Breach;
 use crate::feed_override::timed::{Pacing, Rates, Timed};
 
@@ -36,8 +36,8 @@ impl<L: Timed + ?Sized> FeedOverride<'_, L> {
         let strength = self.shield.strength(&rates);
         let (mut part, mut delay) = (1.0, 0.0);
         for _ in 0..ATTEMPTS {
-            let back = strength * self.boldness;
-            let Some(course) = self.candidate(now, goal, &rates, (delay, back), part) else { break };
+            let home = Return { delay, d2: strength * self.boldness };
+            let Some(course) = self.candidate(now, goal, &rates, home, part) else { break };
             let checked = self.check(&course, place);
             match checked {
                 Ok(course) => {
@@ -85,9 +85,9 @@ impl<L: Timed + ?Sized> FeedOverride<'_, L> {
     }
 
     /// Builds the course that approaches the goal for one period, as fast as the axes allow here (or `part` of that).
-    /// It then returns to steady by `home` (delay, strength), so that it does not end beyond the goal.
-    fn candidate(&self, now: State, goal: f64, rates: &Rates, home: (f64, f64), part: f64) -> Option<Course> {
-        let (delay, back) = home;
+    /// It then returns to steady by `home`, so that it does not end beyond the goal.
+    fn candidate(&self, now: State, goal: f64, rates: &Rates, home: Return, part: f64) -> Option<Course> {
+        let Return { delay, d2: back } = home;
         let (period, Pacing { phi, d1, .. }) = (self.period, now.feed_override);
         // Computes the d1 at the end of the period that leads exactly to the goal.
         let way = goal - phi - 0.5 * period * d1;
@@ -104,7 +104,7 @@ impl<L: Timed + ?Sized> FeedOverride<'_, L> {
         // Scaled from the immediate return to steady.
         let straight_home = -back.min(d1.abs() / period).copysign(d1);
         let d2 = if part < 1.0 { straight_home + part * (d2 - straight_home) } else { d2 };
-        let course = Course::heading(now, d2, period, home, (!cut).then_some(goal));
+        let course = Course::heading(now, Segment { d2, duration: period }, home, (!cut).then_some(goal));
         (course.steady.abs() <= 1.0 && self.better(&course, phi, goal)).then_some(course)
     }
 
