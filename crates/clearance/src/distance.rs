@@ -60,7 +60,7 @@ pub fn nearest(a: &Solid, frame_a: &DAffine3, b: &Solid, frame_b: &DAffine3, lim
     if !is_usable(&to_a) {
         return (limit > 0.0).then_some(Near { distance: 0.0, on_a: DVec3::ZERO, on_b: DVec3::ZERO });
     }
-    let gap = of_shapes((a.shape(), *a.pose()), (b.shape(), to_a * *b.pose()), limit, &mut 0)?;
+    let gap = of_shapes(Posed::new(a, *a.pose()), Posed::new(b, to_a * *b.pose()), limit, &mut 0)?;
     let [on_a, on_b] = [gap.on_a, gap.on_b].map(|p| frame_a.transform_point3(p));
     Some(Near { distance: gap.distance, on_a, on_b })
 }
@@ -70,7 +70,19 @@ pub(crate) fn is_usable(frame: &DAffine3) -> bool {
     frame.is_finite() && frame.translation.abs().max_element() <= 1e9
 }
 
-type Posed<'a> = (&'a Shape, DAffine3);
+/// A shape with its pose in a frame.
+#[derive(Clone, Copy)]
+pub(crate) struct Posed<'a> {
+    pub(crate) shape: &'a Shape,
+    pub(crate) pose: DAffine3,
+}
+
+impl<'a> Posed<'a> {
+    /// The shape of a solid at a pose of its own.
+    pub(crate) fn new(solid: &'a Solid, pose: DAffine3) -> Self {
+        Self { shape: solid.shape(), pose }
+    }
+}
 
 /// Bound of the rounding error of a height over a plane, as a share of the coordinates.
 const ROUNDING: f64 = 1e-14;
@@ -81,15 +93,15 @@ pub(crate) fn of_shapes(a: Posed, b: Posed, limit: f64, last: &mut Last) -> Opti
     if limit <= 0.0 {
         return None;
     }
-    match (a.0, b.0) {
-        (Shape::HalfSpace, Shape::HalfSpace) => half_spaces(&a.1, &b.1, limit),
-        (Shape::HalfSpace, _) => over_plane(&a.1, b, limit),
-        (_, Shape::HalfSpace) => over_plane(&b.1, a, limit).map(swapped),
-        (Shape::Mesh(m), Shape::Mesh(n)) => meshes(m, &a.1, n, &b.1, limit),
-        (Shape::Mesh(m), _) => mesh_and_convex(m, &a.1, b, limit, last).map(swapped),
-        (_, Shape::Mesh(m)) => mesh_and_convex(m, &b.1, a, limit, last),
+    match (a.shape, b.shape) {
+        (Shape::HalfSpace, Shape::HalfSpace) => half_spaces(&a.pose, &b.pose, limit),
+        (Shape::HalfSpace, _) => over_plane(&a.pose, b, limit),
+        (_, Shape::HalfSpace) => over_plane(&b.pose, a, limit).map(swapped),
+        (Shape::Mesh(m), Shape::Mesh(n)) => meshes(m, &a.pose, n, &b.pose, limit),
+        (Shape::Mesh(m), _) => mesh_and_convex(m, &a.pose, b, limit, last).map(swapped),
+        (_, Shape::Mesh(m)) => mesh_and_convex(m, &b.pose, a, limit, last),
         _ => {
-            let (p, q) = (Placed::new(a.0, a.1)?, Placed::new(b.0, b.1)?);
+            let (p, q) = (Placed::new(a.shape, a.pose)?, Placed::new(b.shape, b.pose)?);
             convex::nearest(&p, &q, q.inner_point() - p.inner_point(), limit)
         }
     }
@@ -105,7 +117,8 @@ fn moved(gap: Gap, pose: &DAffine3) -> Gap {
 }
 
 /// The farthest point of a bounded shape, in a unit direction of the frame that `pose` maps to.
-pub(crate) fn extreme((shape, pose): Posed, direction: DVec3) -> DVec3 {
+pub(crate) fn extreme(body: Posed, direction: DVec3) -> DVec3 {
+    let Posed { shape, pose } = body;
     match shape {
         Shape::Mesh(mesh) => pose.transform_point3(mesh.extreme(pose.matrix3.transpose() * direction)),
         Shape::HalfSpace => direction * f64::INFINITY,
@@ -134,7 +147,7 @@ fn over_plane(plane: &DAffine3, body: Posed, limit: f64) -> Option<Gap> {
 
 /// Distance of a mesh and a convex body; `a` is the convex one.
 fn mesh_and_convex(mesh: &Mesh, pose: &DAffine3, body: Posed, limit: f64, last: &mut Last) -> Option<Gap> {
-    let body = Placed::new(body.0, pose.inverse() * body.1)?;
+    let body = Placed::new(body.shape, pose.inverse() * body.pose)?;
     let high = DVec3::AXES.map(|n| body.extreme(n).dot(n));
     let low = DVec3::AXES.map(|n| body.extreme(-n).dot(n));
     let around = Bounds { low: low.into(), high: high.into() };

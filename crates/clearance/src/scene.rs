@@ -1,6 +1,6 @@
 //! Groups of solids and the conditions between them.
 
-use crate::distance::{is_usable, of_shapes};
+use crate::distance::{Posed, is_usable, of_shapes};
 use crate::mesh::Last;
 use crate::zone::{is_zone, room};
 use crate::{ClearanceError, Solid};
@@ -225,7 +225,7 @@ impl Scene {
             }
             let pair = [i % solids_a.len(), i / solids_a.len()];
             let (s, t) = (&solids_a[pair[0]], &solids_b[pair[1]]);
-            let (s, t) = ((s.shape(), *s.pose()), (t.shape(), to_a * *t.pose()));
+            let (s, t) = (Posed::new(s, *s.pose()), Posed::new(t, to_a * *t.pose()));
             if let Some(gap) = of_shapes(s, t, best.distance, &mut memory.last[i]) {
                 memory.nearest = i;
                 let place = Place { solids: pair, on_a: gap.on_a, on_b: gap.on_b };

@@ -1,7 +1,7 @@
 //! Margins inside permitted zones.
 
 use crate::boxes::Bounds;
-use crate::distance::extreme;
+use crate::distance::{Posed, extreme};
 use crate::{Shape, Solid};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
@@ -33,8 +33,7 @@ pub(crate) fn is_zone(shape: &Shape) -> bool {
 /// for boxes, meshes, spheres and capsules; up to 0.12 % of the radius too small for cylinders and cones, and up to the
 /// difference of the semi-axes for ellipsoids.
 pub(crate) fn room(body: &Solid, to_zone: &DAffine3, zone: &Solid) -> Room {
-    let pose = zone.pose().inverse() * *to_zone * *body.pose();
-    let body = (body.shape(), pose);
+    let body = Posed::new(body, zone.pose().inverse() * *to_zone * *body.pose());
     let over_face = |n: DVec3, height: f64| {
         let p = extreme(body, n);
         (height - p.dot(n) - ROUNDING * (height + p.abs().max_element()), p, n)
@@ -65,7 +64,8 @@ pub(crate) fn room(body: &Solid, to_zone: &DAffine3, zone: &Solid) -> Room {
 
 /// Upper bound of the length of the body's points after `mask` (the distance from the origin, or from z), and its
 /// point.
-fn farthest((shape, pose): (&Shape, DAffine3), mask: DVec3) -> (f64, DVec3) {
+fn farthest(body: Posed, mask: DVec3) -> (f64, DVec3) {
+    let Posed { shape, pose } = body;
     let at = |p: DVec3| pose.transform_point3(p);
     let length = |p: DVec3| (p * mask).length();
     let best = |points: &[DVec3]| {

@@ -4,7 +4,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::DVec3;
-use seamwright_geometry::reduce::{Method, reduce};
+use seamwright_geometry::reduce::{Method, Tolerances, reduce};
 use std::hint::black_box;
 
 const POINTS: usize = 1_000_000;
@@ -93,7 +93,8 @@ fn benches(c: &mut Criterion) {
     for (name, points) in paths {
         for (method, called) in [(Method::Greedy, "greedy"), (Method::Fewest, "fewest")] {
             group.bench_function(format!("{name}, {called}"), |b| {
-                b.iter(|| reduce(black_box(&points), &[], (TOLERANCE, 1.0), method));
+                let tolerances = Tolerances { path_mm: TOLERANCE, columns: 1.0 };
+                b.iter(|| reduce(black_box(&points), &[], tolerances, method));
             });
         }
     }

@@ -140,7 +140,7 @@ impl Error {
     pub fn message(&self) -> Message {
         match *self {
             Self::Size { what, value } => named("geometry-size", what).value("value", value, Unit::One),
-            Self::Range { what, value, min, max } => range(what, value, (min, max)),
+            Self::Range { what, value, min, max } => range(what, value, min, max),
             Self::Direction { what } => named("geometry-direction", what),
             Self::Parallel { first, second } => {
                 Message::new("geometry-parallel").message("first", name(first)).message("second", name(second))
@@ -186,8 +186,8 @@ fn named(code: &'static str, what: &'static str) -> Message {
     Message::new(code).message("what", name(what))
 }
 
-/// An error of a size, mm, that must lie between two others; the second may be infinite.
-fn range(what: &'static str, value: f64, (min, max): (f64, f64)) -> Message {
+/// An error of a size, mm, that must lie between `min` and `max`; `max` may be infinite.
+fn range(what: &'static str, value: f64, min: f64, max: f64) -> Message {
     let code = if max.is_finite() { "geometry-range" } else { "geometry-too-small" };
     let message = named(code, what).value("value", value, Unit::Mm).value("min", min, Unit::Mm);
     if max.is_finite() { message.value("max", max, Unit::Mm) } else { message }

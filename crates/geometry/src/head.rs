@@ -5,17 +5,31 @@ use std::f64::consts::FRAC_PI_2;
 /// The head of a vessel: a convex body of revolution. Its meridian is a chain of arcs and lines joined without corners,
 /// from the crown through a knuckle into a cylindrical flange.
 ///
-/// Heights count along the axis, out of the vessel, from the end of the knuckle, where the flange begins. The flange
-/// ends `flange` mm below; for distances it is infinite.
+/// Heights count along the axis, out of the vessel, from the end of the knuckle, where the [`Flange`] begins; for
+/// distances the flange is infinite.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Head {
     centre: DVec3,
     axis: DVec3,
     radius: f64,
+    /// Length of the flange, mm.
     flange: f64,
     top: f64,
     /// From the crown to the flange.
     zones: Vec<Zone>,
+}
+
+/// The cylindrical flange of a head; outside measures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flange {
+    /// The point of the axis where the flange begins, mm.
+    pub centre: DVec3,
+    /// Direction of the axis, out of the vessel.
+    pub axis: DVec3,
+    /// Radius, mm.
+    pub radius: f64,
+    /// Length, mm.
+    pub length: f64,
 }
 
 /// A part of the head, up to its border with the next one.
@@ -63,18 +77,13 @@ struct Border {
 const MAX_NEWTON_STEPS: usize = 100;
 
 impl Head {
-    /// A spherical crown of radius `crown`, a knuckle of radius `knuckle` and a flange of radius `radius`; all of the
-    /// outside.
+    /// A spherical crown of radius `crown` and a knuckle of radius `knuckle` on a flange; outside measures.
     ///
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`]; [`Error::Range`] if the knuckle is not smaller than the flange, or the
     /// crown not larger.
-    pub fn torispherical(
-        (centre, axis): (DVec3, DVec3),
-        radius: f64,
-        (crown, knuckle): (f64, f64),
-        flange: f64,
-    ) -> Result<Self, Error> {
+    pub fn torispherical(flange: Flange, crown: f64, knuckle: f64) -> Result<Self, Error> {
+        let radius = flange.radius;
         let ring = ring(radius, knuckle)?;
         if !(crown > radius && crown.is_finite()) {
             return Err(Error::Range { what: "geometry-crown-radius", value: crown, min: radius, max: f64::INFINITY });
@@ -87,52 +96,51 @@ impl Head {
             (Meridian::Ball { height: -below, radius: crown }, touch),
             (Meridian::Knuckle { ring, radius: knuckle }, Border::flange(radius, 0.0)),
         ];
-        Self::new((centre, axis), radius, flange, crown - below, zones)
+        Self::new(flange, crown - below, zones)
     }
 
-    /// Half an ellipsoid of revolution, `depth` high, and a flange; outside measures.
+    /// Half an ellipsoid of revolution, `depth` high, on a flange; outside measures.
     ///
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`].
-    pub fn ellipsoidal(place: (DVec3, DVec3), radius: f64, depth: f64, flange: f64) -> Result<Self, Error> {
+    pub fn ellipsoidal(flange: Flange, depth: f64) -> Result<Self, Error> {
+        let radius = flange.radius;
         let depth = positive("geometry-head-depth", depth)?;
         let zones = vec![(Meridian::Oval { radius, depth }, Border::flange(radius, 0.0))];
-        Self::new(place, radius, flange, depth, zones)
+        Self::new(flange, depth, zones)
     }
 
-    /// Half a ball and a flange.
+    /// Half a ball on a flange.
     ///
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`].
-    pub fn hemispherical(place: (DVec3, DVec3), radius: f64, flange: f64) -> Result<Self, Error> {
+    pub fn hemispherical(flange: Flange) -> Result<Self, Error> {
+        let radius = flange.radius;
         let zones = vec![(Meridian::Ball { height: 0.0, radius }, Border::flange(radius, 0.0))];
-        Self::new(place, radius, flange, radius, zones)
+        Self::new(flange, radius, zones)
     }
 
-    /// A flat plate, a knuckle and a flange; outside measures.
+    /// A flat plate and a knuckle on a flange; outside measures.
     ///
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`]; [`Error::Range`] if the knuckle is not smaller than the flange.
-    pub fn flat(place: (DVec3, DVec3), radius: f64, knuckle: f64, flange: f64) -> Result<Self, Error> {
+    pub fn flat(flange: Flange, knuckle: f64) -> Result<Self, Error> {
+        let radius = flange.radius;
         let ring = ring(radius, knuckle)?;
         let zones = vec![
             (Meridian::Plate { height: knuckle }, Border::on(ring, 0.0, knuckle, 0.0)),
             (Meridian::Knuckle { ring, radius: knuckle }, Border::flange(radius, 0.0)),
         ];
-        Self::new(place, radius, flange, knuckle, zones)
+        Self::new(flange, knuckle, zones)
     }
 
-    /// A cone whose wall is `half_angle` (rad) off the axis, closed at its apex, a knuckle and a flange; outside
+    /// A cone whose wall is `half_angle` (rad) off the axis, closed at its apex, and a knuckle on a flange; outside
     /// measures.
     ///
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`]; [`Error::Range`] if the knuckle is not smaller than the flange.
-    pub fn conical(
-        place: (DVec3, DVec3),
-        radius: f64,
-        (half_angle, knuckle): (f64, f64),
-        flange: f64,
-    ) -> Result<Self, Error> {
+    pub fn conical(flange: Flange, half_angle: f64, knuckle: f64) -> Result<Self, Error> {
+        let radius = flange.radius;
         let ring = ring(radius, knuckle)?;
         if !(half_angle > 0.0 && half_angle < FRAC_PI_2) {
             return Err(Error::Size { what: "geometry-cone-half-angle", value: half_angle });
@@ -143,29 +151,24 @@ impl Head {
             (Meridian::Cone { apex, half_angle }, touch),
             (Meridian::Knuckle { ring, radius: knuckle }, Border::flange(radius, 0.0)),
         ];
-        Self::new(place, radius, flange, apex, zones)
+        Self::new(flange, apex, zones)
     }
 
-    /// The head with these zones above its flange.
-    fn new(
-        (centre, axis): (DVec3, DVec3),
-        radius: f64,
-        flange: f64,
-        top: f64,
-        mut zones: Vec<(Meridian, Border)>,
-    ) -> Result<Self, Error> {
+    /// The head `top` mm high with these zones above its flange.
+    fn new(flange: Flange, top: f64, mut zones: Vec<(Meridian, Border)>) -> Result<Self, Error> {
+        let Flange { centre, axis, radius, length } = flange;
         positive("geometry-head-radius", radius)?;
-        if !(flange >= 0.0 && flange.is_finite()) {
-            return Err(Error::Size { what: "geometry-head-flange", value: flange });
+        if !(length >= 0.0 && length.is_finite()) {
+            return Err(Error::Size { what: "geometry-head-flange", value: length });
         }
         let axis = unit("geometry-head-axis", axis)?;
-        zones.push((Meridian::Flange, Border::flange(radius, -flange)));
+        zones.push((Meridian::Flange, Border::flange(radius, -length)));
         let zone = |(meridian, end): (Meridian, Border)| {
             let face = meridian.face(centre, axis, radius)?;
             Ok(Zone { meridian, face, end })
         };
         let zones = zones.into_iter().map(zone).collect::<Result<_, Error>>()?;
-        Ok(Self { centre, axis, radius, flange, top, zones })
+        Ok(Self { centre, axis, radius, flange: length, top, zones })
     }
 
     /// The point of the axis where the flange begins, mm.

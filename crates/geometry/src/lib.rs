@@ -93,7 +93,7 @@ pub use distance::{Foot, QuadricDistance, SignedDistance};
 pub use edge::{CurvedEdge, Edge, EdgePoint, FaceRule};
 pub use ellipse::Ellipse;
 pub use error::Error;
-pub use head::Head;
+pub use head::{Flange, Head};
 pub use head_intersection::HeadIntersection;
 pub use height_table::{HeightError, HeightTable};
 pub use helix::Helix;

@@ -17,34 +17,79 @@ pub enum End<V> {
     Jet(V, V),
 }
 
+/// Value and first derivative of a spline at a knot.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Knot<V> {
+    pub(crate) value: V,
+    pub(crate) slope: V,
+}
+
+/// First and second derivative at an end.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EndDerivatives<V> {
+    pub(crate) slope: V,
+    pub(crate) second: V,
+}
+
+impl<V: Value> EndDerivatives<V> {
+    /// The same seen backwards: slopes change their sign; second derivatives do not.
+    fn reversed(self) -> Self {
+        Self { slope: self.slope * -1.0, ..self }
+    }
+}
+
+/// Interval between two knots.
+#[derive(Clone, Copy)]
+struct Interval<V> {
+    width: f64,
+    /// Difference of the values at its ends.
+    rise: V,
+}
+
+impl<V: Value> Interval<V> {
+    /// The interval from knot `i` to the next.
+    fn new(x: &[f64], y: &[V], i: usize) -> Self {
+        Self { width: x[i + 1] - x[i], rise: y[i + 1] - y[i] }
+    }
+
+    /// The same seen backwards.
+    fn reversed(self) -> Self {
+        Self { rise: self.rise * -1.0, ..self }
+    }
+}
+
 /// A row of the system for the slopes: coefficients of the one before, its own and the one after; right side.
 type Row<V> = ([f64; 3], V);
 
-/// The condition that the second derivative is continuous at a knot, from the intervals `(h, rise)` beside it.
-fn row<V: Value>((h0, rise0): (f64, V), (h1, rise1): (f64, V)) -> Row<V> {
+/// The condition that the second derivative is continuous at a knot, from the intervals beside it.
+fn row<V: Value>(before: Interval<V>, after: Interval<V>) -> Row<V> {
+    let Interval { width: h0, rise: rise0 } = before;
+    let Interval { width: h1, rise: rise1 } = after;
     let right = (rise0 * (1.0 / (h0 * h0)) + rise1 * (1.0 / (h1 * h1))) * 3.0;
     ([1.0 / h0, 2.0 / h0 + 2.0 / h1, 1.0 / h1], right)
 }
 
-/// Half the second derivative at the inner end of an end interval `(h, rise)` with a knot in its middle, as it follows
-/// from slope `m` and second derivative `a` at the outer end: the factor of the slope at the inner end, and the rest.
-/// All derivatives are outward to inward.
-fn inner<V: Value>((h, rise): (f64, V), (m, a): (V, V)) -> (f64, V) {
+/// Half the second derivative at the inner end of an end interval with a knot in its middle, as it follows from the
+/// derivatives at the outer end: the factor of the slope at the inner end, and the rest. All derivatives are outward to
+/// inward.
+fn inner<V: Value>(interval: Interval<V>, outer: EndDerivatives<V>) -> (f64, V) {
+    let Interval { width: h, rise } = interval;
+    let EndDerivatives { slope: m, second: a } = outer;
     let left = rise - m * h - a * (0.5 * h * h);
     (3.0 / h, a * 0.5 - left * (6.0 / (h * h)) - (m + a * h) * (3.0 / h))
 }
 
-/// The same condition at a knot beside an end interval with a jet, which two cubics fill instead of one.
-fn row_beside_jet<V: Value>(jet: (f64, V), (m, a): (V, V), other: (f64, V), last: bool) -> Row<V> {
-    let (h1, rise1) = other;
+/// The same condition at a knot beside an end interval `jet` with the derivatives `outer` at its end, which two cubics
+/// fill instead of one.
+fn row_beside_jet<V: Value>(jet: Interval<V>, outer: EndDerivatives<V>, other: Interval<V>, last: bool) -> Row<V> {
+    let Interval { width: h1, rise: rise1 } = other;
     // Half the second derivative on the other side: (3 rise / h^2 - (2 m1 + m2) / h), seen away from the knot.
     if last {
-        // Seen backwards slopes change their sign; second derivatives do not.
-        let (factor, rest) = inner((jet.0, jet.1 * -1.0), (m * -1.0, a));
+        let (factor, rest) = inner(jet.reversed(), outer.reversed());
         // -3 rise1/h1^2 + (m0 + 2 m1)/h1 = -factor m1 + rest
         ([1.0 / h1, 2.0 / h1 + factor, 0.0], rest + rise1 * (3.0 / (h1 * h1)))
     } else {
-        let (factor, rest) = inner(jet, (m, a));
+        let (factor, rest) = inner(jet, outer);
         // factor m1 + rest = 3 rise1/h1^2 - (2 m1 + m2)/h1
         ([0.0, 2.0 / h1 + factor, 1.0 / h1], rise1 * (3.0 / (h1 * h1)) - rest)
     }
@@ -57,22 +102,27 @@ pub(crate) fn slopes<V: Value>(x: &[f64], y: &[V], start: &End<V>, end: &End<V>)
     if n < 2 {
         return vec![zero; n];
     }
-    let piece = |i: usize| (x[i + 1] - x[i], y[i + 1] - y[i]);
+    let piece = |i: usize| Interval::new(x, y, i);
     let fixed = |m: V| ([0.0, 1.0, 0.0], m);
     let mut rows: Vec<Row<V>> = Vec::with_capacity(n);
     for i in 0..n {
         rows.push(match (i, start, end) {
             (0, End::Slope(m) | End::Jet(m, _), _) => fixed(*m),
-            (0, End::Natural, _) => ([0.0, 2.0, 1.0], piece(0).1 * (3.0 / piece(0).0)),
+            (0, End::Natural, _) => ([0.0, 2.0, 1.0], piece(0).rise * (3.0 / piece(0).width)),
             (i, _, End::Slope(m) | End::Jet(m, _)) if i == n - 1 => fixed(*m),
-            (i, _, End::Natural) if i == n - 1 => ([1.0, 2.0, 0.0], piece(n - 2).1 * (3.0 / piece(n - 2).0)),
-            (1, End::Jet(m, a), End::Jet(m1, a1)) if n == 3 => {
-                let ((f0, r0), back) = (inner(piece(0), (*m, *a)), piece(1));
-                let (f1, r1) = inner((back.0, back.1 * -1.0), (*m1 * -1.0, *a1));
+            (i, _, End::Natural) if i == n - 1 => ([1.0, 2.0, 0.0], piece(n - 2).rise * (3.0 / piece(n - 2).width)),
+            (1, &End::Jet(slope, second), &End::Jet(end_slope, end_second)) if n == 3 => {
+                let (f0, r0) = inner(piece(0), EndDerivatives { slope, second });
+                let outer = EndDerivatives { slope: end_slope, second: end_second };
+                let (f1, r1) = inner(piece(1).reversed(), outer.reversed());
                 ([0.0, f0 + f1, 0.0], r1 - r0)
             }
-            (1, End::Jet(m, a), _) => row_beside_jet(piece(0), (*m, *a), piece(1), false),
-            (i, _, End::Jet(m, a)) if i == n - 2 => row_beside_jet(piece(i), (*m, *a), piece(i - 1), true),
+            (1, &End::Jet(slope, second), _) => {
+                row_beside_jet(piece(0), EndDerivatives { slope, second }, piece(1), false)
+            }
+            (i, _, &End::Jet(slope, second)) if i == n - 2 => {
+                row_beside_jet(piece(i), EndDerivatives { slope, second }, piece(i - 1), true)
+            }
             _ => row(piece(i - 1), piece(i)),
         });
     }
@@ -80,14 +130,16 @@ pub(crate) fn slopes<V: Value>(x: &[f64], y: &[V], start: &End<V>, end: &End<V>)
     tridiagonal(&rows)
 }
 
-/// The knot in the middle of an end interval of width `h` (negative backwards) from value `y` with derivatives `m` and
-/// `a` there, to value `y1` with slope `m1`: its value and slope.
-pub(crate) fn middle<V: Value>(h: f64, (y, m, a): (V, V, V), (y1, m1): (V, V)) -> (V, V) {
+/// The knot in the middle of an end interval of width `h` (negative backwards) from the knot `outer`, with the second
+/// derivative `a` there, to the knot `inner`.
+pub(crate) fn middle<V: Value>(h: f64, outer: Knot<V>, a: V, inner: Knot<V>) -> Knot<V> {
+    let Knot { value: y, slope: m } = outer;
+    let Knot { value: y1, slope: m1 } = inner;
     let left = y1 - y - m * h - a * (0.5 * h * h);
     let turn = m1 - m - a * h;
     let jerk = left * (12.0 / (h * h * h)) - turn * (2.0 / (h * h));
     let x = 0.5 * h;
-    (y + m * x + a * (0.5 * x * x) + jerk * (x * x * x / 6.0), m + a * x + jerk * (0.5 * x * x))
+    Knot { value: y + m * x + a * (0.5 * x * x) + jerk * (x * x * x / 6.0), slope: m + a * x + jerk * (0.5 * x * x) }
 }
 
 /// Slopes of the closed spline through `y`, whose last value is the first: the cyclic system is the tridiagonal one
@@ -98,9 +150,9 @@ pub(crate) fn periodic_slopes<V: Value>(x: &[f64], y: &[V]) -> Vec<V> {
         // One value, or two: solve the full cyclic system of at most two unknowns by symmetry.
         return closed_by_symmetry(x, y, n);
     }
-    let piece = |i: usize| (x[i + 1] - x[i], y[i + 1] - y[i]);
+    let piece = |i: usize| Interval::new(x, y, i);
     let mut rows: Vec<_> = (0..n).map(|i| row(piece((i + n - 1) % n), piece(i))).collect();
-    let corner = 1.0 / piece(n - 1).0;
+    let corner = 1.0 / piece(n - 1).width;
     let shift = -rows[0].0[1];
     rows[0].0[1] -= shift;
     rows[n - 1].0[1] -= corner * corner / shift;

@@ -1,4 +1,4 @@
-use crate::slopes::{End, middle, periodic_slopes, slopes};
+use crate::slopes::{End, EndDerivatives, Knot, middle, periodic_slopes, slopes};
 use crate::{Curve, Error, Jet};
 use glam::DVec3;
 
@@ -89,22 +89,25 @@ impl Spline {
     fn with_middles(mut self, start: &End<DVec3>, end: &End<DVec3>) -> Self {
         // The last first: it does not move the others.
         let n = self.points.len();
-        if let End::Jet(m, a) = end {
-            self.add_middle((n - 1, n - 2), (*m, *a));
+        if let End::Jet(slope, second) = *end {
+            self.add_middle(n - 1, n - 2, EndDerivatives { slope, second });
         }
-        if let End::Jet(m, a) = start {
-            self.add_middle((0, 1), (*m, *a));
+        if let End::Jet(slope, second) = *start {
+            self.add_middle(0, 1, EndDerivatives { slope, second });
         }
         self
     }
 
-    fn add_middle(&mut self, (outer, inner): (usize, usize), (m, a): (DVec3, DVec3)) {
+    /// Adds the knot in the middle of an end interval, from its `outer` and `inner` knot.
+    fn add_middle(&mut self, outer: usize, inner: usize, derivatives: EndDerivatives<DVec3>) {
         let h = self.knots[inner] - self.knots[outer];
-        let (p, slope) = middle(h, (self.points[outer], m, a), (self.points[inner], self.slopes[inner]));
+        let from = Knot { value: self.points[outer], slope: derivatives.slope };
+        let to = Knot { value: self.points[inner], slope: self.slopes[inner] };
+        let added = middle(h, from, derivatives.second, to);
         let place = outer.max(inner);
         self.knots.insert(place, self.knots[outer] + 0.5 * h);
-        self.points.insert(place, p);
-        self.slopes.insert(place, slope);
+        self.points.insert(place, added.value);
+        self.slopes.insert(place, added.slope);
     }
 
     /// Parameters of the knots, with both ends.

@@ -1,6 +1,7 @@
 use crate::{EncoderSide, PitchError, Stepper};
 use seamwright_message::Unit;
 use std::f64::consts::{PI, TAU};
+use std::ops::RangeInclusive;
 
 /// Linear or rotary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -190,9 +191,10 @@ impl Axis {
         Some(if value < low { low } else { high })
     }
 
-    /// The number of whole turns nearest to `wanted` that brings positions from `low` to `high` into the range; none if
-    /// they do not fit. A continuous axis fits all.
-    pub fn turns_within(&self, (low, high): (f64, f64), wanted: f64) -> Option<f64> {
+    /// The number of whole turns nearest to `wanted` that brings all `positions` into the range; none if they do not
+    /// fit. A continuous axis fits all.
+    pub fn turns_within(&self, positions: RangeInclusive<f64>, wanted: f64) -> Option<f64> {
+        let (low, high) = positions.into_inner();
         let Some((least, most)) = self.range else { return Some(wanted) };
         let (first, last) = (((least - low) / TAU).ceil(), ((most - high) / TAU).floor());
         (first <= last).then(|| wanted.clamp(first, last))

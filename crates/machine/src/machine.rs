@@ -277,7 +277,7 @@ impl Machine {
         let truly: ArrayVec<Joints, MAX_STARTS> =
             starts.iter().take(MAX_STARTS).map(|start| self.true_positions(start)).collect();
         let true_near = self.true_positions(near);
-        head.inverse.solve_from(&head.chain, &target.first, (&true_near, &truly), &mut branches)?;
+        head.inverse.solve_from(&head.chain, &target.first, &true_near, &truly, &mut branches)?;
         self.let_idle(&mut branches, &true_near);
         self.as_indicated(&mut branches, near);
         Ok(branches)

@@ -68,7 +68,7 @@ impl<'a> Surroundings<'a> {
         for (kind, name, solids) in
             [(Kind::Part, "part", &clamped.part), (Kind::Fixtures, "fixtures", &clamped.fixtures)]
         {
-            build.clamped((kind, name), solids, clamped.least_mm);
+            build.clamped(kind, name, solids, clamped.least_mm);
         }
         build.zones();
         let spheres = build.groups.iter().map(|g| around(&g.solids)).collect();
@@ -319,7 +319,7 @@ impl Build<'_> {
     }
 
     /// Adds part or fixtures, watched against every link that moves relative to the work.
-    fn clamped(&mut self, (kind, name): (Kind, &str), solids: &[Solid], least_mm: f64) {
+    fn clamped(&mut self, kind: Kind, name: &str, solids: &[Solid], least_mm: f64) {
         if solids.is_empty() {
             return;
         }

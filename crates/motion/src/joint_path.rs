@@ -12,6 +12,7 @@ use crate::survey::PLACES;
 use seamwright_geometry::{NODES, Series, nodes};
 use seamwright_machine::{Axis, AxisKind, Course, Joints, MAX_AXES, Machine};
 use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
 
 /// Axes evaluated together, so that the compiler can use vector instructions.
 const LANES: usize = 4;
@@ -221,9 +222,11 @@ impl JointPath {
     }
 
     /// Minimum and maximum position of axis `i` over [`PLACES`] samples.
-    fn extremes(&self, i: usize) -> (f64, f64) {
+    fn extremes(&self, i: usize) -> RangeInclusive<f64> {
         let places = (0..=PLACES).map(|k| self.length * k as f64 / PLACES as f64);
-        places.map(|s| self.at(s)[i]).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q), h.max(q)))
+        let positions = places.map(|s| self.at(s)[i]);
+        let (low, high) = positions.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q), h.max(q)));
+        low..=high
     }
 
     /// Positions and derivatives at `s`, from the panel after it (or before it, where two panels meet).

@@ -203,7 +203,7 @@ fn turns_into_range(follower: Follower, rows: &[Joints]) -> Joints {
         }
         let (low, high) = extremes(rows, i);
         let near_home = -((0.5 * (low + high) - axis.home) / TAU).round();
-        shift[i] = TAU * axis.turns_within((low, high), near_home).unwrap_or(near_home);
+        shift[i] = TAU * axis.turns_within(low..=high, near_home).unwrap_or(near_home);
     }
     shift
 }

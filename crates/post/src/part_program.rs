@@ -133,6 +133,13 @@ pub struct Move {
     pub exact_stop: bool,
 }
 
+/// Rows of all channels at the start and the end of a move.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MoveRows<'a> {
+    pub(crate) from: &'a [f64],
+    pub(crate) to: &'a [f64],
+}
+
 /// Level at which the control interpolates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
@@ -186,7 +193,7 @@ pub struct Arc {
 impl Arc {
     /// Angle from `start` to `end` about the axis along `normal` through `centre` by the right-hand rule, rad, less than
     /// a turn.
-    pub(crate) fn angle((start, end): (DVec3, DVec3), centre: DVec3, normal: DVec3) -> f64 {
+    pub(crate) fn angle(start: DVec3, end: DVec3, centre: DVec3, normal: DVec3) -> f64 {
         let [from, to] = [start, end].map(|p| (p - centre).reject_from_normalized(normal));
         from.cross(to).dot(normal).atan2(from.dot(to)).rem_euclid(TAU)
     }
@@ -232,16 +239,16 @@ impl PartProgram {
         &self.rows[index as usize * width..][..width]
     }
 
-    /// Axis `channel` along a curve between two rows.
-    pub(crate) fn polynomial(&self, curve: Curve, channel: usize, (from, to): (&[f64], &[f64])) -> Polynomial {
+    /// Axis `channel` along a curve.
+    pub(crate) fn polynomial(&self, curve: Curve, channel: usize, rows: MoveRows) -> Polynomial {
         let higher = std::array::from_fn(|k| self.row(curve.row + k as u32)[channel]);
-        Polynomial { from: from[channel], to: to[channel], higher }
+        Polynomial { from: rows.from[channel], to: rows.to[channel], higher }
     }
 
-    /// The parameter of a curve between two rows, by its even feed.
-    pub(crate) fn evenly(&self, curve: Curve, ends: (&[f64], &[f64])) -> Evenly {
+    /// The parameter of a curve, by its even feed.
+    pub(crate) fn evenly(&self, curve: Curve, rows: MoveRows) -> Evenly {
         let counted = (0..self.axes()).filter(|channel| curve.counted >> channel & 1 == 1);
-        Evenly::new(counted.map(|channel| self.polynomial(curve, channel, ends)))
+        Evenly::new(counted.map(|channel| self.polynomial(curve, channel, rows)))
     }
 
     /// Adds a curve: of each power from 2 on a row of all channels.

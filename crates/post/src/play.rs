@@ -1,6 +1,6 @@
 //! A part program as its control plays it: where every channel is at every time, by the control's own rules.
 
-use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, What, Xyz};
+use crate::part_program::{Arc, ChannelKind, Event, Level, Move, MoveRows, PartProgram, Path, What, Xyz};
 use crate::polynomial::{Evenly, Polynomial};
 
 /// Part of a played program with a uniform motion or rest.
@@ -177,9 +177,10 @@ impl<'a> Player<'a> {
                 Way::Cubic(std::mem::replace(&mut self.speeds, end.clone()), end)
             }
             Path::Curve(curve) => {
-                let (curve, ends) = (self.program.curves[curve as usize], (&self.here[..], &to[..]));
-                let axes = (0..self.axes).map(|channel| self.program.polynomial(curve, channel, ends)).collect();
-                Way::Curve(axes, Box::new(self.program.evenly(curve, ends)))
+                let curve = self.program.curves[curve as usize];
+                let rows = MoveRows { from: &self.here, to: &to };
+                let axes = (0..self.axes).map(|channel| self.program.polynomial(curve, channel, rows)).collect();
+                Way::Curve(axes, Box::new(self.program.evenly(curve, rows)))
             }
             Path::Rapid | Path::Line | Path::Spline => Way::Even,
         };

@@ -43,8 +43,8 @@ const STANDSTILL: f64 = 1e-6;
 
 impl BacklashCompensation {
     pub(crate) fn checked(self) -> Result<Self, Error> {
-        within("backlash_compensation", self.width, (0.0, 1e6), "0 to 1e6")?;
-        within("backlash_compensation_time_s", self.time_s, (1e-6, 100.0), "1e-6 to 100 s")?;
+        within("backlash_compensation", self.width, 0.0..=1e6, "0 to 1e6")?;
+        within("backlash_compensation_time_s", self.time_s, 1e-6..=100.0, "1e-6 to 100 s")?;
         Ok(self)
     }
 }

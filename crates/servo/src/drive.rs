@@ -12,8 +12,10 @@ use crate::parameters::DriveParameters;
 const FINEST: f64 = 0.1;
 /// Maximum angle of the transmission's oscillation in a sub-step (rad): its frequency is then at most 0.04 % high.
 const FINEST_SWING: f64 = 0.1;
-/// Minimum and maximum sub-steps in a servo period.
-const SUB_STEPS: (f64, f64) = (8.0, 20_000.0);
+/// Minimum sub-steps in a servo period.
+const MIN_SUB_STEPS: f64 = 8.0;
+/// Maximum sub-steps in a servo period.
+const MAX_SUB_STEPS: f64 = 20_000.0;
 /// Maximum sub-steps of dead time, plus one for the fraction of a sub-step.
 const PENDING: usize = 128;
 
@@ -83,13 +85,13 @@ impl Drive {
         let swing = parameters.transmission.map_or(0.0, |t| TAU * t.resonance_hz / FINEST_SWING);
         let needed = (servo_period(period_s)? * swing.max(2.0 * parameters.bandwidth / FINEST)).ceil();
         let allowed = "at most 20000 sub-steps of 1 / (40 pi * velocity_bandwidth_hz) or 1 / (20 pi * resonance_hz)";
-        within("period_s", needed, (0.0, SUB_STEPS.1), allowed).map_err(|_| Error::OutOfRange {
+        within("period_s", needed, 0.0..=MAX_SUB_STEPS, allowed).map_err(|_| Error::OutOfRange {
             name: "period_s",
             value: period_s,
             allowed,
         })?;
         // In range by the line above, so the cast is exact.
-        Self::with_sub_steps(parameters, period_s, needed.max(SUB_STEPS.0) as u32)
+        Self::with_sub_steps(parameters, period_s, needed.max(MIN_SUB_STEPS) as u32)
     }
 
     /// Does the same as [`Drive::new`] with a given number of sub-steps, to study convergence.
@@ -100,16 +102,11 @@ impl Drive {
     /// [`Error::OutOfRange`] for a period outside 1e-6 to 1 s, a number of sub-steps outside 1 to 1e6 or a dead time
     /// of more than 127 sub-steps.
     pub fn with_sub_steps(parameters: DriveParameters, period_s: f64, sub_steps: u32) -> Result<Self, Error> {
-        let count = within("sub_steps", f64::from(sub_steps), (1.0, 1e6), "1 to 1e6")?;
+        let count = within("sub_steps", f64::from(sub_steps), 1.0..=1e6, "1 to 1e6")?;
         let step_s = servo_period(period_s)? / count;
         let delay = parameters.current_delay / step_s;
         let most = (PENDING - 1) as f64;
-        within(
-            "current_delay_s",
-            parameters.current_delay,
-            (0.0, most * step_s),
-            "at most 127 sub-steps of the drive",
-        )?;
+        within("current_delay_s", parameters.current_delay, 0.0..=most * step_s, "at most 127 sub-steps of the drive")?;
         let lags = step_s / parameters.current_time_constant;
         let (lag_end, lag_mean) = if lags.is_finite() { ((-lags).exp(), -(-lags).exp_m1() / lags) } else { (0.0, 0.0) };
         Ok(Self {

@@ -1,6 +1,7 @@
 //! Errors of a servo's parameters and tuning.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 
 /// A servo parameter is invalid, or a drive cannot be tuned: the parameter, its value and the allowed range or the
 /// cause.
@@ -96,27 +97,28 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Returns `value` if it lies in `low..=high`; NaN does not.
+/// Returns `value` if it lies in `range`; NaN does not.
 pub(crate) fn within(
     name: &'static str,
     value: f64,
-    (low, high): (f64, f64),
+    range: RangeInclusive<f64>,
     allowed: &'static str,
 ) -> Result<f64, Error> {
+    let (low, high) = range.into_inner();
     if value >= low && value <= high { Ok(value) } else { Err(Error::OutOfRange { name, value, allowed }) }
 }
 
 /// Returns `value` if it is above zero and at most 1e12.
 pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
-    within(name, value, (f64::MIN_POSITIVE, 1e12), "above 0, up to 1e12")
+    within(name, value, f64::MIN_POSITIVE..=1e12, "above 0, up to 1e12")
 }
 
 /// Returns `value` if it is zero or above and at most 1e12.
 pub(crate) fn non_negative(name: &'static str, value: f64) -> Result<f64, Error> {
-    within(name, value, (0.0, 1e12), "0 to 1e12")
+    within(name, value, 0.0..=1e12, "0 to 1e12")
 }
 
 /// Returns `period_s` if it is a valid servo period: 1 microsecond to 1 second.
 pub(crate) fn servo_period(period_s: f64) -> Result<f64, Error> {
-    within("period_s", period_s, (1e-6, 1.0), "1e-6 to 1 s")
+    within("period_s", period_s, 1e-6..=1.0, "1e-6 to 1 s")
 }

@@ -32,11 +32,11 @@ impl Notch {
     pub fn new(frequency_hz: f64, depth: f64, width_hz: f64, period_s: f64) -> Result<Self, Error> {
         let period_s = servo_period(period_s)?;
         let half_rate = 0.5 / period_s;
-        let range = (1e-6 * half_rate, (1.0 - 1e-6) * half_rate);
+        let range = 1e-6 * half_rate..=(1.0 - 1e-6) * half_rate;
         let allowed = "above 0, below half the sampling rate";
-        let centre = TAU * within("frequency_hz", frequency_hz, range, allowed)? * period_s;
+        let centre = TAU * within("frequency_hz", frequency_hz, range.clone(), allowed)? * period_s;
         let width = (PI * within("width_hz", width_hz, range, allowed)? * period_s).tan();
-        let depth = within("depth", depth, (0.0, 1.0), "0 to 1")?;
+        let depth = within("depth", depth, 0.0..=1.0, "0 to 1")?;
         let scale = 1.0 / (1.0 + width);
         let middle = -2.0 * centre.cos() * scale;
         Ok(Self {

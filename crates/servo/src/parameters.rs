@@ -107,7 +107,7 @@ impl DriveParameters {
     /// [`Error`] for a value out of range and for friction not below the peak force. Also for a velocity loop too fast
     /// for the current loop (bandwidth in rad/s times time constant above 1/4).
     pub fn linear(load: LinearLoad, tuning: DriveTuning) -> Result<Self, Error> {
-        let mass = within("mass_kg", load.mass_kg, (1e-9, 1e9), "1e-9 to 1e9 kg")?;
+        let mass = within("mass_kg", load.mass_kg, 1e-9..=1e9, "1e-9 to 1e9 kg")?;
         let peak = positive("peak_force_n", load.peak_force_n)?;
         let coulomb = non_negative("coulomb_n", load.coulomb_n)?;
         let viscous = non_negative("viscous_n_s_per_m", load.viscous_n_s_per_m)?;
@@ -120,7 +120,7 @@ impl DriveParameters {
     /// # Errors
     /// As [`DriveParameters::linear`].
     pub fn rotary(load: RotaryLoad, tuning: DriveTuning) -> Result<Self, Error> {
-        let inertia = within("inertia_kg_m2", load.inertia_kg_m2, (1e-9, 1e9), "1e-9 to 1e9 kg m^2")?;
+        let inertia = within("inertia_kg_m2", load.inertia_kg_m2, 1e-9..=1e9, "1e-9 to 1e9 kg m^2")?;
         let peak = positive("peak_torque_nm", load.peak_torque_nm)?;
         let coulomb = non_negative("coulomb_nm", load.coulomb_nm)?;
         let viscous = non_negative("viscous_nm_s_per_rad", load.viscous_nm_s_per_rad)?;
@@ -136,8 +136,8 @@ impl DriveParameters {
         if coulomb >= peak {
             return Err(Error::FrictionBeyondPeak { coulomb, peak });
         }
-        let lag = within("current_time_constant_s", tuning.current_time_constant_s, (0.0, 1.0), "0 to 1 s")?;
-        let delay = within("current_delay_s", tuning.current_delay_s, (0.0, 1.0), "0 to 1 s")?;
+        let lag = within("current_time_constant_s", tuning.current_time_constant_s, 0.0..=1.0, "0 to 1 s")?;
+        let delay = within("current_delay_s", tuning.current_delay_s, 0.0..=1.0, "0 to 1 s")?;
         let per_force = units_per_si / inertia;
         let drive = Self {
             peak: peak * per_force,
@@ -161,11 +161,11 @@ impl DriveParameters {
     /// 0 to 1, the ratio 0.001 to 1000 and the backlash 0 or above.
     pub fn with_transmission(self, transmission: Transmission) -> Result<Self, Error> {
         let t = &transmission;
-        within("resonance_hz", t.resonance_hz, (0.1, 1e4), "0.1 to 10000 Hz")?;
-        within("resonance_damping", t.damping, (0.0, 1.0), "0 to 1")?;
-        within("load_ratio", t.load_ratio, (1e-3, 1e3), "0.001 to 1000")?;
+        within("resonance_hz", t.resonance_hz, 0.1..=1e4, "0.1 to 10000 Hz")?;
+        within("resonance_damping", t.damping, 0.0..=1.0, "0 to 1")?;
+        within("load_ratio", t.load_ratio, 1e-3..=1e3, "0.001 to 1000")?;
         non_negative("backlash", t.backlash)?;
-        within("motor_friction", t.motor_friction, (0.0, 1.0), "0 to 1")?;
+        within("motor_friction", t.motor_friction, 0.0..=1.0, "0 to 1")?;
         Ok(Self { transmission: Some(transmission), ..self })
     }
 
@@ -178,7 +178,7 @@ impl DriveParameters {
         let allowed = "above 0, up to the peak force or torque";
         // A limit equal to the peak passes in spite of rounding.
         let most = self.peak / self.per_force * (1.0 + 1e-12);
-        within("force_limit", limit, (f64::MIN_POSITIVE, most), allowed)?;
+        within("force_limit", limit, f64::MIN_POSITIVE..=most, allowed)?;
         let coulomb = self.coulomb / self.per_force;
         if coulomb >= limit {
             return Err(Error::FrictionBeyondPeak { coulomb, peak: limit });
@@ -192,7 +192,7 @@ impl DriveParameters {
     /// [`Error::OutOfRange`] unless `hz` is 0.001 to 1e5, [`Error::VelocityLoopTooFast`] if the current loop is too
     /// slow for it.
     pub fn with_velocity_bandwidth(self, hz: f64) -> Result<Self, Error> {
-        within("velocity_bandwidth_hz", hz, (1e-3, 1e5), "0.001 to 1e5 Hz")?;
+        within("velocity_bandwidth_hz", hz, 1e-3..=1e5, "0.001 to 1e5 Hz")?;
         let lag = self.current_time_constant + self.current_delay;
         if TAU * hz * lag > LARGEST_LAG {
             return Err(Error::VelocityLoopTooFast { bandwidth_hz: hz, limit_hz: LARGEST_LAG / (TAU * lag) });

@@ -97,7 +97,7 @@ impl PositionLoop {
     pub fn new(gains: Gains, period_s: f64, max_speed: f64) -> Result<Self, Error> {
         let Gains { kp, ki, kd, kvff, kaff } = gains;
         for (name, value) in [("kp", kp), ("ki", ki), ("kd", kd), ("kvff", kvff), ("kaff", kaff)] {
-            within(name, value, (0.0, 1e9), "0 to 1e9")?;
+            within(name, value, 0.0..=1e9, "0 to 1e9")?;
         }
         Ok(Self {
             gains,
@@ -122,7 +122,7 @@ impl PositionLoop {
     /// [`Error::OutOfRange`] if the notch was built for another period, which would shift its frequency;
     /// [`Error::TooManyNotches`] for a third one.
     pub fn with_notch(mut self, notch: Notch) -> Result<Self, Error> {
-        let same = (self.period_s * (1.0 - 1e-9), self.period_s * (1.0 + 1e-9));
+        let same = self.period_s * (1.0 - 1e-9)..=self.period_s * (1.0 + 1e-9);
         within("notch period_s", notch.period_s(), same, "the period of the position loop")?;
         let free = self.notches.iter_mut().find(|place| place.is_none());
         *free.ok_or(Error::TooManyNotches { places: NOTCHES })? = Some(notch);

@@ -3,7 +3,7 @@
 
 use crate::allowed::{by_key, strictly_between};
 use seamwright_document::{Document, DocumentError, Positive};
-use seamwright_geometry::{Error, Head};
+use seamwright_geometry::{Error, Flange, Head};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{ConicalHead, EllipsoidalHead, FlatHead, HemisphericalHead, TorisphericalHead};
 
@@ -47,15 +47,15 @@ impl<T> At<'_, T> {
 pub(crate) fn ellipsoidal<T>(file: &Document<T>, h: &EllipsoidalHead) -> Result<Head, DocumentError> {
     let radius = 0.5 * h.outer_diameter_mm.get();
     let depth = h.depth_mm.map_or(0.5 * radius, Positive::get);
-    let head = Head::ellipsoidal((h.centre_mm.get(), h.axis.unit()), radius, depth, h.flange_mm.get());
-    At { file, key: "ellipsoidal_head" }.made(head)
+    let flange = Flange { centre: h.centre_mm.get(), axis: h.axis.unit(), radius, length: h.flange_mm.get() };
+    At { file, key: "ellipsoidal_head" }.made(Head::ellipsoidal(flange, depth))
 }
 
 /// Half a ball.
 pub(crate) fn hemispherical<T>(file: &Document<T>, h: &HemisphericalHead, depth: f64) -> Result<Head, DocumentError> {
     let radius = 0.5 * h.outer_diameter_mm.get() - depth;
-    let head = Head::hemispherical((h.centre_mm.get(), h.axis.unit()), radius, h.flange_mm.get());
-    At { file, key: "hemispherical_head" }.made(head)
+    let flange = Flange { centre: h.centre_mm.get(), axis: h.axis.unit(), radius, length: h.flange_mm.get() };
+    At { file, key: "hemispherical_head" }.made(Head::hemispherical(flange))
 }
 
 /// A flat plate with a knuckle.
@@ -65,7 +65,8 @@ pub(crate) fn flat<T>(file: &Document<T>, h: &FlatHead, depth: f64) -> Result<He
     at.knuckle(inside, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
     let knuckle = h.knuckle_radius_mm.get() + (h.thickness_mm.get() - depth);
     let radius = 0.5 * h.outer_diameter_mm.get() - depth;
-    at.made(Head::flat((h.centre_mm.get(), h.axis.unit()), radius, knuckle, h.flange_mm.get()))
+    let flange = Flange { centre: h.centre_mm.get(), axis: h.axis.unit(), radius, length: h.flange_mm.get() };
+    at.made(Head::flat(flange, knuckle))
 }
 
 /// A cone with a knuckle.
@@ -78,9 +79,10 @@ pub(crate) fn conical<T>(file: &Document<T>, h: &ConicalHead, depth: f64) -> Res
         let message = Message::new("weld-cone-angle-too-large");
         return Err(at.error("half_angle_deg", message, strictly_between(0.0, 90.0, Unit::Deg)));
     }
-    let cone = (angle.to_radians(), h.knuckle_radius_mm.get() + (h.thickness_mm.get() - depth));
-    let place = (h.centre_mm.get(), h.axis.unit());
-    at.made(Head::conical(place, 0.5 * h.outer_diameter_mm.get() - depth, cone, h.flange_mm.get()))
+    let knuckle = h.knuckle_radius_mm.get() + (h.thickness_mm.get() - depth);
+    let radius = 0.5 * h.outer_diameter_mm.get() - depth;
+    let flange = Flange { centre: h.centre_mm.get(), axis: h.axis.unit(), radius, length: h.flange_mm.get() };
+    at.made(Head::conical(flange, angle.to_radians(), knuckle))
 }
 
 /// A spherical crown with a knuckle.
@@ -98,8 +100,8 @@ pub(crate) fn torispherical<T>(file: &Document<T>, h: &TorisphericalHead, depth:
         let allowed = Message::new("weld-allowed-crown").value("min", inside, Unit::Mm);
         return Err(at.error("crown_radius_mm", Message::new("weld-crown-too-curved"), allowed));
     }
-    let place = (h.centre_mm.get(), h.axis.unit());
     let more = thickness - depth;
     let radius = 0.5 * diameter.get() - depth;
-    at.made(Head::torispherical(place, radius, (crown + more, knuckle + more), h.flange_mm.get()))
+    let flange = Flange { centre: h.centre_mm.get(), axis: h.axis.unit(), radius, length: h.flange_mm.get() };
+    at.made(Head::torispherical(flange, crown + more, knuckle + more))
 }

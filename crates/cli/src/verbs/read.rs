@@ -63,7 +63,7 @@ pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
         let name = args.file.file_name().unwrap_or_default();
         reading.program.title = name.to_string_lossy().into_owned();
     }
-    let program = to_program(&machine, &control, &reading.program, &start, (&args.machine, blend))
+    let program = to_program(&machine, &control, &reading.program, &start, &args.machine, blend)
         .map_err(|e| Failure::input(in_file(&file, &e)))?;
     let written = program.to_toml().map_err(not_json)?;
     // The written program must be accepted by all other verbs, so it is read back.

@@ -10,7 +10,7 @@ use crate::files;
 use crate::refusals::{in_file, unreadable};
 use crate::rows::{Cell, Rows, print_json};
 use glam::DVec3;
-use seamwright_geometry::reduce::{MAX_COORDINATE_MM, Method, Reduction, Shape, Span, reduce};
+use seamwright_geometry::reduce::{MAX_COORDINATE_MM, Method, Reduction, Shape, Span, Tolerances, reduce};
 use seamwright_message::{Message, Unit};
 use seamwright_report::format_number;
 use serde_json::{Value, json};
@@ -35,8 +35,8 @@ pub(crate) fn run(args: &ReduceArgs) -> Result<(), Failure> {
         MethodArg::Greedy => Method::Greedy,
         MethodArg::Fewest => Method::Fewest,
     };
-    let reduction = reduce(&points, &axes, (tolerance, axis_tolerance), method)
-        .map_err(|e| Failure::input(in_file(&source, &e)))?;
+    let tolerances = Tolerances { path_mm: tolerance, columns: axis_tolerance };
+    let reduction = reduce(&points, &axes, tolerances, method).map_err(|e| Failure::input(in_file(&source, &e)))?;
     if let Some(path) = &args.svg {
         files::write(path, &plot::draw(&points, &reduction.spans))?;
     }

@@ -15,16 +15,18 @@ pub struct DatumFit {
     pub point: Vec<f64>,
 }
 
-/// The part's frame from touches (the centre of a ball of `radius` mm, or points with 0) of a face in its plane z = 0,
-/// of a face along its x axis (y = 0) and of a face at its origin (x = 0): the plane fixes z and two tilts, the line
-/// the turn about z and y, the point x. The part lies at z < 0, y > 0 and x > 0 of these faces. z and x point as in the
-/// `nominal` placement.
+/// The part's frame from touches (the centre of a ball of `radius` mm, or points with 0) of three faces: `plane` in its
+/// plane z = 0, `line` along its x axis (y = 0) and `point` at its origin (x = 0). The plane fixes z and two tilts, the
+/// line the turn about z and y, the point x. The part lies at z < 0, y > 0 and x > 0 of these faces. z and x point as in
+/// the `nominal` placement.
 ///
 /// # Errors
 /// [`Error::TooFewPoints`] with fewer than 3, 2 and 1 touches; [`Error::OneLine`] if those of the plane lie on a
 /// line, [`Error::OnePosition`] if those of the line are at one position.
 pub fn plane_line_point(
-    (plane, line, point): (&[DVec3], &[DVec3], &[DVec3]),
+    plane: &[DVec3],
+    line: &[DVec3],
+    point: &[DVec3],
     radius: f64,
     nominal: &DAffine3,
 ) -> Result<DatumFit, Error> {

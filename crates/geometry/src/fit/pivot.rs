@@ -112,22 +112,30 @@ mod tests {
         DVec3::new(random(), random(), random())
     }
 
-    /// `n` frames of a body with its point `tip` at `point`, off by `sigma` in each coordinate. They turn by up to
-    /// `most` rad about axes from `axis`.
+    /// Number of attitudes, maximum turn (rad) and standard deviation of each coordinate (mm).
+    struct Attitudes {
+        count: usize,
+        max_turn: f64,
+        sigma: f64,
+    }
+
+    /// Frames of a body with its point `tip` at `point`, turned about axes from `axis`.
     fn frames(
-        (tip, point): (DVec3, DVec3),
-        (n, most, sigma): (usize, f64, f64),
+        attitudes: &Attitudes,
+        tip: DVec3,
+        point: DVec3,
         random: &mut impl FnMut() -> f64,
         axis: impl Fn(DVec3) -> DVec3,
     ) -> Vec<DAffine3> {
+        let &Attitudes { count, max_turn, sigma } = attitudes;
         let begin = DQuat::from_scaled_axis(3.0 * three(&mut *random));
         let one = |_| {
-            let turn = DQuat::from_axis_angle(axis(three(&mut *random)).normalize(), most * random());
+            let turn = DQuat::from_axis_angle(axis(three(&mut *random)).normalize(), max_turn * random());
             let rotation = begin * turn;
             let off = sigma * three(|| normal(&mut *random));
             DAffine3::from_rotation_translation(rotation, point - rotation * tip + off)
         };
-        (0..n).map(one).collect()
+        (0..count).map(one).collect()
     }
 
     /// Without noise the tip is exact; with noise its error matches the deviation: the mean of (error / deviation)^2 is
@@ -138,13 +146,14 @@ mod tests {
         for seed in 0..500 {
             let mut random = numbers(seed);
             let (tip, point) = (100.0 * three(&mut random), 1000.0 * three(&mut random));
-            let n = 6 + (seed as usize % 10);
-            let exact = pivot(&frames((tip, point), (n, 0.9, 0.0), &mut random, |v| v)).unwrap();
+            let exactly = Attitudes { count: 6 + (seed as usize % 10), max_turn: 0.9, sigma: 0.0 };
+            let exact = pivot(&frames(&exactly, tip, point, &mut random, |v| v)).unwrap();
             if exact.unseen.is_empty() {
                 assert!(exact.tip.distance(tip) < 1e-8 && exact.point.distance(point) < 1e-8, "{seed}");
             }
             assert!(exact.residuals.iter().all(|r| *r < 1e-8) || !exact.unseen.is_empty(), "{seed}");
-            let fit = pivot(&frames((tip, point), (n, 0.9, 0.1), &mut random, |v| v)).unwrap();
+            let noisy = Attitudes { sigma: 0.1, ..exactly };
+            let fit = pivot(&frames(&noisy, tip, point, &mut random, |v| v)).unwrap();
             if !fit.unseen.is_empty() {
                 continue;
             }
@@ -166,7 +175,8 @@ mod tests {
             let mut random = numbers(seed);
             let axis = three(&mut random).normalize();
             let (tip, point) = (100.0 * three(&mut random), 1000.0 * three(&mut random));
-            let fit = pivot(&frames((tip, point), (8, 0.9, 0.0), &mut random, |_| axis)).unwrap();
+            let attitudes = Attitudes { count: 8, max_turn: 0.9, sigma: 0.0 };
+            let fit = pivot(&frames(&attitudes, tip, point, &mut random, |_| axis)).unwrap();
             assert_eq!(fit.unseen.len(), 1, "{seed}");
             assert!(fit.unseen[0].dot(axis).abs() > 1.0 - 1e-9, "{seed}: {fit:?}");
             assert!(fit.tip.dot(axis).abs() < 1e-8, "{seed}");
@@ -178,10 +188,12 @@ mod tests {
     fn attitudes_that_are_alike_or_few_are_refused() {
         let mut random = numbers(7);
         let (tip, point) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(300.0, 0.0, 50.0));
-        let alike = pivot(&frames((tip, point), (10, 0.05, 0.01), &mut random, |v| v)).unwrap_err();
+        let alike = Attitudes { count: 10, max_turn: 0.05, sigma: 0.01 };
+        let alike = pivot(&frames(&alike, tip, point, &mut random, |v| v)).unwrap_err();
         let Error::Alike { apart } = alike else { panic!("{alike}") };
         assert!(apart > 0.01 && apart <= 0.1, "{apart}");
-        let few = pivot(&frames((tip, point), (2, 1.0, 0.0), &mut random, |v| v));
+        let few = Attitudes { count: 2, max_turn: 1.0, sigma: 0.0 };
+        let few = pivot(&frames(&few, tip, point, &mut random, |v| v));
         assert!(matches!(few, Err(Error::TooFewPoints { given: 2, min: 3, .. })));
     }
 }

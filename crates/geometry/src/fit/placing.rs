@@ -24,7 +24,7 @@ pub struct Placing {
 /// Frame of the plane with x along `along`, the plane's height along its normal, and the residuals.
 fn plane(points: &[DVec3], radius: f64, nominal: &DAffine3, along: DVec3) -> Result<(DMat3, f64, Vec<f64>), Error> {
     let from = points.first().copied().unwrap_or_default();
-    let fit = plane_line_point((points, &[from, from + along], &[from]), radius, nominal)?;
+    let fit = plane_line_point(points, &[from, from + along], &[from], radius, nominal)?;
     let z = fit.transform.matrix3.z_axis;
     Ok((fit.transform.matrix3, fit.transform.translation.dot(z), fit.plane))
 }
@@ -48,7 +48,7 @@ pub fn three_points(
     }
     let mean = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;
     let (o, d) = (mean(origin), mean(direction));
-    let fit = plane_line_point((face, &[o, d], &[o]), radius, nominal)?;
+    let fit = plane_line_point(face, &[o, d], &[o], radius, nominal)?;
     let z = fit.transform.matrix3.z_axis;
     let height = fit.transform.translation.dot(z);
     // The marks decide the direction of x, not the nominal placement.

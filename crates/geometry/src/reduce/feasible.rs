@@ -6,7 +6,7 @@
 
 use super::measure::{Bow, Course, Fault, measure};
 use super::run::{Found, Near, Run, Witness};
-use super::track::Track;
+use super::track::{Allowance, Track};
 use super::{Shape, Span};
 
 /// Reasons of earlier refusals, tried first on the next run.
@@ -45,7 +45,7 @@ impl Track<'_> {
         if last == first + 1 {
             return Some(line(0.0));
         }
-        if !self.axes_hold((first, last), (1.0, 0.0), &mut memory.axis) {
+        if !self.axes_hold(first, last, Allowance { at_start: 1.0, growth: 0.0 }, &mut memory.axis) {
             return None;
         }
         let Some(run) = Run::new(self, first, last, Near::constant(self.near)) else {
@@ -108,12 +108,15 @@ impl Track<'_> {
     /// back over an end are within 3 T of it and left out.
     ///
     /// With [`Care::Glance`] only a few points are checked, or many of a short run: the proof remains valid.
-    pub(super) fn excluded(&self, (first, last): (usize, usize), ends: Ends, care: Care, memory: &mut Memory) -> bool {
-        let growth = if ends == Ends::Free { (2.0, 0.0) } else { (1.0, 1.0) };
+    pub(super) fn excluded(&self, first: usize, last: usize, ends: Ends, care: Care, memory: &mut Memory) -> bool {
+        let allowance = match ends {
+            Ends::Free => Allowance { at_start: 2.0, growth: 0.0 },
+            Ends::FixedStart => Allowance { at_start: 1.0, growth: 1.0 },
+        };
         if last < first + 2 {
             return false;
         }
-        if !self.axes_hold((first, last), growth, &mut memory.axis) {
+        if !self.axes_hold(first, last, allowance, &mut memory.axis) {
             return true;
         }
         let length = self.points[first].distance(self.points[last]);
@@ -160,14 +163,14 @@ impl Track<'_> {
                 return open;
             }
             next = next.min(self.end());
-            if self.excluded((first, next), ends, Care::Full, memory) {
+            if self.excluded(first, next, ends, Care::Full, memory) {
                 break next;
             }
             (open, next) = (next, next + (next - first));
         };
         while closed - open > 1 + (closed - first) / 128 {
             let middle = usize::midpoint(open, closed);
-            if self.excluded((first, middle), ends, Care::Full, memory) { closed = middle } else { open = middle }
+            if self.excluded(first, middle, ends, Care::Full, memory) { closed = middle } else { open = middle }
         }
         closed - 1
     }

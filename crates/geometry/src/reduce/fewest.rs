@@ -42,7 +42,7 @@ fn bounds(track: &Track, effort: u64) -> Vec<usize> {
             if top - first >= step {
                 step *= 2;
                 if far < track.end()
-                    && track.excluded((first - 1, far + 1), Ends::Free, Care::Full, &mut Memory::default())
+                    && track.excluded(first - 1, far + 1, Ends::Free, Care::Full, &mut Memory::default())
                 {
                     break;
                 }
@@ -84,7 +84,7 @@ impl Asked {
     }
 
     fn excluded(&mut self, track: &Track, first: usize, last: usize) -> bool {
-        last <= track.end() && track.excluded((first, last), Ends::FixedStart, Care::Glance, &mut self.barrier)
+        last <= track.end() && track.excluded(first, last, Ends::FixedStart, Care::Glance, &mut self.barrier)
     }
 }
 
@@ -179,7 +179,7 @@ impl Search<'_> {
         let (mut closed, mut open) = (low, last - 1);
         while open > low {
             let next = open.saturating_sub(step).max(low);
-            if self.track.excluded((next, last), Ends::Free, Care::Full, &mut Memory::default()) {
+            if self.track.excluded(next, last, Ends::Free, Care::Full, &mut Memory::default()) {
                 closed = next + 1;
                 break;
             }
@@ -187,7 +187,7 @@ impl Search<'_> {
         }
         while open > closed + (last - closed) / 16 {
             let middle = usize::midpoint(open, closed);
-            if self.track.excluded((middle, last), Ends::Free, Care::Full, &mut Memory::default()) {
+            if self.track.excluded(middle, last, Ends::Free, Care::Full, &mut Memory::default()) {
                 closed = middle + 1;
             } else {
                 open = middle;

@@ -121,7 +121,7 @@ pub(super) fn measure(track: &Track, run: &Run, course: &Course) -> Result<f64, 
         };
         let ends = next == run.first || next == run.last;
         let foot = if ends { Foot { at: whole, away: 0.0 } } else { course.foot(run, track.points[next] - run.origin) };
-        if foot.away > near || bulges(track, run, course, k, (before, foot)) {
+        if foot.away > near || bulges(track, run, course, k, before, foot) {
             return Err(Fault::Far);
         }
         if foot.at < furthest.0 - near {
@@ -144,7 +144,7 @@ pub(super) fn measure(track: &Track, run: &Run, course: &Course) -> Result<f64, 
 }
 
 /// Whether an arc between two feet leaves the chord `k` between their points too far.
-fn bulges(track: &Track, run: &Run, course: &Course, k: usize, (one, other): (Foot, Foot)) -> bool {
+fn bulges(track: &Track, run: &Run, course: &Course, k: usize, one: Foot, other: Foot) -> bool {
     let Course::Arc(bow) = course else { return false };
     let (from, to) = (one.at / bow.radius, other.at / bow.radius);
     let over = 2.0 * bow.radius * (0.25 * (to - from)).sin().powi(2);

@@ -93,37 +93,41 @@ pub struct Reduction {
     pub at_least: usize,
 }
 
-/// Reduces a polyline to lines and arcs within `tolerance` (mm), with further columns (each as long as `points`, in any
-/// unit) carried along linearly within `axis_tolerance`. In any one frame.
+/// Maximum deviations of a reduction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerances {
+    /// Maximum distance of a point from its curve, mm.
+    pub path_mm: f64,
+    /// Maximum deviation of a further column, in its own unit.
+    pub columns: f64,
+}
+
+/// Reduces a polyline to lines and arcs within the tolerances, with further columns (each as long as `points`, in any
+/// unit) carried along linearly. In any one frame.
 ///
 /// # Errors
 /// [`Error::Size`] if a tolerance is not finite and positive; [`Error::Column`] if a column is not as long as the
 /// points; [`Error::Place`] for the first value that is not finite, or a coordinate beyond [`MAX_COORDINATE_MM`].
-pub fn reduce(
-    points: &[DVec3],
-    axes: &[Vec<f64>],
-    (tolerance, axis_tolerance): (f64, f64),
-    method: Method,
-) -> Result<Reduction, Error> {
-    check(points, axes, (tolerance, axis_tolerance))?;
+pub fn reduce(points: &[DVec3], axes: &[Vec<f64>], tolerances: Tolerances, method: Method) -> Result<Reduction, Error> {
+    check(points, axes, tolerances)?;
     if points.len() < 2 {
         return Ok(Reduction { spans: Vec::new(), at_least: 0 });
     }
-    let track = Track::new(points, axes, tolerance, axis_tolerance);
+    let track = Track::new(points, axes, tolerances);
     if method == Method::Greedy {
         return Ok(Reduction { spans: track.greedy(), at_least: 1 });
     }
     let points: Vec<DVec3> = points.iter().rev().copied().collect();
     let axes: Vec<Vec<f64>> = axes.iter().map(|column| column.iter().rev().copied().collect()).collect();
-    let found = fewest::fewest(&track, &Track::new(&points, &axes, tolerance, axis_tolerance));
+    let found = fewest::fewest(&track, &Track::new(&points, &axes, tolerances));
     Ok(Reduction { spans: found.spans, at_least: found.at_least })
 }
 
 /// Checks that the tolerances and all values are valid.
-fn check(points: &[DVec3], axes: &[Vec<f64>], (tolerance, axis_tolerance): (f64, f64)) -> Result<(), Error> {
+fn check(points: &[DVec3], axes: &[Vec<f64>], tolerances: Tolerances) -> Result<(), Error> {
     let in_range = |p: DVec3| p.is_finite() && p.abs().max_element() <= MAX_COORDINATE_MM;
-    positive("geometry-tolerance", tolerance)?;
-    positive("geometry-column-tolerance", axis_tolerance)?;
+    positive("geometry-tolerance", tolerances.path_mm)?;
+    positive("geometry-column-tolerance", tolerances.columns)?;
     if let Some(index) = points.iter().position(|p| !in_range(*p)) {
         return Err(Error::Place { index });
     }

@@ -1,6 +1,6 @@
 //! Polylines to one cubic spline through few of their points.
 
-use super::check;
+use super::{Tolerances, check};
 use crate::slopes::End;
 use crate::{CubicSpline, Curve as _, Ends, Error, Spline, chord_lengths};
 use glam::DVec3;
@@ -17,8 +17,8 @@ pub struct SplineReduction {
 }
 
 /// Reduces a polyline to the natural cubic spline, by length along it, through few of its points. All other points are
-/// within `tolerance` (mm) of it; further columns (each as long as `points`, in any unit) are natural splines through
-/// the same points by the same parameter, within `axis_tolerance`. In any one frame.
+/// within `tolerances.path_mm` of it; further columns (each as long as `points`, in any unit) are natural splines
+/// through the same points by the same parameter, within `tolerances.columns`. In any one frame.
 ///
 /// Points are added in the middle of intervals with a point outside the tolerance, until all are within it. Then points
 /// are removed again while the tolerance holds, the one with the smallest jump of the third derivative first. So no
@@ -27,14 +27,10 @@ pub struct SplineReduction {
 /// # Errors
 /// As [`reduce`](super::reduce); [`Error::TooFewPoints`] for fewer than two points, [`Error::Knots`] for two equal
 /// neighbouring points.
-pub fn reduce_to_spline(
-    points: &[DVec3],
-    axes: &[Vec<f64>],
-    (tolerance, axis_tolerance): (f64, f64),
-) -> Result<SplineReduction, Error> {
-    check(points, axes, (tolerance, axis_tolerance))?;
+pub fn reduce_to_spline(points: &[DVec3], axes: &[Vec<f64>], tolerances: Tolerances) -> Result<SplineReduction, Error> {
+    check(points, axes, tolerances)?;
     let ways = chord_lengths(points, false)?;
-    let thinning = Thinning { points, axes, ways, tolerance, axis_tolerance };
+    let thinning = Thinning { points, axes, ways, tolerances };
     let mut best = thinning.through(vec![0, points.len() - 1])?;
     loop {
         let far = |gap: &[usize]| (gap[0] + 1..gap[1]).any(|i| thinning.away(&best, i).is_none());
@@ -66,8 +62,7 @@ struct Thinning<'a> {
     axes: &'a [Vec<f64>],
     /// Length along the polyline up to each point, mm.
     ways: Vec<f64>,
-    tolerance: f64,
-    axis_tolerance: f64,
+    tolerances: Tolerances,
 }
 
 impl Thinning<'_> {
@@ -94,9 +89,10 @@ impl Thinning<'_> {
         let Through { spline, axes, .. } = through;
         let foot = spline.foot(self.points[i], self.ways[i]);
         let away = self.points[i].distance(spline.point(foot));
-        let carried =
-            |(column, values): (&CubicSpline, &Vec<f64>)| (column.at(foot).0 - values[i]).abs() <= self.axis_tolerance;
-        (away <= self.tolerance && axes.iter().zip(self.axes).all(carried)).then_some(away)
+        let carried = |(column, values): (&CubicSpline, &Vec<f64>)| {
+            (column.at(foot).0 - values[i]).abs() <= self.tolerances.columns
+        };
+        (away <= self.tolerances.path_mm && axes.iter().zip(self.axes).all(carried)).then_some(away)
     }
 
     /// The splines without the first point that can be removed, smallest jump tried first.
@@ -157,13 +153,13 @@ mod tests {
             let ts: Vec<f64> = (0..=500).map(|i| std::f64::consts::TAU * f64::from(i) / 500.0).collect();
             let points: Vec<DVec3> = ts.iter().map(|t| curve(*t) + 0.005 * random() * DVec3::ONE).collect();
             let column: Vec<f64> = ts.iter().map(|t| 0.3 * t.sin()).collect();
-            let (tolerance, axis_tolerance) = (0.05, 0.005);
-            let found = reduce_to_spline(&points, std::slice::from_ref(&column), (tolerance, axis_tolerance)).unwrap();
+            let tolerances = Tolerances { path_mm: 0.05, columns: 0.005 };
+            let found = reduce_to_spline(&points, std::slice::from_ref(&column), tolerances).unwrap();
             assert!(found.kept.len() < 60, "seed {seed}: {}", found.kept.len());
             assert_eq!((found.kept[0], found.kept.last()), (0, Some(&500)));
             let away = points.iter().step_by(5).map(|p| distance(&found.spline, *p)).fold(0.0, f64::max);
             // With steps of about 0.1 mm along the curve the brute force slightly overestimates.
-            assert!(found.max_error <= tolerance, "seed {seed}: {}", found.max_error);
+            assert!(found.max_error <= tolerances.path_mm, "seed {seed}: {}", found.max_error);
             assert!(away <= found.max_error + 0.02, "seed {seed}: {away} {}", found.max_error);
             // The spline of the column passes through it at the kept points.
             let rows: Vec<(f64, f64)> =
@@ -176,7 +172,7 @@ mod tests {
                 let foot = near
                     .min_by(|a, b| found.spline.point(*a).distance(*p).total_cmp(&found.spline.point(*b).distance(*p)));
                 let off = (carried.at(foot.unwrap()).0 - column[i]).abs();
-                assert!(off <= axis_tolerance + 0.002, "seed {seed}, point {i}: {off}");
+                assert!(off <= tolerances.columns + 0.002, "seed {seed}, point {i}: {off}");
             }
         }
     }
@@ -184,14 +180,16 @@ mod tests {
     #[test]
     fn straight_lines_need_two_points_and_what_is_none_is_refused() {
         let line: Vec<DVec3> = (0..50).map(|i| f64::from(i) * DVec3::new(0.3, -0.1, 0.2)).collect();
-        let found = reduce_to_spline(&line, &[], (0.01, 1.0)).unwrap();
+        let fine = Tolerances { path_mm: 0.01, columns: 1.0 };
+        let (zero, coarse) = (Tolerances { path_mm: 0.0, ..fine }, Tolerances { path_mm: 0.1, ..fine });
+        let found = reduce_to_spline(&line, &[], fine).unwrap();
         assert_eq!(found.kept, [0, 49]);
         assert!(found.max_error < 1e-12);
-        assert_eq!(reduce_to_spline(&line[..2], &[], (0.01, 1.0)).unwrap().kept, [0, 1]);
-        assert!(matches!(reduce_to_spline(&line[..1], &[], (0.01, 1.0)), Err(Error::TooFewPoints { .. })));
-        assert!(matches!(reduce_to_spline(&line, &[], (0.0, 1.0)), Err(Error::Size { .. })));
-        assert!(matches!(reduce_to_spline(&line, &[vec![0.0; 9]], (0.1, 1.0)), Err(Error::Column { .. })));
-        assert!(matches!(reduce_to_spline(&[line[0], line[0]], &[], (0.1, 1.0)), Err(Error::Knots { .. })));
-        assert!(matches!(reduce_to_spline(&[line[0], DVec3::NAN], &[], (0.1, 1.0)), Err(Error::Place { .. })));
+        assert_eq!(reduce_to_spline(&line[..2], &[], fine).unwrap().kept, [0, 1]);
+        assert!(matches!(reduce_to_spline(&line[..1], &[], fine), Err(Error::TooFewPoints { .. })));
+        assert!(matches!(reduce_to_spline(&line, &[], zero), Err(Error::Size { .. })));
+        assert!(matches!(reduce_to_spline(&line, &[vec![0.0; 9]], coarse), Err(Error::Column { .. })));
+        assert!(matches!(reduce_to_spline(&[line[0], line[0]], &[], coarse), Err(Error::Knots { .. })));
+        assert!(matches!(reduce_to_spline(&[line[0], DVec3::NAN], &[], coarse), Err(Error::Place { .. })));
     }
 }

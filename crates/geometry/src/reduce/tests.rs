@@ -1,12 +1,14 @@
 //! Tests against the plain definitions: every run checked by itself, every partition enumerated.
 
-use super::Span;
 use super::feasible::{Care, Ends, Memory};
 use super::fewest::fewest;
 use super::track::Track;
+use super::{Span, Tolerances};
 use glam::{DQuat, DVec3};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
+
+const TOLERANCES: Tolerances = Tolerances { path_mm: 1.0, columns: 0.5 };
 
 struct Random(TestRng);
 
@@ -116,12 +118,12 @@ fn shortest_way(table: &[Vec<bool>]) -> usize {
 }
 
 fn check(points: &[DVec3], axes: &[Vec<f64>], count_all: impl Fn(&[Vec<bool>]) -> usize) {
-    let track = Track::new(points, axes, 1.0, 0.5);
+    let track = Track::new(points, axes, TOLERANCES);
     let table = table(&track);
     assert_eq!(ends(&track.greedy()), printed(&table), "greedy {points:?}");
     let turned: Vec<DVec3> = points.iter().rev().copied().collect();
     let turned_axes: Vec<Vec<f64>> = axes.iter().map(|c| c.iter().rev().copied().collect()).collect();
-    let back = Track::new(&turned, &turned_axes, 1.0, 0.5);
+    let back = Track::new(&turned, &turned_axes, TOLERANCES);
     let (found, found_back) = (fewest(&track, &back), fewest(&back, &track));
     let least = count_all(&table);
     assert_eq!((found.spans.len(), found.at_least), (least, least), "{points:?}");
@@ -159,7 +161,7 @@ fn what_is_excluded_has_no_span() {
     for _ in 0..cases(150) {
         let count = 5 + random.below(60) as usize;
         let (points, axes) = (points(&mut random, count), columns(&mut random, count));
-        let track = Track::new(&points, &axes, 1.0, 0.5);
+        let track = Track::new(&points, &axes, TOLERANCES);
         let table = table(&track);
         for i in 0..count {
             let mut memory = [Memory::default(); 2];
@@ -167,8 +169,8 @@ fn what_is_excluded_has_no_span() {
                 let from_here = table[i][j..].iter().any(|yes| *yes);
                 let from_before = table[..=i].iter().any(|row| row[j..].iter().any(|yes| *yes));
                 for care in [Care::Glance, Care::Full] {
-                    let fixed = track.excluded((i, j), Ends::FixedStart, care, &mut memory[0]);
-                    let free = track.excluded((i, j), Ends::Free, care, &mut memory[1]);
+                    let fixed = track.excluded(i, j, Ends::FixedStart, care, &mut memory[0]);
+                    let free = track.excluded(i, j, Ends::Free, care, &mut memory[1]);
                     assert!(!(fixed && from_here), "{i} {j} {points:?}");
                     assert!(!(free && from_before), "{i} {j} {points:?}");
                     proofs += u32::from(fixed) + u32::from(free);
@@ -186,7 +188,7 @@ fn a_run_backwards_has_the_same_span() {
         let count = 3 + random.below(30) as usize;
         let points = points(&mut random, count);
         let turned: Vec<DVec3> = points.iter().rev().copied().collect();
-        let (track, back) = (Track::new(&points, &[], 1.0, 1.0), Track::new(&turned, &[], 1.0, 1.0));
+        let (track, back) = (Track::new(&points, &[], TOLERANCES), Track::new(&turned, &[], TOLERANCES));
         let there = track.span(0, count - 1, &mut Memory::default());
         let again = back.span(0, count - 1, &mut Memory::default());
         assert_eq!(there.map(|s| s.max_error), again.map(|s| s.max_error));

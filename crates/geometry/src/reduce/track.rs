@@ -1,5 +1,14 @@
+use super::Tolerances;
 use glam::DVec3;
 use std::cell::Cell;
+
+/// Permitted deviation of the further columns, in units of their tolerance: grows from `at_start` by `growth` over a
+/// run.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Allowance {
+    pub(super) at_start: f64,
+    pub(super) growth: f64,
+}
 
 /// The points to reduce with their further columns, and the tolerances of a span.
 pub(super) struct Track<'a> {
@@ -19,7 +28,8 @@ pub(super) struct Track<'a> {
 }
 
 impl<'a> Track<'a> {
-    pub(super) fn new(points: &'a [DVec3], axes: &'a [Vec<f64>], near: f64, axis_near: f64) -> Self {
+    pub(super) fn new(points: &'a [DVec3], axes: &'a [Vec<f64>], tolerances: Tolerances) -> Self {
+        let Tolerances { path_mm: near, columns: axis_near } = tolerances;
         let chords: Vec<f64> = points.windows(2).map(|w| w[0].distance_squared(w[1])).collect();
         let mut lengths = Vec::new();
         if !axes.is_empty() {
@@ -75,20 +85,16 @@ impl<'a> Track<'a> {
         self.axes.iter().map(error).fold(0.0, f64::max)
     }
 
-    /// Whether the further columns stay within their tolerance times `base` + `growth` * (the part of the way) of their
-    /// linear course; `seen` is a point to try first, and on return the worst violation.
-    pub(super) fn axes_hold(
-        &self,
-        (first, last): (usize, usize),
-        (base, growth): (f64, f64),
-        seen: &mut Option<usize>,
-    ) -> bool {
+    /// Whether the further columns stay within the allowance of their linear course; `seen` is a point to try first,
+    /// and on return the worst violation.
+    pub(super) fn axes_hold(&self, first: usize, last: usize, allowance: Allowance, seen: &mut Option<usize>) -> bool {
         if self.axes.is_empty() {
             return true;
         }
         let over = |k: usize| {
             let part = self.part(first, last, k);
-            self.axis_error(first, last, k, part) - self.axis_near * (base + growth * part) * (1.0 + 1e-12)
+            self.axis_error(first, last, k, part)
+                - self.axis_near * (allowance.at_start + allowance.growth * part) * (1.0 + 1e-12)
         };
         if seen.is_some_and(|k| first < k && k < last && over(k) > 0.0) {
             return false;

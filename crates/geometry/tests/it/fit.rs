@@ -160,7 +160,7 @@ fn too_few_and_gathered_points_are_refused() {
     }
     let plane = [DVec3::ZERO, DVec3::X, DVec3::Y];
     let same = |plane: &[DVec3], line: &[DVec3], point: &[DVec3]| {
-        plane_line_point((plane, line, point), 0.0, &DAffine3::IDENTITY).unwrap_err()
+        plane_line_point(plane, line, point, 0.0, &DAffine3::IDENTITY).unwrap_err()
     };
     assert!(matches!(same(&plane[..2], &plane, &plane), Error::TooFewPoints { what: "geometry-points-plane", .. }));
     assert!(matches!(same(&plane, &plane[..1], &plane), Error::TooFewPoints { what: "geometry-points-line", .. }));
@@ -195,7 +195,7 @@ fn three_faces_bring_the_displacement_back() {
         let plane = put(3 + case % 4, (0.0, 400.0), (0.0, 300.0), (radius, radius));
         let line = put(2 + case % 3, (10.0, 390.0), (-radius, -radius), (-30.0, 0.0));
         let point = put(1 + case % 2, (-radius, -radius), (50.0, 60.0), (-10.0, -5.0));
-        let fit = plane_line_point((&plane, &line, &point), radius, &DAffine3::IDENTITY).unwrap();
+        let fit = plane_line_point(&plane, &line, &point, radius, &DAffine3::IDENTITY).unwrap();
         same(&fit.transform, &there, "three faces");
         assert!(fit.plane.iter().chain(&fit.line).chain(&fit.point).all(|r| r.abs() < MM));
     }
@@ -207,7 +207,7 @@ fn residuals_of_faces_count_outwards() {
         [DVec3::new(0.0, 0.0, 0.3), DVec3::new(9.0, 0.0, -0.3), DVec3::new(9.0, 9.0, 0.3), DVec3::new(0.0, 9.0, -0.3)];
     let line = [DVec3::new(0.0, -0.1, 0.0), DVec3::new(5.0, 0.2, 0.0), DVec3::new(10.0, -0.1, 0.0)];
     let point = [DVec3::new(-0.2, 1.0, 0.0), DVec3::new(0.2, 2.0, 0.0)];
-    let fit = plane_line_point((&plane, &line, &point), 0.0, &DAffine3::IDENTITY).unwrap();
+    let fit = plane_line_point(&plane, &line, &point, 0.0, &DAffine3::IDENTITY).unwrap();
     for (found, expected) in
         [(&fit.plane, vec![0.3, -0.3, 0.3, -0.3]), (&fit.line, vec![0.1, -0.2, 0.1]), (&fit.point, vec![0.2, -0.2])]
     {

@@ -3,7 +3,7 @@
 use crate::common::{Random, cases};
 use glam::DVec3;
 use seamwright_geometry::{
-    ByLength, Curve, DEFAULT_ACCURACY_MM, Edge, Error, Head, HeadIntersection, SignedDistance, Tube,
+    ByLength, Curve, DEFAULT_ACCURACY_MM, Edge, Error, Flange, Head, HeadIntersection, SignedDistance, Tube,
 };
 use std::f64::consts::TAU;
 
@@ -42,17 +42,13 @@ impl Case {
     }
 
     fn head(&self) -> Head {
-        let place = (self.centre, self.axis);
+        let flange = Flange { centre: self.centre, axis: self.axis, radius: self.radius, length: self.flange };
         match self.form {
-            Form::Torispherical { crown, knuckle } => {
-                Head::torispherical(place, self.radius, (crown, knuckle), self.flange)
-            }
-            Form::Ellipsoidal { depth } => Head::ellipsoidal(place, self.radius, depth, self.flange),
-            Form::Hemispherical => Head::hemispherical(place, self.radius, self.flange),
-            Form::Flat { knuckle } => Head::flat(place, self.radius, knuckle, self.flange),
-            Form::Conical { half_angle, knuckle } => {
-                Head::conical(place, self.radius, (half_angle, knuckle), self.flange)
-            }
+            Form::Torispherical { crown, knuckle } => Head::torispherical(flange, crown, knuckle),
+            Form::Ellipsoidal { depth } => Head::ellipsoidal(flange, depth),
+            Form::Hemispherical => Head::hemispherical(flange),
+            Form::Flat { knuckle } => Head::flat(flange, knuckle),
+            Form::Conical { half_angle, knuckle } => Head::conical(flange, half_angle, knuckle),
         }
         .unwrap()
     }
@@ -327,7 +323,8 @@ fn distances_are_those_of_the_nearest_point_of_the_meridian() {
 #[test]
 fn a_nozzle_on_the_axis_stays_on_its_zone_even_along_a_border() {
     let (crown, knuckle, radius) = (808.0, 88.0, 400.0);
-    let head = || Head::torispherical((DVec3::ZERO, DVec3::Z), radius, (crown, knuckle), 30.0).unwrap();
+    let flange = Flange { centre: DVec3::ZERO, axis: DVec3::Z, radius, length: 30.0 };
+    let head = || Head::torispherical(flange, crown, knuckle).unwrap();
     let border = crown * (radius - knuckle) / (crown - knuckle);
     for r in [50.0, border - 1.0, border, border + 1.0, 399.0] {
         let tube = Tube::new(DVec3::ZERO, DVec3::Z, DVec3::X, r).unwrap();
@@ -340,16 +337,16 @@ fn a_nozzle_on_the_axis_stays_on_its_zone_even_along_a_border() {
 
 #[test]
 fn contradictory_sizes_are_refused() {
-    let place = (DVec3::ZERO, DVec3::Z);
+    let flange = Flange { centre: DVec3::ZERO, axis: DVec3::Z, radius: 400.0, length: 30.0 };
     for (crown, knuckle) in
         [(400.0, 50.0), (300.0, 50.0), (800.0, 400.0), (800.0, 0.0), (f64::NAN, 50.0), (800.0, f64::NAN)]
     {
-        let refused = Head::torispherical(place, 400.0, (crown, knuckle), 30.0);
+        let refused = Head::torispherical(flange, crown, knuckle);
         assert!(matches!(refused, Err(Error::Range { .. })), "{crown} {knuckle}");
     }
-    assert!(matches!(Head::flat(place, 400.0, 401.0, 30.0), Err(Error::Range { .. })));
-    assert!(Head::conical(place, 400.0, (1.6, 50.0), 30.0).is_err());
-    assert!(Head::ellipsoidal(place, 400.0, 0.0, 30.0).is_err());
-    assert!(Head::hemispherical(place, 400.0, -1.0).is_err());
-    assert!(Head::hemispherical((DVec3::ZERO, DVec3::ZERO), 400.0, 1.0).is_err());
+    assert!(matches!(Head::flat(flange, 401.0), Err(Error::Range { .. })));
+    assert!(Head::conical(flange, 1.6, 50.0).is_err());
+    assert!(Head::ellipsoidal(flange, 0.0).is_err());
+    assert!(Head::hemispherical(Flange { length: -1.0, ..flange }).is_err());
+    assert!(Head::hemispherical(Flange { axis: DVec3::ZERO, length: 1.0, ..flange }).is_err());
 }

@@ -4,13 +4,13 @@
 use crate::common::{Random, cases};
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Error;
-use seamwright_geometry::reduce::{Method, Reduction, Shape, Span, reduce};
+use seamwright_geometry::reduce::{Method, Reduction, Shape, Span, Tolerances, reduce};
 use std::f64::consts::TAU;
 
 const BOTH: [Method; 2] = [Method::Greedy, Method::Fewest];
 
 fn run(points: &[DVec3], tolerance: f64, method: Method) -> Reduction {
-    reduce(points, &[], (tolerance, tolerance), method).unwrap()
+    reduce(points, &[], Tolerances { path_mm: tolerance, columns: tolerance }, method).unwrap()
 }
 
 fn count(points: &[DVec3], tolerance: f64, method: Method) -> usize {
@@ -238,7 +238,7 @@ fn further_columns_are_carried_along() {
     let bend: Vec<f64> = (0..=10).map(|i: i32| f64::from((i - 6).max(0))).collect();
     let even: Vec<f64> = (0..=10).map(|i| 3.0 * f64::from(i)).collect();
     let ends = |axes: &[Vec<f64>], near: f64, method| {
-        let found = reduce(&line, axes, (0.1, near), method).unwrap();
+        let found = reduce(&line, axes, Tolerances { path_mm: 0.1, columns: near }, method).unwrap();
         found.spans.iter().map(|s| s.last).collect::<Vec<usize>>()
     };
     for method in BOTH {
@@ -250,7 +250,8 @@ fn further_columns_are_carried_along() {
     // By path length: twice as far in one step is twice as much.
     let uneven: Vec<DVec3> = [0.0, 1.0, 3.0, 4.0, 8.0].iter().map(|x| DVec3::new(*x, 0.0, 0.0)).collect();
     let turned = vec![0.0, 10.0, 30.0, 40.0, 80.0];
-    assert_eq!(reduce(&uneven, &[turned], (0.1, 1e-6), Method::Fewest).unwrap().spans.len(), 1);
+    let tolerances = Tolerances { path_mm: 0.1, columns: 1e-6 };
+    assert_eq!(reduce(&uneven, &[turned], tolerances, Method::Fewest).unwrap().spans.len(), 1);
 }
 
 #[test]
@@ -274,14 +275,16 @@ fn degenerate_paths() {
         let huge: Vec<DVec3> = (0..20).map(|i| 4e7 * DVec3::new(f64::from(i), f64::from(i * i % 3), 0.0)).collect();
         promises(&huge, 1.0, &run(&huge, 1.0, method).spans);
         assert_eq!(run(&huge, 1e9, method).spans.len(), 1);
-        let bad = |points: &[DVec3], tolerance| reduce(points, &[], (tolerance, 1.0), method).unwrap_err();
+        let bad =
+            |points: &[DVec3], path_mm| reduce(points, &[], Tolerances { path_mm, columns: 1.0 }, method).unwrap_err();
         assert_eq!(bad(&[p, DVec3::NAN], 1.0), Error::Place { index: 1 });
         assert_eq!(bad(&[p, p, DVec3::INFINITY], 1.0), Error::Place { index: 2 });
         assert_eq!(bad(&[p, 1e12 * p], 1.0), Error::Place { index: 1 });
         for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(matches!(bad(&[p, p], tolerance), Error::Size { .. }));
         }
-        let column = |values: &[f64]| reduce(&[p, DVec3::ZERO], &[values.to_vec()], (1.0, 1.0), method);
+        let tolerances = Tolerances { path_mm: 1.0, columns: 1.0 };
+        let column = |values: &[f64]| reduce(&[p, DVec3::ZERO], &[values.to_vec()], tolerances, method);
         assert_eq!(column(&[0.0, f64::NAN]).unwrap_err(), Error::Place { index: 1 });
         assert!(matches!(column(&[0.0]).unwrap_err(), Error::Column { .. }));
     }

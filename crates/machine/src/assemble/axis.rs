@@ -46,10 +46,12 @@ pub(super) fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Ax
         }
     }
     let range = range(file, path, step, kind)?;
-    let home = unit_value(file, path, kind, ("home", ""), step.home_mm, step.home_deg)?.map_or(0.0, Finite::get);
+    let key = Key { what: "home", power: "" };
+    let home = unit_value(file, path, kind, key, step.home_mm, step.home_deg)?.map_or(0.0, Finite::get);
     let limit = |what: &'static str, power: &'static str, mm, deg| -> Result<f64, DocumentError> {
-        let value: Option<Positive> = unit_value(file, path, kind, (what, power), mm, deg)?;
-        let key = format!("{what}_{}{power}", if kind == AxisKind::Linear { "mm" } else { "deg" });
+        let key = Key { what, power };
+        let value: Option<Positive> = unit_value(file, path, kind, key, mm, deg)?;
+        let key = key.of(kind);
         value.map(Positive::get).ok_or_else(|| {
             let message = Message::new("machine-axis-lacks-key").axis("axis", name).key("key", &key);
             file.error_at(path, message, Message::new("machine-key-positive").key("key", key))
@@ -57,7 +59,8 @@ pub(super) fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Ax
     };
     let max_speed = limit("max_speed", "_s", step.max_speed_mm_s, step.max_speed_deg_s)?;
     let max_acceleration = limit("max_acceleration", "_s2", step.max_acceleration_mm_s2, step.max_acceleration_deg_s2)?;
-    let jerk = unit_value(file, path, kind, ("max_jerk", "_s3"), step.max_jerk_mm_s3, step.max_jerk_deg_s3)?;
+    let key = Key { what: "max_jerk", power: "_s3" };
+    let jerk = unit_value(file, path, kind, key, step.max_jerk_mm_s3, step.max_jerk_deg_s3)?;
     // `Axis::jerk` defines the jerk for motion.
     let max_jerk = jerk.map_or(f64::INFINITY, Positive::get);
     let mut axis = Axis {
@@ -111,29 +114,44 @@ pub(super) fn of_another_kind(kind: AxisKind) -> Message {
     })
 }
 
+/// A key without its unit: `max_speed` and `_s` are `max_speed_mm_s` and `max_speed_deg_s`.
+#[derive(Clone, Copy)]
+struct Key<'a> {
+    what: &'a str,
+    /// The part after the unit of position.
+    power: &'a str,
+}
+
+impl Key<'_> {
+    /// The key of an axis of this kind.
+    fn of(self, kind: AxisKind) -> String {
+        let Self { what, power } = self;
+        format!("{what}_{}{power}", if kind == AxisKind::Linear { "mm" } else { "deg" })
+    }
+}
+
 /// The one of two values that belongs to the axis' kind; the other must be missing.
 fn unit_value<T: Copy>(
     file: &File,
     path: &str,
     kind: AxisKind,
-    (what, power): (&str, &str),
+    key: Key,
     mm: Option<T>,
     deg: Option<T>,
 ) -> Result<Option<T>, DocumentError> {
-    let (value, wrong, wrong_unit, unit) = match kind {
-        AxisKind::Linear => (mm, deg, "deg", "mm"),
-        AxisKind::Rotary => (deg, mm, "mm", "deg"),
+    let (value, wrong, other_kind) = match kind {
+        AxisKind::Linear => (mm, deg, AxisKind::Rotary),
+        AxisKind::Rotary => (deg, mm, AxisKind::Linear),
     };
     if wrong.is_some() {
-        let key = format!("{path}.{what}_{wrong_unit}{power}");
-        let allowed = Message::verbatim(format!("{what}_{unit}{power}"));
-        return Err(file.error_at(&key, of_another_kind(kind), allowed));
+        let given = format!("{path}.{}", key.of(other_kind));
+        return Err(file.error_at(&given, of_another_kind(kind), Message::verbatim(key.of(kind))));
     }
     Ok(value)
 }
 
 fn range(file: &File, path: &str, step: &StepFile, kind: AxisKind) -> Result<Option<[f64; 2]>, DocumentError> {
-    let range = unit_value(file, path, kind, ("range", ""), step.range_mm, step.range_deg)?;
+    let range = unit_value(file, path, kind, Key { what: "range", power: "" }, step.range_mm, step.range_deg)?;
     let key = if kind == AxisKind::Linear { "range_mm" } else { "range_deg" };
     match (range, step.continuous) {
         (Some(_), true) => {

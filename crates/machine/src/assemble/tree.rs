@@ -34,7 +34,7 @@ pub(super) fn tree(file: &MachineFile, axes: &[Axis]) -> (Links, Vec<Head>) {
         (tree.link, tree.frame) = (link, frame);
         steps.iter().for_each(|step| tree.add(step));
         tree.name(name);
-        heads.push(tree.head(name, (direction, tip), shared));
+        heads.push(tree.head(name, direction, tip, shared));
     }
     (tree.links, heads)
 }
@@ -79,7 +79,8 @@ impl Tree<'_> {
         self.link = self.links.links.len() - 1;
     }
 
-    fn head(&self, name: &str, (direction, tip): (Direction, DVec3), shared: AxisSet) -> Head {
+    /// The head at the end of the steps so far, with its torch's direction and tip in the last frame.
+    fn head(&self, name: &str, direction: Direction, tip: DVec3, shared: AxisSet) -> Head {
         let mut screws: Vec<Screw> = Vec::new();
         let mut link = self.link;
         while let Some((parent, screw)) = self.links.links[link].parent {

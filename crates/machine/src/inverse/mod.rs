@@ -268,11 +268,12 @@ impl Inverse {
         &self,
         chain: &Chain,
         pose: &Pose,
-        (near, starts): (&Joints, &[Joints]),
+        near: &Joints,
+        starts: &[Joints],
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
         let Form::Numeric(form) = &self.form else { return self.solve(chain, pose, near, Which::All, branches) };
-        form.solve_from(&chain.holding(self.held, near), pose, (near, starts), branches)?;
+        form.solve_from(&chain.holding(self.held, near), pose, near, starts, branches)?;
         for solution in branches.iter_mut() {
             self.held.iter().for_each(|axis| solution.joints[axis] = near[axis]);
         }

@@ -75,7 +75,8 @@ impl Numeric {
         &self,
         chain: &Chain,
         pose: &Pose,
-        (near, starts): (&Joints, &[Joints]),
+        near: &Joints,
+        starts: &[Joints],
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
         self.solve_each(chain, pose, near, starts.iter().copied(), branches)

@@ -353,7 +353,7 @@ fn turns(task: &Task, q: &Joints) -> Vec<Joints> {
         if task.winds(i) {
             // Turns are equivalent here: takes the one nearest to home, at which ranges cost least.
             let home = ((axis.home - q[i]) / TAU).round();
-            let turns = axis.turns_within((q[i], q[i]), home).unwrap_or(home);
+            let turns = axis.turns_within(q[i]..=q[i], home).unwrap_or(home);
             all.iter_mut().for_each(|q| q[i] += TAU * turns);
             continue;
         }

@@ -387,7 +387,7 @@ impl<'a> Task<'a> {
             let (low, high) =
                 way.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q[i]), h.max(q[i])));
             let home = ((axis.home - 0.5 * (low + high)) / TAU).round();
-            let turns = axis.turns_within((low, high), home).unwrap_or(home);
+            let turns = axis.turns_within(low..=high, home).unwrap_or(home);
             way.iter_mut().for_each(|q| q[i] += TAU * turns);
         }
     }

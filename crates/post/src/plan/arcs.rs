@@ -65,7 +65,7 @@ pub(crate) fn through(start: DVec3, middle: DVec3, end: DVec3, normal: Normal) -
 
 /// The arc from `start` to `end` about `normal` through `centre` by the right-hand rule, up to one turn.
 pub(crate) fn between(start: DVec3, end: DVec3, centre: DVec3, normal: DVec3) -> Option<Arc> {
-    let sweep = Arc::angle((start, end), centre, normal);
+    let sweep = Arc::angle(start, end, centre, normal);
     (sweep > 0.0 && sweep.is_finite()).then_some(Arc { centre, normal, sweep })
 }
 

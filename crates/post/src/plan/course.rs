@@ -3,6 +3,7 @@
 use crate::Control;
 use crate::part_program::ChannelKind;
 use seamwright_program::Pass;
+use std::ops::Range;
 
 /// During the travel neither upslope nor downslope.
 pub(crate) const WELDING: (f64, f64) = (f64::INFINITY, f64::INFINITY);
@@ -55,12 +56,12 @@ impl<'a> Course<'a> {
         self.pass.spans.iter().skip(1).map(|span| span.from_mm.get() + jump(span)).collect()
     }
 
-    /// True if all values are nearly even in time between two path lengths. `at` gives the path length at a part of the
-    /// time.
-    pub(crate) fn is_even(&self, (from, to): (f64, f64), at: impl Fn(f64) -> f64) -> bool {
+    /// True if all values are nearly even in time over a range of path lengths. `at` gives the path length at a part of
+    /// the time.
+    pub(crate) fn is_even(&self, Range { start, end }: Range<f64>, at: impl Fn(f64) -> f64) -> bool {
         const CHECKS: u32 = 8;
         self.values.iter().all(|(name, _, tolerance)| {
-            let (a, b) = (self.at(name, from), self.at(name, to));
+            let (a, b) = (self.at(name, start), self.at(name, end));
             (1..CHECKS).all(|k| {
                 let f = f64::from(k) / f64::from(CHECKS);
                 (self.at(name, at(f)) - (a + f * (b - a))).abs() <= *tolerance

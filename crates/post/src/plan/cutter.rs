@@ -115,7 +115,7 @@ pub(crate) fn cut(
         let leg_end = stops.get(leg).copied().unwrap_or(path.length());
         cutter.ends = (if leg == 0 { 0.0 } else { stops[leg - 1] }, leg_end);
         while here.s < end {
-            let mut block = cutter.next(&here, &written, end, length);
+            let mut block = cutter.next(Start { here: &here, written: &written }, end, length);
             if (block.s - here.s < SHORTEST_MM && block.s < end) || cut.blocks.len() >= MAX_BLOCKS {
                 return Err(Error::TooFine { s: here.s });
             }
@@ -149,6 +149,26 @@ pub(crate) enum Kind {
     Curve,
     /// Arcs.
     Arc(Normal),
+}
+
+/// Start of a block.
+#[derive(Clone, Copy)]
+struct Start<'a> {
+    /// The last block, which ends here.
+    here: &'a Block,
+    /// The last block whose linear words were written.
+    written: &'a Block,
+}
+
+/// Search for the end of a block.
+#[derive(Clone, Copy)]
+struct Search {
+    /// Maximum path length of the end, mm.
+    end: f64,
+    /// First length tried, mm.
+    guess: f64,
+    /// Number of checks within a block.
+    checks: usize,
 }
 
 pub(super) struct Cutter<'a> {
@@ -229,18 +249,18 @@ impl Cutter<'_> {
         }
     }
 
-    /// The longest good block from `here`, not beyond `end`; `guess` is the length of the last one.
-    fn next(&self, here: &Block, written: &Block, end: f64, guess: f64) -> Block {
-        let base = self.cutting.base;
-        let (s, checks) = (self.farthest(base, here, written, (end, guess), CHECKS), CHECKS);
-        let line = self.turned_back(here, written, s);
+    /// The longest good block from `start`, not beyond `end`; `guess` is the length of the last one.
+    fn next(&self, start: Start, end: f64, guess: f64) -> Block {
+        let (here, base) = (start.here, self.cutting.base);
+        let s = self.farthest(base, start, Search { end, guess, checks: CHECKS });
+        let line = self.turned_back(start, s);
         // A line from rest has no history, so halves of a line so short are no good for an arc.
         let length = (line - here.s).max(SHORTEST_MM);
         let tried = (here.s + LONGER * length).min(end);
         let mut best = (line, base);
         for normal in self.cutting.arcs.normals().iter().filter(|_| tried > line) {
             let kind = Kind::Arc(*normal);
-            if !self.tried(kind, here, written, tried, checks) {
+            if !self.tried(kind, start, tried, CHECKS) {
                 continue;
             }
             // The checks are as dense as within a line, so that no wave slips through between them.
@@ -248,7 +268,8 @@ impl Cutter<'_> {
             let mut far = tried;
             while far < end {
                 let next = (here.s + 2.0 * (far - here.s)).min(end);
-                let reached = self.farthest(kind, here, written, (next, next - here.s), fine(next));
+                let search = Search { end: next, guess: next - here.s, checks: fine(next) };
+                let reached = self.farthest(kind, start, search);
                 let stuck = reached < next;
                 far = far.max(reached);
                 if stuck {
@@ -262,14 +283,17 @@ impl Cutter<'_> {
         self.block(best.1, here, best.0).unwrap_or_else(|| self.end_at(best.0, here.s))
     }
 
-    fn tried(&self, kind: Kind, here: &Block, written: &Block, s: f64, checks: usize) -> bool {
-        self.block(kind, here, s)
-            .is_some_and(|block| self.good(here, &block, checks) && self.feed_is_kept(written, here, &block))
+    /// True if the block of a kind to `s` exists and is good.
+    fn tried(&self, kind: Kind, start: Start, s: f64, checks: usize) -> bool {
+        self.block(kind, start.here, s)
+            .is_some_and(|block| self.good(start.here, &block, checks) && self.feed_is_kept(start, &block))
     }
 
-    /// The farthest end of a good block from `here`, not beyond `end`; `guess` is the length of the last one.
-    fn farthest(&self, kind: Kind, here: &Block, written: &Block, (end, guess): (f64, f64), checks: usize) -> f64 {
-        let good = |s: f64| self.tried(kind, here, written, s, checks);
+    /// The farthest end of a good block.
+    fn farthest(&self, kind: Kind, start: Start, search: Search) -> f64 {
+        let Search { end, guess, checks } = search;
+        let here = start.here;
+        let good = |s: f64| self.tried(kind, start, s, checks);
         let mut length = guess.max(SHORTEST_MM);
         // Grow until bad, or shrink until good, then halve the bracket.
         while here.s + length < end && good(here.s + length) {
@@ -289,7 +313,8 @@ impl Cutter<'_> {
 
     /// The middle of a block to `end`, if linear motion goes out and back in it: the whole would be left out as too
     /// small, though either half has enough. Otherwise `end`.
-    fn turned_back(&self, here: &Block, written: &Block, end: f64) -> f64 {
+    fn turned_back(&self, start: Start, end: f64) -> f64 {
+        let Start { here, written } = start;
         if !self.cutting.least_feed {
             return end;
         }
@@ -301,7 +326,8 @@ impl Cutter<'_> {
 
     /// True if the control will not run the block faster than planned: its feed is above the minimum, or its linear
     /// motion is small enough to be left to a later block.
-    fn feed_is_kept(&self, written: &Block, here: &Block, b: &Block) -> bool {
+    fn feed_is_kept(&self, start: Start, b: &Block) -> bool {
+        let Start { here, written } = start;
         if !self.cutting.least_feed {
             return true;
         }

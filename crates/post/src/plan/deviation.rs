@@ -61,7 +61,7 @@ impl Cutter<'_> {
     fn is_even(&self, a: &Block, b: &Block) -> bool {
         let Some(course) = self.cutting.course else { return true };
         let begin = self.motion.profile.time(a.s);
-        course.is_even((a.s, b.s), |f| self.motion.profile.at(begin + f * b.duration, &mut 0).s)
+        course.is_even(a.s..b.s, |f| self.motion.profile.at(begin + f * b.duration, &mut 0).s)
     }
 
     /// Axes and pose that the control passes through at the part `f` of a block.

@@ -37,7 +37,7 @@ use seamwright_machine::{Joints, Machine};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Pass, Program, TorchPath};
 use stands::Neighbours;
-use steps::Steps;
+use steps::{Steps, Transfers};
 
 /// Options that convert a weld into a part program.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,6 +92,15 @@ const SPARED: f64 = 0.05;
 /// Longest time of PMAC's cubics, s.
 const LONGEST_CUBIC_S: f64 = 4.095;
 
+/// A pass with its motion, process values and events.
+struct PlannedPass<'a> {
+    pass: &'a Pass,
+    motion: &'a PassMotion,
+    course: Course<'a>,
+    /// Events and messages with their path lengths, mm.
+    events: Vec<(f64, Event)>,
+}
+
 /// Converts the weld into a part program for `control`. Blocks keep to `options.tolerance_mm` and to the plan's timing,
 /// and outputs are switched with the motion. Transfer moves are as planned; their straight lines in axis space are
 /// those of rapid moves at joint level. `paths` are those of the passes that `motion` was planned of.
@@ -128,15 +137,20 @@ pub fn part_program(
             );
             continue;
         }
-        let course = Course::new(control, pass);
-        let events = point_events(pass, paths[i]);
-        let cut = blocks(machine, control, (pass, planned, &course), (options, &events), second)?;
+        let part = PlannedPass {
+            pass,
+            motion: planned,
+            course: Course::new(control, pass),
+            events: point_events(pass, paths[i]),
+        };
+        let cut = blocks(machine, control, &part, options, second)?;
         steps.begin_pass(&pass.name);
         steps.remarks(&pass.name, planned, &cut, options);
         if i > 0 {
             steps.air(&motion.transfers[i]);
         }
-        steps.pass(&cut, (pass, events), &course, (&motion.transfers[i], &motion.transfers[i + 1]), i == 0);
+        let transfers = Transfers { before: &motion.transfers[i], after: &motion.transfers[i + 1] };
+        steps.pass(&cut, part, transfers, i == 0);
     }
     Ok(steps.program)
 }
@@ -197,14 +211,15 @@ fn check_tip(control: &Control, motion: &WeldMotion, second: bool) -> Result<(),
     if second { Err(Error::TwoTorches) } else { Ok(()) }
 }
 
-/// The blocks of a pass in the shapes that the control has.
+/// The blocks of a pass in the shapes that the control has; `second` if there is a second torch.
 fn blocks(
     machine: &Machine,
     control: &Control,
-    (pass, planned, course): (&Pass, &PassMotion, &Course),
-    (options, events): (&Options, &[(f64, Event)]),
+    planned: &PlannedPass,
+    options: &Options,
     second: bool,
 ) -> Result<Linearisation, Error> {
+    let PlannedPass { pass, motion, course, events } = planned;
     let mut breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
     if pass.spans[0].process.keys().any(|name| control.is_stepped(name)) {
         breaks.extend(pass.spans.iter().flat_map(ramp_breaks));
@@ -226,7 +241,7 @@ fn blocks(
     let cutting = Cutting {
         level: options.level,
         tolerance_mm: (1.0 - spared) * options.tolerance_mm,
-        speed: if planned.path.is_woven() { f64::INFINITY } else { 0.01 * options.speed_percent },
+        speed: if motion.path.is_woven() { f64::INFINITY } else { 0.01 * options.speed_percent },
         least_feed: linuxcnc,
         base,
         arcs: if base == Kind::Line { arcs_of(control, options.level) } else { Arcs::None },
@@ -235,7 +250,7 @@ fn blocks(
         course: Some(course),
         second,
     };
-    if spline { spline::splines(machine, planned, &breaks, &cutting) } else { cut(machine, planned, &breaks, &cutting) }
+    if spline { spline::splines(machine, motion, &breaks, &cutting) } else { cut(machine, motion, &breaks, &cutting) }
 }
 
 /// The arcs of the control: [`Arcs::None`] unless at least two (at tip level three) of its X, Y and Z are axes of these

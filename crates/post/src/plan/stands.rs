@@ -67,11 +67,11 @@ impl Steps<'_> {
         }
         let (machine, control) = (self.machine, self.control);
         // Events at its start, and its first values.
-        blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Begin { all: again });
+        blocks(machine, control, pass, &mut self.program, &mut self.row, Part::Begin { all: again });
         self.begin(&short, &course);
-        blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Blocks);
+        blocks(machine, control, pass, &mut self.program, &mut self.row, Part::Blocks);
         self.finish(&short, &course, burns_on);
-        blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::End);
+        blocks(machine, control, pass, &mut self.program, &mut self.row, Part::End);
     }
 
     fn stand_at(&mut self, q: &Joints) {

@@ -1,11 +1,11 @@
 //! The steps of a pass around its blocks: gas, arc, slopes, values, and the ways there and back.
 
-use super::Options;
 use super::block::{Block, Linearisation, Shape};
 use super::course::{Course, WELDING};
 use super::ramps::{RestStep, rest_steps};
 use super::rows::{SCALE, rounded};
 use super::spline::TICK;
+use super::{Options, PlannedPass};
 use crate::part_program::{ChannelKind, Event, Level, PartProgram, Path, What};
 use crate::write::fixed;
 use crate::{Control, Dialect};
@@ -21,6 +21,13 @@ const APPROACH_MM_MIN: f64 = 600.0;
 const NEAR: f64 = 1e-6;
 /// Steps of process values at outputs.
 const VALUE_SCALE: f64 = 1e4;
+
+/// Transfer moves before and after a pass.
+#[derive(Clone, Copy)]
+pub(super) struct Transfers<'a> {
+    pub(super) before: &'a TransferMove,
+    pub(super) after: &'a TransferMove,
+}
 
 /// A part program in the making.
 pub(super) struct Steps<'a> {
@@ -90,22 +97,17 @@ impl<'a> Steps<'a> {
         self.level = level;
     }
 
-    /// A pass with the transfer moves before and after it.
-    pub(super) fn pass(
-        &mut self,
-        cut: &Linearisation,
-        (pass, events): (&Pass, Vec<(f64, Event)>),
-        course: &Course,
-        (before, after): (&TransferMove, &TransferMove),
-        first: bool,
-    ) {
+    /// A pass with the ends of the transfer moves before and after it.
+    pub(super) fn pass(&mut self, cut: &Linearisation, planned: PlannedPass, transfers: Transfers, first: bool) {
+        let PlannedPass { pass, course, events, .. } = planned;
+        let Transfers { before, after } = transfers;
         let from = before.legs.last().filter(|_| before.approaches).map(Leg::start);
         let to = after.legs.first().filter(|_| after.retracts).map(Leg::end);
         self.set.clear();
         self.approach(&cut.start, from, first);
-        self.start(cut, pass, course);
-        let left = self.weld(cut, (pass, events), course);
-        self.end(pass, course);
+        self.start(cut, pass, &course);
+        let left = self.weld(cut, pass, &course, events);
+        self.end(pass, &course);
         left.into_iter().for_each(|(_, event)| self.event(event, true));
         let end = cut.blocks.last().unwrap_or(&cut.start);
         if let Some(to) = to {
@@ -189,8 +191,9 @@ impl<'a> Steps<'a> {
     fn weld(
         &mut self,
         cut: &Linearisation,
-        (pass, events): (&Pass, Vec<(f64, Event)>),
+        pass: &Pass,
         course: &Course,
+        events: Vec<(f64, Event)>,
     ) -> Vec<(f64, Event)> {
         let mut before = cut.start;
         let mut events = events.into_iter().peekable();

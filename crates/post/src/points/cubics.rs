@@ -1,6 +1,7 @@
 use crate::part_program::Xyz;
 use crate::play::Segment;
 use seamwright_document::Finite;
+use std::ops::Range;
 
 /// Maximum error of a cubic that replaces a segment, mm, degrees or parts of 1.
 const SAME: f64 = 1e-7;
@@ -25,26 +26,27 @@ impl Cubics<'_> {
     /// Ends of the cubics, as parts of the segment: one cubic, unless its directions or its even feed bend it.
     pub(super) fn ends(&self) -> Vec<f64> {
         let mut ends = Vec::new();
-        self.halve((0.0, 1.0), &mut ends);
+        self.halve(0.0..1.0, &mut ends);
         ends
     }
 
-    fn halve(&self, (begin, end): (f64, f64), ends: &mut Vec<f64>) {
-        if end - begin <= SHORTEST || self.is_near((begin, end)) {
+    /// Adds the ends of the cubics in this part of the segment.
+    fn halve(&self, Range { start, end }: Range<f64>, ends: &mut Vec<f64>) {
+        if end - start <= SHORTEST || self.is_near(start..end) {
             return ends.push(end);
         }
-        let middle = 0.5 * (begin + end);
-        self.halve((begin, middle), ends);
-        self.halve((middle, end), ends);
+        let middle = 0.5 * (start + end);
+        self.halve(start..middle, ends);
+        self.halve(middle..end, ends);
     }
 
-    /// Whether one cubic equals the segment between these parts of it.
-    fn is_near(&self, (begin, end): (f64, f64)) -> bool {
-        let ([p0, p1], [v0, v1]) = ([begin, end].map(|f| self.at(f)), [begin, end].map(|f| self.speeds(f)));
-        let time = self.segment.seconds * (end - begin);
+    /// Whether one cubic equals this part of the segment.
+    fn is_near(&self, Range { start, end }: Range<f64>) -> bool {
+        let ([p0, p1], [v0, v1]) = ([start, end].map(|f| self.at(f)), [start, end].map(|f| self.speeds(f)));
+        let time = self.segment.seconds * (end - start);
         [0.25, 0.5, 0.75].into_iter().all(|f: f64| {
             let g = 1.0 - f;
-            self.at(begin + f * (end - begin)).iter().enumerate().all(|(i, place)| {
+            self.at(start + f * (end - start)).iter().enumerate().all(|(i, place)| {
                 let bend = time * f * g * (g * v0[i].get() - f * v1[i].get());
                 let cubic = p0[i] + f * f * (3.0 - 2.0 * f) * (p1[i] - p0[i]) + bend;
                 (cubic - place).abs() <= SAME

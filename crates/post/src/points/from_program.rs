@@ -1,4 +1,4 @@
-use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, What};
+use crate::part_program::{Arc, ChannelKind, Event, Level, Move, MoveRows, PartProgram, Path, What};
 use crate::{Control, Dialect};
 use glam::DVec3;
 use seamwright_document::{Direction, Finite};
@@ -80,7 +80,8 @@ pub(crate) fn steps(
     machine: &Machine,
     control: &Control,
     pass: &Pass,
-    (program, here): (&mut PartProgram, &mut Vec<f64>),
+    program: &mut PartProgram,
+    here: &mut Vec<f64>,
     part: Part,
 ) {
     let Some(points) = &pass.points else { return };
@@ -104,7 +105,7 @@ pub(crate) fn steps(
     for span in &points.spans {
         for (k, point) in span.points.iter().enumerate() {
             let row = writer.row(point);
-            writer.block(span, k, (here, &row), point);
+            writer.block(span, k, MoveRows { from: here, to: &row });
             *here = row;
             reached += 1;
             if reached < points.count() {
@@ -157,10 +158,13 @@ impl Steps<'_> {
         }
     }
 
-    fn block(&mut self, span: &PointSpan, k: usize, (from, to): (&[f64], &[f64]), point: &[Finite]) {
+    /// Adds the block to point `k` of a span.
+    fn block(&mut self, span: &PointSpan, k: usize, rows: MoveRows) {
+        let MoveRows { from, to } = rows;
+        let point = &span.points[k];
         let path = match span.along {
             Along::Rapid => Path::Rapid,
-            Along::Arc => self.arc(span, from, to).map_or(Path::Line, |arc| {
+            Along::Arc => self.arc(span, rows).map_or(Path::Line, |arc| {
                 self.program.arcs.push(arc);
                 Path::Arc(self.program.arcs.len() as u32 - 1)
             }),
@@ -187,7 +191,7 @@ impl Steps<'_> {
         let seconds = match path {
             Path::Rapid => 0.0,
             _ if self.timed => last,
-            _ => self.way(path, from, to) / last,
+            _ => self.way(path, rows) / last,
         };
         let number = self.number.map(|column| point[column].get() as u32).filter(|n| *n > 0);
         let row = self.program.add_row(to);
@@ -196,7 +200,8 @@ impl Steps<'_> {
     }
 
     /// Way of the tip in a block, mm.
-    fn way(&self, path: Path, from: &[f64], to: &[f64]) -> f64 {
+    fn way(&self, path: Path, rows: MoveRows) -> f64 {
+        let MoveRows { from, to } = rows;
         let arc = match path {
             Path::Arc(i) => Some(self.program.arcs[i as usize]),
             _ => None,
@@ -215,8 +220,8 @@ impl Steps<'_> {
         })
     }
 
-    fn arc(&self, span: &PointSpan, from: &[f64], to: &[f64]) -> Option<Arc> {
-        let [start, end] = [from, to].map(|row| self.program.xyz().of(row));
+    fn arc(&self, span: &PointSpan, rows: MoveRows) -> Option<Arc> {
+        let [start, end] = [rows.from, rows.to].map(|row| self.program.xyz().of(row));
         let arc = arc(span, start, end)?;
         let axis = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().find(|n| arc.axis.dot(*n).abs() > 1.0 - UPRIGHT);
         let normal = axis.map_or(arc.axis, |n| n * arc.axis.dot(n).signum());

@@ -35,7 +35,7 @@ impl Rests {
 
     /// Takes the rests with the arc as in the pass whose values are neither those of `stays` nor make a slope from or
     /// to `weld`: a sequence cannot express them. `back` if they end a pass: then only those before anything else.
-    pub(super) fn take_odd(&mut self, arc: bool, (stays, weld): (&[f64], &[f64]), back: bool) -> Vec<Gap> {
+    pub(super) fn take_odd(&mut self, arc: bool, stays: &[f64], weld: &[f64], back: bool) -> Vec<Gap> {
         let is_on = |gap: &Gap| matches!(gap, Gap::Rest(on, ..) if *on == arc);
         let from = if back { 0 } else { self.0.iter().position(is_on).unwrap_or(self.0.len()) };
         let count = self.0[from..].iter().take_while(|gap| is_on(gap)).count();
@@ -98,7 +98,7 @@ impl Rests {
 
     /// The sequence of a pass that starts with these rests and ends with `end`; `names` are those of the process
     /// values, `first` and `last` their values at the start and the end of its travel.
-    pub(super) fn sequence(&self, names: &[String], (first, last): (&[f64], &[f64]), end: &End) -> Sequence {
+    pub(super) fn sequence(&self, names: &[String], first: &[f64], last: &[f64], end: &End) -> Sequence {
         let of = |on: bool| {
             self.0.iter().filter_map(move |gap| match gap {
                 Gap::Rest(arc, seconds, values) if *arc == on => Some((*seconds, values.clone())),
@@ -170,7 +170,7 @@ mod tests {
                 rests.add(Gap::Rest(true, step, vec![from + part * (weld - from)]));
             }
             rests.add(Gap::Rest(true, 0.3, vec![weld]));
-            let sequence = rests.sequence(&names, (&[weld], &[weld]), &End::default());
+            let sequence = rests.sequence(&names, &[weld], &[weld], &End::default());
             let slope = sequence.upslope.unwrap();
             assert!((sequence.preflow_s.get() - 0.7).abs() < 1e-12);
             assert!((sequence.travel_delay_s.get() - time - 0.3).abs() < 1e-12);

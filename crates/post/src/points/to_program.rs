@@ -13,7 +13,7 @@ use seamwright_program::{
 };
 
 /// Converts a part program into a program of points: every block a point, equal in effect. `start` is the row before
-/// its first block. Corners that the control passes without a stop are blended within `blend_mm`.
+/// its first block, `name` the machine's. Corners that the control passes without a stop are blended within `blend_mm`.
 ///
 /// A new pass starts at each pass of the part program, at each change of the arc, and at each change of the control's
 /// kinematics. If the machine file has no output for the arc, it is on in feed moves and off in rapid ones.
@@ -25,7 +25,8 @@ pub fn to_program(
     control: &Control,
     read: &PartProgram,
     start: &[f64],
-    (name, blend_mm): (&str, Positive),
+    name: &str,
+    blend_mm: Positive,
 ) -> Result<Program, Error> {
     let segments = play(read, start);
     let used = used(read, &segments);
@@ -181,8 +182,8 @@ impl Builder<'_> {
             }
             self.close(false);
             let told = |row: &[f64]| -> Vec<f64> { self.used.iter().map(|i| row[*i]).collect() };
-            let odd = (told(&start), told(segment.end()));
-            let odd = if arc { self.rests.take_odd(true, (&odd.0, &odd.1), false) } else { Vec::new() };
+            let (stays, weld) = (told(&start), told(segment.end()));
+            let odd = if arc { self.rests.take_odd(true, &stays, &weld, false) } else { Vec::new() };
             self.begin(arc, m.level, &start);
             self.rest_within(odd);
         }
@@ -240,14 +241,14 @@ impl Builder<'_> {
     fn close(&mut self, last: bool) {
         let Some(open) = &self.open else { return };
         let ended = open.points.rows().last().map_or(Vec::new(), |row| self.values(&open.points, row));
-        let odd = self.rests.take_odd(open.arc, (&ended, &ended), true);
+        let odd = self.rests.take_odd(open.arc, &ended, &ended, true);
         self.rest_within(odd);
         let Some(mut open) = self.open.take() else { return };
         let names: Vec<String> = self.used.iter().map(|i| self.read.channels[*i].name.clone()).collect();
         let values = |row: Option<&[Finite]>| row.map_or(Vec::new(), |row| self.values(&open.points, row));
         let (first, ended) = (values(open.points.rows().nth(1)), values(open.points.rows().last()));
         let end = self.rests.take_end(open.arc, last);
-        let sequence = open.rests.sequence(&names, (&first, &ended), &end);
+        let sequence = open.rests.sequence(&names, &first, &ended, &end);
         let reached = open.points.count();
         open.points.events.extend(end.events.into_iter().map(|event| PointEvent { after: reached, ..event }));
         self.done.push(Pass {

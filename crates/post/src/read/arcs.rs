@@ -38,7 +38,7 @@ pub(super) fn radii(start: DVec3, end: DVec3, centre: DVec3, normal: DVec3) -> (
 
 /// The arc about `centre` from `start` to `end`, with `turns` full turns more.
 pub(super) fn about(start: DVec3, end: DVec3, centre: DVec3, normal: DVec3, turns: u32, least_angle: f64) -> Arc {
-    let angle = Arc::angle((start, end), centre, normal);
+    let angle = Arc::angle(start, end, centre, normal);
     let angle = if angle < least_angle { angle + TAU } else { angle };
     Arc { centre, normal, sweep: angle + f64::from(turns) * TAU }
 }

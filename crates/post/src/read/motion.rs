@@ -4,7 +4,7 @@ use super::error::{Fault, Read, Span};
 use super::state::{FeedMode, Motion, State};
 use super::target::How;
 use crate::Dialect;
-use crate::part_program::{Arc, ChannelKind, Curve, Level, Move, Path, What};
+use crate::part_program::{Arc, ChannelKind, Curve, Level, Move, MoveRows, Path, What};
 use crate::polynomial::POWERS;
 use glam::DVec3;
 use seamwright_message::Message;
@@ -89,7 +89,8 @@ impl State<'_> {
             Motion::Polynomial if block.higher.is_empty() => (Path::Line, self.seconds(None, place)?),
             Motion::Polynomial => {
                 let curve = self.curve(block);
-                let length = self.program.evenly(self.program.curves[curve as usize], (&self.row, &self.next)).length();
+                let rows = MoveRows { from: &self.row, to: &self.next };
+                let length = self.program.evenly(self.program.curves[curve as usize], rows).length();
                 (Path::Curve(curve), self.timed(place, true, |_| length)?)
             }
             Motion::Clockwise | Motion::Counterclockwise | Motion::Through => {
@@ -208,7 +209,7 @@ impl State<'_> {
         }
         let index = self.program.add_curve(&rows, self.rule.counted());
         let curve = self.program.curves[index as usize];
-        if self.program.evenly(curve, (&self.row, &self.next)).length() <= 0.0 {
+        if self.program.evenly(curve, MoveRows { from: &self.row, to: &self.next }).length() <= 0.0 {
             self.note("post-feed-counts-none");
             let all = (1u64 << self.program.axes()) - 1;
             self.program.curves[index as usize] = Curve { counted: all, ..curve };

@@ -102,8 +102,8 @@ pub fn verify(
     let mut passes = Vec::new();
     for (i, pass) in planned.program.passes.iter().enumerate() {
         let checked = match is_posted_as_it_stands(planned.control, pass) {
-            true => plan::as_it_stands(pass, &same.blocks, i),
-            false => plan::check(planned, (i, pass), &same.blocks),
+            true => plan::as_it_stands(pass, i, &same.blocks),
+            false => plan::check(planned, pass, i, &same.blocks),
         };
         wrong.extend(checked.complaints(planned, i + 1));
         // Checks the text itself, not `asked`: the arc must be off in a pass without one.

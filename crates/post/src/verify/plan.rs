@@ -8,6 +8,7 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::{PassMotion, TipPath};
 use seamwright_program::{Pass, TorchPath};
+use std::ops::Range;
 
 /// Stations checked in a block, its end among them.
 const PLACES: u32 = 16;
@@ -17,7 +18,7 @@ const SHORTEST_S: f64 = 1e-3;
 const SLOWEST: f64 = 0.2;
 
 /// A pass whose blocks are the program's points: their times.
-pub(super) fn as_it_stands(pass: &Pass, blocks: &[Block], number: usize) -> PassVerification {
+pub(super) fn as_it_stands(pass: &Pass, number: usize, blocks: &[Block]) -> PassVerification {
     let own = blocks.iter().filter(|b| b.pass == number);
     PassVerification { as_it_stands: true, arc_s: own.map(|b| b.told.seconds).sum(), ..nothing(pass) }
 }
@@ -40,8 +41,8 @@ fn nothing(pass: &Pass) -> PassVerification {
     }
 }
 
-/// Holds the blocks of a pass with the arc on against its planned motion.
-pub(super) fn check(planned: Planned, (number, pass): (usize, &Pass), blocks: &[Block]) -> PassVerification {
+/// Compares the blocks of a pass with the arc on with its planned motion.
+pub(super) fn check(planned: Planned, pass: &Pass, number: usize, blocks: &[Block]) -> PassVerification {
     let motion = &planned.motion.passes[number];
     let own: Vec<&Block> =
         blocks.iter().filter(|b| b.pass == number && (b.arc || !pass.has_arc()) && !b.rapid).collect();
@@ -79,6 +80,16 @@ fn greatest_values(planned: Planned, pass: &Pass) -> Vec<(usize, String, f64)> {
     names.filter_map(|name| Some((planned.control.channel(name)?, name.clone(), greatest(name)))).collect()
 }
 
+/// A position that the text reaches, and its counterparts on the planned path.
+struct Reached {
+    q: Joints,
+    tip: Pose,
+    /// Planned path length at that time, mm.
+    s: f64,
+    /// Path length of the point nearest to the tip, mm.
+    foot: f64,
+}
+
 struct Checker<'a> {
     planned: Planned<'a>,
     pass: &'a Pass,
@@ -110,7 +121,7 @@ impl Checker<'_> {
             let (q, tip) = self.place(&row, is_tip(segment.level));
             let s = self.motion.profile.at(t.clamp(0.0, self.motion.profile.duration()), &mut self.cursor).s;
             let foot = self.path.foot(tip.point, s, (0.0, length));
-            self.deviation((&q, &tip), (s, foot), is_tip(segment.level));
+            self.deviation(&Reached { q, tip, s, foot }, is_tip(segment.level));
             way += last.map_or(0.0, |last| last.distance(tip.point));
             last = Some(tip.point);
         }
@@ -135,7 +146,9 @@ impl Checker<'_> {
         (q, Pose { point: DVec3::new(part("x"), part("y"), part("z")), ..pose })
     }
 
-    fn deviation(&mut self, (q, tip): (&Joints, &Pose), (s, foot): (f64, f64), tip_level: bool) {
+    /// Updates the maximum deviations from the planned path.
+    fn deviation(&mut self, reached: &Reached, tip_level: bool) {
+        let &Reached { q, tip, s, foot } = reached;
         let machine = self.planned.machine;
         let asked = self.motion.path.at(foot);
         let there = machine.forward(&asked);
@@ -163,7 +176,7 @@ impl Checker<'_> {
         if to - from < SHORTEST_S {
             return;
         }
-        let planned = planned_way(self.planned.machine, self.motion, (from, to));
+        let planned = planned_way(self.planned.machine, self.motion, from..to);
         let fastest = self.motion.certificate.everywhere.max(self.pass.speeds().1);
         if planned > SLOWEST * fastest * (to - from) {
             self.proof.speed_percent = self.proof.speed_percent.max(100.0 * (way / planned - 1.0).abs());
@@ -203,11 +216,11 @@ impl Checker<'_> {
     }
 }
 
-/// Way of the tip by the plan between two times of the travel, mm: by chords as the blocks' is.
-fn planned_way(machine: &Machine, motion: &PassMotion, (from, to): (f64, f64)) -> f64 {
+/// Way of the tip by the plan in a range of times of the travel, mm: by chords as the blocks' is.
+fn planned_way(machine: &Machine, motion: &PassMotion, Range { start, end }: Range<f64>) -> f64 {
     let mut cursor = 0;
     let tips = (0..=PLACES).map(|k| {
-        let t = from + (to - from) * f64::from(k) / f64::from(PLACES);
+        let t = start + (end - start) * f64::from(k) / f64::from(PLACES);
         machine.forward(&motion.path.at(motion.profile.at(t, &mut cursor).s)).point
     });
     let tips: Vec<DVec3> = tips.collect();

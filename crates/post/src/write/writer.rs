@@ -1,7 +1,7 @@
 use super::WriteOptions;
 use super::text::Text;
 use super::tongue::Tongue;
-use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
+use crate::part_program::{Arc, ChannelKind, Event, Level, Move, MoveRows, PartProgram, Path, Step, What};
 use crate::{Code, Control, Dialect, Error};
 use glam::DVec3;
 use seamwright_message::{Message, Unit};
@@ -344,7 +344,10 @@ impl<'a> Writer<'a> {
         let axes = &self.order[..self.program.axes()];
         let group = matches!(self.control.dialect, Dialect::Sinumerik | Dialect::Pmac).then_some(axes);
         let way = match step.path {
-            Path::Curve(index) => self.program.evenly(self.program.curves[index as usize], (&self.here, to)).length(),
+            Path::Curve(index) => {
+                let rows = MoveRows { from: &self.here, to };
+                self.program.evenly(self.program.curves[index as usize], rows).length()
+            }
             _ => self.control.feed_way(group, arc, &self.here, to),
         };
         let per = if self.control.dialect == Dialect::Pmac { 1.0 } else { 60.0 };

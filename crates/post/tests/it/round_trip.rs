@@ -224,7 +224,7 @@ fn round_trip(dialect: Dialect, name: &str, rotary: [&str; 2], process: [&str; 2
         let options = ReadOptions { start: Some(start.clone()), ..ReadOptions::default() };
         let back = read(&control, "p", &written, &options).unwrap_or_else(|e| panic!("case {case}: {e}\n{written}"));
         let blend = Positive::new(0.1).unwrap();
-        let again = to_program(&machine, &control, &back.program, &start, (name, blend));
+        let again = to_program(&machine, &control, &back.program, &start, name, blend);
         let again = match again {
             Ok(again) => again,
             Err(_) => continue,

@@ -6,7 +6,7 @@ use crate::{Along, ArcThrough};
 use glam::{DQuat, DVec3};
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Positive};
-use seamwright_geometry::reduce::{Method, Shape, Span, reduce};
+use seamwright_geometry::reduce::{Method, Shape, Span, Tolerances, reduce};
 use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -99,6 +99,7 @@ impl PointsDraft {
         let further = (0..self.columns.len()).filter(|i| !ways.contains(i) && !columns.contains(i));
         let further: Vec<Vec<f64>> = further.map(|i| rows.iter().map(|row| row.numbers[i]).collect()).collect();
         let places: Vec<DVec3> = rows.iter().map(|row| row.place(columns)).collect();
+        let tolerances = Tolerances { path_mm: tolerances.0, columns: tolerances.1 };
         Ok(reduce(&places, &further, tolerances, Method::Fewest)?.spans)
     }
 

@@ -132,7 +132,7 @@ fn in_order<const N: usize>(points: &[TouchedPoint], lists: [(&str, &[f64]); N])
 /// Aligns three faces of the part.
 fn faces(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [plane, line, point] = ["plane", "line", "point"].map(|feature| of(points, feature));
-    let fit = plane_line_point((&plane, &line, &point), radius, &program.work_offset()).map_err(|e| refused(&e))?;
+    let fit = plane_line_point(&plane, &line, &point, radius, &program.work_offset()).map_err(|e| refused(&e))?;
     let residuals = in_order(points, [("plane", &fit.plane), ("line", &fit.line), ("point", &fit.point)]);
     Ok(Found { offset: fit.transform, residuals, notes: Vec::new() })
 }

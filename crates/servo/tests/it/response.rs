@@ -24,10 +24,22 @@ fn tuning(hz: f64, lag: f64, delay: f64) -> DriveTuning {
     }
 }
 
-/// From speed command to position: the continuous drive with the `lag` and the `delay` of its current loop, and the
-/// velocity loop's `step`. To first order in that, the speed fed back is late by half a step, as the demand is held
+/// Times of a drive's loops, s.
+#[derive(Clone, Copy)]
+struct LoopTimes {
+    /// Time constant of the current loop.
+    lag: f64,
+    /// Dead time of the current loop.
+    delay: f64,
+    /// Step of the velocity loop.
+    step: f64,
+}
+
+/// From speed command to position: the continuous drive with the lag and the delay of its current loop, and the
+/// velocity loop's step. To first order in that, the speed fed back is late by half a step, as the demand is held
 /// over one, while the integral, whose step ends where it is used, is early by half a step.
-fn drive(s: Complex64, hz: f64, (lag, delay, step): (f64, f64, f64), t: Option<Transmission>) -> Complex64 {
+fn drive(s: Complex64, hz: f64, times: LoopTimes, t: Option<Transmission>) -> Complex64 {
+    let LoopTimes { lag, delay, step } = times;
     let w = TAU * hz;
     let current = (-s * delay).exp() / (1.0 + s * lag);
     let half = (s * 0.5 * step).exp();
@@ -87,7 +99,7 @@ fn a_rigid_axis_is_measured_as_its_transfer_function() {
     for (hz, lag, delay) in [(60.0, 2e-4, 0.0), (60.0, 3e-4, 2.5e-4), (25.0, 1e-3, 4e-4)] {
         let step = PERIOD / (PERIOD * 2.0 * TAU * hz / 0.1).ceil().max(8.0);
         let parameters = DriveParameters::linear(FREE, tuning(hz, lag, delay)).unwrap();
-        let analytic = |f: f64| KP * sampled(f, |s| drive(s, hz, (lag, delay, step), None));
+        let analytic = |f: f64| KP * sampled(f, |s| drive(s, hz, LoopTimes { lag, delay, step }, None));
         let (db, deg) = distance(&axis(parameters, None), 250.0, analytic);
         println!("{hz}: {db} dB, {deg} deg");
         assert!(db < 0.1 && deg < 1.0, "{hz}: {db} dB, {deg} deg");
@@ -111,7 +123,7 @@ fn an_elastic_axis_with_a_notch_is_measured_as_its_transfer_function() {
         let notch = Notch::new(52.0, 0.2, 30.0, PERIOD).unwrap();
         let analytic = |f: f64| {
             let z = Complex64::from_polar(1.0, TAU * f * PERIOD);
-            KP * notch.response(z) * sampled(f, |s| drive(s, hz, (lag, delay, step), Some(t)))
+            KP * notch.response(z) * sampled(f, |s| drive(s, hz, LoopTimes { lag, delay, step }, Some(t)))
         };
         let looped = axis(parameters, Some(notch));
         let (db, deg) = distance(&looped, 250.0, analytic);

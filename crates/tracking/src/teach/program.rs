@@ -2,7 +2,9 @@ use super::LinePoint;
 use glam::{DAffine3, DQuat, DVec3};
 use seamwright_document::{Direction, Finite, Point, Positive};
 use seamwright_geometry::Error;
-use seamwright_geometry::reduce::{Method, Reduction, Shape, Span, SplineReduction, reduce, reduce_to_spline};
+use seamwright_geometry::reduce::{
+    Method, Reduction, Shape, Span, SplineReduction, Tolerances, reduce, reduce_to_spline,
+};
 use seamwright_program::{
     Along, AtCorner, OnLimit, POSE_COLUMNS, Pass, PointSpan, Points, Program, SPEED_COLUMN, Torch,
 };
@@ -73,9 +75,10 @@ pub fn to_program(
     let few = || Error::TooFewPoints { what: "geometry-points-taught-line", given: line.len(), min: 2 };
     let points: Vec<DVec3> = line.iter().map(|p| p.point).collect();
     let directions = [0, 1, 2].map(|i| torch.iter().map(|axis| -axis[i]).collect::<Vec<f64>>());
+    let tolerances = Tolerances { path_mm: tolerance, columns: attitude };
     let curves = match kind {
-        Kind::Arcs(method) => Curves::Arcs(reduce(&points, &directions, (tolerance, attitude), method)?),
-        Kind::Spline => Curves::Spline(reduce_to_spline(&points, &directions, (tolerance, attitude))?),
+        Kind::Arcs(method) => Curves::Arcs(reduce(&points, &directions, tolerances, method)?),
+        Kind::Spline => Curves::Spline(reduce_to_spline(&points, &directions, tolerances)?),
     };
     let (Some(pass), [_, _, ..]) = (like.passes.first(), line) else { return Err(few()) };
     let writer = Writer::new(pass, torch, like.seam_in_work().inverse());

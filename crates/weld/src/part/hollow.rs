@@ -9,7 +9,7 @@ use crate::{NozzleEdges, head, nozzle::bore};
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_document::Document;
-use seamwright_geometry::{Curve, Head};
+use seamwright_geometry::{Curve, Flange, Head};
 use seamwright_message::Message;
 use seamwright_program::{Body, Mount, Nozzle};
 use std::f64::consts::TAU;
@@ -110,7 +110,8 @@ impl Making<'_> {
                 let up = self.middle() - centre_mm.get();
                 let half = |depth: f64| {
                     let radius = radius_mm.get() - depth;
-                    Head::hemispherical((centre_mm.get(), up), radius, 0.0).map_err(|e| {
+                    let flange = Flange { centre: centre_mm.get(), axis: up, radius, length: 0.0 };
+                    Head::hemispherical(flange).map_err(|e| {
                         let allowed = Message::new("weld-allowed-sphere");
                         Impossible::Document(file.error_at("seam.nozzle.body.sphere", e.message(), allowed))
                     })

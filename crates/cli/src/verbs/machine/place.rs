@@ -131,7 +131,7 @@ fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted,
 fn faces(args: &PlaceArgs, rows: &[Touched], nominal: &DAffine3) -> Result<Fitted, NoPlace> {
     let of = |feature: &str| -> Vec<DVec3> { rows.iter().filter(|r| r.feature == feature).map(|r| r.point).collect() };
     let (plane, line, point) = (of("plane"), of("line"), of("point"));
-    let fit = plane_line_point((&plane, &line, &point), args.probe_radius_mm, nominal)?;
+    let fit = plane_line_point(&plane, &line, &point, args.probe_radius_mm, nominal)?;
     // Back in the order of the table.
     let mut lists = [("plane", fit.plane.iter()), ("line", fit.line.iter()), ("point", fit.point.iter())];
     let next = |r: &Touched| lists.iter_mut().find(|(name, _)| *name == r.feature).and_then(|l| l.1.next().copied());

@@ -108,7 +108,8 @@ pub(crate) fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) 
             Path::Curve(index) => {
                 let curve = program.curves[index as usize];
                 let [second, third] = [0, 1].map(|k| program.row(curve.row + k));
-                Shape::Curve(second, third, shares((&here, to), (second, third), curve.counted))
+                let shares = CubicRows { from: &here, to, second, third }.shares(curve.counted);
+                Shape::Curve(second, third, shares)
             }
             Path::Spline => {
                 let run = moves[k..]
@@ -142,23 +143,34 @@ pub(crate) fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) 
     all
 }
 
-/// A cubic by its ends and its coefficients of second and third power.
-fn cubic((a, b): (f64, f64), (c, d): (f64, f64), u: f64) -> f64 {
-    a + u * (b - a - c - d + u * (c + u * d))
+/// Cubics of all channels: rows at their ends, and of their coefficients of second and third power.
+struct CubicRows<'a> {
+    from: &'a [f64],
+    to: &'a [f64],
+    second: &'a [f64],
+    third: &'a [f64],
 }
 
-/// Share of the way of the counted axes at even steps of the parameter, by chords.
-fn shares((from, to): (&[f64], &[f64]), (second, third): (&[f64], &[f64]), counted: u64) -> Vec<f64> {
-    let steps = 4096;
-    let axes: Vec<usize> = (0..from.len()).filter(|i| counted >> i & 1 == 1).collect();
-    let at = |i: usize, k: usize| cubic((from[i], to[i]), (second[i], third[i]), k as f64 / steps as f64);
-    let mut ways = vec![0.0];
-    for k in 0..steps {
-        let chord = axes.iter().map(|i| (at(*i, k + 1) - at(*i, k)).powi(2)).sum::<f64>().sqrt();
-        ways.push(ways[k] + chord);
+impl CubicRows<'_> {
+    /// Value of channel `i` at the parameter `u`.
+    fn at(&self, i: usize, u: f64) -> f64 {
+        let (a, b, c, d) = (self.from[i], self.to[i], self.second[i], self.third[i]);
+        a + u * (b - a - c - d + u * (c + u * d))
     }
-    let whole = ways[steps];
-    ways.into_iter().map(|way| way / whole).collect()
+
+    /// Share of the way of the counted axes at even steps of the parameter, by chords.
+    fn shares(&self, counted: u64) -> Vec<f64> {
+        let steps = 4096;
+        let axes: Vec<usize> = (0..self.from.len()).filter(|i| counted >> i & 1 == 1).collect();
+        let at = |i: usize, k: usize| self.at(i, k as f64 / steps as f64);
+        let mut ways = vec![0.0];
+        for k in 0..steps {
+            let chord = axes.iter().map(|i| (at(*i, k + 1) - at(*i, k)).powi(2)).sum::<f64>().sqrt();
+            ways.push(ways[k] + chord);
+        }
+        let whole = ways[steps];
+        ways.into_iter().map(|way| way / whole).collect()
+    }
 }
 
 impl Way<'_> {
@@ -198,7 +210,8 @@ impl Way<'_> {
                 let above = shares.partition_point(|share| *share <= f).clamp(1, shares.len() - 1);
                 let (low, high) = (shares[above - 1], shares[above]);
                 let u = (above as f64 - 1.0 + (f - low) / (high - low)) / (shares.len() - 1) as f64;
-                (0..n).map(|i| cubic((self.from[i], self.to[i]), (second[i], third[i]), u)).collect()
+                let cubics = CubicRows { from: &self.from, to: self.to, second, third };
+                (0..n).map(|i| cubics.at(i, u)).collect()
             }
             Shape::Spline(p) => {
                 // De Boor's steps on uniform knots.
