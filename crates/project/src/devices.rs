@@ -54,8 +54,7 @@ pub fn check_period(machine: &Machine) -> Result<(), Failure> {
 pub fn simulated(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell, Failure> {
     let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
     let source = SimulatedSource::new(seed, machine.servo_period_s);
-    let devices = (simulated_drives(machine, seed)?, Box::new(source) as _, Box::new(inputs) as _);
-    Ok(put_together(machine, devices, faults))
+    Ok(put_together(machine, simulated_drives(machine, seed)?, Box::new(source), Box::new(inputs), faults))
 }
 
 fn simulated_drives(machine: &Machine, seed: u64) -> Result<Box<dyn Drives + Send>, Failure> {
@@ -91,7 +90,9 @@ fn linuxcnc_drives(_: &Machine, _: &Path, _: &LinuxCnc) -> Result<Box<dyn Drives
 
 fn put_together(
     machine: &Machine,
-    (drives, source, inputs): (Box<dyn Drives + Send>, Box<dyn Source + Send>, Box<dyn Inputs + Send>),
+    drives: Box<dyn Drives + Send>,
+    source: Box<dyn Source + Send>,
+    inputs: Box<dyn Inputs + Send>,
     faults: &[Fault],
 ) -> Cell {
     let period = machine.servo_period_s;
@@ -142,7 +143,7 @@ pub fn of_machine(
     let inputs =
         inputs.unwrap_or_else(|| Box::new(SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met())));
     let drives = drives.map_or_else(|| simulated_drives(machine, seed), Ok)?;
-    Ok((put_together(machine, (drives, source, inputs), faults), lines))
+    Ok((put_together(machine, drives, source, inputs, faults), lines))
 }
 
 fn failure(error: &ModbusError) -> Failure {

@@ -118,7 +118,9 @@ impl Layout {
         Map { view, scale: self.scale, centre: view.project(self.centre), middle: middle(frame) }
     }
 
-    pub(crate) fn draw_axes(&self, svg: &mut Svg, view: Projection, (f, map): (Rect, &Map), language: Language) {
+    /// Draws grid, ticks and names of the axes of the view of `map`, in the frame `f`.
+    pub(crate) fn draw_axes(&self, svg: &mut Svg, map: &Map, f: Rect, language: Language) {
+        let view = map.view;
         let Some((across, up, sign)) = view.axes() else { return };
         let step = TICK / self.scale;
         let half = 0.5 * f.w / self.scale;

@@ -23,9 +23,17 @@ pub(crate) fn spread(wanted: &[f64], sizes: &[f64], lo: f64, hi: f64) -> Vec<f64
     placed
 }
 
-/// Returns the position of a label of size `w` × `h` beside `point`. It lies inside `bounds`, off the labels in
-/// `taken`, and on as few `ink` points as possible.
-pub(crate) fn beside(point: (f64, f64), (w, h): (f64, f64), bounds: Rect, taken: &[Rect], ink: &[(f64, f64)]) -> Rect {
+/// Size of a label, px.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Size {
+    pub(crate) w: f64,
+    pub(crate) h: f64,
+}
+
+/// Returns the position of a label of this size beside `point`. It lies inside `bounds`, off the labels in `taken`, and
+/// on as few `ink` points as possible.
+pub(crate) fn beside(point: (f64, f64), size: Size, bounds: Rect, taken: &[Rect], ink: &[(f64, f64)]) -> Rect {
+    let Size { w, h } = size;
     let mut best = (f64::INFINITY, Rect { x: point.0, y: point.1, w, h });
     for distance in [10.0, 18.0, 28.0, 42.0, 60.0, 84.0] {
         for turn in 0..16 {
@@ -78,8 +86,9 @@ mod tests {
     fn a_label_avoids_labels_curve_and_edge() {
         let bounds = Rect { x: 0.0, y: 0.0, w: 200.0, h: 100.0 };
         let curve: Vec<_> = (0..50).map(|i| (f64::from(i) * 4.0, 50.0)).collect();
-        let first = beside((100.0, 50.0), (60.0, 14.0), bounds, &[], &curve);
-        let second = beside((100.0, 50.0), (60.0, 14.0), bounds, &[first], &curve);
+        let size = Size { w: 60.0, h: 14.0 };
+        let first = beside((100.0, 50.0), size, bounds, &[], &curve);
+        let second = beside((100.0, 50.0), size, bounds, &[first], &curve);
         assert!(overlap(first, second) == 0.0);
         for place in [first, second] {
             assert!(outside(place, bounds) == 0.0 && !curve.iter().any(|p| holds(place, *p)));

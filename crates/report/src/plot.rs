@@ -119,7 +119,8 @@ impl Plot<'_> {
         inside.map(|l| width(&limit_text(l, aside, chart.language), SMALL) + 8.0).fold(EDGE, f64::max)
     }
 
-    fn px(&self, (x, y): (f64, f64)) -> (f64, f64) {
+    /// Returns the px of a point of a series; NaN if it cannot be drawn.
+    fn px(&self, x: f64, y: f64) -> (f64, f64) {
         let x = self.x.place(x);
         if usable(x) && usable(y) { (self.at_x(x), self.at_y(y)) } else { (f64::NAN, f64::NAN) }
     }
@@ -162,7 +163,7 @@ impl Plot<'_> {
                 svg,
                 &series::class(s.colour.unwrap_or(i), s.style),
                 s.style,
-                s.points.iter().map(|p| self.px(*p)),
+                s.points.iter().map(|(x, y)| self.px(*x, *y)),
             );
         }
         svg.close_clip();

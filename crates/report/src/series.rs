@@ -72,8 +72,8 @@ pub(crate) fn draw(svg: &mut Svg, class: &str, style: Style, points: impl Iterat
     let (mut curve, mut dots) = (String::new(), String::new());
     for run in thin(points) {
         match (style, run.as_slice()) {
-            (Style::Points, run) => run.iter().for_each(|p| dot(&mut dots, *p)),
-            (_, [p]) => dot(&mut dots, *p),
+            (Style::Points, run) => run.iter().for_each(|(x, y)| dot(&mut dots, *x, *y)),
+            (_, [(x, y)]) => dot(&mut dots, *x, *y),
             (Style::Steps, run) => steps(&mut curve, run),
             (_, run) => polyline(&mut curve, run),
         }
@@ -87,7 +87,7 @@ pub(crate) fn draw(svg: &mut Svg, class: &str, style: Style, points: impl Iterat
 }
 
 /// Appends a stroke of zero length, which a round cap turns into a dot.
-fn dot(d: &mut String, (x, y): (f64, f64)) {
+fn dot(d: &mut String, x: f64, y: f64) {
     let _ = write!(d, "M{},{}h0", px(x), px(y));
 }
 

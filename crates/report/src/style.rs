@@ -14,28 +14,40 @@ const PAGE: &str = include_str!("page.css");
 const FACE: &str = "system-ui,-apple-system,\"Segoe UI\",\"Helvetica Neue\",Arial,\"Liberation Sans\",sans-serif";
 const MONO: &str = "ui-monospace,\"SF Mono\",Consolas,\"Liberation Mono\",\"DejaVu Sans Mono\",monospace";
 
-/// Name, colour in light, colour in dark.
-const COLOURS: [(&str, &str, &str); 20] = [
-    ("--back", "#f4f5f6", "#191b1d"),
-    ("--area", "#ffffff", "#202326"),
-    ("--ink", "#1d1f21", "#e4e6e8"),
-    ("--quiet", "#565c62", "#a3a9af"),
-    ("--faint", "#7d848a", "#7f868c"),
-    ("--strong", "#565c62", "#a3a9af"),
-    ("--edge", "#b4babf", "#4c5359"),
-    ("--grid", "#e4e7e9", "#30353a"),
-    ("--band", "#eceef0", "#2b2f34"),
-    ("--outline", "#8d949a", "#7b8288"),
-    ("--c1", "#0072b2", "#56b4e9"),
-    ("--c2", "#b97700", "#e69f00"),
-    ("--c3", "#00835f", "#2bbf95"),
-    ("--c4", "#b0588a", "#e093bd"),
-    ("--c5", "#2f8fc4", "#9bcdf0"),
-    ("--c6", "#4d4d4d", "#c4c4c4"),
-    ("--c7", "#7a4fb5", "#bda4f0"),
-    ("--c8", "#a0522d", "#d9a07a"),
-    ("--limit", "#c4281c", "#ff7a6b"),
-    ("--fault", "#c4281c", "#e5483a"),
+/// A colour: the name of its custom property, and its value in each theme.
+#[derive(Clone, Copy)]
+struct Colour {
+    name: &'static str,
+    light: &'static str,
+    dark: &'static str,
+}
+
+const fn colour(name: &'static str, light: &'static str, dark: &'static str) -> Colour {
+    Colour { name, light, dark }
+}
+
+/// Colours of drawings and pages.
+const COLOURS: [Colour; 20] = [
+    colour("--back", "#f4f5f6", "#191b1d"),
+    colour("--area", "#ffffff", "#202326"),
+    colour("--ink", "#1d1f21", "#e4e6e8"),
+    colour("--quiet", "#565c62", "#a3a9af"),
+    colour("--faint", "#7d848a", "#7f868c"),
+    colour("--strong", "#565c62", "#a3a9af"),
+    colour("--edge", "#b4babf", "#4c5359"),
+    colour("--grid", "#e4e7e9", "#30353a"),
+    colour("--band", "#eceef0", "#2b2f34"),
+    colour("--outline", "#8d949a", "#7b8288"),
+    colour("--c1", "#0072b2", "#56b4e9"),
+    colour("--c2", "#b97700", "#e69f00"),
+    colour("--c3", "#00835f", "#2bbf95"),
+    colour("--c4", "#b0588a", "#e093bd"),
+    colour("--c5", "#2f8fc4", "#9bcdf0"),
+    colour("--c6", "#4d4d4d", "#c4c4c4"),
+    colour("--c7", "#7a4fb5", "#bda4f0"),
+    colour("--c8", "#a0522d", "#d9a07a"),
+    colour("--limit", "#c4281c", "#ff7a6b"),
+    colour("--fault", "#c4281c", "#e5483a"),
 ];
 
 /// The warning colour is equal in both themes: yellow contrasts with grey and with black.
@@ -48,16 +60,16 @@ enum Theme {
 }
 
 impl Theme {
-    fn of(self, (_, light, dark): (&str, &'static str, &'static str)) -> &'static str {
+    fn of(self, colour: Colour) -> &'static str {
         match self {
-            Self::Light => light,
-            Self::Dark => dark,
+            Self::Light => colour.light,
+            Self::Dark => colour.dark,
         }
     }
 
     fn properties(self) -> String {
         COLOURS.iter().fold(format!("{}:{};", WARN.0, WARN.1), |mut css, c| {
-            let _ = write!(css, "{}:{};", c.0, self.of(*c));
+            let _ = write!(css, "{}:{};", c.name, self.of(*c));
             css
         })
     }
@@ -66,7 +78,7 @@ impl Theme {
     fn plain_rules(self) -> String {
         COLOURS
             .iter()
-            .fold(CHART.replace("var(--face)", FACE), |css, c| css.replace(&format!("var({})", c.0), self.of(*c)))
+            .fold(CHART.replace("var(--face)", FACE), |css, c| css.replace(&format!("var({})", c.name), self.of(*c)))
     }
 }
 
@@ -116,7 +128,7 @@ mod tests {
 
     #[test]
     fn colours_are_legible_on_their_ground() {
-        let find = |name: &str| *COLOURS.iter().find(|c| c.0 == name).unwrap();
+        let find = |name: &str| *COLOURS.iter().find(|c| c.name == name).unwrap();
         for theme in [Theme::Light, Theme::Dark] {
             for (name, ground, least) in [
                 ("--ink", "--back", 7.0),

@@ -4,7 +4,7 @@ use crate::Language;
 use crate::Words as _;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
-use crate::place;
+use crate::place::{self, Size};
 use crate::projection::Projection::Pictorial;
 use crate::series::{self, Style};
 use crate::svg::{Anchor, Rect, Svg, WIDTH};
@@ -86,7 +86,7 @@ impl ThreeViews {
                 _ => layout.map(view, frame),
             };
             if view != Pictorial {
-                layout.draw_axes(&mut svg, view, (frame, &map), self.language);
+                layout.draw_axes(&mut svg, &map, frame, self.language);
             }
             svg.rect("edge", frame);
             let ink = self.draw_view(&mut svg, &map, frame);
@@ -133,7 +133,7 @@ impl ThreeViews {
         let mut taken: Vec<Rect> = marks.iter().map(dot).collect();
         for (mark, p) in &marks {
             if map.view != Pictorial {
-                let size = (width(&mark.label, 12.0) + 4.0, 15.0);
+                let size = Size { w: width(&mark.label, 12.0) + 4.0, h: 15.0 };
                 let label = place::beside(*p, size, frame.inset(3.0), &taken, &ink);
                 let near = (p.0.clamp(label.x, label.right()), p.1.clamp(label.y, label.bottom()));
                 svg.line("leader", p.0, p.1, near.0, near.1);

@@ -1,4 +1,4 @@
-use crate::cell::{Cell, happening};
+use crate::cell::{Cell, Change, happening};
 use crate::front::answer;
 use crate::http::Panel;
 use crate::log;
@@ -222,7 +222,7 @@ impl Lives<'_> {
         if let Some((user, kept)) = &self.restored {
             let (station, command) = (Message::new("server-audit-panel"), Message::new("server-audit-restore"));
             let result = Message::new("server-event-restored").text("folder", kept);
-            panel.cell.archive.audit(user, station, command, ("", ""), result.clone());
+            panel.cell.archive.audit(user, station, command, Change::default(), result.clone());
             panel.cell.hub.event(0.0, happening(result).by(Some(user.clone())));
         }
     }

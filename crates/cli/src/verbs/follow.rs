@@ -68,9 +68,16 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     columns.push("speed_mm_s".to_owned());
     let mut rows = Rows::new(columns, args.json)?;
     let profile = ProfileStream::new(path, window).map_err(|e| Failure::input(in_file(&source, &e)))?;
-    play(&machine, &source, profile, (speed, period), &mut rows)?;
+    play(&machine, &source, profile, Playback { speed_mm_s: speed, period_s: period }, &mut rows)?;
     rows.finish()?;
     failed.take().map_or(Ok(()), Err)
+}
+
+/// Requested speed along the points, and period of the set-points.
+#[derive(Clone, Copy)]
+struct Playback {
+    speed_mm_s: f64,
+    period_s: f64,
 }
 
 /// Writes a row a period, until the first one at or after the end; then a summary to standard error.
@@ -78,9 +85,10 @@ fn play<I: Iterator<Item = Joints>>(
     machine: &Machine,
     source: &str,
     mut profile: ProfileStream<TaughtPath<'_, I>>,
-    (speed, period): (f64, f64),
+    playback: Playback,
     rows: &mut Rows,
 ) -> Result<(), Failure> {
+    let Playback { speed_mm_s: speed, period_s: period } = playback;
     let mut cells = Vec::new();
     let (mut way, mut last, mut fastest) = (0.0, 0.0, 0.0f64);
     for k in 0u64.. {

@@ -36,7 +36,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
         report.posts.push(figures);
     }
     write_program(&mut output, &loaded)?;
-    write_report(&mut output, (&report, &plots), &loaded.welding, Language::of_process())?;
+    write_report(&mut output, &report, &plots, &loaded.welding, Language::of_process())?;
     for (i, plots) in plots.iter().enumerate().filter(|_| args.plots) {
         for (name, svg) in plots.files() {
             // The first pass's plots have the plain names.
@@ -125,7 +125,8 @@ pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), 
 /// Adds report.json and, in this language, report.html.
 pub(super) fn write_report(
     output: &mut Output,
-    (report, plots): (&WeldReport, &[Plots]),
+    report: &WeldReport,
+    plots: &[Plots],
     welding: &Welding,
     language: Language,
 ) -> Result<(), Failure> {

@@ -68,7 +68,8 @@ pub(super) fn begin(
     motion: &WeldMotion,
     header: &Header<'_>,
     output: &Output,
-    (record, simulated): (&RecordArgs, bool),
+    record: &RecordArgs,
+    simulated: bool,
 ) -> Result<Rows, Failure> {
     let period = loaded.machine.servo_period_s;
     let Some(folder) = &record.data else {
@@ -95,7 +96,8 @@ impl Rows {
     pub(super) fn finish(
         self,
         report: &WeldReport,
-        (mut files, happened): (Vec<(String, String)>, Happened<'_>),
+        mut files: Vec<(String, String)>,
+        happened: Happened<'_>,
         stopped: bool,
         output: &mut Output,
     ) -> Result<(), Failure> {

@@ -66,7 +66,7 @@ pub(super) fn weld(
     let desk = Desk::new(machine, None, lines, args.json);
     let mut desk = if conditions.faults.is_empty() { desk.quiet() } else { desk };
     desk.ends();
-    let (outcome, rows, ended) = trace((loaded, motion), (&cell, conditions), &mut desk, (output, &args.record))?;
+    let (outcome, rows, ended) = trace(loaded, motion, &cell, conditions, &mut desk, output, &args.record)?;
     let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome), Language::of_process());
     for (i, pass) in report.passes.iter().enumerate() {
         // One head: a beam.
@@ -80,8 +80,8 @@ pub(super) fn weld(
         output.text(name, text)?;
     }
     let files = files.map(|(name, text)| (name.to_owned(), text)).into();
-    rows.finish(&report, (files, desk.happened()), desk.was_stopped(), output)?;
-    write_report(output, (&report, &plots), welding, Language::of_process())?;
+    rows.finish(&report, files, desk.happened(), desk.was_stopped(), output)?;
+    write_report(output, &report, &plots, welding, Language::of_process())?;
     Ok((report, desk))
 }
 
@@ -90,10 +90,13 @@ type Simulated = (Vec<Summary>, Vec<SimulationCurves>);
 
 /// Runs the simulation; its rows go into the output or the library.
 fn trace(
-    (loaded, motion): (&Loaded, &WeldMotion),
-    (cell, conditions): (&SimulatedCell<'_>, Conditions<'_>),
+    loaded: &Loaded,
+    motion: &WeldMotion,
+    cell: &SimulatedCell<'_>,
+    conditions: Conditions<'_>,
     desk: &mut Desk,
-    (output, record): (&Output, &RecordArgs),
+    output: &Output,
+    record: &RecordArgs,
 ) -> Result<(Simulated, Rows, Ended), Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let program = &welding.program.value;
@@ -109,7 +112,8 @@ fn trace(
         motion,
         &Header { columns: &columns, about: &about, from: None },
         output,
-        (record, true),
+        record,
+        true,
     )?;
     let curves = |p: &PassMotion| SimulationCurves::new(machine.axes.len(), p.path.length());
     let mut watched = Watched {

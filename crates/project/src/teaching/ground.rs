@@ -44,7 +44,8 @@ impl<'a> Ground<'a> {
     /// The machine with its camera and its axes at `axes`.
     pub fn carrier<'b>(
         &'b self,
-        (machine, sensor): (&'b Machine, &'b Sensor),
+        machine: &'b Machine,
+        sensor: &'b Sensor,
         guide: Guide<'b>,
         axes: Joints,
     ) -> Carrier<'b> {

@@ -74,21 +74,31 @@ pub(super) fn smooth(line: &TaughtLine, end: Option<&End>) -> Vec<LinePoint> {
     smoothed(line, EVERY_MM, WINDOW_MM, matches!(end, Some(End::Closed { .. })))
 }
 
-/// The program of a smoothed line: curves within `tolerance` (mm), the torch's direction within `attitude` (rad), and
-/// its text. The text is read back, so that other verbs accept the program. `name` appears in errors.
+/// Maximum deviations of a program from the taught line.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// Distance of the curves from the line, mm.
+    pub tolerance_mm: f64,
+    /// Angle between the torch's directions, rad.
+    pub attitude_rad: f64,
+}
+
+/// The program of a smoothed line within `limits`, and its text. The text is read back, so that other verbs accept the
+/// program. `name` appears in errors.
 ///
 /// # Errors
 /// A line from which no valid program can be made.
 pub fn reduced(
-    (loaded, nominal): (&Loaded, &SeamLine),
+    loaded: &Loaded,
+    nominal: &SeamLine,
     line: &[LinePoint],
-    (tolerance, attitude): (f64, f64),
+    limits: Limits,
     kind: Kind,
     name: &str,
 ) -> Result<(Reduced, String), Failure> {
     let torch = torch(loaded, nominal, line)?;
     let like = &loaded.welding.program.value;
-    let reduced = to_program((line, &torch), like, (tolerance, attitude), kind)
+    let reduced = to_program((line, &torch), like, (limits.tolerance_mm, limits.attitude_rad), kind)
         .map_err(|e| Failure::Input(Message::new("project-no-taught-program").message("why", e.message())))?;
     let written = reduced.program.to_toml().map_err(|e| Failure::Environment(Message::outside(&e)))?;
     Program::read(name, &written)?;

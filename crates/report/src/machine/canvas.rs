@@ -4,7 +4,7 @@ use super::drawing::{DrawnAxis, MachineDrawing, along};
 use super::glyph::{self, Point, Seen};
 use crate::Words as _;
 use crate::layout::Map;
-use crate::place;
+use crate::place::{self, Size};
 use crate::svg::{Anchor, Rect, Svg};
 use crate::text::width;
 
@@ -287,7 +287,7 @@ impl<'a> Canvas<'a> {
     fn names(&mut self) {
         let bounds = self.frame.inset(3.0);
         for (name, p, colour) in std::mem::take(&mut self.labels) {
-            let size = (width(&name, 12.0) + 4.0, 15.0);
+            let size = Size { w: width(&name, 12.0) + 4.0, h: 15.0 };
             let at = (p.0.clamp(bounds.x, bounds.right()), p.1.clamp(bounds.y, bounds.bottom()));
             let label = place::beside(at, size, bounds, &self.taken, &self.ink);
             let near = (p.0.clamp(label.x, label.right()), p.1.clamp(label.y, label.bottom()));

@@ -172,7 +172,7 @@ impl MachineDrawing {
                 _ => layout.map(view, frame),
             };
             if view != Pictorial {
-                layout.draw_axes(&mut svg, view, (frame, &map), self.language);
+                layout.draw_axes(&mut svg, &map, frame, self.language);
             }
             svg.rect("edge", frame);
             svg.open_clip(frame);

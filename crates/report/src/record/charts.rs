@@ -7,14 +7,15 @@ use seamwright_record::figures::{BIN_MM, Curve, Figures, HEAT_INPUT, Value};
 /// Maximum number of curves in a chart: the palette has eight colours.
 const MAX_CURVES: usize = 8;
 
-/// Returns a chart of `curves` over path length, up to the maximum number, with a caption that describes a point.
-fn figure(
-    (title, caption): (&'static str, &'static str),
-    y: Axis,
-    curves: &[&Curve],
-    limits: Vec<LimitLine>,
-    language: Language,
-) -> Block {
+/// Codes of the title of a chart, and of a caption that describes a point.
+#[derive(Clone, Copy)]
+struct Heading {
+    title: &'static str,
+    caption: &'static str,
+}
+
+/// Returns a chart of `curves` over path length, up to the maximum number.
+fn figure(heading: Heading, y: Axis, curves: &[&Curve], limits: Vec<LimitLine>, language: Language) -> Block {
     let several = curves.iter().any(|c| c.pass != curves[0].pass);
     let called = |c: &Curve| {
         let name = names::curve(language, &c.name);
@@ -25,7 +26,7 @@ fn figure(
     };
     let chart = Chart {
         language,
-        title: language.words(title),
+        title: language.words(heading.title),
         x: Axis::new(language.words("report-label-path-length"), language.symbol(Unit::Mm)),
         y,
         series: curves.iter().take(MAX_CURVES).map(|c| Series::line(called(c), c.points.clone())).collect(),
@@ -33,7 +34,7 @@ fn figure(
         height: Some(170.0),
         ..Chart::default()
     };
-    let mut caption = vec![Message::new(caption).value("bin", BIN_MM, Unit::Mm).in_language(language)];
+    let mut caption = vec![Message::new(heading.caption).value("bin", BIN_MM, Unit::Mm).in_language(language)];
     if curves.len() > MAX_CURVES {
         let message = Message::new("report-curves-shown").count("shown", MAX_CURVES).count("all", curves.len());
         caption.push(message.in_language(language));
@@ -56,20 +57,20 @@ pub(super) fn heat_input(figures: &Figures, values: &[Value], language: Language
         [(least, greatest)] => vec![limit("report-limit-at-least", *least), limit("report-limit-at-most", *greatest)],
         _ => Vec::new(),
     };
-    let words = ("report-chart-heat-input", "report-caption-heat-input-bins");
+    let heading = Heading { title: "report-chart-heat-input", caption: "report-caption-heat-input-bins" };
     let heat = Axis::new(language.words("value-heat-input"), language.symbol(Unit::KiloJPerMm));
-    figure(words, heat, &curves, limits, language)
+    figure(heading, heat, &curves, limits, language)
 }
 
 /// Returns deviations along the passes.
 pub(super) fn deviations(figures: &Figures, language: Language) -> Vec<Block> {
     let (path, seam): (Vec<&Curve>, Vec<&Curve>) = figures.deviations.iter().partition(|c| c.name == "path_error_mm");
-    let drawn = |words, curves: &[&Curve]| {
+    let drawn = |heading, curves: &[&Curve]| {
         let distance = Axis::new(language.words("report-label-distance"), language.symbol(Unit::Mm));
-        (!curves.is_empty()).then(|| figure(words, distance, curves, Vec::new(), language))
+        (!curves.is_empty()).then(|| figure(heading, distance, curves, Vec::new(), language))
     };
-    let of_tip = ("report-chart-tip-off-path", "report-caption-tip-off-path");
-    let of_weld = ("report-chart-weld-off-joint", "report-caption-weld-off-joint");
+    let of_tip = Heading { title: "report-chart-tip-off-path", caption: "report-caption-tip-off-path" };
+    let of_weld = Heading { title: "report-chart-weld-off-joint", caption: "report-caption-weld-off-joint" };
     let blocks: Vec<Block> = drawn(of_tip, &path).into_iter().chain(drawn(of_weld, &seam)).collect();
     match blocks.is_empty() {
         true => vec![Block::Paragraph(language.words("report-no-values"))],

@@ -57,18 +57,28 @@ pub struct Plots {
     pub order: Option<OrderDrawing>,
 }
 
+/// Data of a planned pass for its plots.
+pub(super) struct PlottedPass<'a> {
+    /// Counted from 0.
+    pub(super) index: usize,
+    pub(super) motion: &'a PassMotion,
+    pub(super) clearance: Option<&'a PassClearance>,
+    pub(super) samples: &'a [Sample],
+    pub(super) certificate: &'a CertificateFigures,
+}
+
 /// Number of torch vectors drawn along the seam.
 const VECTORS: u32 = 36;
 
 impl Plots {
-    pub(crate) fn new(
+    pub(super) fn new(
         machine: &Machine,
         welding: &Welding,
-        (pass, motion, clearance): (usize, &PassMotion, Option<&PassClearance>),
-        (samples, certificate): (&[Sample], &CertificateFigures),
+        planned: &PlottedPass<'_>,
         curves: Option<&SimulationCurves>,
         language: Language,
     ) -> Self {
+        let PlottedPass { index: pass, motion, clearance, samples, certificate } = *planned;
         let program = &welding.program.value;
         Self {
             seam: views(welding, pass, language),
@@ -82,18 +92,18 @@ impl Plots {
             oscillation: woven::oscillation(&program.passes[pass], language),
             axes: axes(machine, samples, language),
             jerks: jerks(machine, samples, language),
-            speed: speed(motion, samples, (certificate, curves), language),
+            speed: speed(motion, samples, certificate, curves, language),
             deviation: curves.map(|c| deviation(machine, motion, c, language)),
             following: curves.map(|c| following(machine, c, language)),
             path_error: curves.map(|c| {
                 let errors = vec![line(language, "report-curve-normal-to-seam", c.path_error())];
                 let title = "report-chart-path-error";
-                chart(language, title, ("report-label-path-error", Unit::Mm), errors)
+                chart(language, title, axis(language, "report-label-path-error", Unit::Mm), errors)
             }),
             attitude: curves.map(|c| {
                 let errors = vec![line(language, "report-label-attitude-error", c.attitude())];
                 let title = "report-chart-attitude";
-                chart(language, title, ("report-label-attitude-error", Unit::Deg), errors)
+                chart(language, title, axis(language, "report-label-attitude-error", Unit::Deg), errors)
             }),
             cut: welding.cut.as_ref().filter(|_| pass == 0).map(|cut| cut::template(cut, language)),
             sections: welding
@@ -158,14 +168,9 @@ pub(super) fn line(language: Language, name: &'static str, points: Vec<(f64, f64
 }
 
 /// Creates a chart over path length.
-pub(super) fn chart(
-    language: Language,
-    title: &'static str,
-    (label, unit): (&'static str, Unit),
-    series: Vec<Series>,
-) -> Chart {
+pub(super) fn chart(language: Language, title: &'static str, y: Axis, series: Vec<Series>) -> Chart {
     let title = language.words(title);
-    Chart { language, title, x: along(language), y: axis(language, label, unit), series, ..Chart::default() }
+    Chart { language, title, x: along(language), y, series, ..Chart::default() }
 }
 
 fn views(welding: &Welding, pass: usize, language: Language) -> ThreeViews {
@@ -217,7 +222,10 @@ fn clearance_chart(clearance: &PassClearance, language: Language) -> Chart {
         line(language, "report-curve-clearance-bound", proven).styled(Style::Dashed),
     ];
     let title = Message::new("report-chart-clearance").value("limit", clearance.cutoff_mm, Unit::Mm);
-    Chart { title: title.in_language(language), ..chart(language, "", ("report-label-distance", Unit::Mm), series) }
+    Chart {
+        title: title.in_language(language),
+        ..chart(language, "", axis(language, "report-label-distance", Unit::Mm), series)
+    }
 }
 
 fn torch(samples: &[Sample], language: Language) -> Option<Chart> {
@@ -230,7 +238,7 @@ fn torch(samples: &[Sample], language: Language) -> Option<Chart> {
         line(language, "report-curve-travel-angle", curve(|angles| angles.1)),
         line(language, "report-curve-half-dihedral", curve(|angles| 0.5 * angles.2)),
     ];
-    Some(chart(language, "report-chart-torch-angles", ("report-label-angle", Unit::Deg), series))
+    Some(chart(language, "report-chart-torch-angles", axis(language, "report-label-angle", Unit::Deg), series))
 }
 
 /// Returns charts of the process values that change along the pass; `None` if all are constant.
@@ -251,7 +259,7 @@ fn process(pass: &Pass, language: Language) -> Option<ChartGrid> {
             title: name.clone(),
             y: Axis::new(name.as_str(), ""),
             series: vec![Series::line(name, curve)],
-            ..chart(language, "", ("", Unit::One), Vec::new())
+            ..chart(language, "", Axis::default(), Vec::new())
         }
     };
     let charts: Vec<Chart> = changing.map(chart).collect();
@@ -270,7 +278,7 @@ fn axes(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid 
             ("report-label-acceleration", per_s2, both_ways(axis.to_file(axis.max_acceleration))),
         ];
         for (order, (what, unit, limits)) in rows.into_iter().enumerate() {
-            charts.push(axis_chart(&axis.name, (what, unit), (curve(samples, i, order), limits), language));
+            charts.push(axis_chart(&axis.name, what, unit, curve(samples, i, order), limits, language));
         }
     }
     ChartGrid { title: language.words("report-chart-axes"), columns: 3, charts }
@@ -279,7 +287,7 @@ fn axes(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid 
 fn jerks(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid {
     let charts = machine.axes.iter().enumerate().map(|(i, axis)| {
         let ([.., per_s3], limits) = (units(axis.unit()), both_ways(axis.to_file(axis.jerk())));
-        axis_chart(&axis.name, ("report-label-jerk", per_s3), (curve(samples, i, 3), limits), language)
+        axis_chart(&axis.name, "report-label-jerk", per_s3, curve(samples, i, 3), limits, language)
     });
     let title = language.words("report-chart-jerks");
     ChartGrid { title, columns: 3, charts: charts.collect() }
@@ -304,15 +312,17 @@ fn both_ways(limit: f64) -> Vec<f64> {
 
 fn axis_chart(
     name: &str,
-    (what, unit): (&'static str, Unit),
-    (points, limits): (Vec<(f64, f64)>, Vec<f64>),
+    what: &'static str,
+    unit: Unit,
+    points: Vec<(f64, f64)>,
+    limits: Vec<f64>,
     language: Language,
 ) -> Chart {
     let limit = language.words("report-limit");
     Chart {
         title: format!("{name} {}", language.words(what)),
         limits: limits.into_iter().map(|v| LimitLine::new(&limit, v)).collect(),
-        ..chart(language, "", (what, unit), vec![Series::line(name, points)])
+        ..chart(language, "", axis(language, what, unit), vec![Series::line(name, points)])
     }
 }
 
@@ -336,7 +346,8 @@ fn slowed(certificate: &CertificateFigures, language: Language) -> Vec<Band> {
 fn speed(
     motion: &PassMotion,
     samples: &[Sample],
-    (certificate, curves): (&CertificateFigures, Option<&SimulationCurves>),
+    certificate: &CertificateFigures,
+    curves: Option<&SimulationCurves>,
     language: Language,
 ) -> Chart {
     let mut series = Vec::new();
@@ -357,7 +368,7 @@ fn speed(
     let wide = 0.01 * motion.path.length();
     Chart {
         bands: bands.into_iter().filter(|b| b.to - b.from > wide).collect(),
-        ..chart(language, "report-chart-speed", ("report-label-speed", Unit::MmPerS), series)
+        ..chart(language, "report-chart-speed", axis(language, "report-label-speed", Unit::MmPerS), series)
     }
 }
 
@@ -369,18 +380,14 @@ fn deviation(machine: &Machine, motion: &PassMotion, curves: &SimulationCurves, 
     let percent = |(s, v): (f64, f64)| (s, 100.0 * (v / planned(s) - 1.0));
     let points = curves.tip_speed().into_iter().filter(|p| steady(p.0)).map(percent).collect();
     let series = vec![line(language, "report-label-deviation", points)];
-    chart(language, "report-chart-deviation", ("report-label-deviation", Unit::Percent), series)
+    chart(language, "report-chart-deviation", axis(language, "report-label-deviation", Unit::Percent), series)
 }
 
 fn following(machine: &Machine, curves: &SimulationCurves, language: Language) -> ChartGrid {
-    let charts = machine.axes.iter().enumerate().map(|(i, axis)| Chart {
-        title: axis.name.clone(),
-        ..chart(
-            language,
-            "",
-            ("report-label-following-error", units(axis.unit())[0]),
-            vec![Series::line(axis.name.as_str(), curves.following(i))],
-        )
+    let charts = machine.axes.iter().enumerate().map(|(i, of)| {
+        let y = axis(language, "report-label-following-error", units(of.unit())[0]);
+        let series = vec![Series::line(of.name.as_str(), curves.following(i))];
+        Chart { title: of.name.clone(), ..chart(language, "", y, series) }
     });
     let title = language.words("report-chart-following");
     ChartGrid { title, columns: 2, charts: charts.collect() }

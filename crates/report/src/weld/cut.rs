@@ -25,7 +25,7 @@ pub(crate) fn template(cut: &Cut, language: Language) -> String {
     let (mut width, mut y) = (0.0f64, MARGIN_MM);
     for (caption, side) in sides.into_iter().flatten() {
         width = width.max(side.points.last().map_or(0.0, |p| p.around));
-        y = draw(&mut body, Message::new(caption), side, (y, language)) + MARGIN_MM;
+        y = draw(&mut body, Message::new(caption), side, y, language) + MARGIN_MM;
     }
     let (w, h) = (mm(width + 2.0 * MARGIN_MM), mm(y));
     format!(
@@ -37,7 +37,7 @@ pub(crate) fn template(cut: &Cut, language: Language) -> String {
 }
 
 /// Draws one side from `top` on, below its caption with its lengths; returns its lower end.
-fn draw(body: &mut String, caption: Message, side: &Unrolled, (top, language): (f64, Language)) -> f64 {
+fn draw(body: &mut String, caption: Message, side: &Unrolled, top: f64, language: Language) -> f64 {
     let heights = side.points.iter().map(|p| p.height);
     let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
     let length = side.points.last().map_or(0.0, |p| p.around);

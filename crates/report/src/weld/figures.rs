@@ -1,4 +1,5 @@
 use super::CertificateFigures;
+use super::charts::PlottedPass;
 use super::plan::PlanFigures;
 use super::procedure::{PassProcedureFigures, ProcedureFigures, ProcedurePlots};
 use super::samples::samples;
@@ -76,7 +77,7 @@ pub struct SeamFigures {
 }
 
 impl SeamFigures {
-    fn new((seam, curve): (&Seam, &SeamCurve)) -> Self {
+    fn new(seam: &Seam, curve: &SeamCurve) -> Self {
         let (low, high) = curve.dihedral_range();
         Self {
             kind: seam.kind(),
@@ -158,8 +159,14 @@ impl WeldReport {
             findings.extend(summary.iter().flat_map(|s| s.findings(&pass.tolerance, i + 1)));
             let curves = curves.as_ref().and_then(|c| c.get(i));
             let around = motion.clearance[i].as_ref();
-            let mut drawn =
-                Plots::new(machine, welding, (i, planned, around), (&samples, &certificate), curves, language);
+            let figures = PlottedPass {
+                index: i,
+                motion: planned,
+                clearance: around,
+                samples: &samples,
+                certificate: &certificate,
+            };
+            let mut drawn = Plots::new(machine, welding, &figures, curves, language);
             drawn.tracking = curves.zip(summary.as_ref()).and_then(|(c, s)| tracking::charts(c, &s.heads, language));
             drawn.procedure = motion
                 .procedure
@@ -196,7 +203,7 @@ impl WeldReport {
                 assumed_drives: machine.axes.iter().filter(|a| a.drive.is_none()).map(|a| a.name.clone()).collect(),
             },
             procedure: program.procedure.as_ref().map(ProcedureFigures::new),
-            seam: program.seam.as_ref().zip(welding.seam.as_ref()).map(SeamFigures::new),
+            seam: program.seam.as_ref().zip(welding.seam.as_ref()).map(|(seam, curve)| SeamFigures::new(seam, curve)),
             plan: passes[0].plan.clone(),
             simulation: passes[0].simulation.clone(),
             totals: TotalsFigures::new(&passes, motion),

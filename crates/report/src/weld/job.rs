@@ -1,8 +1,8 @@
 //! Data of the job.
 
 use super::figures::WeldReport;
-use super::overview::{extremes, range};
 use super::page::{number, table};
+use super::range::Range;
 use crate::Words as _;
 use crate::number::from_to;
 use crate::{Block, Language, names};
@@ -59,8 +59,8 @@ impl WeldReport {
     fn sequence_rows(&self, language: Language) -> Vec<Vec<String>> {
         let sequences = || self.passes.iter().map(|pass| &pass.plan.sequence);
         let row = |label, of: &dyn Fn(&Sequence) -> Option<f64>| {
-            let values = extremes(sequences().filter_map(of));
-            values.1.is_finite().then(|| said_row(language, label, range(values, language), Unit::S))
+            let values = Range::of(sequences().filter_map(of));
+            values.max.is_finite().then(|| said_row(language, label, values.text(language), Unit::S))
         };
         let mut rows: Vec<Vec<String>> = Vec::new();
         rows.extend(row("report-row-preflow", &|sequence| Some(sequence.preflow_s.get())));
@@ -74,7 +74,7 @@ impl WeldReport {
                 let values = slopes().filter_map(|slope| slope.process.get(name)).map(|value| value.get());
                 let [title, unit] = names::value_parts(language, name);
                 let label = Message::new(what).text("value", title).in_language(language);
-                vec![label, range(extremes(values), language), unit]
+                vec![label, Range::of(values).text(language), unit]
             }));
             rows.extend(row(time, &|sequence| slope(sequence).map(|slope| slope.time_s.get())));
         }

@@ -5,6 +5,7 @@ use super::certificate::{IntervalFigures, TIP, UseFigures};
 use super::charts::units;
 use super::page::{number, table};
 use super::plan::AxisFigures;
+use super::range::Range;
 use crate::Words as _;
 use crate::number::{Significant as _, from_to, significant};
 use crate::{Block, Language, format_number};
@@ -15,20 +16,21 @@ const LISTED: usize = 24;
 
 /// Describes requested and planned speed of the pass in one paragraph.
 pub(super) fn speed_text(c: &CertificateFigures, language: Language) -> String {
-    let (requested, reached) = (c.asked_speed_mm_s, (c.least_speed_mm_s, c.greatest_speed_mm_s));
+    let reached = Range { min: c.least_speed_mm_s, max: c.greatest_speed_mm_s };
     Message::new("report-speed-reached")
-        .message("requested", speeds(requested))
+        .message("requested", speeds(Range::from(c.asked_speed_mm_s)))
         .message("reached", speeds(reached))
         .significant("part", without_noise(c.at_asked_percent), Unit::Percent, 3)
         .in_language(language)
 }
 
 /// Returns a speed, or a range of speeds that are printed differently.
-fn speeds((low, high): (f64, f64)) -> Message {
-    match format_number(low, 5) == format_number(high, 5) {
-        true => Message::new("quantity").significant("value", high, Unit::MmPerS, 5),
+fn speeds(mm_s: Range) -> Message {
+    let Range { min, max } = mm_s;
+    match format_number(min, 5) == format_number(max, 5) {
+        true => Message::new("quantity").significant("value", max, Unit::MmPerS, 5),
         false => {
-            Message::new("report-range").significant("from", low, Unit::One, 5).significant("to", high, Unit::MmPerS, 5)
+            Message::new("report-range").significant("from", min, Unit::One, 5).significant("to", max, Unit::MmPerS, 5)
         }
     }
 }

@@ -14,6 +14,7 @@ mod passes;
 mod plan;
 mod posts;
 mod procedure;
+mod range;
 mod run_windows;
 mod samples;
 mod sections;

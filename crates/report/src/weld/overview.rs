@@ -3,8 +3,9 @@
 use super::figures::{PassFigures, WeldReport};
 use super::page::{number, small};
 use super::plan::PlanFigures;
+use super::range::Range;
 use crate::Words as _;
-use crate::number::{Significant as _, from_to, significant};
+use crate::number::{Significant as _, significant};
 use crate::{Language, Severity, Tile, Verdict};
 use seamwright_cell::Summary;
 use seamwright_message::{Argument, Message, Unit};
@@ -50,7 +51,7 @@ impl WeldReport {
     /// Returns the key figures of the weld; with several passes sums, and the extremes of all passes.
     pub(super) fn tiles(&self, language: Language) -> Vec<Tile> {
         let totals = &self.totals;
-        let tile = |label, value: f64, unit, note| tile(language, (label, unit), number(value, language), note);
+        let tile = |label, value: f64, unit, note| tile(language, label, unit, number(value, language), note);
         let mut of = match &self.seam {
             Some(seam) => Message::new("report-seam-length").significant("length", seam.length_mm, Unit::Mm, 5),
             None => Message::new("report-through-points"),
@@ -73,41 +74,30 @@ impl WeldReport {
             5,
         );
         let plans = || self.passes.iter().map(|pass| &pass.plan);
-        let asked = extremes(plans().flat_map(|plan| [plan.asked_speed_mm_s.0, plan.asked_speed_mm_s.1]));
-        let (least, greatest) = extremes(plans().flat_map(|plan| [plan.least_speed_mm_s, plan.greatest_speed_mm_s]));
+        let asked = Range::of(plans().flat_map(|plan| [plan.asked_speed_mm_s.0, plan.asked_speed_mm_s.1]));
+        let planned = Range::of(plans().flat_map(|plan| [plan.least_speed_mm_s, plan.greatest_speed_mm_s]));
         let speeds = Message::new("report-speed-requested")
-            .text("requested", range(asked, language))
-            .significant("max", greatest, Unit::One, 5)
+            .text("requested", asked.text(language))
+            .significant("max", planned.max, Unit::One, 5)
             .in_language(language);
         let mut tiles = vec![
             tile("report-tile-weld-length", length, Unit::Mm, of.in_language(language)),
             tile("report-tile-weld-time", totals.weld_s, Unit::S, travel.in_language(language)),
             tile("report-tile-arc-on", totals.arc_on_s, Unit::S, cycle.in_language(language)),
-            tile("report-tile-speed", least, Unit::MmPerS, speeds),
+            tile("report-tile-speed", planned.min, Unit::MmPerS, speeds),
         ];
         tiles.extend(self.worst_simulated().iter().flat_map(|(_, s)| simulated_tiles(s, language)));
         let worst = plans().max_by(|a, b| a.attitude_error_deg.total_cmp(&b.attitude_error_deg));
         tiles.extend(worst.map(|plan| plan.attitude_tile(language)));
         let energies = plans().filter_map(|plan| plan.arc_energy_kj_mm).flat_map(|(least, greatest)| [least, greatest]);
-        tiles.extend(energy_tile(extremes(energies), language));
+        tiles.extend(energy_tile(Range::of(energies), language));
         let wire = |metres: f64| tile("report-tile-wire", metres, Unit::M, language.words("report-wire-with-arc"));
         tiles.extend(totals.wire_m.filter(|metres| *metres > 0.0).map(wire));
         tiles
     }
 }
 
-/// Returns minimum and maximum of the values; (∞, -∞) if empty.
-pub(super) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), v| (least.min(v), greatest.max(v)))
-}
-
-/// Formats a value, or the range of several.
-pub(super) fn range((low, high): (f64, f64), language: Language) -> String {
-    let [low_text, high_text] = [low, high].map(|value| number(value, language));
-    if high > low { from_to(low_text, high_text, language) } else { low_text }
-}
-
-fn tile(language: Language, (label, unit): (&'static str, Unit), value: String, note: String) -> Tile {
+fn tile(language: Language, label: &'static str, unit: Unit, value: String, note: String) -> Tile {
     Tile { label: language.words(label), value, unit: language.symbol(unit), note, ..Tile::default() }
 }
 
@@ -126,8 +116,8 @@ fn simulated_tiles(s: &Summary, language: Language) -> [Tile; 2] {
     let error = Message::new("report-path-error-rms").significant("rms", s.path_error_mm.rms, Unit::Mm, 2);
     let path_error = small(s.path_error_mm.max, language);
     [
-        tile(language, ("report-tile-path-error", Unit::Mm), path_error, error.in_language(language)),
-        tile(language, ("report-tile-speed-ripple", Unit::Percent), ripple, note.in_language(language)),
+        tile(language, "report-tile-path-error", Unit::Mm, path_error, error.in_language(language)),
+        tile(language, "report-tile-speed-ripple", Unit::Percent, ripple, note.in_language(language)),
     ]
 }
 
@@ -157,20 +147,21 @@ impl PlanFigures {
         let note = language.words("report-attitude-error-of-plan");
         Tile {
             severity: (self.attitude_error_deg > 0.5).then_some(Severity::Warning),
-            ..tile(language, ("report-tile-attitude-error", Unit::Deg), error, note)
+            ..tile(language, "report-tile-attitude-error", Unit::Deg, error, note)
         }
     }
 }
 
 /// Returns the arc energy, if current and voltage are given.
-fn energy_tile((least, greatest): (f64, f64), language: Language) -> Option<Tile> {
-    if !greatest.is_finite() {
+fn energy_tile(energy_kj_mm: Range, language: Language) -> Option<Tile> {
+    let Range { min, max } = energy_kj_mm;
+    if !max.is_finite() {
         return None;
     }
-    let note = match greatest - least < 1e-3 * greatest {
+    let note = match max - min < 1e-3 * max {
         true => Message::new("report-arc-energy-formula"),
-        false => Message::new("report-arc-energy-range").significant("min", least, Unit::One, 3),
+        false => Message::new("report-arc-energy-range").significant("min", min, Unit::One, 3),
     };
-    let value = significant(greatest, 3, language);
-    Some(tile(language, ("report-tile-arc-energy", Unit::KiloJPerMm), value, note.in_language(language)))
+    let value = significant(max, 3, language);
+    Some(tile(language, "report-tile-arc-energy", Unit::KiloJPerMm, value, note.in_language(language)))
 }

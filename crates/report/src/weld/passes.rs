@@ -5,9 +5,9 @@ use super::Plots;
 use super::certificate::UseFigures;
 use super::figures::{PassFigures, WeldReport};
 use super::limits::{axes_table, speed_text, uses_table};
-use super::overview::range;
 use super::page::{figure, number, paragraph, seam, small};
 use super::plan::AxisFigures;
+use super::range::Range;
 use super::simulated::simulation_text;
 use super::tracking;
 use crate::Words as _;
@@ -89,18 +89,24 @@ impl WeldReport {
         names.dedup();
         let mut columns: Vec<Column<'_>> = Vec::new();
         for name in names {
-            let value = move |pass: &PassFigures| optional(pass.process_range.get(name).map(|r| range(*r, language)));
+            let value = move |pass: &PassFigures| {
+                optional(pass.process_range.get(name).map(|r| Range::from(*r).text(language)))
+            };
             columns.push((names::value(language, name), Box::new(value)));
         }
-        let speed =
-            |pass: &PassFigures| short_range((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s), language);
+        let speed = |pass: &PassFigures| {
+            let range = Range { min: pass.plan.least_speed_mm_s, max: pass.plan.greatest_speed_mm_s };
+            range.short_text(language)
+        };
         columns.push((say("report-column-speed-mm-s"), Box::new(speed)));
         if self.passes.iter().any(|pass| pass.plan.arc_energy_kj_mm.is_some()) {
-            let energy = |pass: &PassFigures| optional(pass.plan.arc_energy_kj_mm.map(|e| short_range(e, language)));
+            let energy =
+                |pass: &PassFigures| optional(pass.plan.arc_energy_kj_mm.map(|e| Range::from(e).short_text(language)));
             columns.push((say("report-column-arc-energy"), Box::new(energy)));
         }
         if self.passes.iter().any(|pass| pass.heat_input_kj_mm().is_some()) {
-            let heat = |pass: &PassFigures| optional(pass.heat_input_kj_mm().map(|h| short_range(h, language)));
+            let heat =
+                |pass: &PassFigures| optional(pass.heat_input_kj_mm().map(|h| Range::from(h).short_text(language)));
             columns.push((say("report-column-heat-input"), Box::new(heat)));
         }
         columns.push((say("report-column-length-mm"), Box::new(|pass| number(pass.plan.length_mm, language))));
@@ -288,12 +294,6 @@ fn by_pass(passes: &[PassFigures], columns: &[Column<'_>], caption: &str, langua
 
 fn optional(text: Option<String>) -> String {
     text.unwrap_or_else(|| NONE.to_owned())
-}
-
-/// Formats a range to three digits.
-fn short_range((low, high): (f64, f64), language: Language) -> String {
-    let [low, high] = [low, high].map(|value| significant(value, 3, language));
-    if low == high { low } else { from_to(low, high, language) }
 }
 
 /// Returns the drawings of one pass.

@@ -1,6 +1,6 @@
 //! Comparison of a pass with its welding procedure: figures, charts and tables.
 
-use super::charts::{chart, line};
+use super::charts::{axis, chart, line};
 use super::page::{number, table};
 use crate::Words as _;
 use crate::number::{Significant as _, fixed, from_to};
@@ -152,7 +152,7 @@ impl ProcedurePlots {
             heat_input: (!held.heat_input.is_empty()).then(|| heat_input(held, language)),
             positions: Chart {
                 strip: strip.collect(),
-                ..chart(language, "report-chart-positions", ("report-label-angle", Unit::Deg), lie)
+                ..chart(language, "report-chart-positions", axis(language, "report-label-angle", Unit::Deg), lie)
             },
         }
     }
@@ -183,7 +183,12 @@ fn heat_input(held: &PassProcedure, language: Language) -> Chart {
         bands: bands.collect(),
         y_range,
         height: Some(170.0),
-        ..chart(language, "report-chart-heat-input", ("report-label-heat-input", Unit::KiloJPerMm), series)
+        ..chart(
+            language,
+            "report-chart-heat-input",
+            axis(language, "report-label-heat-input", Unit::KiloJPerMm),
+            series,
+        )
     }
 }
 

@@ -1,6 +1,6 @@
 //! Charts of the taught spans of a seam.
 
-use super::charts::{chart, line};
+use super::charts::{axis, chart, line};
 use crate::Words as _;
 use crate::number::Significant as _;
 use crate::{Band, Chart, ChartGrid, Language, Series, Style};
@@ -60,7 +60,7 @@ impl Shown<'_> {
         let charts = vec![
             chart(
                 "report-chart-off-nominal",
-                ("report-label-distance", Unit::Mm),
+                axis(language, "report-label-distance", Unit::Mm),
                 vec![
                     line("report-curve-as-welded", curve(&distance)),
                     line("report-curve-nominal", curve(&|_| 0.0)).styled(Style::Dashed),
@@ -69,12 +69,12 @@ impl Shown<'_> {
             ),
             chart(
                 "report-chart-direction-off-nominal",
-                ("report-label-angle", Unit::Deg),
+                axis(language, "report-label-angle", Unit::Deg),
                 vec![line("report-curve-as-welded", curve(&turn))],
             ),
             chart(
                 "report-chart-curvature",
-                ("report-label-curvature", Unit::PerM),
+                axis(language, "report-label-curvature", Unit::PerM),
                 vec![
                     line("report-curve-as-welded", curve(&bend)),
                     line("report-curve-nominal", curve(&nominal_bend)).styled(Style::Dashed),
@@ -84,7 +84,7 @@ impl Shown<'_> {
                 y_range: Some((0.0, 1.2 * fastest)),
                 ..chart(
                     "report-chart-tip-speed",
-                    ("report-label-speed", Unit::MmPerS),
+                    axis(language, "report-label-speed", Unit::MmPerS),
                     vec![line("report-curve-planned", speeds)],
                 )
             },

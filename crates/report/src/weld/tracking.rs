@@ -1,6 +1,6 @@
 //! Deviation of a weld from a displaced joint, with and without tracking.
 
-use super::charts::{chart, line};
+use super::charts::{axis, chart, line};
 use super::curves::{Envelope, SimulationCurves};
 use crate::Words as _;
 use crate::number::{Significant as _, fixed, significant};
@@ -48,7 +48,7 @@ pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary], language:
         let chart = |what: &'static str, series: Vec<Series>| Chart {
             title: format!("{name}{}", language.words(what)),
             height: Some(110.0),
-            ..chart(language, "", ("report-label-distance", Unit::Mm), series)
+            ..chart(language, "", axis(language, "report-label-distance", Unit::Mm), series)
         };
         let line = |name, points| line(language, name, points);
         let pair = |of: &[Envelope; 2]| {

@@ -100,7 +100,7 @@ impl Mirror {
     }
 
     /// Returns the library's name of an alarm that is acknowledged individually.
-    pub(super) fn name(&self, names: &Names, (alarm, detail): (Alarm, u8)) -> Message {
+    pub(super) fn name(&self, names: &Names, alarm: Alarm, detail: u8) -> Message {
         let before = self.before.iter().zip(&self.known);
         let mut known = before.filter(|(view, _)| key(view) == (alarm.number() as u8, detail)).map(|(_, name)| name);
         known.next_back().cloned().unwrap_or_else(|| alarm.title_of(names.about(alarm, detail)))

@@ -94,7 +94,7 @@ impl Waiting {
                 Message::new("server-audit-left-out").count("n", std::mem::take(&mut self.left_out) as usize);
             let [station, command, result] =
                 [Message::new("server-audit-panel"), action_word("audit"), left_out].map(stored);
-            entries.insert(0, Entry::Audit(entry("", &station, &command, ("", ""), &result)));
+            entries.insert(0, Entry::Audit(entry("", &station, &command, Change::default(), &result)));
         }
         match entries.is_empty() {
             false => Next::Write(entries),
@@ -145,15 +145,22 @@ pub(super) fn plain(text: &str) -> String {
     out
 }
 
+/// Old and new value of an audited change; both empty if nothing was changed.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Change<'a> {
+    pub(crate) old: &'a str,
+    pub(crate) new: &'a str,
+}
+
 /// Creates an entry from columns that are [`stored`] already.
-pub(super) fn entry(user: &str, station: &str, command: &str, (old, new): (&str, &str), result: &str) -> AuditEntry {
+pub(super) fn entry(user: &str, station: &str, command: &str, change: Change<'_>, result: &str) -> AuditEntry {
     AuditEntry {
         at: Moment::now(),
         user: plain(user),
         station: station.to_owned(),
         command: command.to_owned(),
-        old: plain(old),
-        new: plain(new),
+        old: plain(change.old),
+        new: plain(change.new),
         result: result.to_owned(),
     }
 }
@@ -281,7 +288,7 @@ impl Archive {
         user: &str,
         station: impl Into<Message>,
         command: impl Into<Message>,
-        change: (&str, &str),
+        change: Change<'_>,
         result: impl Into<Message>,
     ) {
         let [station, command, result] = [station.into(), command.into(), result.into()].map(stored);
@@ -362,7 +369,7 @@ mod tests {
         let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 8).unwrap();
         let busy = hold(folder.path());
         for i in 0..100 {
-            archive.audit("ada", "panel 1", format!("stop {i}"), ("", ""), "taken");
+            archive.audit("ada", "panel 1", format!("stop {i}"), Change::default(), "taken");
         }
         busy.execute_batch("COMMIT").unwrap();
         assert!(archive.close());
@@ -385,7 +392,7 @@ mod tests {
         for i in 0..1000 {
             if i % 200 == 0 {
                 archive.alarm(None, alarm(&format!("alarm {i}")));
-                archive.audit("ada", "panel 1", format!("order {i}"), ("", ""), "taken");
+                archive.audit("ada", "panel 1", format!("order {i}"), Change::default(), "taken");
             }
             archive.acknowledge("eve", Some(Message::verbatim("alarm 0")));
             archive.acknowledge("eve", None);
@@ -413,7 +420,7 @@ mod tests {
         for i in 0..20_000 {
             archive.repeatable("eve", "panel", "users.read", "refused: role");
             if i % 500 == 0 {
-                archive.audit("ada", "panel 1", format!("order {i}"), ("", ""), "taken");
+                archive.audit("ada", "panel 1", format!("order {i}"), Change::default(), "taken");
             }
             if i % 4000 == 0 {
                 archive.alarm(None, alarm(&format!("alarm {i}")));

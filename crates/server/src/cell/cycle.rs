@@ -43,15 +43,16 @@ pub(super) fn run(
     mut task: Box<Prepared>,
     mut devices: CellDevices,
     mut port: LivePort,
-    (mut swap, footing, shutdown): (Swap, &Arc<OnceLock<Footing>>, &Shutdown),
+    mut swap: Swap,
+    footing: &Arc<OnceLock<Footing>>,
+    shutdown: &Shutdown,
 ) {
     footing.get_or_init(|| Footing::ask(None));
     loop {
         let machine = task.machine().clone();
         let pacer = Pacer::new(machine.servo_period_s);
         let mut paced = Paced { devices: WithSensors { devices, sensors: None }, pacer };
-        let next =
-            guarded(&mut paced, shutdown, |paced| on_machine(&machine, paced, &mut port, (&mut task, &mut swap)));
+        let next = guarded(&mut paced, shutdown, |paced| on_machine(&machine, paced, &mut port, &mut task, &mut swap));
         // The desk learns from the flag that the cycle has failed.
         let Ok(Some(next)) = next else { return };
         task.devices = Some(paced.devices.devices);
@@ -69,7 +70,8 @@ fn on_machine(
     machine: &Machine,
     paced: &mut Paced<WithSensors<CellDevices, Option<Sensing>>>,
     port: &mut LivePort,
-    (task, swap): (&mut Box<Prepared>, &mut Swap),
+    task: &mut Box<Prepared>,
+    swap: &mut Swap,
 ) -> Option<Box<Prepared>> {
     let guide = RefCell::new(None);
     let mut slot = Slot(&guide);

@@ -123,17 +123,26 @@ pub(super) struct Queues {
     pub(super) done: Consumer<Box<Prepared>>,
 }
 
+/// Audit log, alarms and weld records of a cell, with the data that earlier runs left in them.
+pub(super) struct Records {
+    pub(super) archive: Archive,
+    pub(super) recorder: Recorder,
+    pub(super) mirror: Mirror,
+    /// Position where the newest unfinished weld was left.
+    pub(super) left: Option<Left>,
+}
+
 impl Desk {
     pub(super) fn new(
         hub: Arc<Hub>,
-        archive: Archive,
         queues: Queues,
         from: Receiver<ToDesk>,
         names: Names,
-        (recorder, mirror, left): (Recorder, Mirror, Option<Left>),
+        records: Records,
         footing: Arc<OnceLock<Footing>>,
     ) -> Self {
         let Queues { outside, next, done } = queues;
+        let Records { archive, recorder, mirror, left } = records;
         let safe_outputs = SafeOutputs::new(Arc::clone(&hub));
         Self {
             hub,

@@ -20,7 +20,7 @@ mod start;
 mod stillness;
 mod stored;
 
-pub(crate) use archive::hides;
+pub(crate) use archive::{Change, hides};
 pub(crate) use around::Around;
 pub(crate) use connection::{CellDevices, Connection};
 pub(crate) use desk::{Loading, ToDesk};

@@ -1,5 +1,6 @@
 //! Distribution of the cycle's notes to pages, record, library and audit log.
 
+use super::archive::Change;
 use super::desk::{Desk, Welding};
 use super::happening::happening;
 use super::names::WHY;
@@ -16,7 +17,7 @@ impl Desk {
         // Name in the library; available only while the alarm is listed.
         let one = match note {
             Note::Taken(Command { ask: Ask::AcknowledgeOne(alarm, detail), .. }) => {
-                Some(self.mirror.name(&self.names, (alarm, detail)))
+                Some(self.mirror.name(&self.names, alarm, detail))
             }
             _ => None,
         };
@@ -147,7 +148,7 @@ impl Desk {
         let user = user.as_deref().unwrap_or("");
         match command.ask {
             Ask::Acknowledge | Ask::AcknowledgeOne(..) => self.archive.repeatable(user, station, text, accepted),
-            _ => self.archive.audit(user, station, text, ("", ""), accepted),
+            _ => self.archive.audit(user, station, text, Change::default(), accepted),
         }
     }
 

@@ -169,7 +169,7 @@ fn cell<'a, 'q>(task: &'q Task, ground: &'a Ground<'q>) -> Option<SimulatedCell<
 
 fn work<'a>(base: &'a Base, at: &Joints, from: Option<Place>) -> Result<Work<'a>, String> {
     base.with_dependent(|stood, cell| {
-        stood.with_dependent(|task, ground| of(task, &ground.around, cell.as_ref(), (at, from)))
+        stood.with_dependent(|task, ground| of(task, &ground.around, cell.as_ref(), at, from))
     })
 }
 
@@ -177,7 +177,8 @@ fn of<'a>(
     task: &'a Task,
     around: &'a Surroundings<'a>,
     cell: Option<&'a SimulatedCell<'a>>,
-    (at, from): (&Joints, Option<Place>),
+    at: &Joints,
+    from: Option<Place>,
 ) -> Result<Work<'a>, String> {
     let (Task::Job(planned), Some(cell)) = (task, cell) else { return Ok(Work::none(task.machine(), around)) };
     let Planned { loaded, motion, .. } = &**planned;

@@ -1,6 +1,6 @@
 //! Refusals on their way to the audit log: counted and summed up, so that repetition fills neither queue nor disk.
 
-use super::archive::entry;
+use super::archive::{Change, entry};
 use super::stored::stored;
 use seamwright_message::{Message, Unit};
 use seamwright_record::library::AuditEntry;
@@ -48,7 +48,7 @@ impl Refusals {
             counted.count += 1;
             return;
         }
-        self.first.push(entry(&kind.user, station, &kind.command, ("", ""), &result_text));
+        self.first.push(entry(&kind.user, station, &kind.command, Change::default(), &result_text));
         let (station, result) = (station.to_owned(), result.clone());
         self.kinds.insert(kind, Counted { station, result, since: now, count: 0 });
     }
@@ -65,7 +65,7 @@ impl Refusals {
                 let result = Message::new("server-audit-more").message("result", counted.result.clone());
                 let result = result.count("n", counted.count as usize);
                 let result = stored(result.quantity("time", elapsed.as_secs_f64().ceil(), Unit::S, 0));
-                entries.push(entry(&kind.user, &counted.station, &kind.command, ("", ""), &result));
+                entries.push(entry(&kind.user, &counted.station, &kind.command, Change::default(), &result));
             }
             let goes_on = counted.count > 0 && !all;
             (counted.count, counted.since) = (0, now);

@@ -3,7 +3,7 @@ use super::archive::Archive;
 use super::around::{self, Around};
 use super::connection::CellDevices;
 use super::cycle::{self, Swap};
-use super::desk::{Desk, Queues, ToDesk};
+use super::desk::{Desk, Queues, Records, ToDesk};
 use super::happening::happening;
 use super::hub::Hub;
 use super::names::Names;
@@ -101,7 +101,7 @@ impl Cell {
         let (its_footing, its_shutdown) = (Arc::clone(&footing), shutdown.clone());
         let cycle = std::thread::spawn(move || {
             let swap = Swap { next: to_cycle, done: from_cycle };
-            cycle::run(task, devices, port, (swap, &its_footing, &its_shutdown));
+            cycle::run(task, devices, port, swap, &its_footing, &its_shutdown);
         });
         let (desk, from) = channel();
         let names = Names { machine: machine.clone(), fingerprint, values: 0, heads: 0 };
@@ -109,8 +109,8 @@ impl Cell {
         let mirror = Mirror::new(&unknown);
         hub.alarms(mirror.views(&names));
         let queues = Queues { outside, next, done };
-        let listens =
-            Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror, left), footing);
+        let records = Records { archive: archive.clone(), recorder, mirror, left };
+        let listens = Desk::new(Arc::clone(&hub), queues, from, names, records, footing);
         let safe_outputs = listens.safe_outputs.clone();
         let its_shutdown = shutdown.clone();
         let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished(), &its_shutdown));

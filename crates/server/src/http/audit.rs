@@ -23,7 +23,7 @@ pub(super) struct Asked {
     text: Option<String>,
 }
 
-fn row((id, entry): (i64, AuditEntry)) -> AuditRow {
+fn row(id: i64, entry: AuditEntry) -> AuditRow {
     AuditRow {
         id,
         at: written(entry.at),
@@ -43,5 +43,8 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>, Query(asked): Query<As
         text: asked.text.unwrap_or_default(),
         most: asked.most.unwrap_or(SENT).min(MAX_ENTRIES),
     };
-    reads(&panel, move |data| Ok(data.library().audit_page(&query)?.into_iter().map(row).collect())).await
+    reads(&panel, move |data| {
+        Ok(data.library().audit_page(&query)?.into_iter().map(|(id, entry)| row(id, entry)).collect())
+    })
+    .await
 }

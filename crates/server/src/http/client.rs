@@ -2,7 +2,7 @@
 
 use super::guard::role_refused;
 use super::panel::Panel;
-use crate::cell::{Refusal, ToDesk, WHY, happening};
+use crate::cell::{Change, Refusal, ToDesk, WHY, happening};
 use crate::lack::{Lack, action_word, lack, panel_word};
 use crate::users::{Session, may};
 use crate::wire::{AskView, FromCell, TeachOrder, ToCell};
@@ -126,7 +126,7 @@ impl Client {
     }
 
     fn audit(&self, command: Message, result: Message) {
-        self.panel.cell.archive.audit(&self.session.user, self.place(), command, ("", ""), result);
+        self.panel.cell.archive.audit(&self.session.user, self.place(), command, Change::default(), result);
     }
 
     pub(super) fn allowed(&mut self, action: &str) -> Result<(), Lack> {

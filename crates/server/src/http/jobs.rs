@@ -1,5 +1,6 @@
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
+use crate::cell::Change;
 use crate::users::Session;
 use crate::wire::{DistortionRow, JobKept, JobRow, JobText};
 use axum::extract::{Path, State};
@@ -150,7 +151,7 @@ fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<J
         &session.user,
         Message::new("server-audit-panel"),
         Message::new("server-audit-save-job").text("job", name),
-        (&old, &new),
+        Change { old: &old, new: &new },
         Message::new("server-audit-saved"),
     );
     Ok(JobRow { name: name.to_owned(), title: title(&job.text), example: false })
@@ -180,7 +181,7 @@ fn remove(panel: &Panel, session: &Session, name: &str) -> Result<(), Refused> {
         &session.user,
         Message::new("server-audit-panel"),
         Message::new("server-audit-delete-job").text("job", name),
-        (&old, ""),
+        Change { old: &old, new: "" },
         Message::new("server-audit-deleted"),
     );
     Ok(())

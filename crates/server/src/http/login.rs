@@ -1,6 +1,7 @@
 use super::answer::{Answer, Refused};
 use super::guard::{TOKEN, cookie, cookie_name, device_name, named_cookie};
 use super::panel::Panel;
+use crate::cell::Change;
 use crate::log;
 use crate::users::{NEEDS, OWNER, Origin, Session, may};
 use crate::wire::{Login, Role, SessionView};
@@ -46,7 +47,8 @@ fn slowed(wait: Duration) -> Refused {
 /// it was right.
 pub(super) async fn checked(
     panel: &Arc<Panel>,
-    (from, headers): (&From, &HeaderMap),
+    from: &From,
+    headers: &HeaderMap,
     user: &str,
     password: String,
 ) -> Result<Option<(Role, String)>, Refused> {
@@ -110,14 +112,14 @@ pub(super) async fn login(
         )));
     }
     let name = if login.user.is_empty() { OWNER.to_owned() } else { login.user };
-    let right = checked(&panel, (&from, &headers), &name, login.password).await?;
+    let right = checked(&panel, &from, &headers, &name, login.password).await?;
     let station = Message::new("server-audit-panel-at").text("address", address(&from).to_string());
     if right.is_some() {
         panel.cell.archive.audit(
             &name,
             station.clone(),
             Message::new("server-audit-log-in"),
-            ("", ""),
+            Change::default(),
             Message::new("server-audit-logged-in"),
         );
     } else {
@@ -135,7 +137,8 @@ pub(super) async fn login(
     }
     let (cookie, session) = panel.sessions.begin(&name, right.0).map_err(Refused::server)?;
     // A password that was changed during the check does not open a session.
-    let still = if name == OWNER { !panel.accounts.has_admin() } else { panel.accounts.is_still(&name, &right) };
+    let still =
+        if name == OWNER { !panel.accounts.has_admin() } else { panel.accounts.is_still(&name, right.0, &right.1) };
     if !still {
         panel.sessions.end(&cookie);
         return Err(wrong());
@@ -187,7 +190,7 @@ pub(super) async fn logout(
         &session.user,
         Message::new("server-audit-panel"),
         Message::new("server-audit-log-out"),
-        ("", ""),
+        Change::default(),
         Message::new("server-audit-logged-out"),
     );
     let gone = set_cookie(&panel, cookie_name(panel.tls), "", "; Max-Age=0");

@@ -3,7 +3,7 @@ use super::jobs::{checked, text};
 use super::panel::Panel;
 use super::records::{reads, spoken};
 use super::routes::JSON;
-use crate::cell::{Around, CellDevices, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
+use crate::cell::{Around, CellDevices, Change, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
 use crate::planner::{Asked, Page, Question};
 use crate::users::Session;
 use crate::view::{tuning_view, work_view};
@@ -128,7 +128,13 @@ pub(super) async fn load(
     let result = put_in(&panel, load, page_asking(&session, &headers)).await;
     let loaded = |_: &_| Message::new("server-audit-loaded");
     let said = result.as_ref().map_or_else(|refused| refused.message.clone(), loaded);
-    panel.cell.archive.audit(&session.user, Message::new("server-audit-panel"), what, ("", &job), said);
+    panel.cell.archive.audit(
+        &session.user,
+        Message::new("server-audit-panel"),
+        what,
+        Change { old: "", new: &job },
+        said,
+    );
     result.map(|view| Json((*view).clone()))
 }
 
@@ -170,7 +176,7 @@ async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkVi
     let loading = loading.await?;
     let view = loading.view.clone().ok_or_else(|| Refused::server(Message::new("server-no-drawing")))?;
     give(panel, connected(panel, loading).await?).await?;
-    panel.teaching.leave(&panel.cell.hub, (&view.job, &view.machine));
+    panel.teaching.leave(&panel.cell.hub, &view);
     Ok(view)
 }
 

@@ -1,5 +1,6 @@
 use super::answer::{Answer, Refused, page_of};
 use super::panel::Panel;
+use crate::cell::Change;
 use crate::users::{Session, may};
 use crate::view::written;
 use crate::wire::{JudgedView, RecordRow, RecordView, RecordedAlarm, RecordedEvent, TraceView};
@@ -263,7 +264,7 @@ pub(super) async fn backup(
         &session.user,
         Message::new("server-audit-panel"),
         Message::new("server-audit-backup"),
-        ("", ""),
+        Change::default(),
         Message::new("server-audit-begun"),
     );
     // Password hashes are only for users who may change passwords.

@@ -2,6 +2,7 @@ use super::answer::{Answer, Refused};
 use super::login::From;
 use super::panel::Panel;
 use super::users::again;
+use crate::cell::Change;
 use crate::users::{Accounts, Session};
 use crate::view::written;
 use crate::wire::{ArchiveView, OwnPassword};
@@ -83,7 +84,7 @@ pub(super) async fn take(
         &session.user,
         Message::new("server-audit-panel"),
         Message::new("server-audit-check-archive"),
-        ("", ""),
+        Change::default(),
         said,
     );
     checked.map(Json)
@@ -162,7 +163,7 @@ pub(super) async fn begin(
     Extension(session): Extension<Session>,
     Json(own): Json<OwnPassword>,
 ) -> Result<StatusCode, Refused> {
-    again(&panel, (&from, &headers), &session, own.own_password).await?;
+    again(&panel, &from, &headers, &session, own.own_password).await?;
     off(&panel)?;
     let data = panel.data.clone();
     let running = Query { result: Some(WeldResult::Running), ..Query::default() };
@@ -183,7 +184,7 @@ pub(super) async fn begin(
         &session.user,
         Message::new("server-audit-panel"),
         Message::new("server-audit-restore"),
-        ("", ""),
+        Change::default(),
         Message::new("server-audit-begun"),
     );
     panel.restores.send_replace(Some(Arc::new((session.user, turn))));

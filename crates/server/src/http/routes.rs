@@ -60,33 +60,44 @@ impl Route {
         Self { method: "get", path, action: Some(action), about, body: None, takes: JSON, answer, handler }
     }
 
+    /// Creates a route without the data of body and answer.
     fn write(
-        (method, path): (&'static str, &'static str),
+        method: &'static str,
+        path: &'static str,
         action: &'static str,
         about: &'static str,
-        (body, answer): (Option<Shape>, Option<Shape>),
         handler: MethodRouter<Arc<Panel>>,
     ) -> Self {
-        Self { method, path, action: Some(action), about, body, takes: JSON, answer, handler }
+        Self { method, path, action: Some(action), about, body: None, takes: JSON, answer: None, handler }
+    }
+
+    fn with_body<T: JsonSchema>(self) -> Self {
+        Self { body: shape::<T>(), ..self }
+    }
+
+    fn with_answer<T: JsonSchema>(self) -> Self {
+        Self { answer: shape::<T>(), ..self }
     }
 }
 
 /// Returns all routes of the interface.
 pub(super) fn routes() -> Vec<Route> {
-    let login_body = (shape::<Login>(), shape::<SessionView>());
     let login = post(login::login).layer(DefaultBodyLimit::max(MAX_UNKNOWN));
-    let login =
-        Route { action: None, ..Route::write(("post", "/api/login"), "", "Begins a session", login_body, login) };
+    let login = Route {
+        action: None,
+        ..Route::write("post", "/api/login", "", "Begins a session", login)
+            .with_body::<Login>()
+            .with_answer::<SessionView>()
+    };
     let about = "Stops what runs, for whoever can reach the panel";
     let stop = post(stop::stop).layer(DefaultBodyLimit::max(MAX_UNKNOWN));
-    let stop =
-        Route { action: None, ..Route::write(("post", "/api/stop"), "", about, (None, shape::<Stopped>()), stop) };
+    let stop = Route { action: None, ..Route::write("post", "/api/stop", "", about, stop).with_answer::<Stopped>() };
     let jobs = "/api/jobs/{name}";
     let user = "/api/users/{name}";
     vec![
         login,
         stop,
-        Route::write(("post", "/api/logout"), "watch", "Ends the session", (None, None), post(login::logout)),
+        Route::write("post", "/api/logout", "watch", "Ends the session", post(login::logout)),
         Route::get("/api/session", "watch", "Who is logged in", shape::<SessionView>(), get(login::session)),
         Route::get("/api/machine", "watch", "The machine of the cell", shape::<MachineView>(), get(look::machine)),
         Route::get(
@@ -122,35 +133,25 @@ pub(super) fn routes() -> Vec<Route> {
             get(jobs::distortions),
         ),
         Route::get(jobs, "jobs.read", "A job's text", shape::<JobText>(), get(jobs::get)),
+        Route::write("put", jobs, "jobs.write", "Keeps a job", put(jobs::put))
+            .with_body::<JobKept>()
+            .with_answer::<JobRow>(),
+        Route::write("delete", jobs, "jobs.write", "Removes a job", delete(jobs::delete)),
+        Route::write("post", "/api/plan", "plan", "Plans a text without keeping it", post(plan::plan))
+            .with_body::<JobText>()
+            .with_answer::<PlanAnswer>(),
         Route::write(
-            ("put", jobs),
-            "jobs.write",
-            "Keeps a job",
-            (shape::<JobKept>(), shape::<JobRow>()),
-            put(jobs::put),
-        ),
-        Route::write(("delete", jobs), "jobs.write", "Removes a job", (None, None), delete(jobs::delete)),
-        Route::write(
-            ("post", "/api/plan"),
-            "plan",
-            "Plans a text without keeping it",
-            (shape::<JobText>(), shape::<PlanAnswer>()),
-            post(plan::plan),
-        ),
-        Route::write(
-            ("post", "/api/draft"),
+            "post",
+            "/api/draft",
             "plan",
             "What a text describes: parts and the joint's sections",
-            (shape::<JobText>(), shape::<DraftAnswer>()),
             post(plan::draft),
-        ),
-        Route::write(
-            ("post", "/api/place"),
-            "plan",
-            "Where the part stands, from touched points",
-            (shape::<PlaceText>(), shape::<PlaceAnswer>()),
-            post(plan::place),
-        ),
+        )
+        .with_body::<JobText>()
+        .with_answer::<DraftAnswer>(),
+        Route::write("post", "/api/place", "plan", "Where the part stands, from touched points", post(plan::place))
+            .with_body::<PlaceText>()
+            .with_answer::<PlaceAnswer>(),
         Route::get(
             "/api/planning",
             "plan",
@@ -159,27 +160,19 @@ pub(super) fn routes() -> Vec<Route> {
             get(plan::planning),
         ),
         Route::write(
-            ("delete", "/api/planning"),
+            "delete",
+            "/api/planning",
             "plan",
             "Cancels what is being planned for this page",
-            (None, None),
             delete(plan::cancel),
         ),
-        Route::write(
-            ("post", "/api/load"),
-            "load",
-            "Plans a job and gives it to the cell",
-            (shape::<Load>(), shape::<WorkView>()),
-            post(plan::load),
-        ),
-        Route::write(
-            ("post", "/api/post"),
-            "post",
-            "A part program, proven",
-            (shape::<PostText>(), shape::<PostAnswer>()),
-            post(plan::post),
-        ),
-        Route::write(("post", "/api/edit"), "edit", "Edits a text", (None, shape::<EditAnswer>()), post(edit::edit)),
+        Route::write("post", "/api/load", "load", "Plans a job and gives it to the cell", post(plan::load))
+            .with_body::<Load>()
+            .with_answer::<WorkView>(),
+        Route::write("post", "/api/post", "post", "A part program, proven", post(plan::post))
+            .with_body::<PostText>()
+            .with_answer::<PostAnswer>(),
+        Route::write("post", "/api/edit", "edit", "Edits a text", post(edit::edit)).with_answer::<EditAnswer>(),
         Route::get(
             "/api/position",
             "watch",
@@ -190,12 +183,14 @@ pub(super) fn routes() -> Vec<Route> {
         Route::get("/api/teach", "watch", "What was taught so far", shape::<TaughtView>(), get(teach::taught)),
         Route::get("/api/teach/picture", "watch", "The newest picture of the eye, PNG", None, get(teach::picture)),
         Route::write(
-            ("post", "/api/teach/program"),
+            "post",
+            "/api/teach/program",
             "teach",
             "What was taught as a program, not kept",
-            (shape::<TeachProgram>(), shape::<TaughtProgram>()),
             post(teach::made),
-        ),
+        )
+        .with_body::<TeachProgram>()
+        .with_answer::<TaughtProgram>(),
         Route::get(
             "/api/report",
             "jobs.read",
@@ -229,26 +224,26 @@ pub(super) fn routes() -> Vec<Route> {
             get(setup::parameters),
         ),
         Route::write(
-            ("put", "/api/parameters"),
+            "put",
+            "/api/parameters",
             "set_up",
             "Changes numbers of an axis in the machine file",
-            (shape::<ParameterChange>(), shape::<ParametersView>()),
             put(setup::change),
-        ),
+        )
+        .with_body::<ParameterChange>()
+        .with_answer::<ParametersView>(),
         Route::write(
-            ("post", "/api/tool"),
+            "post",
+            "/api/tool",
             "set_up",
             "Where a tool's tip is, from touches of one point; nothing is kept",
-            (shape::<ToolTouches>(), shape::<ToolAnswer>()),
             post(setup::find_tool),
-        ),
-        Route::write(
-            ("put", "/api/tool"),
-            "set_up",
-            "Keeps a tool's tip in the machine file",
-            (shape::<ToolTip>(), shape::<ParametersView>()),
-            put(setup::keep_tool),
-        ),
+        )
+        .with_body::<ToolTouches>()
+        .with_answer::<ToolAnswer>(),
+        Route::write("put", "/api/tool", "set_up", "Keeps a tool's tip in the machine file", put(setup::keep_tool))
+            .with_body::<ToolTip>()
+            .with_answer::<ParametersView>(),
         Route::get(
             "/api/sensors",
             "watch",
@@ -266,61 +261,57 @@ pub(super) fn routes() -> Vec<Route> {
         Route {
             takes: PNG,
             ..Route::write(
-                ("post", "/api/sensor"),
+                "post",
+                "/api/sensor",
                 "set_up",
                 "How a camera's pixels become mm, from a picture of a grid of dots; nothing is kept",
-                (None, shape::<SensorAnswer>()),
                 post(sensors::find),
             )
+            .with_answer::<SensorAnswer>()
         },
         Route::write(
-            ("put", "/api/sensor"),
+            "put",
+            "/api/sensor",
             "set_up",
             "Keeps numbers of a sensor in the machine file",
-            (shape::<SensorChange>(), shape::<SensorsView>()),
             put(sensors::keep),
-        ),
+        )
+        .with_body::<SensorChange>()
+        .with_answer::<SensorsView>(),
         Route::write(
-            ("post", "/api/alarms/shelve"),
+            "post",
+            "/api/alarms/shelve",
             "shelve",
             "Puts an alarm that only tells aside for a while",
-            (shape::<Shelving>(), None),
             post(setup::shelve),
-        ),
+        )
+        .with_body::<Shelving>(),
         Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(audit::list)),
         Route::get("/api/backup", "backup", "All data as a tar archive", None, get(records::backup)),
         Route {
             takes: TAR,
             ..Route::write(
-                ("put", "/api/restore"),
+                "put",
+                "/api/restore",
                 "restore",
                 "Takes an archive of a backup and checks it; nothing is replaced",
-                (None, shape::<ArchiveView>()),
                 put(restore::take),
             )
+            .with_answer::<ArchiveView>()
         },
         Route::write(
-            ("post", "/api/restore"),
+            "post",
+            "/api/restore",
             "restore",
             "Puts the archive that was checked in place of all data; all sessions end",
-            (shape::<OwnPassword>(), None),
             post(restore::begin),
-        ),
+        )
+        .with_body::<OwnPassword>(),
         Route::get("/api/users", "users.read", "Users", shape::<Vec<UserRow>>(), get(users::list)),
-        Route::write(
-            ("put", user),
-            "users.write",
-            "Makes or changes a user",
-            (shape::<UserChange>(), shape::<UserRow>()),
-            put(users::put),
-        ),
-        Route::write(
-            ("delete", user),
-            "users.write",
-            "Removes a user",
-            (shape::<OwnPassword>(), None),
-            delete(users::delete),
-        ),
+        Route::write("put", user, "users.write", "Makes or changes a user", put(users::put))
+            .with_body::<UserChange>()
+            .with_answer::<UserRow>(),
+        Route::write("delete", user, "users.write", "Removes a user", delete(users::delete)).with_body::<OwnPassword>(),
         Route::get("/api/openapi.json", "watch", "This interface", None, get(openapi::document)),
     ]
 }

@@ -2,7 +2,8 @@
 
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
-use super::setup::{Changed, OfCell, of_cell, tell};
+use super::setup::{Changed, ChangedPart, OfCell, of_cell, tell};
+use crate::cell::Change;
 use crate::users::Session;
 use crate::view::{SENSOR_KEYS, height_view, sensors_view, steps};
 use crate::wire::{HeightView, SensorAnswer, SensorChange, SensorsView};
@@ -217,7 +218,8 @@ pub(super) async fn keep(
         let name = name.clone();
         let kept = of.keep(text)?;
         let view = view(&kept, panel)?;
-        tell(panel, &session.user, (Changed::Sensor, &name, &view.file), (&old.join(", "), &new.join(", ")));
+        let part = ChangedPart { kind: Changed::Sensor, name: &name, file: &view.file };
+        tell(panel, &session.user, part, Change { old: &old.join(", "), new: &new.join(", ") });
         Ok(view)
     };
     panel.planning.run(kept).await.map(Json)

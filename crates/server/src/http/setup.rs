@@ -2,7 +2,7 @@
 
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
-use crate::cell::{ToDesk, fingerprint, happening};
+use crate::cell::{Change, ToDesk, fingerprint, happening};
 use crate::users::Session;
 use crate::view::{PARAMETERS, parameters_view};
 use crate::wire::{ParameterChange, ParametersView, Shelving, ToolAnswer, ToolTip, ToolTouches};
@@ -138,13 +138,14 @@ pub(super) async fn change(
         let name = asked.axis.clone();
         let kept = of.keep(text)?;
         let (view, file) = (kept.view(panel)?, kept.file(panel));
-        tell(panel, &session.user, (Changed::Axis, &name, &file), (old.trim(), new.trim()));
+        let part = ChangedPart { kind: Changed::Axis, name: &name, file: &file };
+        tell(panel, &session.user, part, Change { old: old.trim(), new: new.trim() });
         Ok(view)
     };
     panel.planning.run(changed).await.map(Json)
 }
 
-/// Part of a machine file that was changed.
+/// Kind of a changed part of a machine file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Changed {
     Axis,
@@ -152,9 +153,18 @@ pub(super) enum Changed {
     Sensor,
 }
 
+/// Changed part of a machine file: its kind, its name, and the file.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ChangedPart<'a> {
+    pub(super) kind: Changed,
+    pub(super) name: &'a str,
+    pub(super) file: &'a str,
+}
+
 /// Reports a change to all pages and the audit log.
-pub(super) fn tell(panel: &Panel, user: &str, (changed, name, file): (Changed, &str, &str), change: (&str, &str)) {
-    let (audit, event) = match changed {
+pub(super) fn tell(panel: &Panel, user: &str, part: ChangedPart<'_>, change: Change<'_>) {
+    let ChangedPart { kind, name, file } = part;
+    let (audit, event) = match kind {
         Changed::Axis => ("server-audit-set-axis", Message::new("server-event-machine-changed").text("subject", name)),
         Changed::Tool => ("server-audit-set-tool", Message::new("server-event-tool-changed").text("head", name)),
         Changed::Sensor => {
@@ -267,7 +277,8 @@ pub(super) async fn keep_tool(
         let (view, file) = (kept.view(panel)?, kept.file(panel));
         let written = |tip: DVec3| format!("tip_mm {:?}", tip.to_array());
         let change = (written(was), written(DVec3::from_array(asked.tip_mm)));
-        tell(panel, &session.user, (Changed::Tool, &name, &file), (&change.0, &change.1));
+        let part = ChangedPart { kind: Changed::Tool, name: &name, file: &file };
+        tell(panel, &session.user, part, Change { old: &change.0, new: &change.1 });
         Ok(view)
     };
     panel.planning.run(kept).await.map(Json)
@@ -285,6 +296,6 @@ pub(super) async fn shelve(
     panel.cell.desk.send(ToDesk::Shelve(asked, session.user.clone(), answer)).map_err(|_| gone())?;
     let result = answered.await.map_err(|_| gone())?;
     let said = result.as_ref().map_or_else(Message::clone, |()| Message::new("server-audit-accepted"));
-    panel.cell.archive.audit(&session.user, Message::new("server-audit-panel"), command, ("", ""), said);
+    panel.cell.archive.audit(&session.user, Message::new("server-audit-panel"), command, Change::default(), said);
     result.map(|()| StatusCode::NO_CONTENT).map_err(Refused::input)
 }

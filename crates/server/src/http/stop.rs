@@ -1,5 +1,6 @@
 use super::login::{From, address};
 use super::panel::Panel;
+use crate::cell::Change;
 use crate::lack::panel_word;
 use crate::wire::Stopped;
 use axum::Json;
@@ -24,7 +25,7 @@ pub(super) async fn stop(State(panel): State<Arc<Panel>>, from: From) -> Json<St
             "",
             station,
             panel_word("do", "stop"),
-            ("", ""),
+            Change::default(),
             Message::new("server-audit-accepted"),
         );
     }

@@ -1,6 +1,7 @@
 use super::answer::{Answer, Refused};
 use super::login::{From, checked};
 use super::panel::Panel;
+use crate::cell::Change;
 use crate::users::Session;
 use crate::wire::{OwnPassword, UserChange, UserRow};
 use axum::extract::{Path, State};
@@ -16,14 +17,15 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<UserRow>
 /// Checks the user's own password again before users or all data are changed; without an administrator none is needed.
 pub(super) async fn again(
     panel: &Arc<Panel>,
-    from: (&From, &HeaderMap),
+    from: &From,
+    headers: &HeaderMap,
     session: &Session,
     password: Option<String>,
 ) -> Result<(), Refused> {
     if !panel.accounts.has_admin() {
         return Ok(());
     }
-    if checked(panel, from, &session.user, password.unwrap_or_default()).await?.is_some() {
+    if checked(panel, from, headers, &session.user, password.unwrap_or_default()).await?.is_some() {
         return Ok(());
     }
     panel.cell.archive.repeatable(
@@ -43,7 +45,7 @@ pub(super) async fn put(
     Path(name): Path<String>,
     Json(change): Json<UserChange>,
 ) -> Answer<UserRow> {
-    again(&panel, (&from, &headers), &session, change.own_password.clone()).await?;
+    again(&panel, &from, &headers, &session, change.own_password.clone()).await?;
     if change.only_new == Some(true) && panel.accounts.has(&name) {
         return Err(Refused::new(
             StatusCode::CONFLICT,
@@ -64,7 +66,7 @@ pub(super) async fn put(
         &session.user,
         Message::new("server-audit-panel"),
         Message::new("server-audit-change-user").text("user", &name),
-        (&old, &new),
+        Change { old: &old, new: &new },
         Message::new("server-audit-changed"),
     );
     Ok(Json(row))
@@ -78,7 +80,7 @@ pub(super) async fn delete(
     Path(name): Path<String>,
     Json(own): Json<OwnPassword>,
 ) -> Result<StatusCode, Refused> {
-    again(&panel, (&from, &headers), &session, own.own_password).await?;
+    again(&panel, &from, &headers, &session, own.own_password).await?;
     let (changed, user) = (Arc::clone(&panel), name.clone());
     if !panel.saving.run(move || Ok(changed.accounts.remove(&user)?)).await? {
         return Err(Refused::not_found(Message::new("server-no-user").text("user", name)));
@@ -90,7 +92,7 @@ pub(super) async fn delete(
         &session.user,
         Message::new("server-audit-panel"),
         Message::new("server-audit-delete-user").text("user", &name),
-        ("", ""),
+        Change::default(),
         Message::new("server-audit-deleted"),
     );
     Ok(StatusCode::NO_CONTENT)

@@ -86,7 +86,7 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
         let (width, height) = table.size_px();
         state.view.size_px = (width as u32, height as u32);
     });
-    let (camera, actual) = open_camera(panel, (machine, sensor), open, nominal)?;
+    let (camera, actual) = open_camera(panel, machine, sensor, open, nominal)?;
     let station = Station {
         hand: Hand { panel, machine },
         sensor,
@@ -98,7 +98,7 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
     let Some(point) = station.place() else { return Ok(None) };
     let begin =
         teaching::start(nominal, point).ok_or_else(|| Failure::input(Message::new("server-teach-start-far")))?;
-    let mut outcome = crawl((loaded, nominal), open, &ground, &station, begin)?;
+    let mut outcome = crawl(loaded, nominal, open, &ground, &station, begin)?;
     outcome.truth = actual.map(|actual| truth(&actual, &outcome.smooth));
     Ok(Some(outcome))
 }
@@ -106,7 +106,8 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
 /// Returns the cell's camera. A simulated cell without live frames gets the camera simulator and the seam that it sees.
 fn open_camera<'a>(
     panel: &Panel,
-    (machine, sensor): (&'a Machine, &'a Sensor),
+    machine: &'a Machine,
+    sensor: &'a Sensor,
     open: &Open,
     nominal: &SeamLine,
 ) -> Result<(Sees<'a>, Option<SeamLine>), Failure> {
@@ -155,7 +156,8 @@ fn camera(machine: &Machine) -> Result<(&Sensor, &HeightTable), Failure> {
 }
 
 fn crawl(
-    (loaded, nominal): (&Loaded, &SeamLine),
+    loaded: &Loaded,
+    nominal: &SeamLine,
     open: &Open,
     ground: &Ground<'_>,
     station: &Station<'_>,
@@ -164,7 +166,7 @@ fn crawl(
     let (machine, sensor, table) = (&loaded.machine, station.sensor, station.table);
     let guide = |point: DVec3| ground.guide(point);
     let start = station.hand.axes().map_or(machine.home(), |(set, ..)| set);
-    let carrier = ground.carrier((machine, sensor), &guide, start);
+    let carrier = ground.carrier(machine, sensor, &guide, start);
     let mut rig = CellRig { station, carrier };
     let mut crawl = Crawl::new(teaching::settings(nominal, open.step_mm), table, nominal, begin);
     let mut follower = teaching::follower(table, open.longest_tack_mm)?;

@@ -84,9 +84,8 @@ fn open(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), Lack
     }
     let work = panel.cell.hub.work();
     let work = work.ok_or_else(|| lack("work", Message::new("server-teach-no-program")))?;
-    let job = work.job.clone();
-    panel.teaching.open(&panel.cell.hub, station, (&job, &work.machine))?;
-    let open = Open { job, step_mm, longest_tack_mm, seed, tack_mm };
+    panel.teaching.open(&panel.cell.hub, station, &work)?;
+    let open = Open { job: work.job.clone(), step_mm, longest_tack_mm, seed, tack_mm };
     let panel = Arc::clone(panel);
     std::thread::spawn(move || crawl::run(&panel, &open));
     Ok(())

@@ -1,6 +1,6 @@
 use crate::cell::Hub;
 use crate::lack::{Lack, lack};
-use crate::wire::{TaughtView, TeachPhase, TeachView};
+use crate::wire::{TaughtView, TeachPhase, TeachView, WorkView};
 use glam::{DAffine3, DVec2, DVec3};
 use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_geometry::HeightTable;
@@ -91,28 +91,28 @@ impl Teaching {
         drop(self.turned.wait_timeout(self.state(), most));
     }
 
-    /// Opens a session of the page `station`, along the seam of a job on its machine.
-    pub(super) fn open(&self, hub: &Hub, station: u32, (job, machine): (&str, &str)) -> Result<(), Lack> {
+    /// Opens a session of the page `station`, along the seam of a loaded job on its machine.
+    pub(super) fn open(&self, hub: &Hub, station: u32, work: &WorkView) -> Result<(), Lack> {
         let mut state = self.state();
         if state.lives {
             return Err(lack("busy", Message::new("server-teach-is-open")));
         }
         // Picture numbers continue, so that an old picture is never taken for a new one.
         let picture = state.view.picture;
-        *state = State { lives: true, station, machine: machine.to_owned(), ..State::default() };
-        state.view = TeachView { phase: TeachPhase::Plans, job: job.to_owned(), picture, ..TeachView::default() };
+        *state = State { lives: true, station, machine: work.machine.clone(), ..State::default() };
+        state.view = TeachView { phase: TeachPhase::Plans, job: work.job.clone(), picture, ..TeachView::default() };
         let view = state.view.clone();
         drop(state);
         hub.teaches(view);
         Ok(())
     }
 
-    /// Forgets the result of another seam or machine: `job` is now loaded. A running session ends by itself.
-    pub(crate) fn leave(&self, hub: &Hub, (job, machine): (&str, &str)) {
+    /// Forgets the result of another seam or machine: `work` is now loaded. A running session ends by itself.
+    pub(crate) fn leave(&self, hub: &Hub, work: &WorkView) {
         // Checked and changed under one lock: a session that starts meanwhile is not forgotten.
         self.change(hub, |state| {
             let view = &state.view;
-            if state.lives || view.job.is_empty() || (view.job == job && state.machine == machine) {
+            if state.lives || view.job.is_empty() || (view.job == work.job && state.machine == work.machine) {
                 return;
             }
             let picture = view.picture;

@@ -2,6 +2,7 @@
 
 use super::lived::Served;
 use super::{Bench, HOST, KEY, Visitor};
+use crate::cell::Change;
 use crate::http::{all_routes, hears};
 use crate::users::{least, may};
 use crate::wire::{AskView, Role};
@@ -130,7 +131,7 @@ async fn thousands_of_malformed_requests_are_refused() {
     assert!(asked > 2500, "{asked}");
     assert!(bench.panel.accounts.list().is_empty() && bench.panel.cell.hub.holder().is_none());
     assert_eq!(std::fs::read_dir(bench.path().join("jobs")).unwrap().count(), 0);
-    bench.panel.cell.archive.audit("test", "test", "end", ("", ""), "");
+    bench.panel.cell.archive.audit("test", "test", "end", Change::default(), "");
     let data = seamwright_record::DataFolder::open_to_read(bench.path()).unwrap();
     while data.library().audit_entries(1).unwrap()[0].command != "end" {
         tokio::time::sleep(Duration::from_millis(20)).await;

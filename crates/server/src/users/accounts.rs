@@ -101,8 +101,8 @@ impl Accounts {
     }
 
     /// Returns true if the user's password and role are still those that were checked.
-    pub(crate) fn is_still(&self, name: &str, (role, hash): &(Role, String)) -> bool {
-        self.users().iter().any(|u| u.name == name && u.enabled && u.role == *role && u.hash == *hash)
+    pub(crate) fn is_still(&self, name: &str, role: Role, hash: &str) -> bool {
+        self.users().iter().any(|u| u.name == name && u.enabled && u.role == role && u.hash == hash)
     }
 
     /// Creates or changes a user; a new user needs a password.
@@ -213,7 +213,8 @@ mod tests {
         accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
         accounts.put("olga", Role::Operator, true, Some("long enough 1")).unwrap();
         let right = accounts.check("ada", "correct horse").unwrap();
-        assert!(right.0 == Role::Admin && accounts.is_still("ada", &right) && !accounts.is_still("olga", &right));
+        let is_still = |name: &str| accounts.is_still(name, right.0, &right.1);
+        assert!(right.0 == Role::Admin && is_still("ada") && !is_still("olga"));
         assert_eq!(accounts.check("ada", "wrong horse!"), None);
         assert_eq!(accounts.check("nobody", "nobody has this password"), None);
         for (name, password) in [
@@ -235,7 +236,7 @@ mod tests {
         assert_eq!(accounts.check("olga", "long enough 1"), None);
         // A changed password invalidates an earlier check.
         accounts.put("ada", Role::Admin, true, Some("correct horse 2")).unwrap();
-        assert!(!accounts.is_still("ada", &right));
+        assert!(!is_still("ada"));
         accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
         // The file contains everything, and only its owner can read it.
         let again = Accounts::open(folder.path()).unwrap();

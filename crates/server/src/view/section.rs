@@ -12,11 +12,11 @@ pub(crate) fn sections(welding: &Welding) -> Vec<SectionView> {
     // On a closed seam the end is the start.
     let step =
         if seam.all_round() { seam.length() / f64::from(PLACES) } else { seam.weld_length() / f64::from(PLACES - 1) };
-    let at = |i| section(welding, (seam, joint), f64::from(i) * step);
+    let at = |i| section(welding, seam, joint, f64::from(i) * step);
     (0..PLACES).filter_map(at).collect()
 }
 
-fn section(welding: &Welding, (seam, joint): (&SeamCurve, &SeamJoint), s: f64) -> Option<SectionView> {
+fn section(welding: &Welding, seam: &SeamCurve, joint: &SeamJoint, s: f64) -> Option<SectionView> {
     let point = seam.at(s);
     let section = joint.section(&point)?;
     let (root_gap_mm, mismatch_mm) = joint.fit_up(s);

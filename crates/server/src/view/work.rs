@@ -43,7 +43,7 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
                 let spans = spans(pass, &points_mm, length);
                 let clearance = motion.and_then(|m| m.clearance.get(i)?.as_ref());
                 let view = match planned {
-                    Some(planned) => pass_view(machine, (pass, planned), around.as_ref().zip(clearance), &values),
+                    Some(planned) => pass_view(machine, pass, planned, around.as_ref().zip(clearance), &values),
                     None => asked_view(pass, &path, &values),
                 };
                 PassView { spans, points_mm, ..view }
@@ -109,7 +109,8 @@ fn spans(pass: &Pass, points_mm: &[f64], length: f64) -> Vec<[f64; 2]> {
 
 fn pass_view(
     machine: &Machine,
-    (pass, planned): (&Pass, &PassMotion),
+    pass: &Pass,
+    planned: &PassMotion,
     clearance: Option<(&Surroundings<'_>, &PassClearance)>,
     values: &[String],
 ) -> PassView {

@@ -123,7 +123,7 @@ fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted,
                 let (message, allowed) = (Message::new("cli-place-no-nozzle"), Message::new("cli-place-nozzle"));
                 return Err(NoPlace::Input(program.error_at("seam", message, allowed).into()));
             };
-            Ok(chuck(args, (loaded, loaded.seam().map_err(NoPlace::Input)?), rows, nozzle)?)
+            Ok(chuck(args, loaded, loaded.seam().map_err(NoPlace::Input)?, rows, nozzle)?)
         }
     }
 }
@@ -141,7 +141,8 @@ fn faces(args: &PlaceArgs, rows: &[Touched], nominal: &DAffine3) -> Result<Fitte
 
 fn chuck(
     args: &PlaceArgs,
-    (loaded, seam): (&Loaded, &SeamCurve),
+    loaded: &Loaded,
+    seam: &SeamCurve,
     rows: &[Touched],
     nozzle: &Tube,
 ) -> Result<Fitted, Error> {

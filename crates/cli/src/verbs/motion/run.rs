@@ -170,7 +170,7 @@ impl<'a> Player<'a> {
                 run.order(order).map_err(stuck)?;
             }
             let now = run.now();
-            self.instant((i + 1, motion), &now)?;
+            self.instant(i + 1, motion, &now)?;
             let waits = now.phase == RunPhase::Held && self.commands.is_empty();
             if waits {
                 held(i + 1, &now);
@@ -180,18 +180,18 @@ impl<'a> Player<'a> {
                 return Ok(());
             }
             if let Err(reason) = run.step() {
-                self.wind_down((i + 1, motion), &mut run)?;
+                self.wind_down(i + 1, motion, &mut run)?;
                 return Err(stuck(reason));
             }
         }
     }
 
     /// Writes a run that cannot go on until it rests with the process off, as it does by itself.
-    fn wind_down<L: Moves>(&mut self, pass: (usize, &PassMotion), run: &mut Run<'_, L>) -> Result<(), Failure> {
+    fn wind_down<L: Moves>(&mut self, pass: usize, motion: &PassMotion, run: &mut Run<'_, L>) -> Result<(), Failure> {
         let most = (WIND_DOWN_S / self.period) as u64;
         for _ in 0..most {
             let now = run.now();
-            self.instant(pass, &now)?;
+            self.instant(pass, motion, &now)?;
             if matches!(now.phase, RunPhase::Held | RunPhase::Ended) {
                 break;
             }
@@ -212,7 +212,7 @@ impl<'a> Player<'a> {
         wanted.then(|| motion.faster(&self.loaded.machine, pass, FASTER)).transpose()
     }
 
-    fn instant(&mut self, (pass, motion): (usize, &PassMotion), now: &Instant) -> Result<(), Failure> {
+    fn instant(&mut self, pass: usize, motion: &PassMotion, now: &Instant) -> Result<(), Failure> {
         let r = &now.played.rates;
         let until_off = if now.phase == RunPhase::Crater { now.left_s } else { f64::INFINITY };
         let arc = now.phase.arc().then_some((self.burning, until_off));

@@ -68,14 +68,7 @@ impl Checked {
 }
 
 /// Pulses too close to each other, as a finding with axis, time and operator action.
-pub(super) fn crowded(
-    stepped: &[Stepped],
-    clock: &Clock,
-    place: &Place,
-    periods: u64,
-    (axis, error): (usize, Error),
-) -> Failure {
-    let axis = &stepped[axis];
+pub(super) fn crowded(axis: &Stepped, clock: &Clock, place: &Place, periods: u64, error: Error) -> Failure {
     let what = match error {
         Error::TooFast { asked, .. } => Message::new("cli-pulses-too-fast")
             .number("asked", asked / clock.period_s(), 0)

@@ -131,11 +131,12 @@ impl Play<'_> {
             end = Some(*place);
             let Some(lines) = &mut lines else {
                 let start: Vec<_> = stepped.iter().map(|a| (a.timing, a.steps(&place.q))).collect();
-                lines = Some(Lines::new(&start).map_err(|e| crowded(stepped, &clock, place, 0, e))?);
+                let failure = |(axis, e): (usize, _)| crowded(&stepped[axis], &clock, place, 0, e);
+                lines = Some(Lines::new(&start).map_err(failure)?);
                 return Ok(());
             };
             let to = stepped.iter().map(|a| a.steps(&place.q));
-            lines.advance(to).map_err(|e| crowded(stepped, &clock, place, periods, e))?;
+            lines.advance(to).map_err(|(axis, e)| crowded(&stepped[axis], &clock, place, periods, e))?;
             periods += 1;
             while let Some(event) = lines.event() {
                 each(place, lines, event)?;

@@ -30,7 +30,7 @@ use std::sync::OnceLock;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::thread::ScopedJoinHandle;
 use std::time::{Duration, Instant};
-use table::Table;
+use table::{Content, Table};
 
 /// Period at which the desk reads the cycle's data.
 const LOOK: Duration = Duration::from_millis(5);
@@ -131,11 +131,12 @@ fn with_cell(
     shutdown.on_panic();
     // The devices must answer before files are written.
     let (devices, lines) = devices(loaded, cell, &work, asked)?;
+    let equipment = Equipment { devices, lines, tracking };
     let mut output = Output::new(asked.output)?;
-    let kept = (work.values(), tracking.is_some(), asked.from);
-    let table = Table::new((loaded, motion), &output, asked.record, kept)?;
+    let content = Content { values: work.values(), is_tracked: equipment.tracking.is_some(), from: asked.from };
+    let table = Table::new(loaded, motion, &output, asked.record, content)?;
     let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
-    let ended = real(work, machine, (devices, lines, tracking), (asked.cpu, &shutdown), &mut desk)?;
+    let ended = real(work, machine, equipment, asked.cpu, &shutdown, &mut desk)?;
     let closed = desk.close(&mut output, &loaded.welding.program.value.title, &ended);
     // Outputs that may be on are reported before unwritable files.
     check_safe(&ended.lines)?;
@@ -180,14 +181,23 @@ pub(in crate::verbs) fn bad(error: &seamwright_cell::Error) -> Failure {
     Failure::input(error)
 }
 
+/// Devices of a cell with their lines, and its tracking if its joints are tracked.
+struct Equipment<'a> {
+    devices: Box<dyn Devices + Send + 'a>,
+    lines: Lines,
+    tracking: Option<Tracking<'a>>,
+}
+
 /// In real time: the cycle in a thread of its own, the desk here.
 fn real(
     work: Work<'_>,
     machine: &Machine,
-    (devices, lines, mut tracking): (Box<dyn Devices + Send + '_>, Lines, Option<Tracking<'_>>),
-    (cpu, shutdown): (Option<usize>, &Shutdown),
+    equipment: Equipment<'_>,
+    cpu: Option<usize>,
+    shutdown: &Shutdown,
     desk: &mut Desk,
 ) -> Result<Ended, Failure> {
+    let Equipment { devices, lines, mut tracking } = equipment;
     let (port, mut outside) = live(shutdown);
     let typed = typed(outside.urgent());
     let footing = OnceLock::new();

@@ -24,14 +24,26 @@ pub(in crate::verbs) struct Table {
     heads: Vec<String>,
 }
 
+/// Content of a trace besides its axes.
+#[derive(Clone, Copy)]
+pub(super) struct Content<'a> {
+    /// Names of the process values.
+    pub(super) values: &'a [String],
+    pub(super) is_tracked: bool,
+    /// Start position, if not at the start of the first pass.
+    pub(super) from: Option<Place>,
+}
+
 impl Table {
     pub(super) fn new(
-        (loaded, motion): (&Loaded, &WeldMotion),
+        loaded: &Loaded,
+        motion: &WeldMotion,
         output: &Output,
         record: &RecordArgs,
-        (values, tracked, from): (&[String], bool, Option<Place>),
+        content: Content<'_>,
     ) -> Result<Self, Failure> {
-        let heads = if tracked { run_rows::head_names(loaded) } else { Vec::new() };
+        let Content { values, is_tracked, from } = content;
+        let heads = if is_tracked { run_rows::head_names(loaded) } else { Vec::new() };
         let machine = &loaded.machine;
         let title = loaded.welding.program.value.title.clone();
         let about = [("title", title), ("machine", machine.name.clone())];
@@ -41,7 +53,8 @@ impl Table {
             motion,
             &Header { columns: &columns, about: &about, from },
             output,
-            (record, machine.devices.is_empty()),
+            record,
+            machine.devices.is_empty(),
         )?;
         Ok(Self { rows, machine: machine.clone(), tips: run_rows::Tips::default(), values: values.len(), heads })
     }

@@ -41,7 +41,7 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
             let found = reader.read_profile(&points, &task);
             let turned = || -> Vec<DVec2> { points.iter().map(|p| DVec2::new(p.x, -p.y)).collect() };
             let hint = || hint(StripeReader::new().read_profile(&turned(), &task));
-            write(args, &found, None, (&source, &hint))
+            write(args, &found, None, &source, &hint)
         }
         Input::Image(image) => {
             let frame = image.frame().map_err(|e| Failure::input(in_file(&source, &e)))?;
@@ -61,7 +61,7 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
             }
             // A map is of the image as it is: upside down only the shape counts.
             let hint = || hint_of_image(&image, &self::task(args, false).ok()?);
-            write(args, &found, Some(to_mm.as_ref()), (&source, &hint))
+            write(args, &found, Some(to_mm.as_ref()), &source, &hint)
         }
     }
 }
@@ -145,7 +145,8 @@ fn write(
     args: &StripeArgs,
     found: &Result<Features, NoFeatures>,
     image: Option<Option<&Homography>>,
-    (source, hint): (&str, &dyn Fn() -> Option<Message>),
+    source: &str,
+    hint: &dyn Fn() -> Option<Message>,
 ) -> Result<(), Failure> {
     let place = Place { image };
     if args.json {

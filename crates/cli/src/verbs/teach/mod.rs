@@ -22,20 +22,21 @@ use seamwright_geometry::HeightTable;
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Machine, Sensor, Sight};
 use seamwright_message::Message;
-use seamwright_project::teaching::{self, EVERY_MM, Outcome, nominal};
+use seamwright_project::teaching::{self, EVERY_MM, Limits, Outcome, nominal};
 use seamwright_tracking::teach::{CameraPose, Kind, Settings};
 use std::fs::File;
 use std::io::BufReader;
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 /// Minimum and maximum step from frame to frame, mm: longer ones leave the frame.
-const STEPS_MM: (f64, f64) = (1.0, 100.0);
+const STEPS_MM: RangeInclusive<f64> = 1.0..=100.0;
 /// Endings of the files beside the program.
 const BESIDE: [&str; 3] = ["report.json", "svg", "png"];
 
 pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
     let tolerance = positive("--tolerance-mm", args.tolerance_mm)?;
-    let attitude = within("--attitude-deg", args.attitude_deg, (1e-6, 90.0))?.to_radians();
+    let attitude = within("--attitude-deg", args.attitude_deg, 1e-6..=90.0)?.to_radians();
     let source = Source::read(args)?;
     check_output(&args.output)?;
     let loaded = load(&args.job)?;
@@ -55,8 +56,9 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
         TeachMethod::Fewest => Kind::Arcs(Method::Fewest),
         TeachMethod::Spline => Kind::Spline,
     };
-    let (output, limits) = (args.output.display().to_string(), (tolerance, attitude));
-    let (reduced, written) = teaching::reduced((&loaded, &nominal), &outcome.smooth, limits, kind, &output)?;
+    let (output, limits) =
+        (args.output.display().to_string(), Limits { tolerance_mm: tolerance, attitude_rad: attitude });
+    let (reduced, written) = teaching::reduced(&loaded, &nominal, &outcome.smooth, limits, kind, &output)?;
     let report = report::Report::new(args, &loaded.machine, &nominal, &outcome, &reduced);
     let [json, svg, png] = BESIDE.map(|ending| args.output.with_extension(ending));
     files::write(&args.output, &written)?;
@@ -135,12 +137,12 @@ fn check_output(output: &Path) -> Result<(), Failure> {
     Err(refused("-o", output.display(), Message::new("cli-teach-beside"), allowed))
 }
 
-/// A number within two others.
-fn within(name: &str, value: f64, (least, most): (f64, f64)) -> Result<f64, Failure> {
-    if (least..=most).contains(&value) {
+/// Returns the option's value if it is in the allowed range.
+fn within(name: &str, value: f64, allowed: RangeInclusive<f64>) -> Result<f64, Failure> {
+    if allowed.contains(&value) {
         return Ok(value);
     }
-    Err(not_allowed(name, value, between(least, most)))
+    Err(not_allowed(name, value, between(*allowed.start(), *allowed.end())))
 }
 
 /// The camera that is asked for, with its map.

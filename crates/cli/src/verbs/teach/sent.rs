@@ -13,10 +13,11 @@ use seamwright_cell::frames::{FrameSource, FrameStream};
 use seamwright_cell::teach::{DistantRig, joints};
 use seamwright_message::Message;
 use seamwright_project::teaching::{Ground, Outcome};
+use std::ops::RangeInclusive;
 use std::time::Duration;
 
 /// Shortest and longest time to wait for a frame, s.
-const TIMEOUTS_S: (f64, f64) = (0.001, 3600.0);
+const TIMEOUTS_S: RangeInclusive<f64> = 0.001..=3600.0;
 
 /// The host and port in `frames`.
 pub(super) fn address<'a>(frames: &str, address: &'a str) -> Result<&'a str, Failure> {
@@ -41,6 +42,6 @@ pub(super) fn teach(args: &TeachArgs, address: &str, loaded: &Loaded, nominal: &
     let first = stream.next()?.ok_or_else(|| Failure::input(in_file(address, Message::new("cli-teach-no-frames"))))?;
     let begin = start(args, nominal, middle(&session, &first))?;
     let axes = joints(session.machine, first.axes.as_deref().unwrap_or_default());
-    let carrier = ground.carrier((session.machine, session.sensor), &guide, axes);
+    let carrier = ground.carrier(session.machine, session.sensor, &guide, axes);
     session.crawl(begin, &mut DistantRig::new(session.machine, carrier, stream))
 }

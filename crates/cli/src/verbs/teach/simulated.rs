@@ -33,7 +33,7 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
     let begin = start(args, nominal, first.point + BESIDE_MM * first.normal.cross(along))?;
     let ground = Ground::new(loaded, nominal)?;
     let guide = |point: DVec3| ground.guide(point);
-    let carrier = ground.carrier((session.machine, session.sensor), &guide, ground.start());
+    let carrier = ground.carrier(session.machine, session.sensor, &guide, ground.start());
     let mut outcome = session.crawl(begin, &mut SimulatedRig::new((machine, sensor), carrier, eye))?;
     outcome.truth = Some(truth(&actual, &outcome.smooth));
     Ok(outcome)
