@@ -141,7 +141,7 @@ impl DataFolder {
         let id = self.library.begin_weld(&new, last)?;
         let folder = self.weld_folder(id);
         let made = private::folder(&folder).map_err(|e| Error::io(&folder, Doing::Create, e));
-        let recording = made.and_then(|()| Recording::new((id, new.begun), folder.clone(), plan));
+        let recording = made.and_then(|()| Recording::new(id, new.begun, folder.clone(), plan));
         recording.inspect_err(|_| self.take_back(id, &folder))
     }
 
@@ -234,7 +234,8 @@ impl DataFolder {
         let since = modified.and_then(|t| t.duration_since(std::time::UNIX_EPOCH).ok());
         let last = since.map_or(weld.begun, |d| Moment(i64::try_from(d.as_millis()).unwrap_or(i64::MAX)));
         // A clock that was set back in between makes no weld end before it began.
-        settle(self, weld.id, folder, (result, weld.ended.unwrap_or(last.max(weld.begun)), note))
+        let ended = weld.ended.unwrap_or(last.max(weld.begun));
+        settle(self, weld.id, folder, result, ended, note)
     }
 
     /// Checks the database, the audit log, and the hash of every file and text that the library names.

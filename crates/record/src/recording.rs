@@ -68,7 +68,7 @@ pub struct Recording {
 }
 
 impl Recording {
-    pub(crate) fn new((id, begun): (i64, Moment), folder: PathBuf, plan: &Plan) -> Result<Self, Error> {
+    pub(crate) fn new(id: i64, begun: Moment, folder: PathBuf, plan: &Plan) -> Result<Self, Error> {
         let writer = TraceWriter::create(&folder.join("trace.parquet"), &plan.columns, &plan.about, plan.most_rows)?;
         Ok(Self { id, begun: (begun, Instant::now()), folder, writer, note: plan.note.clone(), trouble: None })
     }
@@ -118,7 +118,7 @@ impl Recording {
         notes.extend(kept.err().map(|why| Message::new("record-incomplete").message("why", why.message())));
         let lasted = i64::try_from(begun.1.elapsed().as_millis()).unwrap_or(i64::MAX);
         let ended = Moment(begun.0.0.saturating_add(lasted));
-        settle(data, id, &folder, (outcome.result, ended, joined(notes)))
+        settle(data, id, &folder, outcome.result, ended, joined(notes))
     }
 }
 
@@ -133,7 +133,9 @@ pub(crate) fn settle(
     data: &mut DataFolder,
     id: i64,
     folder: &Path,
-    (result, ended, mut note): (WeldResult, Moment, Message),
+    result: WeldResult,
+    ended: Moment,
+    mut note: Message,
 ) -> Result<WeldRecord, Error> {
     let files = files_in(folder)?;
     let traces = files.iter().filter(|f| f.rows.is_some()).map(|f| Trace::open(&folder.join(&f.name)));

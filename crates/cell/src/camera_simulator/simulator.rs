@@ -1,7 +1,7 @@
 //! The camera simulator: frames of the actual seam from the machine's true pose.
 
 use super::random::Random;
-use super::scene::{Canvas, Disturbances};
+use super::scene::{Canvas, Disturbances, Texture};
 use super::seam_line::{SeamLine, Station};
 use crate::frames::{FrameError, FrameSource, TimedFrame};
 use glam::{DAffine3, DVec2, DVec3};
@@ -39,7 +39,7 @@ impl Default for Appearance {
             noise: 8.0,
             ramp: [12.0, -8.0],
             vignette: 20.0,
-            texture: (4.0, 0.4),
+            texture: Texture { deviation: 4.0, direction: 0.4 },
             jitter: 0.2,
             charging: 1.5,
             salt: 0.001,
@@ -130,7 +130,7 @@ impl<'a> CameraSimulator<'a> {
                 }
             }
         }
-        canvas.finish(disturbances, (&seen, 0.0), &mut self.random)
+        canvas.finish(disturbances, &seen, 0.0, &mut self.random)
     }
 
     /// Returns the joint in pixels within `reach` of the centre of view: the pieces that face the camera.

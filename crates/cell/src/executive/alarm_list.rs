@@ -54,8 +54,8 @@ pub struct AlarmList {
 }
 
 impl AlarmList {
-    /// Raises an alarm; returns its entry if it is new or more severe.
-    pub fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, (t, place): (f64, Place)) -> Option<Raised> {
+    /// Raises an alarm at time `t`, s; returns its entry if it is new or more severe.
+    pub fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, t: f64, place: Place) -> Option<Raised> {
         let first_out = self.list.is_empty();
         if let Some(known) = self.list.iter_mut().find(|r| r.alarm == alarm && r.detail == detail) {
             if known.state != AlarmState::Returned && reaction <= known.reaction {
@@ -87,7 +87,7 @@ impl AlarmList {
     pub fn follow(&mut self, note: &Note) -> bool {
         match note {
             Note::Alarm(r) => {
-                self.raise(r.alarm, r.detail, r.reaction, (r.t, r.place));
+                self.raise(r.alarm, r.detail, r.reaction, r.t, r.place);
                 // A momentary alarm.
                 if r.state == AlarmState::Returned {
                     self.clear(r.alarm, r.detail);
@@ -148,10 +148,10 @@ impl AlarmList {
 mod tests {
     use super::*;
 
-    const HERE: (f64, Place) = (1.0, Place { pass: 1, s_mm: 5.0 });
+    const HERE: Place = Place { pass: 1, s_mm: 5.0 };
 
     fn raise(list: &mut AlarmList, alarm: Alarm, detail: u8) -> Option<Raised> {
-        list.raise(alarm, detail, alarm.reaction(), HERE)
+        list.raise(alarm, detail, alarm.reaction(), 1.0, HERE)
     }
 
     #[test]
@@ -228,12 +228,12 @@ mod tests {
     #[test]
     fn what_grows_worse_is_news() {
         let list = &mut AlarmList::default();
-        assert!(list.raise(Alarm::Tracking, 3, Reaction::Tell, HERE).is_some());
+        assert!(list.raise(Alarm::Tracking, 3, Reaction::Tell, 1.0, HERE).is_some());
         list.acknowledge();
-        assert!(list.raise(Alarm::Tracking, 3, Reaction::Tell, HERE).is_none());
-        let worse = list.raise(Alarm::Tracking, 3, Reaction::ProcessOff, HERE).unwrap();
+        assert!(list.raise(Alarm::Tracking, 3, Reaction::Tell, 1.0, HERE).is_none());
+        let worse = list.raise(Alarm::Tracking, 3, Reaction::ProcessOff, 1.0, HERE).unwrap();
         assert_eq!((worse.reaction, worse.state), (Reaction::ProcessOff, AlarmState::Unacknowledged));
-        assert!(list.raise(Alarm::Tracking, 3, Reaction::Hold, HERE).is_none());
+        assert!(list.raise(Alarm::Tracking, 3, Reaction::Hold, 1.0, HERE).is_none());
     }
 
     #[test]

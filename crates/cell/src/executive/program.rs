@@ -28,6 +28,19 @@ struct Stretch<'a, L> {
     from_mm: f64,
 }
 
+/// Progress of a stretch in a cycle.
+struct Progress<'a> {
+    now: &'a Instant,
+    /// The pass, counted from 0; `None` for a transfer move.
+    pass: Option<usize>,
+    /// True if the pass is welded.
+    welds: bool,
+    /// Path length up to which the pass is welded, mm.
+    welded_mm: f64,
+    /// Time since arc or beam came on, s.
+    burnt_s: f64,
+}
+
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Runs the program until it ends or is aborted.
     pub(super) fn run(&mut self, work: &Work<'_>) {
@@ -125,8 +138,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             burnt_s = if burns { burnt_s + self.machine.servo_period_s } else { 0.0 };
             let paced = now.phase == RunPhase::Travel && (now.played.phi - asked).abs() < PACED;
             steady_s = if burns && paced { steady_s + self.machine.servo_period_s } else { 0.0 };
-            let mut doing =
-                self.doing(work, stretch.pass.filter(|_| welds), (now, run.welded_to(), burnt_s), stretch.pass);
+            let progress = Progress { now: &now, pass: stretch.pass, welds, welded_mm: run.welded_to(), burnt_s };
+            let mut doing = self.doing(work, &progress);
             doing.steady = steady_s > SETTLES_S;
             match self.follow(&planned(&now)) {
                 Some(guided) => doing.seam = guided.seam,
@@ -175,25 +188,21 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    /// Returns the process state; `welds` is the pass if it is welded, `pass` in any case.
-    fn doing(
-        &self,
-        work: &Work<'_>,
-        welds: Option<usize>,
-        (now, welded_mm, burnt_s): (Instant, f64, f64),
-        pass: Option<usize>,
-    ) -> Doing {
+    /// Returns the process state.
+    fn doing(&self, work: &Work<'_>, progress: &Progress<'_>) -> Doing {
+        let Progress { now, pass, welds, welded_mm, burnt_s } = *progress;
+        let welded = pass.filter(|_| welds);
         let tip = now.played.rates.tip;
-        let asked = welds.is_some() && now.phase.arc();
+        let asked = welded.is_some() && now.phase.arc();
         let until = if now.phase == RunPhase::Crater { now.left_s } else { f64::INFINITY };
         let gas = !matches!(now.phase, RunPhase::Held | RunPhase::Move | RunPhase::Ended);
-        let values = welds.filter(|_| asked).map_or([0.0; VALUES], |i| work.process_at(i, tip.s, (burnt_s, until)));
+        let values = welded.filter(|_| asked).map_or([0.0; VALUES], |i| work.process_at(i, tip.s, (burnt_s, until)));
         let place = pass.map_or_else(Place::default, |i| Place { pass: i + 1, s_mm: tip.s });
         let in_pass = pass.is_some();
         Doing {
             seam: SeamOrders::default(),
             asked,
-            gas: welds.is_some() && gas,
+            gas: welded.is_some() && gas,
             values,
             phase: in_pass.then_some(now.phase),
             place,

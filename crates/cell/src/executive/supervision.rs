@@ -268,7 +268,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     fn tell_raised(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, state: AlarmState) {
         let place: Place = self.doing.place;
         let now = self.now();
-        if let Some(raised) = self.alarms.raise(alarm, detail, reaction, (now, place)) {
+        if let Some(raised) = self.alarms.raise(alarm, detail, reaction, now, place) {
             self.port.note(now, Note::Alarm(Raised { state, ..raised }));
             self.react(reaction);
         }

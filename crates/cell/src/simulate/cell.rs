@@ -43,8 +43,9 @@ impl<'a> SimulatedCell<'a> {
         let hidden = conditions.distortion.is_some() || conditions.tracking;
         let whole = Whole::of(&passes);
         let scene = |(pass, planned): (&(&'a dyn TorchPath, &'a Pass), &seamwright_motion::PassMotion)| {
-            let has = hidden && planned.arc && !pass.0.is_timed();
-            has.then(|| PassScene::new(*pass, conditions.distortion, whole))
+            let (path, pass) = *pass;
+            let has = hidden && planned.arc && !path.is_timed();
+            has.then(|| PassScene::new(path, pass, conditions.distortion, whole))
         };
         let scenes = passes.iter().zip(&motion.passes).map(scene).collect();
         let planned_on = machine.with_reserve(if conditions.tracking { RESERVE } else { 0.0 });

@@ -76,7 +76,7 @@ impl<'a> Judge<'a> {
         measure(machine, self.passes[pass - 1].0, planned, sample);
         let mut worst = None;
         for head in &mut self.heads[pass - 1] {
-            let seen = head.measure(machine, sample, (cycle.tracked[head.number], &cycle.orders.seam));
+            let seen = head.measure(machine, sample, cycle.tracked[head.number], &cycle.orders.seam);
             sample.heads[head.number] = seen;
             worst = seen.map(|s| s.miss.length()).into_iter().chain(worst).reduce(f64::max);
         }

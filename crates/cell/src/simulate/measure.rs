@@ -24,7 +24,7 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
         _ if path.is_timed() => (tip.point.distance(pose(s).point), angle(tip, &pose(s))),
         Some(foot) => (tip.point.distance(pose(foot).point), angle(tip, &pose(foot))),
         None if woven => {
-            let foot = nearest(|s| pose(s).point, tip.point, sample.set.profile.s, whole);
+            let foot = nearest(|s| pose(s).point, tip.point, sample.set.profile.s, path.length());
             (tip.point.distance(pose(foot).point), angle(tip, &pose(foot)))
         }
         None => {
@@ -41,16 +41,16 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
     }
 }
 
-/// Finds the path length near `guess` at which the path `place` is nearest to `point`. Searches both ways from `guess`
-/// while the distance falls. Steps start in proportion to the distance and grow; thirds refine the result. The distance
-/// found is never below the true minimum.
-fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
+/// Finds the path length near `guess`, from 0 to `length_mm`, at which the path `place` is nearest to `point`. Searches
+/// both ways from `guess` while the distance falls. Steps start in proportion to the distance and grow; thirds refine
+/// the result. The distance found is never below the true minimum.
+fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, length_mm: f64) -> f64 {
     let away = |s: f64| place(s).distance_squared(point);
     let start = away(guess);
     let mut best = (start, guess, start.sqrt() / 16.0);
     for sense in [-1.0, 1.0] {
         let (mut s, mut step, mut last) = (guess, start.sqrt() / 16.0, start);
-        while let next = (s + sense * step).clamp(from, to)
+        while let next = (s + sense * step).clamp(0.0, length_mm)
             && (next - s).abs() > 0.0
             && away(next) < last
         {
@@ -61,9 +61,9 @@ fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, (from, to): (
             step *= 1.5;
         }
     }
-    let (mut low, mut high) = ((best.1 - best.2).max(from), (best.1 + 1.5 * best.2).min(to));
+    let (mut low, mut high) = ((best.1 - best.2).max(0.0), (best.1 + 1.5 * best.2).min(length_mm));
     if best.1 < guess {
-        (low, high) = ((best.1 - 1.5 * best.2).max(from), (best.1 + best.2).min(to));
+        (low, high) = ((best.1 - 1.5 * best.2).max(0.0), (best.1 + best.2).min(length_mm));
     }
     for _ in 0..24 {
         let [a, b] = [low + (high - low) * 0.4, low + (high - low) * 0.6];

@@ -10,6 +10,6 @@ mod truth;
 pub use carrier::{Carrier, Guide};
 pub use follower::JointFollower;
 pub use rig::{DistantRig, Played, Rig, SimulatedRig, joints};
-pub use run::{Found, Look, Midline, NoOperator, Operator, TaughtRun, teach};
+pub use run::{Found, Look, Midline, NoOperator, Operator, Setup, TaughtRun, teach};
 pub use semi_manual::semi_manual;
 pub use truth::{Truth, truth};

@@ -45,11 +45,7 @@ pub struct SimulatedRig<'a, 'b> {
 
 impl<'a, 'b> SimulatedRig<'a, 'b> {
     /// Creates the rig of camera `sensor` of `machine`, carried by `carrier`.
-    pub fn new(
-        (machine, sensor): (&'a Machine, &'a Sensor),
-        carrier: Carrier<'b>,
-        camera: CameraSimulator<'a>,
-    ) -> Self {
+    pub fn new(machine: &'a Machine, sensor: &'a Sensor, carrier: Carrier<'b>, camera: CameraSimulator<'a>) -> Self {
         Self { machine, sensor, carrier, camera, before: None, seconds: 0.0 }
     }
 

@@ -81,17 +81,29 @@ pub struct Look<'a> {
     pub next: &'a Command,
 }
 
-/// Crawls along a joint with the camera `sensor` of `machine`, which `rig` carries. `each` gets every frame.
+/// Equipment of a crawl.
+pub struct Setup<'a> {
+    /// The machine that the camera belongs to.
+    pub machine: &'a Machine,
+    /// The camera.
+    pub sensor: &'a Sensor,
+    /// Finder of the joint in frames.
+    pub midline: &'a mut dyn Midline,
+    /// Answers when the joint is lost.
+    pub operator: &'a mut dyn Operator,
+}
+
+/// Crawls along a joint with the camera of `setup`, which `rig` carries. `each` gets every frame.
 ///
 /// # Errors
 /// A frame that is not available or lacks the machine's axis positions; errors of `each`.
 pub fn teach<E: From<FrameError>>(
-    (machine, sensor): (&Machine, &Sensor),
+    setup: Setup<'_>,
     crawl: &mut Crawl,
     rig: &mut dyn Rig,
-    (midline, operator): (&mut dyn Midline, &mut dyn Operator),
     each: &mut dyn FnMut(&Look) -> Result<(), E>,
 ) -> Result<TaughtRun, E> {
+    let Setup { machine, sensor, midline, operator } = setup;
     let mut run = TaughtRun::default();
     let mut command = crawl.next(Event::Start);
     loop {

@@ -201,7 +201,7 @@ impl Distortion {
 
     /// Returns the displacement of the seam of head `head` (from 0); a closed seam has the circumference `round_mm`.
     #[must_use]
-    pub fn displacement(&self, head: usize, (length_mm, round_mm): (f64, Option<f64>), seed: u64) -> Displacement {
+    pub fn displacement(&self, head: usize, length_mm: f64, round_mm: Option<f64>, seed: u64) -> Displacement {
         let mine = |d: &&DisplacementFile| d.head.is_none_or(|n| usize::from(n) == head + 1);
         let parts = self.0.displacement.iter().filter(mine);
         let parts = parts.flat_map(|d| d.parts(round_mm.unwrap_or(length_mm), seed.wrapping_add(head as u64)));
@@ -275,7 +275,7 @@ mod tests {
         let placement = distortion.placement(DVec3::X);
         assert_eq!((placement.shift, placement.about), (DVec3::new(1.0, 2.0, 3.0), DVec3::X));
         assert!((placement.turn * DVec3::X).distance(DVec3::Y) < 1e-12);
-        let [first, second] = [0, 1].map(|head| distortion.displacement(head, (120.0, Some(100.0)), 1));
+        let [first, second] = [0, 1].map(|head| distortion.displacement(head, 120.0, Some(100.0), 1));
         // Oval: the radius is maximum at the start, minimum a quarter of the way round.
         assert!(first.at(0.0, 0.0).distance(DVec2::new(0.75, 0.0)) < 1e-12);
         assert!(first.at(25.0, 0.0).distance(DVec2::new(0.25, 0.0)) < 1e-12);
@@ -284,7 +284,7 @@ mod tests {
             "schema = 1\n[[displacement]]\nwave = { length_mm = 30, by = { height_mm = 1 } }\nbend = { most_mm = 2 }";
         let wave = Distortion::read("d.toml", wave).unwrap();
         for seed in 0..20 {
-            let wave = wave.displacement(0, (120.0, Some(100.0)), seed);
+            let wave = wave.displacement(0, 120.0, Some(100.0), seed);
             assert!(wave.at(0.0, 0.0).distance(wave.at(100.0, 0.0)) < 1e-9, "it closes");
         }
         assert!(first.is_tacked(12.0) && !second.is_tacked(30.0));

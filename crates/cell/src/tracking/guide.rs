@@ -1,7 +1,7 @@
 //! Tracking as the executive's guide.
 
 use super::live_head::HeadReport;
-use super::tracked_pass::TrackedPass;
+use super::tracked_pass::{PassStart, TrackedPass};
 use super::{Correction, Error, PassScene};
 use crate::Conditions;
 use crate::executive::{Guide, Guided, Place, Planned, Seen, Tracked, Trouble};
@@ -53,8 +53,8 @@ impl<'a> Tracking<'a> {
         let Some((scene, planned)) = self.scene(i) else { return Ok(None) };
         let correction: Correction<'a> = scene.correction(self.machine, planned)?;
         let heads: ArrayVec<_, 2> = scene.heads(self.machine, planned, &correction, stored)?;
-        let of = (self.machine, planned, i + 1);
-        Ok(Some(TrackedPass::new(of, heads, correction, self.conditions.around, from_mm)))
+        let start = PassStart { machine: self.machine, planned, number: i + 1, from_mm };
+        Ok(Some(TrackedPass::new(start, heads, correction, self.conditions.around)))
     }
 
     fn scene(&self, i: usize) -> Option<(&'a PassScene<'a>, &'a PassMotion)> {

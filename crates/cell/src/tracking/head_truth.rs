@@ -33,7 +33,8 @@ impl<'a> HeadTruth<'a> {
         &mut self,
         machine: &Machine,
         sample: &Sample,
-        (tracked, orders): (Option<Tracked>, &SeamOrders),
+        tracked: Option<Tracked>,
+        orders: &SeamOrders,
     ) -> Option<HeadSample> {
         let s = sample.set.profile.s;
         if !(s.is_finite() && self.world.has(s)) {

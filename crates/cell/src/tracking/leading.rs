@@ -5,6 +5,15 @@ use glam::DVec2;
 use seamwright_tracking::actuator::{Alarm, HeadTracking, SlideLimits};
 use seamwright_tracking::lead::{Estimate, Measurement, Moment, SeamFrame};
 
+/// Offset of a torch, lateral and height, mm.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TorchOffset {
+    /// From its planned position.
+    pub(super) correction: DVec2,
+    /// From its line in addition, by the weave.
+    pub(super) swing: DVec2,
+}
+
 /// A head guided by a leading sensor.
 pub(super) struct Leading {
     head: HeadTracking,
@@ -38,15 +47,15 @@ impl Leading {
         self.head.take(measured, t_s);
     }
 
-    /// Runs one cycle, `left` mm before the joint ends. The torch is off its planned position by `correction`, and
-    /// off its line by `swing` in addition: lateral and height, mm. The sensor swings with it.
+    /// Runs one cycle, `left` mm before the joint ends, with the torch at `offset`. The sensor swings with it.
     pub(super) fn cycle(
         &mut self,
         left: f64,
         step: &Step,
         frame: SeamFrame,
-        (correction, swing): (DVec2, DVec2),
+        offset: TorchOffset,
     ) -> (Wanted, Told, Estimate) {
+        let TorchOffset { correction, swing } = offset;
         let Step { t, s, speed, .. } = *step;
         let orders = self.head.cycle_woven(Moment { t_s: t, s_mm: s, slide: correction + swing }, speed, swing);
         self.watch[0].add(orders.slide.x);

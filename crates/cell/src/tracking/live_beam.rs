@@ -1,9 +1,11 @@
 use super::beam::{BeamHead, BeamTally, END_MM, LOOK_S, STEP_MM};
 use super::carrier::Wanted;
 use super::live_head::{Step, Told, Why};
+use super::pass_sensors::BeamCamera;
+use super::scenario::Seam;
 use super::tally::Watch;
 use glam::{DVec2, DVec3};
-use seamwright_machine::{BeamDeflection, Sensor};
+use seamwright_machine::BeamDeflection;
 use seamwright_tracking::actuator::{Alarm, SlideLimits};
 use seamwright_tracking::beam::{Beam, DeviationRecord, Picture, Recorder};
 use seamwright_tracking::lead::{Estimate, Moment, SeamFrame};
@@ -65,16 +67,18 @@ pub(super) struct LiveBeam<'a> {
 impl<'a> LiveBeam<'a> {
     pub(super) fn new(
         head: BeamHead<'a>,
-        (camera, beam): (&Sensor, BeamDeflection),
-        (length_mm, cycle_s): (f64, f64),
+        camera: &BeamCamera<'_>,
+        seam: &Seam,
+        cycle_s: f64,
         axes: SlideLimits,
     ) -> Self {
+        let BeamCamera { camera: sensor, beam, .. } = *camera;
         Self {
             head,
             beam,
-            noise_mm: camera.noise_mm,
+            noise_mm: sensor.noise_mm,
             cycle_s,
-            recorder: Recorder::new(length_mm, STEP_MM, camera.noise_mm),
+            recorder: Recorder::new(seam.length_mm, STEP_MM, sensor.noise_mm),
             watch: Watch::new(axes, cycle_s),
             tally: BeamTally::default(),
             stops: None,

@@ -1,5 +1,5 @@
 use super::carrier::Wanted;
-use super::leading::Leading;
+use super::leading::{Leading, TorchOffset};
 use super::live_beam::{BeamSample, BeamSummary, LiveBeam};
 use super::scenario::Seam;
 use crate::executive::{Seen, Tracked};
@@ -198,7 +198,7 @@ pub(crate) struct HeadReport {
 }
 
 impl<'a> LiveHead<'a> {
-    pub(super) fn new(number: usize, (path, seam): (&'a dyn TorchPath, &'a Seam), guide: Guide<'a>) -> Self {
+    pub(super) fn new(number: usize, path: &'a dyn TorchPath, seam: &'a Seam, guide: Guide<'a>) -> Self {
         Self {
             number,
             seam,
@@ -256,8 +256,8 @@ impl<'a> LiveHead<'a> {
                 if let Some(measured) = &seen.reports.sensors.measured[self.number] {
                     leading.take(measured, seen.t_s);
                 }
-                let off = (lateral_and_height(self.off), lateral_and_height(self.swing));
-                leading.cycle(left, step, frame, off)
+                let (correction, swing) = (lateral_and_height(self.off), lateral_and_height(self.swing));
+                leading.cycle(left, step, frame, TorchOffset { correction, swing })
             }
             Guide::Beam(beam) => {
                 if let Some(picture) = &seen.picture {

@@ -69,8 +69,8 @@ pub fn check(
     }
     let whole = Whole::of(passes);
     let hidden = passes.iter().zip(&motion.passes).filter(|((path, _), planned)| planned.arc && !path.is_timed());
-    for (pass, planned) in hidden {
-        let scene = PassScene::new(*pass, None, whole);
+    for (&(path, pass), planned) in hidden {
+        let scene = PassScene::new(path, pass, None, whole);
         scene.truths(machine, planned, 0)?;
         if conditions.tracking {
             let correction = scene.correction(machine, planned)?;

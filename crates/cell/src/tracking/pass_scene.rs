@@ -8,11 +8,11 @@ use super::live_head::Guide;
 use super::pass_sensors::PassSensors;
 use super::scenario::Seam;
 use super::simulated_sensors::{SimulatedHead, SimulatedSensor};
-use super::{Along, Displacement, Distortion, Error, LiveHead, Placement, SensorModel, World};
+use super::{Along, Displacement, Distortion, Error, LiveHead, Placement, World};
 use arrayvec::ArrayVec;
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_machine::{AxisSet, Machine, Sensor};
+use seamwright_machine::{AxisSet, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_tracking::actuator::{DeflectionLimits, HeadTracking};
@@ -57,7 +57,8 @@ impl Whole {
 
 impl<'a> PassScene<'a> {
     pub(crate) fn new(
-        (path, pass): (&'a dyn TorchPath, &'a Pass),
+        path: &'a dyn TorchPath,
+        pass: &'a Pass,
         distortion: Option<&'a Distortion>,
         whole: Whole,
     ) -> Self {
@@ -105,8 +106,8 @@ impl<'a> PassScene<'a> {
     ) -> Result<ArrayVec<LiveHead<'b>, 2>, Error> {
         self.check_plain(machine, planned)?;
         let heads = self.seams.iter().enumerate().map(|(number, seam)| {
-            let guide = self.guide(machine, (number, seam), correction, stored)?;
-            Ok(LiveHead::new(number, (self.path, seam), guide))
+            let guide = self.guide(machine, number, seam, correction, stored)?;
+            Ok(LiveHead::new(number, self.path, seam, guide))
         });
         heads.collect()
     }
@@ -120,7 +121,7 @@ impl<'a> PassScene<'a> {
         let simulated_heads = self.seams.iter().enumerate().map(|(number, seam)| {
             let own = seed.wrapping_mul(8).wrapping_add(number as u64);
             let eye = match &correction.sensors {
-                PassSensors::Leading(leading) => SimulatedSensor::leading(model(leading[number]), own),
+                PassSensors::Leading(leading) => SimulatedSensor::leading(leading[number].model(), own),
                 PassSensors::Beam(eye) => SimulatedSensor::beam(eye.camera.noise_mm, eye.camera.latency_s, own),
             };
             SimulatedHead::new(number, self.world(number, seam, seed), eye)
@@ -161,8 +162,8 @@ impl<'a> PassScene<'a> {
         let along = self.along(seam);
         let (displacement, placement) = match self.distortion {
             Some(distortion) => {
-                let length = (self.whole.length_mm, seam.round_mm);
-                (distortion.displacement(number, length, seed), distortion.placement(self.whole.middle))
+                let displacement = distortion.displacement(number, self.whole.length_mm, seam.round_mm, seed);
+                (displacement, distortion.placement(self.whole.middle))
             }
             None => (Displacement::default(), Placement::RIGHT),
         };
@@ -173,23 +174,24 @@ impl<'a> PassScene<'a> {
     fn guide<'b>(
         &self,
         machine: &Machine,
-        (number, seam): (usize, &'b Seam),
+        number: usize,
+        seam: &'b Seam,
         correction: &Correction<'_>,
         stored: Option<&DeviationRecord>,
     ) -> Result<Guide<'b>, Error> {
         let limits = correction.carrier.limits();
-        let speeds = self.pass.speeds();
         let cycle_s = machine.servo_period_s;
         match &correction.sensors {
             PassSensors::Leading(leading) => {
-                let (_, lead_mm) = leading[number];
-                let settings = model(leading[number]).settings(cycle_s, speeds.1);
+                let sensor = leading[number];
+                let (lead_mm, (_, fastest)) = (sensor.lead_mm, self.pass.speeds());
+                let settings = sensor.model().settings(cycle_s, fastest);
                 let own = OwnCurve::of(lead_mm, -lead_mm - SIGHTING_MM, self.path.length(), &seam.frame);
                 let head = HeadTracking::new(settings, own, [limits; 2])?;
                 Ok(Guide::Leading(Box::new(Leading::new(head))))
             }
             PassSensors::Beam(eye) => {
-                let settings = eye.settings(cycle_s, speeds);
+                let settings = eye.settings(cycle_s, self.pass);
                 let beam = eye.beam;
                 let deflection =
                     DeflectionLimits { range_mm: beam.range_mm, slew: beam.speed, latency_s: beam.latency_s };
@@ -204,7 +206,7 @@ impl<'a> PassScene<'a> {
                         BeamHead::Tracking(Box::new(BeamTracking::new(settings, &*seam.frame, deflection, limits)?))
                     }
                 };
-                let live = LiveBeam::new(head, (eye.camera, beam), (seam.length_mm, cycle_s), limits);
+                let live = LiveBeam::new(head, eye, seam, cycle_s, limits);
                 Ok(Guide::Beam(Box::new(live)))
             }
         }
@@ -213,16 +215,6 @@ impl<'a> PassScene<'a> {
     /// Returns the position of this pass on its seam.
     fn along(&self, seam: &Seam) -> Along {
         Along { begin_mm: self.pass.begin_mm.get(), reverse: self.pass.reverse, round_mm: seam.round_mm }
-    }
-}
-
-/// Model of a sensor with this lead, as its file describes it.
-fn model((sensor, lead_mm): (&Sensor, f64)) -> SensorModel {
-    SensorModel {
-        period_s: sensor.period_s,
-        latency_s: sensor.latency_s,
-        noise_mm: sensor.noise_mm,
-        ..SensorModel::usual(lead_mm)
     }
 }
 

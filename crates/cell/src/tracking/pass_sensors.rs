@@ -1,13 +1,14 @@
 //! Devices that see the joint ahead of the torches: sensors that lead them, or the beam that welds.
 
-use super::Error;
 use super::beam::UnderWay;
 use super::pass_scene::PLACES;
 use super::scenario::Seam;
+use super::{Error, SensorModel};
 use glam::{DVec2, DVec3};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{BeamDeflection, Joints, Machine, Sensor, Sight};
 use seamwright_motion::PassMotion;
+use seamwright_program::Pass;
 use seamwright_tracking::beam::{ReplaySettings, Settings};
 use seamwright_tracking::lead::SeamFrame;
 
@@ -19,10 +20,30 @@ const RIM_MM: f64 = 1.6;
 /// Devices that see the joint of each head of a pass.
 #[derive(Debug, Clone)]
 pub(super) enum PassSensors<'a> {
-    /// Stripe sensors ahead of the torches, and their leads, mm.
-    Leading(Vec<(&'a Sensor, f64)>),
+    /// Stripe sensors ahead of the torches.
+    Leading(Vec<LeadingSensor<'a>>),
     /// The beam, in interruptions of the weld.
     Beam(BeamCamera<'a>),
+}
+
+/// Stripe sensor ahead of a torch.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LeadingSensor<'a> {
+    sensor: &'a Sensor,
+    /// Distance from the torch, mm.
+    pub(super) lead_mm: f64,
+}
+
+impl LeadingSensor<'_> {
+    /// Returns the model of the sensor, as its file describes it.
+    pub(super) fn model(&self) -> SensorModel {
+        SensorModel {
+            period_s: self.sensor.period_s,
+            latency_s: self.sensor.latency_s,
+            noise_mm: self.sensor.noise_mm,
+            ..SensorModel::usual(self.lead_mm)
+        }
+    }
 }
 
 /// Camera that looks through the beam.
@@ -61,8 +82,9 @@ impl<'a> BeamCamera<'a> {
         Ok(Self { camera, beam, reach_mm: half_mm(camera, table).ok_or_else(none)? - RIM_MM })
     }
 
-    /// Returns the tracking settings for speeds from `slow` to `fast`, mm/s, with cycles of `cycle_s`.
-    pub(super) fn settings(&self, cycle_s: f64, (slow, fast): (f64, f64)) -> Settings {
+    /// Returns the tracking settings for the speeds of `pass`, with cycles of `cycle_s`.
+    pub(super) fn settings(&self, cycle_s: f64, pass: &Pass) -> Settings {
+        let (slow, fast) = pass.speeds();
         Settings {
             period_s: self.camera.period_s,
             age_s: [0.0, UnderWay::oldest_s(self.camera.latency_s)],
@@ -99,13 +121,13 @@ fn places<'a>(planned: &'a PassMotion, seam: &'a Seam) -> impl Iterator<Item = (
     (0..=PLACES).map(move |i| (planned.path.at(planned.path.length() * at(i)), (seam.frame)(seam.length_mm * at(i))))
 }
 
-/// Returns the stripe sensor that leads head `number` along the whole pass, and its lead, mm.
+/// Returns the stripe sensor that leads head `number` along the whole pass.
 fn leading<'a>(
     machine: &'a Machine,
     planned: &PassMotion,
     number: usize,
     seam: &Seam,
-) -> Result<(&'a Sensor, f64), Error> {
+) -> Result<LeadingSensor<'a>, Error> {
     let mut best: Option<(f64, f64, &Sensor)> = None;
     for sensor in machine.sensors.iter().filter(|s| matches!(s.sight, Sight::Stripe(_))) {
         let lead = |(q, frame): (Joints, SeamFrame)| {
@@ -124,7 +146,7 @@ fn leading<'a>(
     match best {
         Some((least, most, sensor)) if least > 0.0 && least >= LEAD_KEPT * most => {
             // Each of two heads has its own sensor: that of the other head is beside the joint.
-            Ok((sensor, 0.5 * (least + most)))
+            Ok(LeadingSensor { sensor, lead_mm: 0.5 * (least + most) })
         }
         Some((least, most, sensor)) => {
             let (sensor, ahead_mm) = (sensor.name.clone(), [least, most]);

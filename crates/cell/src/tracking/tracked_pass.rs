@@ -42,6 +42,27 @@ pub(super) struct TrackedPass<'a> {
     pub(super) used: bool,
 }
 
+/// A pass, and where it starts.
+#[derive(Clone, Copy)]
+pub(super) struct PassStart<'a> {
+    pub(super) machine: &'a Machine,
+    pub(super) planned: &'a PassMotion,
+    /// Counted from 1.
+    pub(super) number: usize,
+    /// Start of the pass, mm.
+    pub(super) from_mm: f64,
+}
+
+/// Planned positions of the axes in a cycle.
+#[derive(Clone, Copy)]
+struct PlannedAxes<'a> {
+    q: &'a Joints,
+    /// The torch weaves there.
+    weaves: bool,
+    /// The torch is to come to rest.
+    rests: bool,
+}
+
 /// Preparation before a pass is run. It is dropped only with the pass: earlier would cost a cycle.
 struct Look<'a> {
     /// The torch goes back along the seam or its extension and forward again, with the arc off.
@@ -73,14 +94,14 @@ struct Sight<'a> {
 }
 
 impl<'a> TrackedPass<'a> {
-    /// Creates pass `number` (from 1), to start at `from_mm`; the move to see the start keeps clear of `around`.
+    /// Creates the pass that begins at `start`; the move to see the start keeps clear of `around`.
     pub(super) fn new(
-        (machine, planned, number): (&'a Machine, &'a PassMotion, usize),
+        start: PassStart<'a>,
         heads: ArrayVec<LiveHead<'a>, 2>,
         correction: Correction<'a>,
         around: Option<&Surroundings<'_>>,
-        from_mm: f64,
     ) -> Self {
+        let PassStart { machine, planned, number, from_mm } = start;
         let off = OffPath::new(machine);
         let look = Look::gaze(0);
         let (cut, felt) = (None, None);
@@ -189,7 +210,7 @@ impl<'a> TrackedPass<'a> {
                     self.felt = Some((step.s, false));
                     return Some(self.guided(&there, 1.0, None, SeamOrders::default()));
                 }
-                return Some(self.correct(seen, &step, (&there, false, rests)).0);
+                return Some(self.correct(seen, &step, PlannedAxes { q: &there, weaves: false, rests }).0);
             }
             self.look.sighted = true;
         }
@@ -199,7 +220,7 @@ impl<'a> TrackedPass<'a> {
         self.look.gaze = self.look.gaze.saturating_sub(u64::from(goes));
         let start = self.planned.path.at(from);
         let step = Step { t: seen.t_s, s: from, speed: 0.0, welds: false };
-        Some(self.correct(seen, &step, (&start, false, !goes)).0)
+        Some(self.correct(seen, &step, PlannedAxes { q: &start, weaves: false, rests: !goes }).0)
     }
 
     /// Checks whether the pass may be run after the look.
@@ -220,7 +241,7 @@ impl<'a> TrackedPass<'a> {
     pub(super) fn follow(&mut self, seen: &Seen<'_>, planned: &Planned<'_>) -> Guided {
         let Planned { s_mm, speed, travels, rests, q } = *planned;
         let step = Step { t: seen.t_s, s: s_mm, speed, welds: travels };
-        let (mut guided, stops) = self.correct(seen, &step, (q, true, rests));
+        let (mut guided, stops) = self.correct(seen, &step, PlannedAxes { q, weaves: true, rests });
         if travels {
             let stopped = stops.then_some(s_mm);
             self.heads.iter_mut().for_each(|head| head.stopped(stopped));
@@ -231,8 +252,9 @@ impl<'a> TrackedPass<'a> {
         guided
     }
 
-    /// Runs a cycle of all heads and offsets the axes from the planned positions `q`; true if the torch is to stop.
-    fn correct(&mut self, seen: &Seen<'_>, step: &Step, (q, weaves, rests): (&Joints, bool, bool)) -> (Guided, bool) {
+    /// Runs a cycle of all heads and offsets the axes from their planned positions; true if the torch is to stop.
+    fn correct(&mut self, seen: &Seen<'_>, step: &Step, axes: PlannedAxes<'_>) -> (Guided, bool) {
+        let PlannedAxes { q, weaves, rests } = axes;
         if let Some((s, wove)) = self.felt {
             let position = &seen.reports.drives.position;
             self.heads.iter_mut().for_each(|head| head.feel(self.machine, s, position, wove));

@@ -3,7 +3,9 @@
 use glam::DVec3;
 use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, Distortion, SeamLine, Station};
 use seamwright_cell::frames::FrameError;
-use seamwright_cell::teach::{Carrier, JointFollower, NoOperator, Operator, SimulatedRig, TaughtRun, Truth, truth};
+use seamwright_cell::teach::{
+    Carrier, JointFollower, NoOperator, Operator, Setup, SimulatedRig, TaughtRun, Truth, truth,
+};
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_message::Message;
@@ -62,18 +64,16 @@ struct Taught {
     a_frame: Duration,
 }
 
-fn teach(
-    bench: &Bench,
-    (distortion, tacks, seed): (Distortion, &[(f64, f64)], u64),
-    operator: &mut dyn Operator,
-) -> Taught {
-    teach_actual(bench, distortion.of(&bench.nominal, seed), (tacks, seed), operator)
+/// Teaches the misplaced part of a seed, with tacks from and to these lengths, mm.
+fn teach(bench: &Bench, tacks: &[(f64, f64)], seed: u64, operator: &mut dyn Operator) -> Taught {
+    teach_actual(bench, PLACED_WRONG.of(&bench.nominal, seed), tacks, seed, operator)
 }
 
 fn teach_actual(
     bench: &Bench,
     actual: SeamLine,
-    (tacks, seed): (&[(f64, f64)], u64),
+    tacks: &[(f64, f64)],
+    seed: u64,
     operator: &mut dyn Operator,
 ) -> Taught {
     let Bench { machine, nominal, .. } = bench;
@@ -83,7 +83,7 @@ fn teach_actual(
     let around = Surroundings::new(machine, &Clamped::default()).unwrap();
     let guide = |point| bench.guide(point);
     let carrier = Carrier::new(machine, sensor, &around, Some(&guide), bench.planned.path.at(0.0));
-    let mut rig = SimulatedRig::new((machine, sensor), carrier, eye);
+    let mut rig = SimulatedRig::new(machine, sensor, carrier, eye);
     // The operator puts the cross on the joint's start, with a realistic error.
     let (start, _) = actual.at(0.0);
     let (_, along) = nominal.at(0.0);
@@ -99,10 +99,11 @@ fn teach_actual(
     };
     let seamwright_machine::Sight::Camera(camera) = &sensor.sight else { panic!("no camera") };
     let mut walk = Crawl::new(settings, &camera.table, nominal, start);
-    let midline = &mut JointFollower::new(LONGEST_GAP_PX);
+    let mut midline = JointFollower::new(LONGEST_GAP_PX);
     let begun = Instant::now();
     let mut frames = 0;
-    let run = seamwright_cell::teach::teach((machine, sensor), &mut walk, &mut rig, (midline, operator), &mut |_| {
+    let setup = Setup { machine, sensor, midline: &mut midline, operator };
+    let run = seamwright_cell::teach::teach(setup, &mut walk, &mut rig, &mut |_| {
         frames += 1;
         Ok::<(), FrameError>(())
     });
@@ -222,7 +223,7 @@ fn half_ring() -> String {
 fn half_an_oblique_ring_on_a_cylinder() {
     let bench = Bench::new(&half_ring(), None);
     for seed in 1..=soak() {
-        let taught = teach(&bench, (PLACED_WRONG, &[(80.0, 86.0), (200.0, 204.0)], seed), &mut no_one());
+        let taught = teach(&bench, &[(80.0, 86.0), (200.0, 204.0)], seed, &mut no_one());
         assert_eq!(taught.run.end, Some(End::JointEnd), "seed {seed}: {:?}", taught.run.asked);
         // At least four axes move, as in the paper.
         let range = |axis: usize| {
@@ -241,7 +242,7 @@ fn a_closed_saddle() {
     let job = include_str!("../../../../examples/saddle.toml").replace("procedure = ", "# procedure = ");
     let bench = Bench::new(&job, None);
     for seed in 1..=soak() {
-        let taught = teach(&bench, (PLACED_WRONG, &[(100.0, 106.0), (900.0, 905.0)], seed), &mut no_one());
+        let taught = teach(&bench, &[(100.0, 106.0), (900.0, 905.0)], seed, &mut no_one());
         assert!(matches!(taught.run.end, Some(End::Closed { gap_mm }) if gap_mm < 0.1), "{:?}", taught.run.end);
         check("saddle", seed, &bench, &taught);
     }
@@ -265,8 +266,7 @@ beam_ma = 30
 fn an_s_with_tacks() {
     let bench = Bench::new(S_CURVE, None);
     for seed in 1..=soak() {
-        let taught =
-            teach(&bench, (PLACED_WRONG, &[(30.0, 35.0), (120.0, 128.0), (220.0, 223.0)], seed), &mut no_one());
+        let taught = teach(&bench, &[(30.0, 35.0), (120.0, 128.0), (220.0, 223.0)], seed, &mut no_one());
         assert_eq!(taught.run.end, Some(End::JointEnd), "seed {seed}: {:?}", taught.run.asked);
         check("S", seed, &bench, &taught);
     }
@@ -298,13 +298,13 @@ fn a_long_tack_is_asked_about() {
     let tack = (100.0, 140.0);
     let actual = PLACED_WRONG.of(&bench.nominal, 3);
     let mut helper = Helper { actual: &actual, way: tack.1 + 2.0, asked: 0 };
-    let taught = teach(&bench, (PLACED_WRONG, &[tack], 3), &mut helper);
+    let taught = teach(&bench, &[tack], 3, &mut helper);
     assert_eq!((taught.run.end.clone(), helper.asked), (Some(End::JointEnd), 1), "{:?}", taught.run.asked);
     assert!(taught.truth.across_max <= 0.1 && taught.truth.end <= 0.3, "{:?}", taught.truth);
     assert!((35.0..50.0).contains(&taught.truth.bridged), "{:?}", taught.truth);
     // Without an operator, the joint found up to the tack is kept.
     let mut alone = no_one();
-    let taught = teach(&bench, (PLACED_WRONG, &[tack], 3), &mut alone);
+    let taught = teach(&bench, &[tack], 3, &mut alone);
     assert!(alone.asked && taught.run.end == Some(End::Operator));
     assert!((taught.line.length() - tack.0).abs() < 1.5, "{}", taught.line.length());
 }
@@ -319,7 +319,7 @@ fn the_end_is_found_by_sight() {
         let whole = PLACED_WRONG.of(&bench.nominal, seed);
         let kept = whole.stations().len() - less;
         let actual = SeamLine::through(whole.stations()[..kept].to_vec(), false);
-        let taught = teach_actual(&bench, actual, (&[], seed), &mut no_one());
+        let taught = teach_actual(&bench, actual, &[], seed, &mut no_one());
         assert_eq!(taught.run.end, Some(End::JointEnd), "{less}: {:?}", taught.run.asked);
         assert!(taught.truth.end <= 0.3, "{less}: {:?}", taught.truth);
     }
@@ -328,13 +328,13 @@ fn the_end_is_found_by_sight() {
         let nominal =
             SeamLine::through(bench.nominal.stations()[..bench.nominal.stations().len() - less].to_vec(), false);
         let short = Bench { nominal, ..Bench::new(S_CURVE, None) };
-        let taught = teach_actual(&short, actual, (&[], seed), &mut no_one());
+        let taught = teach_actual(&short, actual, &[], seed, &mut no_one());
         assert_eq!(taught.run.end, Some(End::JointEnd), "-{less}: {:?}", taught.run.asked);
         assert!(taught.truth.end <= 0.3, "-{less}: {:?}", taught.truth);
     }
     let whole = PLACED_WRONG.of(&bench.nominal, 4);
     let half = SeamLine::through(whole.stations()[..300].to_vec(), false);
-    let taught = teach_actual(&bench, half, (&[], 4), &mut no_one());
+    let taught = teach_actual(&bench, half, &[], 4, &mut no_one());
     assert_eq!(taught.run.end, Some(End::Operator));
     assert!(taught.run.asked[0].to_string().contains("it ends here") && taught.truth.end <= 0.3, "{:?}", taught.truth);
 }
@@ -350,7 +350,7 @@ fn limits_and_zones_end_it() {
     let zoned = text.replacen("[drives.x]", zone, 1);
     for (text, what) in [(short, "axis x"), (zoned, "clamp")] {
         let bench = Bench { machine: Machine::read("m.toml", &text).unwrap(), ..Bench::new(S_CURVE, None) };
-        let taught = teach(&bench, (PLACED_WRONG, &[], 1), &mut no_one());
+        let taught = teach(&bench, &[], 1, &mut no_one());
         let Some(End::Limit(why)) = &taught.run.end else { panic!("{:?}", taught.run.end) };
         assert!(why.to_string().contains(what), "{why}");
         // The last frame shows some way beyond it.
@@ -365,10 +365,10 @@ fn limits_and_zones_end_it() {
 #[test]
 fn the_same_seed_teaches_the_same() {
     let bench = Bench::new(S_CURVE, None);
-    let again = || teach(&bench, (PLACED_WRONG, &[(30.0, 35.0)], 5), &mut no_one());
+    let again = || teach(&bench, &[(30.0, 35.0)], 5, &mut no_one());
     let (a, b) = (again(), again());
     assert_eq!(a.line, b.line);
     assert_eq!(a.actual.stations(), b.actual.stations());
-    let other = teach(&bench, (PLACED_WRONG, &[(30.0, 35.0)], 6), &mut no_one());
+    let other = teach(&bench, &[(30.0, 35.0)], 6, &mut no_one());
     assert!(other.line != a.line);
 }

@@ -79,7 +79,7 @@ impl Gathered {
         self.greatest = self.greatest.max(value);
         self.sum += value * span.weight;
         self.weight += span.weight;
-        if self.judged.allowed.is_some_and(|allowed| outside(value, allowed)) {
+        if self.is_outside(value) {
             self.outside_s += span.time;
             self.outside_mm += span.way;
             let (from, to) = self.outside_along.unwrap_or(span.along);
@@ -87,14 +87,16 @@ impl Gathered {
         }
     }
 
+    /// Returns true for a value outside its window by more than rounding.
+    fn is_outside(&self, value: f64) -> bool {
+        let Some((least, greatest)) = self.judged.allowed else { return false };
+        let rounding = ROUNDING * least.abs().max(greatest.abs()).max(1.0);
+        value < least - rounding || value > greatest + rounding
+    }
+
     fn counts(&self, from: f64, to: f64) -> bool {
         self.judged.along.is_empty() || self.judged.along.iter().any(|(a, b)| from >= *a && to <= *b)
     }
-}
-
-fn outside(value: f64, (least, greatest): (f64, f64)) -> bool {
-    let rounding = ROUNDING * least.abs().max(greatest.abs()).max(1.0);
-    value < least - rounding || value > greatest + rounding
 }
 
 /// Gathers the figures row by row.

@@ -10,7 +10,7 @@ use crate::wire::{TaughtLook, TaughtPointView, TeachPhase};
 use glam::DVec3;
 use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, Distortion, SeamLine};
 use seamwright_cell::frames::LiveFrames;
-use seamwright_cell::teach::{Look, teach, truth};
+use seamwright_cell::teach::{Look, Setup, teach, truth};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor, Sight};
 use seamwright_message::Message;
@@ -181,8 +181,8 @@ fn crawl(
         station.show(&q, look.view.height, || Picture::of(look, table));
         Ok(())
     };
-    let helpers = (&mut follower as _, &mut asked as _);
-    let run = teach((machine, sensor), &mut crawl, &mut rig, helpers, &mut each)?;
+    let setup = Setup { machine, sensor, midline: &mut follower, operator: &mut asked };
+    let run = teach(setup, &mut crawl, &mut rig, &mut each)?;
     Ok(Outcome::of(&crawl, &run, asked.ended))
 }
 

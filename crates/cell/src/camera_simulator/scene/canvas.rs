@@ -3,6 +3,24 @@ use glam::DVec2;
 use seamwright_vision::Image;
 use std::f64::consts::{LN_2, TAU};
 
+/// Grinding texture.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Texture {
+    /// Standard deviation of its grey value.
+    pub deviation: f64,
+    /// Direction of its marks, rad.
+    pub direction: f64,
+}
+
+/// A point of a line and the line's unit normal there, pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OrientedPoint {
+    /// The point.
+    pub point: DVec2,
+    /// The normal.
+    pub normal: DVec2,
+}
+
 /// Disturbances of a whole frame. Grey values are of 255.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Disturbances {
@@ -12,8 +30,8 @@ pub struct Disturbances {
     pub ramp: [f64; 2],
     /// Loss of brightness in the corners.
     pub vignette: f64,
-    /// Standard deviation of grinding texture, and the direction it runs in, rad.
-    pub texture: (f64, f64),
+    /// Grinding texture.
+    pub texture: Texture,
     /// Standard deviation of the shift of scan lines, pixels.
     pub jitter: f64,
     /// Standard deviation of the brightness of scan lines (charging).
@@ -54,11 +72,11 @@ impl Canvas {
         self.light.iter_mut().zip(dark).for_each(|(l, d)| *l += (grey as f32 - *l) * d);
     }
 
-    /// Darkens one side of the line through `place` with this normal by `depth`, a pixel soft.
-    pub fn step(&mut self, depth: f64, place: DVec2, normal: DVec2) {
+    /// Darkens the side of a straight line that its normal points to by `depth`, a pixel soft.
+    pub fn step(&mut self, depth: f64, line: OrientedPoint) {
         for (i, light) in self.light.iter_mut().enumerate() {
             let at = DVec2::new((i % self.width) as f64, (i / self.width) as f64);
-            *light -= (depth * (((at - place).dot(normal)).clamp(-1.0, 1.0) * 0.5 + 0.5)) as f32;
+            *light -= (depth * (((at - line.point).dot(line.normal)).clamp(-1.0, 1.0) * 0.5 + 0.5)) as f32;
         }
     }
 
@@ -125,16 +143,16 @@ impl Canvas {
     /// Returns the frame with its disturbances, 8 bits. The exposure leaves no black within `reach` of the points
     /// `seen`.
     #[must_use]
-    pub fn finish(mut self, d: &Disturbances, (seen, reach): (&[DVec2], f64), random: &mut Random) -> Image {
-        self.light_up(d, (seen, reach), random);
+    pub fn finish(mut self, d: &Disturbances, seen: &[DVec2], reach: f64, random: &mut Random) -> Image {
+        self.light_up(d, seen, reach, random);
         self.take(d, random)
     }
 
     /// Prepares the light from which the frame is taken.
-    pub(super) fn light_up(&mut self, d: &Disturbances, (seen, reach): (&[DVec2], f64), random: &mut Random) {
+    pub(super) fn light_up(&mut self, d: &Disturbances, seen: &[DVec2], reach: f64, random: &mut Random) {
         self.shade(d);
         self.expose(seen, reach, 3.0 * d.noise);
-        if d.texture.0 > 0.0 {
+        if d.texture.deviation > 0.0 {
             self.grind(d.texture, random);
         }
         for _ in 0..if d.defocus > 0 { 2 } else { 0 } {
@@ -142,12 +160,12 @@ impl Canvas {
         }
     }
 
-    /// Returns the depth of a point below the lightest one within `reach` along `normal`, on the side where that is
+    /// Returns the depth of a point below the lightest one within `reach` along its normal, on the side where that is
     /// smaller. Ramps and vignette are excluded; values above 255 count as white.
-    pub(super) fn depth(&self, d: &Disturbances, (at, normal): (DVec2, DVec2), reach: f64) -> f64 {
+    pub(super) fn depth(&self, d: &Disturbances, at: OrientedPoint, reach: f64) -> f64 {
         let most = DVec2::new(self.width as f64 - 1.0, self.height as f64 - 1.0);
         let light = |off: f64| {
-            let p = (at + off * normal).clamp(DVec2::ZERO, most).round();
+            let p = (at.point + off * at.normal).clamp(DVec2::ZERO, most).round();
             let light = self.light[p.y as usize * self.width + p.x as usize];
             f64::from(light.clamp(0.0, 255.0)) - self.shading(d, p)
         };
@@ -203,15 +221,15 @@ impl Canvas {
     }
 
     /// Paints faint long marks: noise smeared along a direction.
-    fn grind(&mut self, (deviation, direction): (f64, f64), random: &mut Random) {
+    fn grind(&mut self, texture: Texture, random: &mut Random) {
         const LENGTH: isize = 24;
         let size = self.light.len();
         let noise: Vec<f32> = (0..size).map(|_| random.normal() as f32).collect();
-        let (sin, cos) = direction.sin_cos();
+        let (sin, cos) = texture.direction.sin_cos();
         let steps: Vec<(isize, isize)> = (-LENGTH..=LENGTH)
             .map(|k| ((k as f64 * cos).round() as isize, (k as f64 * sin).round() as isize))
             .collect();
-        let scale = deviation as f32 / (steps.len() as f32).sqrt();
+        let scale = texture.deviation as f32 / (steps.len() as f32).sqrt();
         let (width, height) = (self.width, self.height);
         let mut sums = vec![0.0f32; width];
         for y in 0..height {

@@ -1,4 +1,4 @@
-use super::{Canvas, Disturbances, Random};
+use super::{Canvas, Disturbances, OrientedPoint, Random, Texture};
 use glam::DVec2;
 use seamwright_vision::Image;
 use seamwright_vision::joint::Start;
@@ -132,14 +132,14 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
             truth.end = midline.last().copied();
         }
         let darker = edge_of_light(kind, &midline, r);
-        if let (Kind::Step, Some((depth, place, normal))) = (kind, darker) {
-            canvas.step(depth, place, normal);
+        if let (Kind::Step, Some((depth, line))) = (kind, darker) {
+            canvas.step(depth, line);
             canvas.gap(&midline, width, metal - depth - contrast);
         } else {
             canvas.line(&midline, width, contrast, |_| 1.0);
         }
-        if let (Kind::Shadow, Some((depth, place, normal))) = (kind, darker) {
-            canvas.step(depth, place, normal);
+        if let (Kind::Shadow, Some((depth, line))) = (kind, darker) {
+            canvas.step(depth, line);
         }
         other_joint(kind, &midline, width, contrast, &mut canvas, r);
     }
@@ -163,18 +163,19 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
     if !jointless {
         truth.midline = midline;
     }
-    canvas.light_up(&disturbances, (&truth.midline, width), r);
+    canvas.light_up(&disturbances, &truth.midline, width, r);
     truth.shown = shown(&canvas, &disturbances, &truth);
     Scene { image: canvas.take(&disturbances, r), start, truth }
 }
 
 /// Returns the visibility of each point of the midline in a frame of this light.
 fn shown(canvas: &Canvas, d: &Disturbances, truth: &Truth) -> Vec<bool> {
-    let noise = d.noise.hypot(d.texture.0).hypot(d.charging);
+    let noise = d.noise.hypot(d.texture.deviation).hypot(d.charging);
     let least = (0.5 * truth.cnr).min(SHOWN) * noise;
     let reach = 1.5 * truth.width + 2.0 * d.defocus as f64 + 1.0;
     let normal = |i| DVec2::from_angle(heading(&truth.midline, i)).perp();
-    let depths = truth.midline.iter().enumerate().map(|(i, place)| canvas.depth(d, (*place, normal(i)), reach));
+    let points = truth.midline.iter().enumerate().map(|(i, point)| OrientedPoint { point: *point, normal: normal(i) });
+    let depths = points.map(|at| canvas.depth(d, at, reach));
     depths.map(|depth| depth >= least).collect()
 }
 
@@ -184,14 +185,15 @@ fn heading(midline: &[DVec2], i: usize) -> f64 {
     (midline[to] - midline[to.saturating_sub(12)]).to_angle()
 }
 
-/// Step of brightness: depth, and position and normal of its line, which runs along the joint's middle.
-fn edge_of_light(kind: Kind, midline: &[DVec2], r: &mut Random) -> Option<(f64, DVec2, DVec2)> {
+/// Step of brightness: depth, and its line, which runs along the joint's middle.
+fn edge_of_light(kind: Kind, midline: &[DVec2], r: &mut Random) -> Option<(f64, OrientedPoint)> {
     if !matches!(kind, Kind::Step | Kind::Shadow) {
         return None;
     }
     let place = midline[midline.len() / 2];
     let normal = DVec2::from_angle(heading(midline, midline.len() / 2)).perp();
-    Some((r.within(20.0, 50.0), place + normal * r.within(-30.0, 30.0), normal))
+    let depth = r.within(20.0, 50.0);
+    Some((depth, OrientedPoint { point: place + normal * r.within(-30.0, 30.0), normal }))
 }
 
 fn midline(kind: Kind, side: f64, width: f64, r: &mut Random) -> Vec<DVec2> {
@@ -255,7 +257,7 @@ fn disturb(noise: f64, width: f64, direction: f64, r: &mut Random) -> Disturbanc
         noise: noise * rest,
         ramp: [sign * ramp[0], ramp[1]],
         vignette,
-        texture: (noise * texture, direction + r.within(-0.5, 0.5)),
+        texture: Texture { deviation: noise * texture, direction: direction + r.within(-0.5, 0.5) },
         jitter,
         charging: noise * charging,
         salt,
@@ -309,7 +311,7 @@ mod tests {
                 let mut canvas = Canvas::new(96, 96, 220.0);
                 canvas.line(&[DVec2::new(-200.0, 48.0), DVec2::new(300.0, 48.0)], width, 200.0, |_| 1.0);
                 let focus = Disturbances { defocus, ..Disturbances::default() };
-                let Image::U8 { pixels, .. } = canvas.finish(&focus, (&[], 0.0), &mut Random::new(1)) else {
+                let Image::U8 { pixels, .. } = canvas.finish(&focus, &[], 0.0, &mut Random::new(1)) else {
                     panic!("a scene has 8 bits")
                 };
                 let darkest = pixels[48 * 96..49 * 96].iter().min().copied().unwrap_or(0);

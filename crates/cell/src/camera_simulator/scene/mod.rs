@@ -4,5 +4,5 @@ mod canvas;
 mod draw;
 
 use super::random::Random;
-pub use canvas::{Canvas, Disturbances};
+pub use canvas::{Canvas, Disturbances, OrientedPoint, Texture};
 pub use draw::{Kind, Scene, Truth, scene};

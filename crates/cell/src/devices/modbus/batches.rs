@@ -1,4 +1,5 @@
-use seamwright_machine::{Register, Table};
+use super::wire::CellRange;
+use seamwright_machine::Register;
 
 /// Maximum number of registers in a read request (Modbus specification, functions 3 and 4).
 const MAX_READ_REGISTERS: u16 = 125;
@@ -13,12 +14,8 @@ const BRIDGED_BITS: u16 = 512;
 /// A request that reads the cells of several registers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Batch {
-    /// Register table.
-    pub(super) table: Table,
-    /// Address of the first cell.
-    pub(super) at: u16,
-    /// Number of cells.
-    pub(super) count: u16,
+    /// Requested cells.
+    pub(super) range: CellRange,
     /// Indices of the registers in the list, and the offset of their cells in the answer.
     pub(super) registers: Vec<(usize, usize)>,
 }
@@ -37,19 +34,18 @@ pub(super) fn batches(registers: &[Register], wanted: impl Fn(&Register) -> bool
             (false, true) => (MAX_READ_REGISTERS, BRIDGED_REGISTERS),
             (false, false) => (MAX_READ_REGISTERS, 0),
         };
-        // In u32, because the last cell may be the last of the table.
-        let first = u32::from(place.at);
-        let end = first + u32::from(place.cells());
-        if let Some(batch) = batches.last_mut().filter(|b| b.table == place.table) {
-            let (begin, batch_end) = (u32::from(batch.at), u32::from(batch.at) + u32::from(batch.count));
-            let count = end.max(batch_end) - begin;
+        let range = CellRange::of(&place);
+        let first = u32::from(range.at);
+        if let Some(batch) = batches.last_mut().filter(|b| b.range.table == range.table) {
+            let (begin, batch_end) = (u32::from(batch.range.at), batch.range.end());
+            let count = range.end().max(batch_end) - begin;
             if first <= batch_end + u32::from(gap) && count <= u32::from(most) {
-                batch.count = count as u16;
+                batch.range.count = count as u16;
                 batch.registers.push((i, (first - begin) as usize));
                 continue;
             }
         }
-        batches.push(Batch { table: place.table, at: place.at, count: place.cells(), registers: vec![(i, 0)] });
+        batches.push(Batch { range, registers: vec![(i, 0)] });
     }
     batches
 }
@@ -75,12 +71,13 @@ mod tests {
                 let mut seen = vec![0u32; registers.len()];
                 let batches = batches(&registers, |_| true, bridged);
                 for batch in &batches {
-                    assert!(batch.count <= if batch.table.has_bits() { 2000 } else { 125 });
-                    assert!(u32::from(batch.at) + u32::from(batch.count) <= 65536);
-                    let cells = bank.read(batch.table, batch.at, batch.count);
+                    let CellRange { table, at, count } = batch.range;
+                    assert!(count <= if table.has_bits() { 2000 } else { 125 });
+                    assert!(batch.range.end() <= 65536);
+                    let cells = bank.read(table, at, count);
                     for (i, from) in &batch.registers {
                         let place = registers[*i].place;
-                        assert_eq!(place.table, batch.table);
+                        assert_eq!(place.table, table);
                         let single = bank.read(place.table, place.at, place.cells());
                         let many = &cells[*from..*from + single.len()];
                         assert_eq!(many, single);
@@ -92,7 +89,7 @@ mod tests {
                     }
                     if !bridged {
                         let used: u16 = covered(&registers, batch);
-                        assert_eq!(used, batch.count, "cells that nobody wants");
+                        assert_eq!(used, count, "cells that nobody wants");
                     }
                 }
                 assert!(seen.iter().all(|n| *n == 1));
@@ -111,6 +108,6 @@ mod tests {
                 (u32::from(place.at)..u32::from(place.at) + u32::from(place.cells())).contains(&cell)
             })
         };
-        (0..batch.count).filter(|k| has(u32::from(batch.at) + u32::from(*k))).count() as u16
+        (u32::from(batch.range.at)..batch.range.end()).filter(|cell| has(*cell)).count() as u16
     }
 }

@@ -56,8 +56,8 @@ impl Client {
         Ok(Self {
             runtime: runtime()?,
             link: Link::new(device, life, traffic),
-            orders: OrderWriter::new(device, values, (line, orders)),
-            reports: ReportReader::new(device, values, (second, source, inputs)),
+            orders: OrderWriter::new(device, values, line, orders),
+            reports: ReportReader::new(device, values, second, source, inputs),
         })
     }
 

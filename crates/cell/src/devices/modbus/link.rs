@@ -1,6 +1,6 @@
 use super::client::Life;
 use super::traffic::TrafficLog;
-use super::wire::{Trouble, Wire};
+use super::wire::{CellRange, Trouble, Wire};
 use seamwright_machine::{ModbusDevice, Table};
 use seamwright_message::Message;
 use std::cell::{Cell, RefCell};
@@ -81,14 +81,10 @@ impl Line {
     }
 
     /// See [`Wire::read`]. Drops a broken connection.
-    pub(super) async fn read(
-        &self,
-        (table, at, count): (Table, u16, u16),
-        cells: &mut Vec<u16>,
-    ) -> Result<(), Trouble> {
+    pub(super) async fn read(&self, range: CellRange, cells: &mut Vec<u16>) -> Result<(), Trouble> {
         let mut wire = self.0.lock().await;
         let Some(open) = wire.as_mut() else { return Err(unconnected()) };
-        let done = open.read(table, at, count, cells).await;
+        let done = open.read(range, cells).await;
         if matches!(done, Err(Trouble::Gone(_))) {
             *wire = None;
         }

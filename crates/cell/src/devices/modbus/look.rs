@@ -1,7 +1,7 @@
 use super::ModbusError;
 use super::batches::{Batch, batches};
 use super::coding;
-use super::wire::{Trouble, Wire, runtime};
+use super::wire::{CellRange, Trouble, Wire, runtime};
 use seamwright_machine::{ModbusDevice, Register};
 use seamwright_message::Message;
 use std::time::Instant;
@@ -70,7 +70,7 @@ impl Looker {
                 none.insert((runtime, wire))
             }
         };
-        runtime.block_on(read(wire, (&self.device, &self.batches), &mut self.seen))
+        runtime.block_on(read(wire, &self.device, &self.batches, &mut self.seen))
     }
 
     /// Returns all registers with their last readings.
@@ -86,10 +86,10 @@ impl Looker {
 }
 
 /// Reads all batches; after a refusal, each register of the batch alone.
-async fn read(wire: &mut Wire, (device, batches): (&ModbusDevice, &[Batch]), seen: &mut [Seen]) -> Result<(), Trouble> {
+async fn read(wire: &mut Wire, device: &ModbusDevice, batches: &[Batch], seen: &mut [Seen]) -> Result<(), Trouble> {
     let mut cells = Vec::new();
     for batch in batches {
-        match wire.read(batch.table, batch.at, batch.count, &mut cells).await {
+        match wire.read(batch.range, &mut cells).await {
             Ok(()) => {
                 for (i, from) in &batch.registers {
                     seen[*i].take(&device.registers[*i], &cells[*from..]);
@@ -99,8 +99,7 @@ async fn read(wire: &mut Wire, (device, batches): (&ModbusDevice, &[Batch]), see
             Err(Trouble::Refused { .. }) => {
                 for (i, _) in &batch.registers {
                     let register = &device.registers[*i];
-                    let place = register.place;
-                    match wire.read(place.table, place.at, place.cells(), &mut cells).await {
+                    match wire.read(CellRange::of(&register.place), &mut cells).await {
                         Ok(()) => seen[*i].take(register, &cells),
                         Err(refused @ Trouble::Refused { .. }) => seen[*i].trouble = Some(refused.message()),
                         Err(gone) => return Err(gone),

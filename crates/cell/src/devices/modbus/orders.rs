@@ -26,7 +26,7 @@ pub(super) struct OrderWriter {
 }
 
 impl OrderWriter {
-    pub(super) fn new(device: &ModbusDevice, values: &[String], (line, ordered): (Line, Output<Ordered>)) -> Self {
+    pub(super) fn new(device: &ModbusDevice, values: &[String], line: Line, ordered: Output<Ordered>) -> Self {
         let image = Image::new(&device.registers, values);
         Self { line, ordered, image, cycle: (0, None), next: Instant::now() }
     }

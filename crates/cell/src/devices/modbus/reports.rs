@@ -36,7 +36,9 @@ impl ReportReader {
     pub(super) fn new(
         device: &ModbusDevice,
         values: &[String],
-        (line, source, inputs): (Line, Input<Stamped<SourceReport>>, Input<Stamped<InputBits>>),
+        line: Line,
+        source: Input<Stamped<SourceReport>>,
+        inputs: Input<Stamped<InputBits>>,
     ) -> Self {
         let slot = |role: &Role| match role {
             Role::Actual(name) => values.iter().position(|v| v == name),
@@ -145,7 +147,7 @@ impl ReportReader {
         let registers = &link.device.registers;
         let mut cells = Vec::new();
         for batch in &self.batches {
-            let read = self.line.read((batch.table, batch.at, batch.count), &mut cells).await;
+            let read = self.line.read(batch.range, &mut cells).await;
             read.map_err(|trouble| trouble.about(&link.device, batch.registers.iter().map(|(i, _)| *i)))?;
             for (i, from) in &batch.registers {
                 self.values[*i] = coding::value(registers[*i].place.word, &cells[*from..]);

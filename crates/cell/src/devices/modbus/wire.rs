@@ -1,4 +1,4 @@
-use seamwright_machine::{ModbusDevice, Table};
+use seamwright_machine::{ModbusDevice, Place, Table};
 use seamwright_message::{Message, Unit, display_by_message};
 use std::borrow::Cow;
 use std::fmt::Display;
@@ -54,6 +54,29 @@ impl Trouble {
 
 display_by_message!(Trouble);
 
+/// Consecutive cells of a table: 16-bit registers or bits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct CellRange {
+    /// Register table.
+    pub(super) table: Table,
+    /// Address of the first cell.
+    pub(super) at: u16,
+    /// Number of cells.
+    pub(super) count: u16,
+}
+
+impl CellRange {
+    /// Returns the cells of a register.
+    pub(super) fn of(place: &Place) -> Self {
+        Self { table: place.table, at: place.at, count: place.cells() }
+    }
+
+    /// Returns the address after the last cell: in u32, because the last cell may be the last of the table.
+    pub(super) fn end(&self) -> u32 {
+        u32::from(self.at) + u32::from(self.count)
+    }
+}
+
 /// Message with a time-out.
 pub(super) fn within(code: &'static str, time: Duration) -> Message {
     Message::new(code).value("time", time.as_secs_f64(), Unit::S)
@@ -88,14 +111,9 @@ impl Wire {
         Ok(Self { context, timeout: Duration::from_secs_f64(device.timeout_s) })
     }
 
-    /// Reads `count` cells starting at `at` into `cells`; a bit is 0 or 1.
-    pub(super) async fn read(
-        &mut self,
-        table: Table,
-        at: u16,
-        count: u16,
-        cells: &mut Vec<u16>,
-    ) -> Result<(), Trouble> {
+    /// Reads a range into `cells`; a bit is 0 or 1.
+    pub(super) async fn read(&mut self, range: CellRange, cells: &mut Vec<u16>) -> Result<(), Trouble> {
+        let CellRange { table, at, count } = range;
         let request = match table {
             Table::Coil => Request::ReadCoils(at, count),
             Table::Discrete => Request::ReadDiscreteInputs(at, count),
@@ -103,7 +121,7 @@ impl Wire {
             Table::Input => Request::ReadInputRegisters(at, count),
         };
         cells.clear();
-        match self.call(request, (table, at, usize::from(count))).await? {
+        match self.call(request, range).await? {
             // Bits come in whole bytes.
             Response::ReadCoils(bits) | Response::ReadDiscreteInputs(bits) => {
                 cells.extend(bits.into_iter().take(usize::from(count)).map(u16::from));
@@ -126,14 +144,12 @@ impl Wire {
             (false, [word]) => Request::WriteSingleRegister(at, *word),
             (false, words) => Request::WriteMultipleRegisters(at, Cow::Borrowed(words)),
         };
-        self.call(request, (table, at, cells.len())).await.map(drop)
+        let range = CellRange { table, at, count: cells.len() as u16 };
+        self.call(request, range).await.map(drop)
     }
 
-    async fn call(
-        &mut self,
-        request: Request<'_>,
-        (table, at, count): (Table, u16, usize),
-    ) -> Result<Response, Trouble> {
+    /// Sends a request for the cells of `range`, and waits for its answer.
+    async fn call(&mut self, request: Request<'_>, range: CellRange) -> Result<Response, Trouble> {
         let timeout = self.timeout;
         let answer = tokio::time::timeout(timeout, self.context.call(request)).await;
         match answer {
@@ -146,9 +162,9 @@ impl Wire {
             Ok(Ok(Err(code))) => Err(Trouble::Refused {
                 code,
                 what: Message::new("cell-modbus-registers")
-                    .text("table", table.name())
-                    .number("from", f64::from(at), 0)
-                    .number("to", (usize::from(at) + count - 1) as f64, 0),
+                    .text("table", range.table.name())
+                    .number("from", f64::from(range.at), 0)
+                    .number("to", f64::from(range.end() - 1), 0),
             }),
             Ok(Ok(Ok(response))) => Ok(response),
         }

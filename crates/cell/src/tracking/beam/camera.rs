@@ -168,7 +168,8 @@ impl<'a, M: Midline> Pixels<'a, M> {
     /// [`Error::NoCamera`] without a camera.
     pub fn new(
         machine: &'a Machine,
-        (actual, appearance): (SeamLine, Appearance),
+        actual: SeamLine,
+        appearance: Appearance,
         midline: M,
         seed: u64,
     ) -> Result<Self, Error> {

@@ -127,7 +127,7 @@ pub fn beam_rows(name: &str, job: &BeamJob<'_>, seeds: u64) -> Result<Vec<Gate>,
     let mut rows = Vec::new();
     let actual = job.placed_wrong(0);
     let seen = Appearance { tacks: vec![(150.0, 155.0)], ..Appearance::default() };
-    let mut camera = Pixels::new(job.machine, (actual.clone(), seen), JointFollower::new(GAP_PX), 0)?;
+    let mut camera = Pixels::new(job.machine, actual.clone(), seen, JointFollower::new(GAP_PX), 0)?;
     rows.extend(pass_rows(&format!("{name}, from pixels"), job, &actual, &mut camera, 0)?);
     let mut worst: Vec<Gate> = Vec::new();
     for seed in 1..=seeds {

@@ -8,7 +8,7 @@ use crate::load::Loaded;
 use crate::progress::Progress;
 use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::frames::Recorder;
-use seamwright_cell::teach::{Look, Rig};
+use seamwright_cell::teach::{Look, Rig, Setup};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor};
 use seamwright_project::teaching::{Outcome, Picture};
@@ -45,8 +45,8 @@ impl<'a> Session<'a> {
             recorder.as_mut().map_or(Ok(()), |recorder| recorder.add(look.frame)).map_err(Failure::from)
         };
         let mut follower = follower(args, table)?;
-        let helpers = (&mut follower as _, &mut operator as _);
-        let run = seamwright_cell::teach::teach((machine, sensor), &mut crawl, rig, helpers, &mut each);
+        let setup = Setup { machine, sensor, midline: &mut follower, operator: &mut operator };
+        let run = seamwright_cell::teach::teach(setup, &mut crawl, rig, &mut each);
         let ended = operator.said_end();
         drop(progress);
         // Frames that came before one that did not can be played again.

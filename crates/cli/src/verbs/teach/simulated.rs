@@ -34,7 +34,7 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
     let ground = Ground::new(loaded, nominal)?;
     let guide = |point: DVec3| ground.guide(point);
     let carrier = ground.carrier(session.machine, session.sensor, &guide, ground.start());
-    let mut outcome = session.crawl(begin, &mut SimulatedRig::new((machine, sensor), carrier, eye))?;
+    let mut outcome = session.crawl(begin, &mut SimulatedRig::new(machine, sensor, carrier, eye))?;
     outcome.truth = Some(truth(&actual, &outcome.smooth));
     Ok(outcome)
 }
