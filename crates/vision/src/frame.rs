@@ -57,6 +57,15 @@ impl Pixels<'_> {
     }
 }
 
+/// Size of a picture, pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Size {
+    /// Pixels per row.
+    pub(crate) width: usize,
+    /// Rows.
+    pub(crate) height: usize,
+}
+
 /// A borrowed grey picture. Pixel centres have integer coordinates: x to the right, y down, (0, 0) the first pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame<'a> {
@@ -90,6 +99,11 @@ impl<'a> Frame<'a> {
     #[must_use]
     pub fn height(&self) -> usize {
         self.height
+    }
+
+    /// Returns the width and height.
+    pub(crate) fn size(&self) -> Size {
+        Size { width: self.width, height: self.height }
     }
 
     /// The grey values.

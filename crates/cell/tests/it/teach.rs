@@ -12,7 +12,8 @@ use seamwright_message::Message;
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath as _;
 use seamwright_tracking::teach::{
-    Answer, CameraPose, Crawl, End, Kind, Lean, LinePoint, Settings, TaughtLine, smoothed, to_program, torch_axes,
+    Answer, CameraPose, Crawl, End, Kind, Lean, LinePoint, ReductionTolerances, Settings, TaughtLine, smoothed,
+    to_program, torch_axes,
 };
 use seamwright_weld::{NoFiles, Welding};
 use std::time::{Duration, Instant};
@@ -136,8 +137,9 @@ fn check(name: &str, seed: u64, bench: &Bench, taught: &Taught) {
     let t = &taught.truth;
     let axes = torch_axes(&taught.smooth, &lean);
     let like = &bench.welding.program.value;
+    let tolerances = ReductionTolerances { path_mm: 0.05, attitude_rad: 0.01 };
     let [arcs, spline] = [Kind::Arcs(Method::Greedy), Kind::Spline]
-        .map(|kind| to_program((&taught.smooth, &axes), like, (0.05, 0.01), kind).unwrap());
+        .map(|kind| to_program(&taught.smooth, &axes, like, tolerances, kind).unwrap());
     let [lines, bent, _] = arcs.curves.counts();
     println!(
         "{name} seed {seed}: {:?}, {} frames, {:.1} ms a frame, across {:.3} RMS {:.3} max, height {:.3} RMS {:.3} max, \

@@ -20,7 +20,8 @@ use seamwright_geometry::HeightTable;
 use seamwright_message::Message;
 use seamwright_program::Program;
 use seamwright_tracking::teach::{
-    CameraPose, End, Kind, Lean, LinePoint, Reduced, Settings, TaughtLine, smoothed, to_program, torch_axes,
+    CameraPose, End, Kind, Lean, LinePoint, Reduced, ReductionTolerances, Settings, TaughtLine, smoothed, to_program,
+    torch_axes,
 };
 use seamwright_weld::Attitude;
 
@@ -98,7 +99,8 @@ pub fn reduced(
 ) -> Result<(Reduced, String), Failure> {
     let torch = torch(loaded, nominal, line)?;
     let like = &loaded.welding.program.value;
-    let reduced = to_program((line, &torch), like, (limits.tolerance_mm, limits.attitude_rad), kind)
+    let tolerances = ReductionTolerances { path_mm: limits.tolerance_mm, attitude_rad: limits.attitude_rad };
+    let reduced = to_program(line, &torch, like, tolerances, kind)
         .map_err(|e| Failure::Input(Message::new("project-no-taught-program").message("why", e.message())))?;
     let written = reduced.program.to_toml().map_err(|e| Failure::Environment(Message::outside(&e)))?;
     Program::read(name, &written)?;

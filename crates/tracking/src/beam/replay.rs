@@ -1,6 +1,6 @@
 use super::beam_authority::{BeamAuthority, SOON_S};
 use super::picture::{Course, located};
-use super::tracking::judge;
+use super::tracking::{Faults, judge};
 use super::{Allowed, Beam, DeviationRecord, Error, Orders, Picture, Row, Schedule};
 use crate::actuator::{Alarm, DeflectionLimits, Following, SlideLimits};
 use crate::lead::{Estimate, History, Moment, Sight};
@@ -256,7 +256,7 @@ impl<'a> BeamReplay<'a> {
         self.carried = shares.carried;
         let (feed_override, alarm) = match self.judged {
             Some(Err(_)) => (0.0, Some(Alarm::Misfit)),
-            _ => judge(stuck, &shares, &estimate, (false, false)),
+            _ => judge(&shares, &estimate, Faults { stuck, ..Faults::default() }),
         };
         let looks = self.judged.is_none() && self.settings.frames > 0;
         let beam = if looks { self.schedule.at(now.t_s, true) } else { Beam::Weld };

@@ -200,7 +200,7 @@ impl<'a> BeamTracking<'a> {
         self.carried = shares.carried;
         let blind = self.taken_s.is_some_and(|t| now.t_s - t > BLIND_PERIODS * self.settings.period_s);
         let unknown = welds && estimate.sight == Sight::Unseen;
-        let (feed_override, alarm) = judge(stuck, &shares, &estimate, (unknown, blind));
+        let (feed_override, alarm) = judge(&shares, &estimate, Faults { stuck, unknown, blind });
         Orders {
             beam: self.schedule.at(now.t_s, true),
             deflection_mm: shares.deflection,
@@ -212,13 +212,20 @@ impl<'a> BeamTracking<'a> {
     }
 }
 
+/// Faults in a cycle beside those of the estimate and of the shares.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Faults {
+    /// The axes do not follow.
+    pub(super) stuck: bool,
+    /// The beam welds where the seam has not been seen.
+    pub(super) unknown: bool,
+    /// The last usable picture is too old.
+    pub(super) blind: bool,
+}
+
 /// Returns the feed override and the most severe alarm.
-pub(super) fn judge(
-    stuck: bool,
-    shares: &Shares,
-    here: &Estimate,
-    (unknown, blind): (bool, bool),
-) -> (f64, Option<Alarm>) {
+pub(super) fn judge(shares: &Shares, here: &Estimate, faults: Faults) -> (f64, Option<Alarm>) {
+    let Faults { stuck, unknown, blind } = faults;
     let alarm = match here.sight {
         _ if stuck => Alarm::SlideStuck,
         Sight::Lost => Alarm::Lost,

@@ -35,7 +35,7 @@ pub use events::{Answer, CameraPose, Command, End, Event, Seen};
 pub use height::levelled;
 pub use line::{RawPoint, Source, TaughtLine};
 pub use note::CameraNote;
-pub use program::{Curves, Kind, Reduced, to_program};
+pub use program::{Curves, Kind, Reduced, ReductionTolerances, to_program};
 pub use settings::Settings;
 pub use sight::{Aim, FrameEnd, Patch, Row, Shape, View};
 pub use smooth::{LinePoint, smoothed};

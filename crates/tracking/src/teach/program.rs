@@ -58,20 +58,31 @@ pub struct Reduced {
     pub curves: Curves,
 }
 
-/// Reduces a taught line to curves within `tolerance` (mm), and the torch's direction to within `attitude` (rad). The
-/// new program copies from `like` its machine, title, seam, part and fixtures (the machine keeps clear of them). From
-/// the first pass of `like` it takes speed, process, sequence and redundant axes. `torch` holds unit vectors from the
-/// joint to the torch, one per point.
+/// Tolerances of a taught line's reduction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReductionTolerances {
+    /// Distance of the points from the curves, mm.
+    pub path_mm: f64,
+    /// Deviation of the torch's direction, rad.
+    pub attitude_rad: f64,
+}
+
+/// Reduces a taught line to curves, and the torch's direction with it, within the tolerances. The new program copies
+/// from `like` its machine, title, seam, part and fixtures (the machine keeps clear of them). From the first pass of
+/// `like` it takes speed, process, sequence and redundant axes. `torch` holds unit vectors from the joint to the torch,
+/// one per point.
 ///
 /// # Errors
 /// Those of [`reduce`] and [`reduce_to_spline`]; [`Error::TooFewPoints`] with fewer than two points, or for a program
 /// without passes.
 pub fn to_program(
-    (line, torch): (&[LinePoint], &[DVec3]),
+    line: &[LinePoint],
+    torch: &[DVec3],
     like: &Program,
-    (tolerance, attitude): (f64, f64),
+    tolerances: ReductionTolerances,
     kind: Kind,
 ) -> Result<Reduced, Error> {
+    let ReductionTolerances { path_mm: tolerance, attitude_rad: attitude } = tolerances;
     let few = || Error::TooFewPoints { what: "geometry-points-taught-line", given: line.len(), min: 2 };
     let points: Vec<DVec3> = line.iter().map(|p| p.point).collect();
     let directions = [0, 1, 2].map(|i| torch.iter().map(|axis| -axis[i]).collect::<Vec<f64>>());

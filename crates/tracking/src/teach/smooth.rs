@@ -2,6 +2,7 @@ use super::Source;
 use super::line::{GAP_MM, RawPoint, TaughtLine};
 use glam::DVec3;
 use nalgebra::{Matrix3, SMatrix, Vector3};
+use std::ops::Range;
 
 /// A point of the smoothed line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,18 +81,20 @@ impl Track {
             let last = self.ways.partition_point(|w| *w <= way + reach);
             let covered = if last > first { self.covered[last - 1] - self.covered[first] } else { 0.0 };
             if reach > whole || (covered >= 2.0 * COVERED * window && last - first >= FEWEST) {
-                return self.parabola(way, reach, (first, last), bridged);
+                return self.parabola(way, reach, first..last, bridged);
             }
             reach *= 1.2;
         }
     }
 
-    fn parabola(&self, way: f64, reach: f64, (first, last): (usize, usize), bridged: bool) -> LinePoint {
+    /// Returns the point at `way` on the parabola through the `near` points, which are within `reach`.
+    fn parabola(&self, way: f64, reach: f64, near: Range<usize>, bridged: bool) -> LinePoint {
         let mut normal = Matrix3::zeros();
         let mut right = SMatrix::<f64, 3, 3>::zeros();
         let (mut across, mut weights, mut confidence) = (DVec3::ZERO, 0.0, 0.0);
-        let origin = self.points[first].point;
-        for (w, p) in self.ways[first..last].iter().zip(&self.points[first..last]) {
+        let (ways, points) = (&self.ways[near.clone()], &self.points[near]);
+        let origin = points[0].point;
+        for (w, p) in ways.iter().zip(points) {
             let u = (w - way) / reach;
             // An operator's point is alone among thousands of detected ones.
             let trust = if p.source == Source::Operator { 10.0 } else { p.confidence.max(1e-3) };
@@ -104,11 +107,11 @@ impl Track {
             confidence += weight * p.confidence;
         }
         let found = normal.cholesky().map(|c| c.solve(&right)).map(|m| DVec3::new(m[(0, 0)], m[(0, 1)], m[(0, 2)]));
-        let mean = || self.points[first..last].iter().map(|p| p.point - origin).sum::<DVec3>() / (last - first) as f64;
+        let mean = || points.iter().map(|p| p.point - origin).sum::<DVec3>() / points.len() as f64;
         LinePoint {
             way,
             point: origin + found.filter(|p| p.is_finite()).unwrap_or_else(mean),
-            normal: across.try_normalize().unwrap_or(self.points[first].normal),
+            normal: across.try_normalize().unwrap_or(points[0].normal),
             confidence: if bridged { 0.0 } else { confidence / weights },
         }
     }

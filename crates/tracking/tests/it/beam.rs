@@ -68,6 +68,13 @@ struct Weld {
 
 type Wrong<'a> = &'a mut dyn FnMut(f64, &mut f64, &mut f64, &mut Vec<Point>);
 
+/// Stretch of a weld from where it stands.
+#[derive(Clone, Copy)]
+struct Stretch {
+    to_mm: f64,
+    speed_mm_s: f64,
+}
+
 impl Weld {
     fn new(seed: u64) -> Self {
         let random = Pcg64Mcg::seed_from_u64(seed);
@@ -75,13 +82,13 @@ impl Weld {
         Self { cycle: 0, s: 0.0, carried: 0.0, under_way, misses, taken, alarms, random }
     }
 
-    /// Welds from rest at 0 to `to` at `speed`; returns false if it was stopped.
-    fn run(&mut self, head: &mut BeamTracking<'_>, (to, speed): (f64, f64), wrong: Wrong<'_>) -> bool {
-        while self.s < to {
+    /// Welds a stretch from rest; returns false if it was stopped.
+    fn run(&mut self, head: &mut BeamTracking<'_>, stretch: Stretch, wrong: Wrong<'_>) -> bool {
+        while self.s < stretch.to_mm {
             self.cycle += 1;
             let t = self.cycle as f64 * CYCLE;
             let welds = t > 1.2;
-            let v = if welds { speed } else { 0.0 };
+            let v = if welds { stretch.speed_mm_s } else { 0.0 };
             self.s += v * CYCLE;
             while let Some(i) = self.under_way.iter().position(|(due, ..)| *due <= t) {
                 let (_, exposed_s, points) = self.under_way.remove(i);
@@ -128,7 +135,7 @@ fn a_ring_is_met() {
     for (speed, seed) in [5.0, 8.0, 10.0].into_iter().flat_map(|v| (0..8).map(move |seed| (v, seed))) {
         let mut head = BeamTracking::new(Settings::usual(10.0), &ring, BEAM, AXES).unwrap();
         let mut weld = Weld::new(seed);
-        assert!(weld.run(&mut head, (300.0, speed), &mut right));
+        assert!(weld.run(&mut head, Stretch { to_mm: 300.0, speed_mm_s: speed }, &mut right));
         assert!(weld.within(0.99) < 0.04 && weld.within(1.0) < 0.08, "{speed} {seed}: {}", weld.within(0.99));
         assert!(weld.alarms.iter().all(|(_, alarm)| *alarm == Alarm::AxesCarry), "{:?}", weld.alarms.last());
         assert!(!weld.alarms.is_empty());
@@ -152,7 +159,11 @@ fn outliers_and_tacks() {
                 }
             }
         };
-        assert!(weld.run(&mut head, (250.0, 10.0), &mut wrong), "{seed}: {:?}", weld.alarms.last());
+        assert!(
+            weld.run(&mut head, Stretch { to_mm: 250.0, speed_mm_s: 10.0 }, &mut wrong),
+            "{seed}: {:?}",
+            weld.alarms.last()
+        );
         assert!(weld.within(0.95) < 0.04, "{seed}: {}", weld.within(0.95));
         // On the tack, which is 2 % of the way, the seam is bridged.
         assert!(weld.within(1.0) < 0.15, "{seed}: {}", weld.within(1.0));
@@ -173,7 +184,11 @@ fn other_lines_and_parts_that_move() {
                 seen.iter_mut().for_each(|p| p.lateral_mm += 0.8);
             }
         };
-        assert!(weld.run(&mut head, (200.0, 10.0), &mut wrong), "{seed} {:?}", weld.alarms.last());
+        assert!(
+            weld.run(&mut head, Stretch { to_mm: 200.0, speed_mm_s: 10.0 }, &mut wrong),
+            "{seed} {:?}",
+            weld.alarms.last()
+        );
         let off = |from: f64, to: f64, by: f64| {
             let misses = weld.misses.iter().filter(|m| (from..to).contains(&m.0));
             misses.map(|m| (m.1 - by).abs()).fold(0.0, f64::max)
@@ -231,7 +246,7 @@ fn eyes_that_fail() {
         for (name, wrong, refusal) in cases {
             let mut head = BeamTracking::new(settings, &ring, BEAM, AXES).unwrap();
             let mut weld = Weld::new(seed);
-            assert!(!weld.run(&mut head, (400.0, 10.0), wrong), "{name}");
+            assert!(!weld.run(&mut head, Stretch { to_mm: 400.0, speed_mm_s: 10.0 }, wrong), "{name}");
             let stopped = weld.s - THERE;
             let least = lead.coast_mm() + lead.fade_mm;
             assert!((least..least + known + 4.0).contains(&stopped), "{name} {seed}: {stopped}");
@@ -345,7 +360,7 @@ fn what_cannot_be_replayed_is_refused() {
 fn axes_that_are_stuck_stop_it() {
     let mut head = BeamTracking::new(Settings::usual(10.0), &ring, BEAM, AXES).unwrap();
     let mut weld = Weld::new(1);
-    assert!(weld.run(&mut head, (40.0, 10.0), &mut right));
+    assert!(weld.run(&mut head, Stretch { to_mm: 40.0, speed_mm_s: 10.0 }, &mut right));
     // From here on the gun does not move.
     let (held, mut s, mut stopped) = (weld.carried, weld.s, None);
     for i in 0..30_000u32 {

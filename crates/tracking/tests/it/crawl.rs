@@ -148,7 +148,9 @@ fn height(truth: &dyn Shape, camera: &DAffine3) -> f64 {
 /// Runs a crawl; `refuse` marks poses out of the machine's reach, `answer` gives the operator's answers.
 fn crawl<'a>(
     world: &mut World,
-    (table, shape, truth): (&'a HeightTable, &'a dyn Shape, &dyn Shape),
+    table: &'a HeightTable,
+    shape: &'a dyn Shape,
+    truth: &dyn Shape,
     from: CameraPose,
     refuse: impl Fn(&CameraPose) -> bool,
     mut answer: impl FnMut(&str) -> Answer,
@@ -205,7 +207,7 @@ fn a_closed_joint_round_a_tube_closes() {
     let mut world = World::new(oblique, true);
     world.hidden = vec![(100.0, 106.0), (400.0, 404.0)];
     let from = start(oblique(0.0) + DVec3::new(0.0, 0.3, 0.4), DVec3::new(0.0, 1.0, 0.2), DVec3::X);
-    let (crawl, end) = crawl(&mut world, (&table, &Cylinder(149.0), &Cylinder(150.0)), from, |_| false, no_one);
+    let (crawl, end) = crawl(&mut world, &table, &Cylinder(149.0), &Cylinder(150.0), from, |_| false, no_one);
     let End::Closed { gap_mm } = end else { panic!("{end:?}") };
     let (rms, max) = errors(&world, &crawl, true);
     assert!(gap_mm < 0.1 && rms < 0.03 && max < 0.1, "gap {gap_mm}, rms {rms}, max {max}");
@@ -223,7 +225,7 @@ fn without_a_known_shape_the_normal_goes_along() {
     let half = |t: f64| DVec3::new(100.0 * (3.0 * t).cos(), 100.0 * (3.0 * t).sin(), 0.0);
     let mut world = World::new(half, false);
     let from = start(half(0.0), DVec3::Y, DVec3::X);
-    let (crawl, end) = crawl(&mut world, (&table, &(), &Cylinder(100.0)), from, |_| false, no_one);
+    let (crawl, end) = crawl(&mut world, &table, &(), &Cylinder(100.0), from, |_| false, no_one);
     assert_eq!(end, End::JointEnd);
     let last = crawl.line().points().last().unwrap();
     assert!(last.point.distance(half(1.0)) < 0.3, "{}", last.point);
@@ -252,7 +254,7 @@ fn an_open_joint_ends_where_it_ends() {
     let mut world = World::new(s_curve, false);
     world.hidden = vec![(60.0, 65.0), (150.0, 154.0)];
     let (crawl, end) =
-        crawl(&mut world, (&table, &Plane, &Plane), start(DVec3::ZERO, DVec3::X, DVec3::Z), |_| false, no_one);
+        crawl(&mut world, &table, &Plane, &Plane, start(DVec3::ZERO, DVec3::X, DVec3::Z), |_| false, no_one);
     assert_eq!(end, End::JointEnd);
     let (rms, max) = errors(&world, &crawl, false);
     assert!(rms < 0.03 && max < 0.1, "rms {rms}, max {max}");
@@ -269,7 +271,9 @@ fn lost_it_asks_and_goes_on_from_the_operators_point() {
     let from = start(DVec3::ZERO, DVec3::X, DVec3::Z);
     let (crawl, end) = crawl(
         &mut world,
-        (&table, &Plane, &Plane),
+        &table,
+        &Plane,
+        &Plane,
         from,
         |pose| pose.point.z > 10.0,
         |why| {
@@ -296,7 +300,7 @@ fn an_operator_who_gives_up_keeps_what_was_found() {
     let mut world = World::new(s_curve, false);
     world.hidden = vec![(80.0, 130.0)];
     let from = start(DVec3::ZERO, DVec3::X, DVec3::Z);
-    let (crawl, end) = crawl(&mut world, (&table, &Plane, &Plane), from, |_| false, |_| Answer::End);
+    let (crawl, end) = crawl(&mut world, &table, &Plane, &Plane, from, |_| false, |_| Answer::End);
     assert_eq!(end, End::Operator);
     assert!((crawl.line().length() - 80.0).abs() < 1.0, "{}", crawl.line().length());
 }
@@ -306,11 +310,11 @@ fn limits_stop_it_short_of_them() {
     let table = table();
     let mut world = World::new(s_curve, false);
     let from = start(DVec3::ZERO, DVec3::X, DVec3::Z);
-    let (crawl, end) = crawl(&mut world, (&table, &Plane, &Plane), from, |pose| pose.point.x > 40.0, no_one);
+    let (crawl, end) = crawl(&mut world, &table, &Plane, &Plane, from, |pose| pose.point.x > 40.0, no_one);
     assert_eq!(end, End::Limit(Message::verbatim("axis x")));
     assert!(crawl.target().point.x > 39.0, "{}", crawl.target().point.x);
     // An unreachable start gives an empty line.
-    let (crawl, end) = self::crawl(&mut world, (&table, &Plane, &Plane), from, |_| true, no_one);
+    let (crawl, end) = self::crawl(&mut world, &table, &Plane, &Plane, from, |_| true, no_one);
     assert!(crawl.line().is_empty() && matches!(end, End::Limit(_)));
 }
 

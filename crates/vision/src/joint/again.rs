@@ -1,7 +1,7 @@
 //! Second attempts at a lost joint, in other ways. Rows found so get no confidence.
 
 use super::follow::{Follower, Inside, known_width};
-use super::levels::Levels;
+use super::levels::{DarkLine, Levels};
 use super::trail::{Look, ROWS};
 use super::{CONFIDENT, End, Row, Start, State, judge};
 use crate::Frame;
@@ -32,6 +32,15 @@ const SAME: (f32, f32) = (2.0, 0.25);
 /// Rows over which the heading at a row is measured.
 pub(super) const HEADING: usize = 12;
 
+/// Lengths of the joint behind the start of a second attempt, pixels.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lengths {
+    /// Length before the attempt.
+    pub(super) before: f32,
+    /// Minimum length for the attempt to be accepted.
+    pub(super) min: f32,
+}
+
 impl Follower {
     /// Makes second attempts if the joint may continue behind its end. `looks` are those at its start and at its last
     /// strip.
@@ -49,7 +58,7 @@ impl Follower {
             // The first result may be a dark strip that contains the joint.
             self.narrower = NARROWER * look.width_in_frame();
             let length = way(&self.joint.rows);
-            self.follow_again(frame, start, inside, length, AS_LONG * length);
+            self.follow_again(frame, start, inside, Lengths { before: length, min: AS_LONG * length });
             self.narrower = f32::INFINITY;
         }
     }
@@ -59,9 +68,9 @@ impl Follower {
     pub(super) fn try_start_on_top_hat(&mut self, frame: &Frame, start: &Start, inside: &Inside) {
         let coarsest = Levels::coarsest(frame);
         for (level, width) in STARTS.into_iter().filter(|(level, _)| *level <= coarsest) {
-            self.levels.cover(frame, level, (width, f32::INFINITY));
+            self.levels.cover(frame, level, DarkLine { width, contrast: f32::INFINITY });
             let start = Start { width: Some(width * (1 << level) as f32), ..*start };
-            let found = self.follow_again(frame, &start, inside, 0.0, STRETCH);
+            let found = self.follow_again(frame, &start, inside, Lengths { before: 0.0, min: STRETCH });
             self.levels.uncover();
             if found {
                 // The end is not reported, as no row is confident.
@@ -95,8 +104,8 @@ impl Follower {
         let from = last_sure(rows).map_or(0, |last| last.saturating_sub(ROWS << (level - look.level)));
         let before = rows.get(..=from).map_or(0.0, way);
         let start = start_at(rows, from).unwrap_or(*start);
-        self.follow_on_top_hat(frame, &start, inside, (&look, level), (length - before, least - before))
-            && self.keep_sure(usize::MAX)
+        let lengths = Lengths { before: length - before, min: least - before };
+        self.follow_on_top_hat(frame, &start, inside, &look, level, lengths) && self.keep_sure(usize::MAX)
     }
 
     /// Follows as [`Self::follow_again`] does, on the top-hat of a level.
@@ -105,15 +114,16 @@ impl Follower {
         frame: &Frame,
         start: &Start,
         inside: &Inside,
-        (look, level): (&Look, usize),
-        (length, least): (f32, f32),
+        look: &Look,
+        level: usize,
+        lengths: Lengths,
     ) -> bool {
         if level > Levels::coarsest(frame) {
             return false;
         }
         let width = look.width_in_frame();
-        self.levels.cover(frame, level, (width / (1 << level) as f32, look.contrast));
-        let found = self.follow_again(frame, &Start { width: Some(width), ..*start }, inside, length, least);
+        self.levels.cover(frame, level, DarkLine { width: width / (1 << level) as f32, contrast: look.contrast });
+        let found = self.follow_again(frame, &Start { width: Some(width), ..*start }, inside, lengths);
         self.levels.uncover();
         found
     }
@@ -125,13 +135,14 @@ impl Follower {
         is_sure && self.midline.is_plain_behind(rows.len(), last.contrast)
     }
 
-    /// Follows again from a start behind which the joint was `length` pixels long. The previous result is restored
-    /// unless the joint is seen `least` pixels from there and enough of the additional rows are seen.
-    fn follow_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, length: f32, least: f32) -> bool {
+    /// Follows again from a start. The previous result is restored unless the joint is seen for the minimum length and
+    /// enough of the additional rows are seen.
+    fn follow_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, lengths: Lengths) -> bool {
         std::mem::swap(&mut self.joint, &mut self.before);
-        let look = self.follow_in(frame, start, inside, least);
-        let stretch = if self.before.end == End::JointEnd { STRETCH.min(least - length) } else { 0.0 };
-        if look.is_none() || way(&self.joint.rows) < least || !is_seen_beyond(&self.joint.rows, length, stretch) {
+        let look = self.follow_in(frame, start, inside, lengths.min);
+        let Lengths { before, min } = lengths;
+        let stretch = if self.before.end == End::JointEnd { STRETCH.min(min - before) } else { 0.0 };
+        if look.is_none() || way(&self.joint.rows) < min || !is_seen_beyond(&self.joint.rows, before, stretch) {
             std::mem::swap(&mut self.joint, &mut self.before);
             return false;
         }

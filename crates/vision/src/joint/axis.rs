@@ -1,3 +1,5 @@
+use crate::Size;
+
 /// Length of a vector in pixels. Unlike `f32::hypot` it omits the slow protection against overflow.
 pub(super) fn length([x, y]: [f32; 2]) -> f32 {
     (x * x + y * y).sqrt()
@@ -22,9 +24,9 @@ pub(super) struct Station {
 
 impl Axis {
     /// Returns true if the axis is within a picture of this size after `length` pixels.
-    pub(super) fn stays_within(&self, length: f32, (width, height): (usize, usize)) -> bool {
+    pub(super) fn stays_within(&self, length: f32, size: Size) -> bool {
         let [x, y] = self.station(length).at;
-        (0.0..=(width - 1) as f32).contains(&x) && (0.0..=(height - 1) as f32).contains(&y)
+        (0.0..=(size.width - 1) as f32).contains(&x) && (0.0..=(size.height - 1) as f32).contains(&y)
     }
 
     /// Returns the position and tangent after `s` pixels.

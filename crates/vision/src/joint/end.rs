@@ -21,6 +21,7 @@ const CLEAR: f32 = 0.5;
 const TOLD: f32 = 0.5;
 
 /// Rows that belong to the joint, and the reason why it ends.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Cut {
     pub(super) rows: usize,
     pub(super) end: End,
@@ -28,12 +29,14 @@ pub(super) struct Cut {
     pub(super) beyond: f32,
 }
 
-/// Cuts off the last coasted rows and distinguishes an end of the joint from its loss; `None` if no row is seen. `gap`:
-/// rows of the longest gap.
+/// Cuts off the last coasted rows and distinguishes an end of the joint from its loss; `None` if no row is seen.
+/// `solid`: rows up to which the joint is certain; `gap`: rows of the longest gap.
 pub(super) fn cut(
     rows: &[Found],
-    (solid, stop): (usize, Stop),
-    (gap, level): (f32, usize),
+    solid: usize,
+    stop: Stop,
+    gap: f32,
+    level: usize,
     is_whole: impl Fn(usize) -> bool,
 ) -> Option<Cut> {
     let seen = match stop {
@@ -113,10 +116,10 @@ mod tests {
     #[test]
     fn what_is_seen_at_the_rim_alone_is_no_joint() {
         let rows = rows(&[(60, true), (40, false), (4, true), (3, false), (5, true)]);
-        let at_rim = cut(&rows, (60, Stop::Rim), (50.0, 0), |i| i < 95).unwrap();
+        let at_rim = cut(&rows, 60, Stop::Rim, 50.0, 0, |i| i < 95).unwrap();
         assert_eq!((at_rim.rows, at_rim.end), (60, End::JointEnd));
         // A single row with metal on both sides shows that the joint continues there.
-        let whole = cut(&rows, (60, Stop::Rim), (50.0, 0), |i| i < 109).unwrap();
+        let whole = cut(&rows, 60, Stop::Rim, 50.0, 0, |i| i < 109).unwrap();
         assert_eq!((whole.rows, whole.end), (rows.len(), End::LeftImage));
     }
 
@@ -126,7 +129,7 @@ mod tests {
             for part in [0.1, 0.4, 0.5, 0.8] {
                 let mut rows = rows(&[(60, true), (60, false)]);
                 rows[60].own_depth = 30.0 * part;
-                let found = cut(&rows, (60, Stop::Gap), (50.0, level), |_| true).unwrap();
+                let found = cut(&rows, 60, Stop::Gap, 50.0, level, |_| true).unwrap();
                 assert_eq!(found.end, End::JointEnd);
                 assert!((found.rows as f32 + found.beyond - 60.0 - part).abs() < 0.01, "{level} {part}");
             }

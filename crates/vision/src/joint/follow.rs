@@ -152,7 +152,7 @@ impl Follower {
             let picture = self.levels.picture(frame, level);
             let at = [start.x, start.y].map(|v| to_level(v, level));
             let axis = Axis { at, heading, curvature: 0.0 };
-            if !within || axis.stays_within(ROWS as f32, (picture.width, picture.height)) {
+            if !within || axis.stays_within(ROWS as f32, picture.size()) {
                 *look = self.trail.look(&picture, axis, width, level);
             }
         }
@@ -192,14 +192,13 @@ impl Follower {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, look);
-        let cut =
-            cut(&self.midline.rows, (self.trail.solid, stop), (gap, level), |i| self.midline.is_whole(i, &picture));
+        let cut = cut(&self.midline.rows, self.trail.solid, stop, gap, level, |i| self.midline.is_whole(i, &picture));
         let Some(cut) = cut else { return End::Lost };
         if cut.end == End::JointEnd {
             self.midline.end_before(cut.rows, look.width);
         }
         let end =
-            tell(&self.midline, &picture, (level, self.trail.solid, cut), self.options.on_joint, &mut self.joint.rows);
+            tell(&self.midline, &picture, level, cut, self.trail.solid, self.options.on_joint, &mut self.joint.rows);
         if level >= rims::FINER {
             self.rims.place(&self.levels, frame, level, &mut self.joint.rows);
         }
@@ -207,14 +206,17 @@ impl Follower {
     }
 }
 
-/// Converts rows of the level to rows of the frame.
+/// Converts rows of the level to rows of the frame. `solid`: rows up to which the joint is certain.
 fn tell(
     midline: &Midline,
     picture: &Picture,
-    (level, solid, Cut { rows, end, beyond }): (usize, usize, Cut),
+    level: usize,
+    cut: Cut,
+    solid: usize,
     on_joint: bool,
     out: &mut Vec<Row>,
 ) -> End {
+    let Cut { rows, end, beyond } = cut;
     let scale = (1 << level) as f32;
     // A joint with a reported end is seen up to it, although groups of rows there show less of it.
     let to_end =

@@ -144,7 +144,7 @@ pub(super) fn gaps(rows: &mut [Row], found: &[Found]) {
         if !first.is_empty() {
             let turns = turns(rows, &first, &second);
             (turned, jumps) = (turned + turns[0] + turns[1], jumps + 1);
-            if is_kinked(turns, rows[gap - 1], rows[seen]) || differ(found, (&first, &second)) {
+            if is_kinked(turns, rows[gap - 1], rows[seen]) || differ(found, &first, &second) {
                 // A much longer stretch is the joint.
                 let wrong = match (first.len(), second.len()) {
                     (a, b) if a > MUCH_LONGER * b => second,
@@ -167,13 +167,13 @@ fn is_narrow(rows: &[Row]) -> bool {
 }
 
 /// Returns true if the joint is much deeper in one stretch than in the other.
-fn differ(found: &[Found], stretches: (&Range<usize>, &Range<usize>)) -> bool {
+fn differ(found: &[Found], first: &Range<usize>, second: &Range<usize>) -> bool {
     let depth = |rows: &Range<usize>| {
         let seen = found[rows.clone()].iter().filter(|f| f.seen);
         let (sum, count) = seen.fold((0.0, 0.0), |(sum, count), f| (sum + f.own_depth, count + 1.0));
         sum / count
     };
-    let (a, b) = (depth(stretches.0), depth(stretches.1));
+    let (a, b) = (depth(first), depth(second));
     a.min(b) < AS_DEEP * a.max(b)
 }
 

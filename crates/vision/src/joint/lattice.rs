@@ -1,5 +1,5 @@
 use super::make_room;
-use super::strip::{COLS, GROUP, Line, MID, Strip, greater, greatest, lesser};
+use super::strip::{COLS, Columns, GROUP, Line, MID, Strip, greater, greatest, lesser};
 use crate::aligned::Aligned;
 use crate::wide::{Simd, Work, wide};
 
@@ -87,8 +87,8 @@ impl Lattice {
         let rows = strip.depth.len();
         self.evidence.resize(rows, Span::default());
         self.forward.resize(rows, Span::default());
-        let (first, last) = strip.columns;
-        let columns = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
+        let Columns { first, last } = strip.columns;
+        let columns = Columns { first: first.max(FROM) - FROM, last: last.min(FROM + SPAN - 1) - FROM };
         // Groups of rows overlap; the division counts each row once.
         let rows_counted = (2 * GROUP + 1) as f32;
         let least = 1.0 / (rows_counted * strip.noise * strip.noise);
@@ -104,7 +104,7 @@ struct Forward<'a, C> {
     evidence: &'a mut [Span],
     forward: &'a mut [Span],
     contrast: C,
-    columns: (usize, usize),
+    columns: Columns,
     least: f32,
     begin: Span,
 }
@@ -123,15 +123,15 @@ impl<C: Fn(usize) -> f32> Work for Forward<'_, C> {
 
 /// Computes the evidence of a row's places for a joint of this depth.
 #[inline(always)]
-fn weigh(evidence: &mut Span, depth: &Line, contrast: f32, (first, last): (usize, usize), least: f32) {
+fn weigh(evidence: &mut Span, depth: &Line, contrast: f32, columns: Columns, least: f32) {
     // The factor limits the evidence at the joint's own depth to the maximum.
     let part = least.min(2.0 * MAX_EVIDENCE / (contrast * contrast));
     for (evidence, depth) in evidence.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
         let depth = lesser(*depth, TOO_DEEP * contrast - depth);
         *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(MIN_EVIDENCE, MAX_EVIDENCE);
     }
-    evidence[..first].fill(NEVER);
-    evidence[last + 1..].fill(NEVER);
+    evidence[..columns.first].fill(NEVER);
+    evidence[columns.last + 1..].fill(NEVER);
 }
 
 /// See [`Lattice::margins`].
@@ -210,11 +210,7 @@ mod tests {
     use crate::testing::random;
 
     /// Best score by exhaustive dynamic programming, over all paths in allowed columns of one row.
-    fn best_through(
-        evidence: &[[f64; SPAN]],
-        cost: &[f64; SPAN],
-        (row, columns): (usize, &dyn Fn(usize) -> bool),
-    ) -> f64 {
+    fn best_through(evidence: &[[f64; SPAN]], cost: &[f64; SPAN], row: usize, columns: &dyn Fn(usize) -> bool) -> f64 {
         let allowed = |i: usize, j: usize| i != row || columns(j);
         let mut scores: Vec<f64> =
             (0..SPAN).map(|j| if allowed(0, j) { evidence[0][j] - cost[j] } else { -1e9 }).collect();
@@ -234,7 +230,12 @@ mod tests {
             let rows = 1 + (20.0 * random()) as usize;
             let contrast: Vec<f32> = (0..rows).map(|_| 10.0 + 20.0 * random()).collect();
             let depth: Vec<Line> = (0..rows).map(|_| Line::from_fn(|_| 30.0 * random() - 8.0)).collect();
-            let strip = Strip { depth, noise: 2.0 + random(), columns: (9, COLS - 10), ..Strip::default() };
+            let strip = Strip {
+                depth,
+                noise: 2.0 + random(),
+                columns: Columns { first: 9, last: COLS - 10 },
+                ..Strip::default()
+            };
             let costs = Span::from_fn(|_| 3.0 * random());
             let mut path = Vec::new();
             let score = lattice.best(&strip, |i| contrast[i], |j| costs[j - FROM], &mut path);
@@ -249,7 +250,7 @@ mod tests {
             };
             let all: Vec<[f64; SPAN]> = (0..rows).map(|i| std::array::from_fn(|j| evidence(i, j))).collect();
             let cost: [f64; SPAN] = (*costs).map(f64::from);
-            let best = best_through(&all, &cost, (0, &|_| true));
+            let best = best_through(&all, &cost, 0, &|_| true);
             assert!((f64::from(score) - best).abs() < 1e-3, "{score} {best}");
             // The path has this score.
             let moves = path.windows(2).map(|pair| pair[0].abs_diff(pair[1]));
@@ -260,8 +261,8 @@ mod tests {
             let mut margins = Vec::new();
             lattice.margins(&path, 2, &mut margins);
             for (i, margin) in margins.iter().enumerate() {
-                let here = best_through(&all, &cost, (i, &|j| j.abs_diff(path[i] - FROM) <= 2));
-                let elsewhere = best_through(&all, &cost, (i, &|j| j.abs_diff(path[i] - FROM) > 2));
+                let here = best_through(&all, &cost, i, &|j| j.abs_diff(path[i] - FROM) <= 2);
+                let elsewhere = best_through(&all, &cost, i, &|j| j.abs_diff(path[i] - FROM) > 2);
                 // Scores of unreachable places are coarse numbers.
                 let told = here - elsewhere;
                 assert!((f64::from(*margin) - told).abs() < 1e-3 || told > 1e5, "{margin} {told}");

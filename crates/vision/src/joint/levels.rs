@@ -1,7 +1,7 @@
 use super::make_room;
 use super::top_hat::TopHat;
 use crate::wide::{Simd, Work, wide};
-use crate::{Frame, Pixels};
+use crate::{Frame, Pixels, Size};
 
 /// Maximum number of halvings.
 pub(super) const MAX_HALVINGS: usize = 5;
@@ -35,6 +35,22 @@ pub(super) struct Picture<'a> {
     pub(super) height: usize,
     pub(super) grey: Grey<'a>,
     pub(super) is_top_hat: bool,
+}
+
+impl Picture<'_> {
+    /// Returns the width and height.
+    pub(super) fn size(&self) -> Size {
+        Size { width: self.width, height: self.height }
+    }
+}
+
+/// Width and depth of a joint.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct DarkLine {
+    /// Full width at half depth, pixels of its level.
+    pub(super) width: f32,
+    /// Depth, grey values.
+    pub(super) contrast: f32,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -102,15 +118,15 @@ impl Levels {
         }
     }
 
-    /// Replaces `level` (1 at least) by its top-hat, for a joint of this width there and this depth, grey values.
-    pub(super) fn cover(&mut self, frame: &Frame, level: usize, (width, contrast): (f32, f32)) {
+    /// Replaces `level` (1 at least) by its top-hat, for this joint.
+    pub(super) fn cover(&mut self, frame: &Frame, level: usize, joint: DarkLine) {
         self.prepare(frame, level);
-        let Halved { width: columns, height: rows, pixels } = &self.halved[level - 1];
-        let around = width.round().max(1.0) as usize;
-        let wanted = Some((level, around, contrast));
+        let Halved { width, height, pixels } = &self.halved[level - 1];
+        let around = joint.width.round().max(1.0) as usize;
+        let wanted = Some((level, around, joint.contrast));
         if self.taken != wanted {
             self.taken = wanted;
-            self.top_hat.take(pixels, (*columns, *rows), around, contrast);
+            self.top_hat.take(pixels, Size { width: *width, height: *height }, around, joint.contrast);
         }
         self.covered = Some(level);
     }
@@ -133,7 +149,8 @@ impl Levels {
             (width, height) = (width / 2, height / 2);
             make_room(&mut level.pixels, width * height);
         }
-        self.top_hat.make_room((frame.width() / 2, frame.height() / 2), widest.round() as usize);
+        let half = Size { width: frame.width() / 2, height: frame.height() / 2 };
+        self.top_hat.make_room(half, widest.round() as usize);
     }
 
     /// Returns the coarsest usable level.
@@ -225,9 +242,10 @@ mod tests {
         let mut levels = Levels::new();
         for frame in &frames {
             levels.begin_frame();
-            for (level, joint) in
-                [(1, (3.0, 40.0)), (1, (3.0, 40.0)), (1, (3.0, 20.0)), (1, (5.0, 20.0)), (2, (5.0, 20.0))]
+            for (level, width, contrast) in
+                [(1, 3.0, 40.0), (1, 3.0, 40.0), (1, 3.0, 20.0), (1, 5.0, 20.0), (2, 5.0, 20.0)]
             {
+                let joint = DarkLine { width, contrast };
                 levels.cover(frame, level, joint);
                 let mut fresh = Levels::new();
                 fresh.cover(frame, level, joint);

@@ -1,6 +1,7 @@
 //! Noise of the depths in a strip.
 
-use super::strip::{COLS, GROUP, Strip};
+use super::levels::DarkLine;
+use super::strip::{COLS, Columns, GROUP, Strip};
 
 /// Distance of groups without a common row, rows.
 const APART: usize = 2 * GROUP + 1;
@@ -16,14 +17,14 @@ const MIN_NOISE: f32 = 0.3;
 impl Strip {
     /// Measures the noise of all depths.
     pub(super) fn noise_everywhere(&mut self) -> f32 {
-        let (first, last) = self.columns;
+        let Columns { first, last } = self.columns;
         self.measure_noise(|_| [([first; 2], last + 1 - first)])
     }
 
-    /// Measures the noise away from the path of a joint of this width and depth.
-    pub(super) fn noise_beside(&mut self, path: &[usize], (width, contrast): (f32, f32)) -> f32 {
-        let (first, last) = self.columns;
-        let away = width as usize + 2;
+    /// Measures the noise away from the path of a joint.
+    pub(super) fn noise_beside(&mut self, path: &[usize], joint: DarkLine) -> f32 {
+        let Columns { first, last } = self.columns;
+        let away = joint.width as usize + 2;
         let noise = self.measure_noise(|i| {
             let near = &path[i..(i + APART + 1).min(path.len())];
             // 16-bit numbers, so that several are compared at a time.
@@ -35,7 +36,7 @@ impl Strip {
             [[from.saturating_sub(away + left); 2], [behind; 2]].into_iter().zip([left, right])
         });
         let straight = path.iter().max().zip(path.iter().min()).is_none_or(|(most, least)| most - least <= STRAIGHT);
-        if straight || contrast > CLEAR * noise {
+        if straight || joint.contrast > CLEAR * noise {
             return noise;
         }
         // Changes that follow the joint's bend are not noise.
@@ -46,7 +47,7 @@ impl Strip {
             let from = [a, b].map(|j| (j + 1).saturating_sub(away + left));
             [from, [a + away, b + away]].into_iter().zip([left, right])
         });
-        if contrast > CLEAR * moved { moved } else { noise }
+        if joint.contrast > CLEAR * moved { moved } else { noise }
     }
 
     /// Measures noise as the difference between groups without a common row, where the joint continues. `within` gives
@@ -116,7 +117,7 @@ mod tests {
     fn the_noise_of_depths_is_told() {
         for (width, deviation) in [(1.0, 4.0), (3.0, 2.0), (5.0, 4.0), (6.8, 8.0)] {
             let (mut strip, path) = along(width, deviation, 0.0);
-            let told = strip.noise_beside(&path, (width, 50.0));
+            let told = strip.noise_beside(&path, DarkLine { width, contrast: 50.0 });
             let boxes = 1.0 / SIDE as f32 + 1.0 / box_columns(width) as f32;
             let noise = deviation * (boxes / (2 * GROUP + 1) as f32).sqrt();
             assert!((0.6..1.5).contains(&(told / noise)), "{width}: {told}, {noise}");
@@ -128,8 +129,8 @@ mod tests {
     fn what_moves_along_with_a_clear_joint_is_no_noise() {
         for width in [5.0, 6.8] {
             let (mut strip, path) = along(width, 1.0, 5.0);
-            let all = strip.noise_beside(&path, (width, 0.0));
-            let clear = strip.noise_beside(&path, (width, 0.95 * CLEAR * all));
+            let all = strip.noise_beside(&path, DarkLine { width, contrast: 0.0 });
+            let clear = strip.noise_beside(&path, DarkLine { width, contrast: 0.95 * CLEAR * all });
             assert!(clear < 0.9 * all, "{width}: {clear}, {all}");
         }
     }

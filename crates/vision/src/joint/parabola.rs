@@ -17,6 +17,17 @@ pub(super) struct Parabola {
     pub(super) weights: f32,
 }
 
+/// Weighted sums over points.
+#[derive(Debug, Clone, Copy)]
+struct Sums {
+    /// Weights times x to the powers 0 to 4.
+    powers: [f64; 5],
+    /// Weights times y times x to the powers 0 to 2.
+    products: [f64; 3],
+    /// Weights times the square of y.
+    squares: f64,
+}
+
 impl Parabola {
     /// Fits through points (x, y, weight) by least squares; `stiff` holds the last term near 0.
     pub(super) fn through(places: impl Iterator<Item = (f32, f32, f32)>, stiff: f32) -> Option<Self> {
@@ -30,19 +41,20 @@ impl Parabola {
             [wy, wy * x, wy * x * x].iter().zip(&mut r).for_each(|(power, r)| *r += power);
             squares += wy * y;
         }
-        Self::solve((m, r, squares), f64::from(stiff), SINGULAR)
+        Self::solve(Sums { powers: m, products: r, squares }, f64::from(stiff), SINGULAR)
     }
 
     /// Fits from sums over the points: weights times x to the powers 0 to 4, weights times y times x to the powers 0 to
     /// 2, and weights times the square of y.
     #[inline(always)]
     pub(super) fn of(m: [f32; 5], r: [f32; 3], squares: f32, stiff: f32) -> Option<Self> {
-        let sums = (m.map(f64::from), r.map(f64::from), f64::from(squares));
+        let sums = Sums { powers: m.map(f64::from), products: r.map(f64::from), squares: f64::from(squares) };
         Self::solve(sums, f64::from(stiff), SINGULAR_IN_SINGLE)
     }
 
     #[inline(always)]
-    fn solve((m, r, squares): ([f64; 5], [f64; 3], f64), stiff: f64, singular: f64) -> Option<Self> {
+    fn solve(sums: Sums, stiff: f64, singular: f64) -> Option<Self> {
+        let Sums { powers: m, products: r, squares } = sums;
         let bend = m[4] + stiff;
         // The inverse is the adjugate divided by the determinant.
         let [a, b, c] = [m[2] * bend - m[3] * m[3], m[2] * m[3] - m[1] * bend, m[1] * m[3] - m[2] * m[2]];

@@ -69,6 +69,15 @@ pub(super) struct About {
     pub(super) step_variance: f32,
 }
 
+/// Part of the strip about each row's middle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Window {
+    /// Columns to either side of the middle.
+    pub(super) reach: usize,
+    /// Rows before and after the row.
+    pub(super) around: usize,
+}
+
 impl Readings {
     /// Reserves capacity for this many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
@@ -114,16 +123,11 @@ impl Readings {
         Around::from_fn(|t| (after[t] - before[t]) * part)
     }
 
-    /// Computes the RMS difference of the rows within `around` of each from the mean of the `seen` rows, grey values.
-    /// Light, its slope across and the depth are factored out.
+    /// Computes the RMS difference of the rows about each from the mean of the `seen` rows, grey values. Light, its
+    /// slope across and the depth are factored out.
     #[inline(always)]
-    pub(super) fn rests<S: Simd>(
-        &self,
-        simd: S,
-        (reach, around): (usize, usize),
-        seen: impl Fn(usize) -> bool,
-        rests: &mut Vec<f32>,
-    ) {
+    pub(super) fn rests<S: Simd>(&self, simd: S, window: Window, seen: impl Fn(usize) -> bool, rests: &mut Vec<f32>) {
+        let Window { reach, around } = window;
         let mut mean = Shape::default();
         self.around.iter().enumerate().filter(|(i, _)| seen(*i)).for_each(|(_, greys)| mean.add(greys, reach));
         let [a, b, c] = mean.and_light(reach);

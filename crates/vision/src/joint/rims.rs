@@ -52,6 +52,15 @@ struct Rim {
     clear: f32,
 }
 
+/// Side of the middle on which a rim is searched.
+#[derive(Debug, Clone, Copy)]
+struct Flank {
+    /// -1 on the left, 1 on the right.
+    side: f32,
+    /// Minimum distance from the middle, columns.
+    inner: f32,
+}
+
 impl Rims {
     /// Reserves capacity for this many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
@@ -80,8 +89,8 @@ impl Rims {
         self.strip.unroll(&levels.picture(frame, fine), self.stations.iter().copied());
         self.find_edges(((BESIDE * width).round() as usize).max(2));
         let inner = INNER * width;
-        rim(&self.edges, &mut self.ways, (-1.0, inner), &mut self.left);
-        rim(&self.edges, &mut self.ways, (1.0, inner), &mut self.right);
+        rim(&self.edges, &mut self.ways, Flank { side: -1.0, inner }, &mut self.left);
+        rim(&self.edges, &mut self.ways, Flank { side: 1.0, inner }, &mut self.right);
         for (i, row) in rows.iter_mut().enumerate().filter(|(_, row)| row.confidence < CONFIDENT) {
             let [left, right] = [&self.left, &self.right].map(|rims| about(rims, i));
             let off = 0.5 * (left.at + right.at);
@@ -134,9 +143,9 @@ fn nats(from: f32, to: f32) -> f32 {
     2.0 * (to - from) / (to + from + 2.0 * DARK)
 }
 
-/// Finds the rim on one side (-1: left) at least `inner` columns from the middle: the steady path with the highest sum
-/// of contrast.
-fn rim(edges: &[Line], ways: &mut Vec<Line>, (side, inner): (f32, f32), rims: &mut Vec<Rim>) {
+/// Finds the rim on one side: the steady path with the highest sum of contrast.
+fn rim(edges: &[Line], ways: &mut Vec<Line>, flank: Flank, rims: &mut Vec<Rim>) {
+    let Flank { side, inner } = flank;
     // The left side of a column is half a column from its middle.
     let place = |j: usize| j as f32 - MID as f32 - 0.5;
     ways.clear();

@@ -3,6 +3,7 @@
 use super::axis::Station;
 use super::levels::OF_16_BITS;
 use super::strip::{COLS, Line, MID, greater, lesser};
+use crate::Size;
 use crate::wide::LANES;
 
 /// Fractions of a pixel that positions within a row are counted in.
@@ -87,9 +88,9 @@ pub(super) struct Sampler<'a, P: Pixel> {
 }
 
 impl<'a, P: Pixel> Sampler<'a, P> {
-    pub(super) fn new(pixels: &'a [P], (width, height): (usize, usize)) -> Self {
-        let last = [width, height].map(|side| side as i32 - 1);
-        Self { pixels, width: width as u32, last, around: [[P::Pair::default(); COLS]; 2] }
+    pub(super) fn new(pixels: &'a [P], size: Size) -> Self {
+        let last = [size.width, size.height].map(|side| side as i32 - 1);
+        Self { pixels, width: size.width as u32, last, around: [[P::Pair::default(); COLS]; 2] }
     }
 
     /// Samples grey values across `station`; beyond the border the border pixels are repeated.
@@ -196,7 +197,7 @@ mod tests {
             let (x, y) = (x.clamp(0, width as i32 - 1) as usize, y.clamp(0, height as i32 - 1) as usize);
             f32::from(pixels[y * width + x])
         };
-        let mut sampler = Sampler::new(&pixels, (width, height));
+        let mut sampler = Sampler::new(&pixels, Size { width, height });
         for i in 0..3000 {
             // Beyond the borders too, and far away.
             let far = if i % 10 == 0 { 1e6 } else { 1.0 };

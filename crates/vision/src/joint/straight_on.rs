@@ -1,7 +1,7 @@
 //! Turns too sharp for a joint, at the rim of a tack or at a junction, are left again: the joint may continue straight
 //! behind the object that hides it.
 
-use super::again::{HEADING, STRETCH, last_sure, rim, same_within, start_at, to_rim, top_hat_level, way};
+use super::again::{HEADING, Lengths, STRETCH, last_sure, rim, same_within, start_at, to_rim, top_hat_level, way};
 use super::axis::length;
 use super::bend;
 use super::follow::{Follower, Inside};
@@ -52,7 +52,8 @@ impl Follower {
         // A joint that ends within the frame may continue behind its end.
         let aside = if to_rim(rows, inside) < rim(look) { corner } else { rows.len() };
         self.hidden = Some(Hidden { place, aside });
-        let found = self.follow_on_top_hat(frame, &start, inside, (look, level), (length, length + STRETCH));
+        let lengths = Lengths { before: length, min: length + STRETCH };
+        let found = self.follow_on_top_hat(frame, &start, inside, look, level, lengths);
         self.hidden = None;
         if !found {
             return false;

@@ -80,7 +80,7 @@ fn boxes(boxes: &mut Boxes, sum: &Line) {
 /// of `count` rows. On each side the lighter of two boxes counts, so a scratch or the foot of a step beside the joint
 /// does not matter. Of the two sides the darker one counts.
 #[inline(always)]
-fn depths<const HALF: usize>(depth: &mut Line, (sum, boxes): (&Line, &Boxes), count: f32) {
+fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, boxes: &Boxes, count: f32) {
     // Whole lanes, some of them behind the last column.
     let (away, reach, lanes) = const {
         let reach = away(HALF) + 2 * SIDE;
@@ -174,7 +174,7 @@ impl<const HALF: usize> Work for Measure<'_, HALF> {
                 boxes(box_sums, sum);
             }
             for (k, depth) in self.depth[first..last].iter_mut().enumerate() {
-                depths::<HALF>(depth, (&sums[k], &box_sums[k]), counts[k]);
+                depths::<HALF>(depth, &sums[k], &box_sums[k], counts[k]);
             }
         }
     }
@@ -232,6 +232,13 @@ impl Work for Deepest<'_> {
     }
 }
 
+/// First and last column of a range.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Columns {
+    pub(super) first: usize,
+    pub(super) last: usize,
+}
+
 /// Unrolled grey values along a line of stations, and the depth of each place against the metal on both sides.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Strip {
@@ -241,8 +248,8 @@ pub(super) struct Strip {
     pub(super) depth: Vec<Line>,
     /// Standard deviation of a depth without a joint.
     pub(super) noise: f32,
-    /// First and last column with a depth.
-    pub(super) columns: (usize, usize),
+    /// Columns with a depth.
+    pub(super) columns: Columns,
     pub(super) magnitudes: Vec<f32>,
 }
 
@@ -268,7 +275,7 @@ impl Strip {
 
     fn rows<const NEAREST: bool>(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         self.grey.resize(stations.len(), Line::default());
-        let size = (picture.width, picture.height);
+        let size = picture.size();
         let lines = &mut self.grey;
         match picture.grey {
             Grey::U8(p) => wide(Unroll::<_, _, NEAREST> { sampler: Sampler::new(p, size), stations, lines }),
@@ -282,7 +289,7 @@ impl Strip {
     pub(super) fn measure(&mut self, width: f32, most: f32) {
         let half = box_columns(width) / 2;
         let reach = away(half) + 2 * SIDE;
-        self.columns = (reach, COLS - 1 - reach);
+        self.columns = Columns { first: reach, last: COLS - 1 - reach };
         self.depth.resize(self.grey.len(), Line::default());
         let Self { grey, depth, .. } = self;
         match half {

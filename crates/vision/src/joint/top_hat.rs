@@ -4,6 +4,7 @@
 
 use super::levels::{Grey, Picture};
 use super::make_room;
+use crate::Size;
 use crate::aligned::CACHE_LINE;
 use crate::wide::{Simd, Work, wide};
 
@@ -33,7 +34,8 @@ pub(super) struct TopHat {
 
 impl TopHat {
     /// Reserves capacity for a picture of this size and squares of `around` pixels to either side.
-    pub(super) fn make_room(&mut self, (width, height): (usize, usize), around: usize) {
+    pub(super) fn make_room(&mut self, size: Size, around: usize) {
+        let Size { width, height } = size;
         let room = room(line(width, around) * (height + 2 * margin(around)), around);
         make_room(&mut self.smooth, room);
         make_room(&mut self.metal, room);
@@ -42,7 +44,8 @@ impl TopHat {
 
     /// Computes the top-hat of a picture, with squares of `around` pixels to either side, for joints narrower than
     /// these and about `contrast` grey values deep.
-    pub(super) fn take(&mut self, pixels: &[f32], (width, height): (usize, usize), around: usize, contrast: f32) {
+    pub(super) fn take(&mut self, pixels: &[f32], size: Size, around: usize, contrast: f32) {
+        let Size { width, height } = size;
         (self.width, self.height) = (width, height);
         let (margin, square) = (margin(around), 2 * around + 1);
         let (line, rows) = (line(width, around), height + 2 * margin);
@@ -51,7 +54,6 @@ impl TopHat {
         self.pixels.resize(width * height, 0.0);
         let [smooth, metal] = [&mut self.smooth[..], &mut self.metal[..]].map(from_cache_line);
         let out = &mut self.pixels;
-        let size = (width, height);
         wide(Take { pixels, size, smooth, metal, out, line, rows, margin, square, most: DEEPEST * contrast });
     }
 
@@ -102,8 +104,8 @@ fn steps(count: usize) -> impl Iterator<Item = usize> + Clone {
 /// upper left pixel of each group holds the result.
 struct Take<'a> {
     pixels: &'a [f32],
-    /// Pixels per row of the picture, and rows.
-    size: (usize, usize),
+    /// Size of the picture.
+    size: Size,
     smooth: &'a mut [i16],
     metal: &'a mut [i16],
     out: &'a mut [f32],
@@ -118,25 +120,25 @@ struct Take<'a> {
 impl Work for Take<'_> {
     #[inline(always)]
     fn run(self, _: impl Simd) {
-        let Self { pixels, size: (width, height), smooth, metal, out, line, rows, margin, square, most } = self;
+        let Self { pixels, size: Size { width, height }, smooth, metal, out, line, rows, margin, square, most } = self;
         let mean = |a: i16, b: i16| (a + b) >> 1;
         let (twice, steps) = ([1, 1].into_iter(), steps(square));
         for row in 0..rows {
             let from = &pixels[row.saturating_sub(margin).min(height - 1) * width..][..width];
             put_within(&mut smooth[row * line..][..line], from, margin);
-            across(smooth, (line, row), &twice, mean);
-            down(smooth, (line, row), &twice, mean);
+            across(smooth, RowAt { line, row }, &twice, mean);
+            down(smooth, RowAt { line, row }, &twice, mean);
             // A row is smoothed when the two below it are there. The maximum or minimum of a square is ready with its
             // last row.
             let Some(row) = row.checked_sub(2) else { continue };
             let this = row * line..(row + 1) * line;
             metal[this.clone()].copy_from_slice(&smooth[this]);
-            across(metal, (line, row), &steps, i16::max);
-            down(metal, (line, row), &steps, i16::max);
+            across(metal, RowAt { line, row }, &steps, i16::max);
+            down(metal, RowAt { line, row }, &steps, i16::max);
             let Some(row) = row.checked_sub(square - 1) else { continue };
-            down(metal, (line, row), &steps, i16::min);
+            down(metal, RowAt { line, row }, &steps, i16::min);
             let Some(row) = row.checked_sub(square - 1) else { continue };
-            across(metal, (line, row), &steps, i16::min);
+            across(metal, RowAt { line, row }, &steps, i16::min);
             // A group of three is shifted by one to the upper left, the two squares by their size.
             let Some(y) = (row + square).checked_sub(margin).filter(|y| *y < height) else { continue };
             let at = |less: usize| (y + margin - less) * line + margin - less;
@@ -158,15 +160,19 @@ fn put_within(row: &mut [i16], from: &[f32], margin: usize) {
     behind.fill(parts(from[from.len() - 1]));
 }
 
+/// A row in a buffer.
+#[derive(Debug, Clone, Copy)]
+struct RowAt {
+    /// Pixels from one row of the buffer to the next.
+    line: usize,
+    row: usize,
+}
+
 /// Combines each pixel with those behind it in its row, step by step. (Behind the border a row continues in the next
 /// one; those results are unused.)
 #[inline(always)]
-fn across(
-    pixels: &mut [i16],
-    (line, row): (usize, usize),
-    steps: &(impl Iterator<Item = usize> + Clone),
-    of: impl Fn(i16, i16) -> i16,
-) {
+fn across(pixels: &mut [i16], at: RowAt, steps: &(impl Iterator<Item = usize> + Clone), of: impl Fn(i16, i16) -> i16) {
+    let RowAt { line, row } = at;
     for step in steps.clone() {
         let row = &mut pixels[row * line..][..line + step];
         for i in (0..line).step_by(LANES) {
@@ -181,12 +187,8 @@ fn across(
 
 /// Combines rows with those below them, step by step, for all rows whose inputs end at this row.
 #[inline(always)]
-fn down(
-    pixels: &mut [i16],
-    (line, row): (usize, usize),
-    steps: &(impl Iterator<Item = usize> + Clone),
-    of: impl Fn(i16, i16) -> i16,
-) {
+fn down(pixels: &mut [i16], at: RowAt, steps: &(impl Iterator<Item = usize> + Clone), of: impl Fn(i16, i16) -> i16) {
+    let RowAt { line, row } = at;
     // Each step follows once the previous one is done with the row it reaches.
     let mut reached = row;
     for step in steps.clone() {
@@ -217,8 +219,8 @@ mod tests {
     use crate::testing::random;
 
     /// Reference by definition: the minimum of the maximum over squares, of 3 x 3 means with weights 1, 2, 1.
-    fn slowly(pixels: &[f32], (width, height): (usize, usize), around: isize) -> Vec<f32> {
-        let (w, h) = (width as isize, height as isize);
+    fn slowly(pixels: &[f32], size: Size, around: isize) -> Vec<f32> {
+        let (w, h) = (size.width as isize, size.height as isize);
         let at = |x: isize, y: isize| pixels[(y.clamp(0, h - 1) * w + x.clamp(0, w - 1)) as usize];
         let three = [(-1, 0.25), (0, 0.5), (1, 0.25)];
         let smooth = |x: isize, y: isize| {
@@ -238,8 +240,8 @@ mod tests {
         let mut random = random();
         let mut hat = TopHat::default();
         for around in 1..=5 {
-            let size @ (width, height) = (17 + (20.0 * random()) as usize, 17 + (20.0 * random()) as usize);
-            let pixels: Vec<f32> = (0..width * height).map(|_| 200.0 * random()).collect();
+            let size = Size { width: 17 + (20.0 * random()) as usize, height: 17 + (20.0 * random()) as usize };
+            let pixels: Vec<f32> = (0..size.width * size.height).map(|_| 200.0 * random()).collect();
             hat.take(&pixels, size, around, 50.0);
             for (found, depth) in hat.pixels.iter().zip(slowly(&pixels, size, around as isize)) {
                 let told = METAL - depth / (1.0 + (depth / 40.0).powi(2)).sqrt();
@@ -252,7 +254,7 @@ mod tests {
     fn squares_may_be_larger_than_what_is_combined_at_a_time_and_than_the_picture() {
         let mut hat = TopHat::default();
         for around in [LANES - 1, LANES, LANES + 1, 3 * LANES] {
-            hat.take(&[90.0; 20 * 20], (20, 20), around, 50.0);
+            hat.take(&[90.0; 20 * 20], Size { width: 20, height: 20 }, around, 50.0);
             assert!(hat.pixels.iter().all(|grey| *grey >= METAL), "{around}");
         }
     }
@@ -270,7 +272,7 @@ mod tests {
         let pixels: Vec<f32> =
             (0..width * height).map(place).map(|(x, y)| metal(x, y) - if line(x, y) { 30.0 } else { 0.0 }).collect();
         let mut hat = TopHat::default();
-        hat.take(&pixels, (width, height), 3, 30.0);
+        hat.take(&pixels, Size { width, height }, 3, 30.0);
         for (i, grey) in hat.pixels.iter().enumerate() {
             let (x, y) = place(i);
             let off = (y - 0.2 * x - 20.0).abs();

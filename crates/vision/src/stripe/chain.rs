@@ -62,6 +62,15 @@ struct End {
     continued: bool,
 }
 
+/// Scales of the scores in an image.
+#[derive(Debug, Clone, Copy)]
+struct Scoring {
+    /// Strength of a usual blob.
+    strength: f32,
+    /// Maximum cost of a step.
+    jump: f32,
+}
+
 /// Chains blobs; reuses its buffers from image to image.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Chainer {
@@ -98,8 +107,8 @@ impl Chainer {
     /// Links the stripe among `blobs` from left to right into `chain`.
     pub(super) fn link(&mut self, blobs: &Blobs, chain: &mut Vec<StripePoint>) {
         chain.clear();
-        let usual = self.usual_strength(blobs);
-        let jump = JUMP + blobs.width() as f32 / JUMP_COLUMNS;
+        let strength = self.usual_strength(blobs);
+        let scoring = Scoring { strength, jump: JUMP + blobs.width() as f32 / JUMP_COLUMNS };
         self.nodes.clear();
         self.live.clear();
         let mut best: Option<(f32, u32)> = None;
@@ -110,7 +119,7 @@ impl Chainer {
             }
             self.next.clear();
             for (i, blob) in found.iter().enumerate() {
-                let end = self.extend(column as u32, i as u8, blob, (usual, jump));
+                let end = self.extend(column as u32, i as u8, blob, scoring);
                 if best.is_none_or(|(score, _)| end.score > score) {
                     best = Some((end.score, end.node));
                 }
@@ -149,8 +158,8 @@ impl Chainer {
     }
 
     /// Returns the best chain that ends with this blob.
-    fn extend(&mut self, column: u32, index: u8, blob: &Blob, (usual, jump): (f32, f32)) -> End {
-        let earns = (blob.strength / usual).clamp(0.15, 1.0);
+    fn extend(&mut self, column: u32, index: u8, blob: &Blob, scoring: Scoring) -> End {
+        let earns = (blob.strength / scoring.strength).clamp(0.15, 1.0);
         let mut best: Option<(f32, usize, f32)> = None;
         for (i, end) in self.live.iter_mut().enumerate() {
             let columns = (column - end.column) as f32;
@@ -159,7 +168,7 @@ impl Chainer {
             let on_course = A_PIXEL * off / (1.0 + 0.1 * (columns - 1.0)).min(4.0);
             let free = FREE_ROWS * columns.min(FREE_COLUMNS);
             let anywhere = A_ROW * ((blob.row - end.row).abs() - free).max(0.0) + 0.4;
-            let cost = on_course.min(anywhere).min(jump);
+            let cost = on_course.min(anywhere).min(scoring.jump);
             if cost < earns {
                 end.continued = true;
             }

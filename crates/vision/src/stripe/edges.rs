@@ -126,7 +126,7 @@ pub(super) fn is_hidden(strip: &[f64], usual: &Usual, end: usize) -> bool {
 /// both. The observed light is therefore normally distributed for every position of the end.
 pub(super) fn sub_column(strip: &[f64], usual: &Usual, coarse: usize) -> f64 {
     let first = coarse as i64 - (WINDOW / 2) as i64;
-    let (own, mean) = ((usual.deviation / AFTER_SPREAD).clamp(0.1, 0.9), usual.mean);
+    let lit = LitColumn { mean: usual.mean, deviation: (usual.deviation / AFTER_SPREAD).clamp(0.1, 0.9) };
     let mut seen = SVector::<f64, WINDOW>::zeros();
     let mut noise = SVector::<f64, WINDOW>::zeros();
     for i in 0..WINDOW {
@@ -140,7 +140,7 @@ pub(super) fn sub_column(strip: &[f64], usual: &Usual, coarse: usize) -> f64 {
     let steps = (2.0 * REACH / STEP) as i32;
     for k in 0..=steps {
         let end = (WINDOW / 2) as f64 - REACH + STEP * f64::from(k);
-        let Some(score) = likelihood(&seen, &noise, end, (mean, own)) else { continue };
+        let Some(score) = likelihood(&seen, &noise, end, lit) else { continue };
         // Weights relative to the maximum likelihood so far.
         if score > most {
             let down = (most - score).exp();
@@ -153,15 +153,17 @@ pub(super) fn sub_column(strip: &[f64], usual: &Usual, coarse: usize) -> f64 {
     if weights > 0.0 { first as f64 + moment / weights } else { coarse as f64 }
 }
 
+/// Distribution of a lit column's light before the spread, in parts of the usual light.
+#[derive(Debug, Clone, Copy)]
+struct LitColumn {
+    mean: f64,
+    deviation: f64,
+}
+
 /// Returns the log likelihood of the light if columns before `end` are lit, up to a constant.
-fn likelihood(
-    seen: &SVector<f64, WINDOW>,
-    noise: &SVector<f64, WINDOW>,
-    end: f64,
-    (mean, own): (f64, f64),
-) -> Option<f64> {
+fn likelihood(seen: &SVector<f64, WINDOW>, noise: &SVector<f64, WINDOW>, end: f64, lit: LitColumn) -> Option<f64> {
     let part = |i: usize| (end - i as f64).clamp(0.0, 1.0);
-    let variance = |i: usize| (own * part(i)).powi(2) + (STRAY * (1.0 - part(i))).powi(2);
+    let variance = |i: usize| (lit.deviation * part(i)).powi(2) + (STRAY * (1.0 - part(i))).powi(2);
     let brings = |to: usize, from: usize| match to.abs_diff(from) {
         0 => 1.0 - 2.0 * SPREAD,
         1 => SPREAD,
@@ -171,7 +173,7 @@ fn likelihood(
     let mut off = *seen;
     for i in 0..WINDOW {
         for k in i.saturating_sub(1)..(i + 2).min(WINDOW) {
-            off[i] -= brings(i, k) * mean * part(k);
+            off[i] -= brings(i, k) * lit.mean * part(k);
         }
         for j in 0..=i {
             let shared = i.saturating_sub(1)..(j + 2).min(WINDOW);

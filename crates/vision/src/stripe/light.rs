@@ -5,7 +5,7 @@
 
 use super::blobs::Blobs;
 use super::fit::{StripeArc, StripeLine};
-use super::profile::Profile;
+use super::profile::{Columns, Profile};
 use crate::{Frame, Pixels};
 use glam::DVec2;
 use seamwright_geometry::Homography;
@@ -49,6 +49,24 @@ impl Course {
     }
 }
 
+/// Usual width and strength of the stripe in an image.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct UsualStripe {
+    /// Rows from border to border.
+    pub(super) width: f64,
+    /// Sum of the grey values above the background, down a column.
+    pub(super) strength: f64,
+}
+
+/// Grey values of the pixels in a column.
+#[derive(Debug, Clone, Copy)]
+struct GreyScale {
+    /// Background, grey values.
+    background: f64,
+    /// Pixel value of one grey value.
+    unit: f64,
+}
+
 /// An image with the parameters of its light.
 pub(super) struct Light<'a> {
     frame: &'a Frame<'a>,
@@ -61,21 +79,17 @@ pub(super) struct Light<'a> {
 }
 
 impl<'a> Light<'a> {
-    /// Creates it for an image with this usual width (rows) and strength of the stripe.
-    pub(super) fn new(
-        frame: &'a Frame<'a>,
-        blobs: &'a Blobs,
-        to_mm: Option<&Homography>,
-        (width, strength): (f64, f64),
-    ) -> Self {
+    /// Creates it for an image.
+    pub(super) fn new(frame: &'a Frame<'a>, blobs: &'a Blobs, to_mm: Option<&Homography>, usual: UsualStripe) -> Self {
         let to_px = to_mm.map(Homography::inverse);
-        Self { frame, blobs, to_px, half: (HALF * width).max(1.0), bright: BRIGHT * strength }
+        Self { frame, blobs, to_px, half: (HALF * usual.width).max(1.0), bright: BRIGHT * usual.strength }
     }
 
-    /// Measures the light on `course` in the profile's columns `from` to `to`, both included, in that order. The unit
-    /// is grey values above the background, summed over a strip of rows. The light is NaN where the course leaves the
-    /// image, and [`SOMETHING_ELSE`] where another object is seen.
-    pub(super) fn along(&self, profile: &Profile, course: &Course, (from, to): (i32, i32), strip: &mut Vec<f64>) {
+    /// Measures the light on `course` in the profile's columns, in their order. The unit is grey values above the
+    /// background, summed over a strip of rows. The light is NaN where the course leaves the image, and
+    /// [`SOMETHING_ELSE`] where another object is seen.
+    pub(super) fn along(&self, profile: &Profile, course: &Course, columns: Columns, strip: &mut Vec<f64>) {
+        let Columns { from, to } = columns;
         strip.clear();
         let step = if to >= from { 1 } else { -1 };
         let columns = (0..=(to - from).abs()).map(|i| f64::from(from + step * i));
@@ -123,14 +137,15 @@ impl<'a> Light<'a> {
         // The range check above guarantees at least -0.5.
         let column = (column + 0.5) as usize;
         let background = self.blobs.background_at(column, row as usize);
+        let scale = |unit| GreyScale { background, unit };
         match self.frame.pixels() {
-            Pixels::U8(pixels) => self.centred(row, (background, 1.0), |r| u32::from(pixels[r * width + column])),
-            Pixels::U16(pixels) => self.centred(row, (background, 257.0), |r| u32::from(pixels[r * width + column])),
+            Pixels::U8(pixels) => self.centred(row, scale(1.0), |r| u32::from(pixels[r * width + column])),
+            Pixels::U16(pixels) => self.centred(row, scale(257.0), |r| u32::from(pixels[r * width + column])),
         }
     }
 
-    /// Returns the light about `row` in a column above the background; `a_grey` is the pixel value of one grey value.
-    fn centred(&self, row: f64, (background, a_grey): (f64, f64), pixel: impl Fn(usize) -> u32) -> f64 {
+    /// Returns the light about `row` in a column above the background.
+    fn centred(&self, row: f64, scale: GreyScale, pixel: impl Fn(usize) -> u32) -> f64 {
         // The strip, and as much again above and below it.
         let first = (row - 2.0 * self.half).ceil().max(0.0) as usize;
         let last = ((row + 2.0 * self.half) as usize).min(self.frame.height() - 1);
@@ -144,7 +159,7 @@ impl<'a> Light<'a> {
                 *sum = if r < edge { all } else { *sum };
             }
         }
-        let light = |sum: f64, rows: f64| sum / a_grey - background * rows;
+        let light = |sum: f64, rows: f64| sum / scale.unit - scale.background * rows;
         let [upper, middle, lower] = [0, 1, 2].map(|i| {
             let part = (edges[i] - within[i] as f64).clamp(0.0, 1.0);
             light(f64::from(before[i]) + part * f64::from(pixel(within[i])), (within[i] - first) as f64 + part)
@@ -201,15 +216,16 @@ mod tests {
         let mut profile = Profile::default();
         (profile.pitch, profile.direction) = (1.0, 1.0);
         for width in [6.0, 10.0, 20.0] {
-            let light = Light::new(&frame, &blobs, None, (width, HEIGHT));
+            let light = Light::new(&frame, &blobs, None, UsualStripe { width, strength: HEIGHT });
             let half = HALF * width;
             let mut strip = Vec::new();
+            let columns = Columns { from: 5, to: 60 };
             // y is the column, z the row upwards.
             let course = |below: f64| {
                 let along = DVec2::new(1.0, -SLOPE).normalize();
                 Course::Line(StripeLine { at: DVec2::new(20.0, -row(20.0) - below), along })
             };
-            light.along(&profile, &course(0.0), (5, 60), &mut strip);
+            light.along(&profile, &course(0.0), columns, &mut strip);
             assert_eq!(strip.len(), 56);
             for (i, found) in strip.iter().enumerate() {
                 let wanted = integral(-half, half);
@@ -217,15 +233,15 @@ mod tests {
             }
             // The reverse direction gives the same light in reverse order.
             let forwards = strip.clone();
-            light.along(&profile, &course(0.0), (60, 5), &mut strip);
+            light.along(&profile, &course(0.0), Columns { from: 60, to: 5 }, &mut strip);
             assert!(strip.iter().eq(forwards.iter().rev()));
             // Far from the stripe it is dark. Beside it another object is seen, and outside the image the light is
             // unknown.
-            light.along(&profile, &course(40.0 + half), (5, 60), &mut strip);
+            light.along(&profile, &course(40.0 + half), columns, &mut strip);
             assert!(strip.iter().all(|v| v.abs() < 0.02 * HEIGHT));
-            light.along(&profile, &course(half + SIGMA), (5, 60), &mut strip);
+            light.along(&profile, &course(half + SIGMA), columns, &mut strip);
             assert!(strip.iter().all(|v| v.is_infinite()), "{width}: {strip:?}");
-            light.along(&profile, &course(150.0), (5, 60), &mut strip);
+            light.along(&profile, &course(150.0), columns, &mut strip);
             assert!(strip.iter().all(|v| v.is_nan()));
         }
     }
@@ -260,7 +276,7 @@ mod tests {
             let (row, half) = (snap(39.0 * random()), snap(1.0 + 12.0 * random()));
             let background = 200.0 * random();
             let light = Light { frame: &frame, blobs: &blobs, to_px: None, half, bright: 40.0 };
-            let found = light.centred(row, (background, 257.0), |r| u32::from(pixels[r]));
+            let found = light.centred(row, GreyScale { background, unit: 257.0 }, |r| u32::from(pixels[r]));
             let (mut all, mut above, mut below) = (0.0, 0.0, 0.0);
             for (r, pixel) in pixels.iter().enumerate() {
                 let (to, value) = (r as f64 - row, f64::from(*pixel) / 257.0 - background);

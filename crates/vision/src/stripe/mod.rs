@@ -34,7 +34,7 @@ use blobs::Blobs;
 use chain::Chainer;
 use glam::DVec2;
 use joints::View;
-use light::Light;
+use light::{Light, UsualStripe};
 use profile::{Profile, median};
 use seamwright_geometry::Homography;
 use segments::Cutter;
@@ -87,9 +87,9 @@ impl StripeReader {
         let width = median(&mut self.scratch).unwrap_or(0.0);
         self.scratch.clear();
         self.scratch.extend(self.chain.iter().map(|p| p.strength));
-        let usual = (width, median(&mut self.scratch).unwrap_or(0.0));
+        let strength = median(&mut self.scratch).unwrap_or(0.0);
         self.cut()?;
-        let light = Some(Light::new(frame, &self.blobs, to_mm, usual));
+        let light = Some(Light::new(frame, &self.blobs, to_mm, UsualStripe { width, strength }));
         let Self { profile, segments, strip, evidence, scratch, .. } = self;
         View { profile, segments, task, light, strip, evidence, scratch }.joint()
     }

@@ -19,6 +19,13 @@ pub(super) struct Sample {
     pub(super) covers: f64,
 }
 
+/// Columns from one to another, both included. Where the order matters, they may run to the left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Columns {
+    pub(super) from: i32,
+    pub(super) to: i32,
+}
+
 /// Points by column, and their usual distance along y.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Profile {
@@ -147,14 +154,14 @@ impl Profile {
         self.samples.last().map_or(0, |s| s.column as usize + 1)
     }
 
-    /// Returns the samples of the columns `from` to `to`, both included.
-    pub(super) fn between(&self, from: i32, to: i32) -> &[Sample] {
-        within(&self.samples, from, to)
+    /// Returns the samples of the columns, from left to right.
+    pub(super) fn between(&self, columns: Columns) -> &[Sample] {
+        within(&self.samples, columns)
     }
 
-    /// Returns all blobs of the columns `from` to `to`, both included.
-    pub(super) fn all_between(&self, from: i32, to: i32) -> &[Sample] {
-        within(&self.all, from, to)
+    /// Returns all blobs of the columns, from left to right.
+    pub(super) fn all_between(&self, columns: Columns) -> &[Sample] {
+        within(&self.all, columns)
     }
 
     /// Replaces points by another blob of their column that lies on a longer line than their own. Returns true if any
@@ -167,10 +174,10 @@ impl Profile {
                 continue;
             }
             let on_longer = |at: DVec2| longer().any(|g| g.line.off(at).abs() < g.within(grain));
-            let (from, to) = segment.columns;
+            let Columns { from, to } = segment.columns;
             let first = self.samples.partition_point(|s| s.column < from);
             let end = self.samples.partition_point(|s| s.column <= to).max(first);
-            let mut rest = within(&self.all, from, to);
+            let mut rest = within(&self.all, segment.columns);
             for sample in &mut self.samples[first..end] {
                 let passed = rest.iter().take_while(|s| s.column < sample.column).count();
                 rest = &rest[passed..];
@@ -185,9 +192,9 @@ impl Profile {
     }
 }
 
-fn within(samples: &[Sample], from: i32, to: i32) -> &[Sample] {
-    let first = samples.partition_point(|s| s.column < from);
-    let end = samples.partition_point(|s| s.column <= to);
+fn within(samples: &[Sample], columns: Columns) -> &[Sample] {
+    let first = samples.partition_point(|s| s.column < columns.from);
+    let end = samples.partition_point(|s| s.column <= columns.to);
     &samples[first..end.max(first)]
 }
 
@@ -203,11 +210,11 @@ mod tests {
     use crate::stripe::StripeLine;
     use crate::testing::random;
 
-    /// A level segment at this height, from column to column, 1 mm per column.
-    fn level(z: f64, (from, to): (i32, i32)) -> Segment {
+    /// A level segment at this height, 1 mm per column.
+    fn level(z: f64, columns: Columns) -> Segment {
         let at = |column: i32| DVec2::new(f64::from(column), z);
-        let line = StripeLine { at: at(from), along: DVec2::X };
-        Segment { line, columns: (from, to), deviation: 0.2, ends: [at(from), at(to)] }
+        let ends = [at(columns.from), at(columns.to)];
+        Segment { line: StripeLine { at: ends[0], along: DVec2::X }, columns, deviation: 0.2, ends }
     }
 
     #[test]
@@ -233,7 +240,7 @@ mod tests {
                 profile.all.extend(blobs);
             }
             let cut = 20 + (80.0 * random()) as i32;
-            let segments = [level(10.0, (0, cut - 1)), level(20.0, (cut, 119))];
+            let segments = [level(10.0, Columns { from: 0, to: cut - 1 }), level(20.0, Columns { from: cut, to: 119 })];
             let before = profile.clone();
             let changed = profile.repick(&segments);
             let wanted = before.samples.iter().map(|sample| {

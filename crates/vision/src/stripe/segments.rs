@@ -5,7 +5,7 @@
 //! lines in the runs without their ends, moves the cuts to where neighbours meet, and fits the lines again.
 
 use super::fit::{Moments, StripeLine, line};
-use super::profile::{Profile, Sample, median};
+use super::profile::{Columns, Profile, Sample, median};
 use glam::DVec2;
 
 /// Maximum number of segments.
@@ -32,8 +32,7 @@ const TOGETHER: i32 = 8;
 pub struct Segment {
     /// The line of the segment.
     pub line: StripeLine,
-    /// First and last column.
-    pub(super) columns: (i32, i32),
+    pub(super) columns: Columns,
     /// Deviation of the points from the line, mm.
     pub deviation: f64,
     /// End points on the line, mm.
@@ -56,7 +55,7 @@ impl Segment {
 #[derive(Debug, Clone, Copy)]
 struct Bin {
     at: DVec2,
-    columns: (i32, i32),
+    columns: Columns,
 }
 
 /// Cuts profiles; reuses its buffers.
@@ -96,7 +95,7 @@ impl Cutter {
         let pieces = self.best_cut(profile.grain, &mut cuts);
         for k in 0..pieces {
             let bins = &self.bins[cuts[k]..cuts[k + 1]];
-            let columns = (bins[0].columns.0, bins[bins.len() - 1].columns.1);
+            let columns = Columns { from: bins[0].columns.from, to: bins[bins.len() - 1].columns.to };
             if let Some(segment) = self.fit(profile, columns, 0, None) {
                 segments.push(segment);
             }
@@ -123,7 +122,8 @@ impl Cutter {
                 median(&mut self.scratch).unwrap_or(0.0)
             };
             let at = DVec2::new(middle(|s| s.at.x), middle(|s| s.at.y));
-            self.bins.push(Bin { at, columns: (first.column, inside[inside.len() - 1].column) });
+            let columns = Columns { from: first.column, to: inside[inside.len() - 1].column };
+            self.bins.push(Bin { at, columns });
         }
     }
 
@@ -171,19 +171,14 @@ impl Cutter {
     }
 
     /// Fits a robust line through the columns, without up to `trim` of them at either end.
-    fn fit(
-        &mut self,
-        profile: &Profile,
-        (from, to): (i32, i32),
-        trim: i32,
-        start: Option<StripeLine>,
-    ) -> Option<Segment> {
+    fn fit(&mut self, profile: &Profile, columns: Columns, trim: i32, start: Option<StripeLine>) -> Option<Segment> {
+        let Columns { from, to } = columns;
         let trim = trim.min((to - from) / 4);
-        let samples = profile.between(from + trim, to - trim);
+        let samples = profile.between(Columns { from: from + trim, to: to - trim });
         let (line, deviation) = line(samples, start, 0.3 * profile.grain, &mut self.other)?;
-        let all = profile.between(from, to);
+        let all = profile.between(columns);
         let ends = [all.first()?, all.last()?].map(|s| line.foot(s.at));
-        Some(Segment { line, columns: (from, to), deviation, ends })
+        Some(Segment { line, columns, deviation, ends })
     }
 
     /// Moves every cut to the best separation of two segments' points, and fits the lines again.
@@ -191,11 +186,11 @@ impl Cutter {
         for i in 1..segments.len() {
             let (a, b) = (segments[i - 1], segments[i]);
             // At most into a third of either.
-            let from = a.columns.1 - (a.columns.1 - a.columns.0) / 3;
-            let to = b.columns.0 + (b.columns.1 - b.columns.0) / 3;
+            let from = a.columns.to - (a.columns.to - a.columns.from) / 3;
+            let to = b.columns.from + (b.columns.to - b.columns.from) / 3;
             let limit = 3.0 * a.deviation.max(b.deviation);
             let off = |line: &StripeLine, s: &Sample| line.off(s.at).abs().min(limit);
-            let zone = profile.between(from, to);
+            let zone = profile.between(Columns { from, to });
             let mut cost: f64 = zone.iter().map(|s| off(&b.line, s)).sum();
             let (mut least, mut cut) = (cost, from);
             for s in zone {
@@ -204,23 +199,23 @@ impl Cutter {
                     (least, cut) = (cost, s.column + 1);
                 }
             }
-            let last = profile.between(from, cut - 1).last().map_or(from, |s| s.column);
-            let first = profile.between(cut, to).first().map_or(to, |s| s.column);
-            segments[i - 1].columns.1 = last;
-            segments[i].columns.0 = first;
+            let last = profile.between(Columns { from, to: cut - 1 }).last().map_or(from, |s| s.column);
+            let first = profile.between(Columns { from: cut, to }).first().map_or(to, |s| s.column);
+            segments[i - 1].columns.to = last;
+            segments[i].columns.from = first;
         }
         for segment in segments.iter_mut() {
             let refit = self.fit(profile, segment.columns, ROUNDED, Some(segment.line));
             *segment = refit.unwrap_or(*segment);
         }
         segments.iter_mut().for_each(|s| shrink(profile, s));
-        segments.retain(|s| s.columns.1 > s.columns.0);
+        segments.retain(|s| s.columns.to > s.columns.from);
     }
 }
 
 /// Shrinks the columns to the first and last point on the line. Two of the next three points inwards must be on it too.
 fn shrink(profile: &Profile, segment: &mut Segment) {
-    let samples = profile.between(segment.columns.0, segment.columns.1);
+    let samples = profile.between(segment.columns);
     let within = segment.within(profile.grain);
     let on = |s: &Sample| segment.line.off(s.at).abs() <= within;
     let sure = |w: &[Sample]| w[3].column - w[0].column < TOGETHER && w.iter().filter(|s| on(s)).count() >= 3;
@@ -229,7 +224,7 @@ fn shrink(profile: &Profile, segment: &mut Segment) {
     if let (Some(first), Some(last)) = (first, last)
         && last.column > first.column
     {
-        segment.columns = (first.column, last.column);
+        segment.columns = Columns { from: first.column, to: last.column };
         segment.ends = [first, last].map(|s| segment.line.foot(s.at));
     }
 }

@@ -1,7 +1,7 @@
 //! Detection of dark dots in a picture.
 
 use super::GridError;
-use crate::{Frame, Pixels};
+use crate::{Frame, Pixels, Size};
 use glam::DVec2;
 
 /// Minimum relative darkness of the darkest dots against their surroundings; below it the picture counts as plain.
@@ -13,15 +13,14 @@ const FEWEST_PIXELS: usize = 6;
 
 /// Finds the centres of dark dots, pixels.
 pub(super) fn find(frame: &Frame) -> Result<Vec<DVec2>, GridError> {
-    let (width, height) = (frame.width(), frame.height());
-    let darkness = darkness(&values(frame), (width, height));
+    let darkness = darkness(&values(frame), frame.size());
     let mut sorted: Vec<f32> = darkness.iter().step_by(3).copied().collect();
     sorted.sort_unstable_by(f32::total_cmp);
     let dark = f64::from(sorted[(sorted.len() - 1) * 99 / 100]);
     if dark < MIN_CONTRAST {
         return Err(GridError::Plain(100.0 * dark.max(0.0)));
     }
-    let spots = spots(&darkness, (width, height), (0.5 * dark) as f32);
+    let spots = spots(&darkness, frame.size(), (0.5 * dark) as f32);
     let mut areas: Vec<usize> = spots.iter().map(|s| s.area).collect();
     areas.sort_unstable();
     let Some(&median) = areas.get(areas.len() / 2) else { return Err(GridError::Few { found: 0 }) };
@@ -37,14 +36,15 @@ fn values(frame: &Frame) -> Vec<f32> {
 }
 
 /// Relative darkness of each pixel against the mean of a box about it, slightly smoothed against noise.
-fn darkness(values: &[f32], (width, height): (usize, usize)) -> Vec<f32> {
-    let near = boxed(values, (width, height), 1);
-    let about = boxed(values, (width, height), (width.max(height) / 10).max(4));
+fn darkness(values: &[f32], size: Size) -> Vec<f32> {
+    let near = boxed(values, size, 1);
+    let about = boxed(values, size, (size.width.max(size.height) / 10).max(4));
     near.iter().zip(&about).map(|(v, mean)| if *mean > 0.0 { 1.0 - v / mean } else { 0.0 }).collect()
 }
 
 /// Means over boxes of `reach` to each side, cut off at the frame's border.
-fn boxed(values: &[f32], (width, height): (usize, usize), reach: usize) -> Vec<f32> {
+fn boxed(values: &[f32], size: Size, reach: usize) -> Vec<f32> {
+    let Size { width, height } = size;
     let mut sums = vec![0.0f64; (width + 1) * (height + 1)];
     for y in 0..height {
         let mut row = 0.0;
@@ -74,7 +74,8 @@ struct Spot {
     cut: bool,
 }
 
-fn spots(darkness: &[f32], (width, height): (usize, usize), threshold: f32) -> Vec<Spot> {
+fn spots(darkness: &[f32], size: Size, threshold: f32) -> Vec<Spot> {
+    let Size { width, height } = size;
     let mut seen = vec![false; darkness.len()];
     let mut stack = Vec::new();
     let mut spots = Vec::new();

@@ -2,6 +2,7 @@
 
 use super::order::Crossing;
 use super::{Dot, Grid, GridError, Identified};
+use crate::Size;
 use crate::camera::{MapParameters, PlaneMap};
 use glam::{DMat2, DVec2};
 use nalgebra::{SMatrix, SVector};
@@ -12,9 +13,9 @@ const UNKNOWNS: usize = 7;
 /// Maximum iterations; a few are enough from the linear start.
 const STEPS: usize = 50;
 
-pub(super) fn fit(crossings: &[Crossing], size: (usize, usize), grid: &Grid) -> Result<Identified, GridError> {
-    let centre = grid.centre_px.unwrap_or(0.5 * DVec2::new(size.0 as f64 - 1.0, size.1 as f64 - 1.0));
-    let radius = 0.5 * size.0 as f64;
+pub(super) fn fit(crossings: &[Crossing], size: Size, grid: &Grid) -> Result<Identified, GridError> {
+    let centre = grid.centre_px.unwrap_or(0.5 * DVec2::new(size.width as f64 - 1.0, size.height as f64 - 1.0));
+    let radius = 0.5 * size.width as f64;
     // Scaled to pitches and radii, so that all unknowns are about 1.
     let model = Model { centre, radius, crossings };
     let unknowns = model.solve();
@@ -33,11 +34,11 @@ pub(super) fn fit(crossings: &[Crossing], size: (usize, usize), grid: &Grid) -> 
 }
 
 /// Decomposes a matrix of mm per pixel into scale, rotation and shear.
-fn parameters(to_mm: DMat2, barrel: f64, size_px: (usize, usize), centre_px: DVec2) -> MapParameters {
+fn parameters(to_mm: DMat2, barrel: f64, size: Size, centre_px: DVec2) -> MapParameters {
     let rotation = to_mm.x_axis.y.atan2(to_mm.x_axis.x);
     let square = DMat2::from_angle(-rotation) * to_mm;
     MapParameters {
-        size_px,
+        size_px: (size.width, size.height),
         centre_px,
         mm_per_px: DVec2::new(square.x_axis.x, square.y_axis.y),
         rotation,

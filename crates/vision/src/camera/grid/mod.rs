@@ -117,6 +117,6 @@ pub fn identify(frame: &Frame, grid: &Grid) -> Result<Identified, GridError> {
         return Err(GridError::Pitch(grid.pitch_mm));
     }
     let dots = dots::find(frame)?;
-    let ordered = order::ordered(&dots, (frame.width(), frame.height()))?;
-    fit::fit(&ordered, (frame.width(), frame.height()), grid)
+    let ordered = order::ordered(&dots, frame.size())?;
+    fit::fit(&ordered, frame.size(), grid)
 }

@@ -1,6 +1,7 @@
 //! Assignment of the dots to crossings of the grid.
 
 use super::{FEWEST_DOTS, GridError};
+use crate::Size;
 use glam::{DVec2, IVec2};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -15,9 +16,9 @@ pub(super) struct Crossing {
 }
 
 /// Orders dots by their crossings, from the one nearest to the frame's middle outwards; x grows to the right, y down.
-pub(super) fn ordered(dots: &[DVec2], size: (usize, usize)) -> Result<Vec<Crossing>, GridError> {
+pub(super) fn ordered(dots: &[DVec2], size: Size) -> Result<Vec<Crossing>, GridError> {
     let few = |found| GridError::Few { found };
-    let size = DVec2::new(size.0 as f64, size.1 as f64);
+    let size = DVec2::new(size.width as f64, size.height as f64);
     let near = |p: DVec2| {
         let by = |i: &usize, j: &usize| dots[*i].distance_squared(p).total_cmp(&dots[*j].distance_squared(p));
         (0..dots.len()).filter(|i| dots[*i] != p).min_by(by)

@@ -6,6 +6,7 @@ use crate::joint::even;
 use crate::joint::lattice::column_about;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::Profile;
+use crate::joint::readings::Window;
 use crate::joint::strip::MID;
 use crate::wide::{LANES, Simd, Work, wide};
 
@@ -136,7 +137,7 @@ impl Midline {
     #[inline(always)]
     fn compare(&mut self, simd: impl Simd, reach: usize) {
         const ROWS: usize = 3;
-        self.readings.rests(simd, (reach, ROWS), |i| self.rows[i].seen, &mut self.rests);
+        self.readings.rests(simd, Window { reach, around: ROWS }, |i| self.rows[i].seen, &mut self.rests);
         self.sorted.clear();
         self.sorted.extend(self.rests.iter().zip(&self.rows).filter(|(_, row)| row.seen).map(|(rest, _)| *rest));
         if self.sorted.is_empty() {

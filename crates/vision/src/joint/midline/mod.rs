@@ -109,7 +109,7 @@ impl Midline {
         self.path.resize(self.stations.len(), MID);
         // Default for strips with too few rows to measure the noise.
         self.strip.noise = look.noise;
-        self.strip.noise = self.strip.noise_beside(&self.path, (look.width, look.contrast));
+        self.strip.noise = self.strip.noise_beside(&self.path, look.line());
         self.lattice.best(&self.strip, |i| self.contrast[i], |_| 0.0, &mut self.path);
         self.follow_contrast(&trail.places);
         let scale = (1 << look.level) as f32;

@@ -1,3 +1,4 @@
+use super::see::MinRows;
 use super::{BACK, FITTED, Limits, Look, Place, ROWS, TAKEN_CLEAR, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
@@ -50,12 +51,12 @@ impl Trail {
             for axis in axes.filter(|axis| (limits.inside)(axis.station(gone as f32).at)) {
                 let beyond = beyond(&axis, gone);
                 // Half a strip is enough to exclude most places without a joint.
-                self.unroll(picture, &beyond, (BACK as f32, HALF), look);
-                if !self.may_show(look, (KNOWN - (ROWS - SHOWN), KNOWN)) {
+                self.unroll(picture, &beyond, BACK as f32, HALF, look);
+                if !self.may_show(look, MinRows { shown: KNOWN - (ROWS - SHOWN), among: KNOWN }) {
                     continue;
                 }
-                self.unroll(picture, &beyond, (BACK as f32, ROWS), look);
-                if !self.may_show(look, (SHOWN, ROWS)) {
+                self.unroll(picture, &beyond, BACK as f32, ROWS, look);
+                if !self.may_show(look, MinRows { shown: SHOWN, among: ROWS }) {
                     continue;
                 }
                 let score = self.see_unrolled(&mut look.clone(), gone);

@@ -3,11 +3,12 @@ mod see;
 
 use crate::joint::axis::{Axis, Station, length};
 use crate::joint::lattice::{Lattice, column_about};
-use crate::joint::levels::Picture;
+use crate::joint::levels::{DarkLine, Picture};
 use crate::joint::make_room;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::{Around, Profile, about};
 use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
+use see::Known;
 
 /// Rows of a strip, ...
 pub(super) const ROWS: usize = 48;
@@ -109,6 +110,11 @@ impl Look {
         self.width * (1 << self.level) as f32
     }
 
+    /// Returns the width and depth.
+    pub(super) fn line(&self) -> DarkLine {
+        DarkLine { width: self.width, contrast: self.contrast }
+    }
+
     /// Returns the clipping limit of a pixel for a joint of this depth, grey values.
     pub(super) fn most(&self, contrast: f32) -> f32 {
         if self.level > SPIKY { f32::INFINITY } else { SPIKE * contrast }
@@ -149,7 +155,7 @@ impl Trail {
                 self.strip.measure(width, START_SPIKE * contrast);
             }
             self.find(contrast, free);
-            self.strip.noise = self.strip.noise_beside(&self.path, (width, contrast));
+            self.strip.noise = self.strip.noise_beside(&self.path, DarkLine { width, contrast });
             let depths = self.path[..rows].iter().zip(&self.strip.depth).map(|(j, row)| row[*j]);
             contrast = (depths.sum::<f32>() / rows as f32).max(2.0 * self.strip.noise);
         }
@@ -206,7 +212,7 @@ impl Trail {
             let from = back as f32;
             if gap > WIDER {
                 let gone = (self.places.len() - known_to) as f32;
-                axis = self.see_across(picture, (&known, gone), from, look, gap);
+                axis = self.see_across(picture, Known { axis: known, gone }, from, look, gap);
             } else {
                 if unseen <= WIDER || 4 * self.count() >= 3 * ROWS {
                     // A short visible stretch within a gap is a chance detection.

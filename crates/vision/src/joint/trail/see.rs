@@ -32,14 +32,30 @@ fn least(level: usize) -> usize {
 /// Rows per column of sideways movement, at least, of a joint detected anew behind a gap or in another light.
 const STEADY: usize = 6;
 
+/// Minimum number of rows that show the joint.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MinRows {
+    pub(super) shown: usize,
+    /// Number of the strip's first rows that count.
+    pub(super) among: usize,
+}
+
+/// Last known course of the joint.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Known {
+    pub(super) axis: Axis,
+    /// Distance from its start, pixels.
+    pub(super) gone: f32,
+}
+
 impl Trail {
     /// Detects the joint in the strip about a point of the trail; returns the score of its best path.
     pub(super) fn see(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &mut Look, gap: usize) -> f32 {
-        self.unroll(picture, axis, (from, ROWS), look);
+        self.unroll(picture, axis, from, ROWS, look);
         self.see_unrolled(look, gap)
     }
 
-    pub(super) fn unroll(&mut self, picture: &Picture, axis: &Axis, (from, rows): (f32, usize), look: &Look) {
+    pub(super) fn unroll(&mut self, picture: &Picture, axis: &Axis, from: f32, rows: usize, look: &Look) {
         self.strip.unroll_nearest(picture, axis.stations(-from, rows));
         self.strip.measure(look.width, look.most(look.contrast));
         self.strip.noise = look.noise;
@@ -51,7 +67,7 @@ impl Trail {
         if 2 * self.count() >= ROWS {
             look.noise_was_learned = !look.noise_was_learned;
             if look.noise_was_learned {
-                let noise = self.strip.noise_beside(&self.path, (look.width, look.contrast));
+                let noise = self.strip.noise_beside(&self.path, look.line());
                 look.noise += 0.5 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
             }
             return score;
@@ -86,15 +102,15 @@ impl Trail {
 
     /// Returns true if no path of the strip can show the joint, in any light, in enough rows to go aside for.
     fn is_empty(&mut self, look: &Look) -> bool {
-        !self.may_show(look, (least(look.level), ROWS))
+        !self.may_show(look, MinRows { shown: least(look.level), among: ROWS })
             && self.strip.shows_at_most(&self.deepest, look.contrast, ROWS) < FOUND
     }
 
-    /// Returns false if no path of the strip shows the joint in `rows` of the `first` rows, in any light.
-    pub(super) fn may_show(&mut self, look: &Look, (rows, first): (usize, usize)) -> bool {
+    /// Returns false if no path of the strip shows the joint in enough rows, in any light.
+    pub(super) fn may_show(&mut self, look: &Look, min: MinRows) -> bool {
         self.find_deepest();
         // Rows that show a deep joint also show a less deep one.
-        self.strip.shows_at_most(&self.deepest, MIN_LIGHT * look.contrast, first) >= rows
+        self.strip.shows_at_most(&self.deepest, MIN_LIGHT * look.contrast, min.among) >= min.shown
     }
 
     fn find_deepest(&mut self) {
@@ -123,28 +139,29 @@ impl Trail {
         STEADY * self.path.windows(2).map(|p| p[0].abs_diff(p[1])).sum::<usize>() <= ROWS
     }
 
-    /// Detects the joint after a gap on the most likely of several axes, `gone` pixels from where it was last `known`:
-    /// it may have bent unseen. Returns that axis.
+    /// Detects the joint after a gap on the most likely of several axes: it may have bent unseen since it was last
+    /// known. Returns that axis.
     pub(super) fn see_across(
         &mut self,
         picture: &Picture,
-        (known, gone): (&Axis, f32),
+        last: Known,
         from: f32,
         look: &mut Look,
         gap: usize,
     ) -> Axis {
+        let Known { axis: known, gone } = last;
         let most = known.curvature.abs() + BENT_UNSEEN;
         let sides = (0.5 * most * gone * gone / APART).ceil().min(MAX_SIDES);
         let bent = |number: f32| {
             let curvature = if sides > 0.0 { most * number / sides } else { 0.0 };
-            let Station { at, tangent } = Axis { curvature, ..*known }.station(gone);
+            let Station { at, tangent } = Axis { curvature, ..known }.station(gone);
             Axis { at, heading: tangent[1].atan2(tangent[0]), curvature: 0.0 }
         };
-        let mut best = (f32::MIN, *known);
+        let mut best = (f32::MIN, known);
         for side in 1..=2 * sides as usize {
             // Order from the middle outwards.
             let axis = bent((side as f32 / 2.0).ceil() * if side % 2 == 0 { 1.0 } else { -1.0 });
-            self.unroll(picture, &axis, (from, ROWS), look);
+            self.unroll(picture, &axis, from, ROWS, look);
             if self.is_empty(look) {
                 continue;
             }

@@ -151,8 +151,8 @@ impl Blobs {
         }
         self.opened.clear();
         self.opened.resize(across * down, 0.0);
-        slide(&self.cells, &mut self.opened, across, (0, OPENING - 1), f32::min);
-        slide(&self.opened, &mut self.cells, across, (OPENING - 1, 0), f32::max);
+        slide(&self.cells, &mut self.opened, across, Reach { before: 0, after: OPENING - 1 }, f32::min);
+        slide(&self.opened, &mut self.cells, across, Reach { before: OPENING - 1, after: 0 }, f32::max);
         std::mem::swap(&mut self.cells, &mut self.opened);
     }
 
@@ -305,11 +305,18 @@ fn note(best: &mut [(u16, i16); MAX_BLOBS], new: (u16, i16)) {
     }
 }
 
-/// Minimum or maximum over a window of rows of cells: up to `reach` rows before and after.
-fn slide(from: &[f32], to: &mut [f32], across: usize, reach: (usize, usize), better: fn(f32, f32) -> f32) {
+/// Rows before and after a row.
+#[derive(Debug, Clone, Copy)]
+struct Reach {
+    before: usize,
+    after: usize,
+}
+
+/// Minimum or maximum over a window of rows of cells.
+fn slide(from: &[f32], to: &mut [f32], across: usize, reach: Reach, better: fn(f32, f32) -> f32) {
     let down = from.len() / across;
     for (i, row) in to.chunks_exact_mut(across).enumerate() {
-        let window = i.saturating_sub(reach.0)..(i + reach.1 + 1).min(down);
+        let window = i.saturating_sub(reach.before)..(i + reach.after + 1).min(down);
         row.copy_from_slice(&from[i * across..(i + 1) * across]);
         for other in window {
             for (v, o) in row.iter_mut().zip(&from[other * across..]) {

@@ -6,6 +6,7 @@
 use super::{View, ramp};
 use crate::stripe::edges::{LIT, Usual};
 use crate::stripe::light::Course;
+use crate::stripe::profile::Columns;
 
 /// Columns beyond an end that must be dark, and the lit part of them for no and for full confidence.
 const BEYOND: i32 = 10;
@@ -27,8 +28,7 @@ const HOLE: [f64; 2] = [3.5, 2.2];
 /// A part of a joint.
 pub(super) struct Part {
     pub(super) course: Course,
-    /// First and last column.
-    pub(super) columns: (i32, i32),
+    pub(super) columns: Columns,
     /// Distance beyond its first and last column from which it must be dark, columns; `None` if it may continue there.
     pub(super) dark_after: [Option<i32>; 2],
 }
@@ -36,14 +36,14 @@ pub(super) struct Part {
 impl View<'_> {
     /// Returns the confidence, 0 to 1, that the parts are complete and end as they should.
     pub(super) fn cover(&mut self, parts: &[Part]) -> f64 {
-        let longest = parts.iter().max_by_key(|p| p.columns.1 - p.columns.0);
+        let longest = parts.iter().max_by_key(|p| p.columns.to - p.columns.from);
         let Some(longest) = longest else { return 0.0 };
         self.look_along(&longest.course, longest.columns);
         let Some(usual) = Usual::of(self.strip, self.scratch) else { return 0.0 };
         let hole = usual.least_gap();
         let (mut sure, mut elsewhere): (f64, usize) = (1.0, 0);
-        for part in parts.iter().filter(|p| p.columns.1 > p.columns.0) {
-            let (from, to) = part.columns;
+        for part in parts.iter().filter(|p| p.columns.to > p.columns.from) {
+            let Columns { from, to } = part.columns;
             let (run, out) = self.dark_and_out(part, &usual);
             elsewhere += out;
             sure *= ramp(run, HOLE[0] * hole, HOLE[1] * hole);
@@ -51,7 +51,8 @@ impl View<'_> {
             for (end, step, skip) in [(from, -1, before), (to, 1, after)] {
                 let Some(skip) = skip else { continue };
                 sure *= self.lit_before(part, end, step, &usual);
-                self.look_along(&part.course, (end + step * skip, end + step * (skip + BEYOND)));
+                let beyond = Columns { from: end + step * skip, to: end + step * (skip + BEYOND) };
+                self.look_along(&part.course, beyond);
                 let seen = || self.strip.iter().filter(|v| v.is_finite());
                 let lit = seen().filter(|v| **v > LIT * usual.light).count() as f64;
                 let known = seen().count() as f64;
@@ -65,8 +66,8 @@ impl View<'_> {
 
     /// Returns the confidence, 0 to 1, that a part is lit before one of its ends and not hidden.
     fn lit_before(&mut self, part: &Part, end: i32, step: i32, usual: &Usual) -> f64 {
-        let length = part.columns.1 - part.columns.0;
-        self.look_along(&part.course, (end, end - step * BEFORE.min(length)));
+        let length = part.columns.to - part.columns.from;
+        self.look_along(&part.course, Columns { from: end, to: end - step * BEFORE.min(length) });
         let lit = self.strip.iter().filter(|v| v.is_finite() && **v > LIT * usual.light).count() as f64;
         let out = self.strip.iter().filter(|v| v.is_nan()).count();
         ramp(lit / (self.strip.len() - out).max(1) as f64, LIT_BEFORE[0], LIT_BEFORE[1])
@@ -81,8 +82,8 @@ impl View<'_> {
             run = if *light > LIT * usual.light { 0 } else { run + 1 };
             longest = longest.max(run);
         }
-        let out = |c: i32| self.strip.get(c.abs_diff(part.columns.0) as usize).is_some_and(|v| v.is_nan());
-        let places = self.profile.between(part.columns.0, part.columns.1);
+        let out = |c: i32| self.strip.get(c.abs_diff(part.columns.from) as usize).is_some_and(|v| v.is_nan());
+        let places = self.profile.between(part.columns);
         (f64::from(longest), places.iter().filter(|s| out(s.column)).count())
     }
 }
@@ -96,7 +97,7 @@ mod tests {
     use glam::DVec2;
 
     /// Cover of `columns` on a level line of points, without the columns for which `missing` is true.
-    fn cover(missing: impl Fn(i32) -> bool, columns: (i32, i32), dark_after: [Option<i32>; 2]) -> f64 {
+    fn cover(missing: impl Fn(i32) -> bool, columns: Columns, dark_after: [Option<i32>; 2]) -> f64 {
         let points: Vec<DVec2> = (0..400).filter(|c| !missing(*c)).map(|c| DVec2::new(f64::from(c), 5.0)).collect();
         let mut profile = Profile::default();
         profile.set_points(&points);
@@ -114,11 +115,11 @@ mod tests {
         let gap = 5.0 / 2f64.ln();
         for run in 3..40 {
             let wanted = ((HOLE[0] * gap - f64::from(run)) / ((HOLE[0] - HOLE[1]) * gap)).clamp(0.0, 1.0);
-            let found = cover(|c| (150..150 + run).contains(&c), (0, 399), [None; 2]);
+            let found = cover(|c| (150..150 + run).contains(&c), Columns { from: 0, to: 399 }, [None; 2]);
             assert!((found - wanted).abs() < 1e-9, "{run}: {found} {wanted}");
         }
         // The same number of separate dark columns does not matter.
-        assert!((cover(|c| c % 10 == 5, (0, 399), [None; 2]) - 1.0).abs() < 1e-9);
+        assert!((cover(|c| c % 10 == 5, Columns { from: 0, to: 399 }, [None; 2]) - 1.0).abs() < 1e-9);
     }
 
     #[test]
@@ -128,13 +129,13 @@ mod tests {
             let on = f64::from(beyond.min(BEYOND + 1)) / f64::from(BEYOND + 1);
             let wanted = ((LIT_BEYOND[0] - on) / (LIT_BEYOND[0] - LIT_BEYOND[1])).clamp(0.0, 1.0);
             let gone = |c: i32| (201 + beyond..300).contains(&c);
-            let found = cover(gone, (0, 200), [None, Some(1)]);
+            let found = cover(gone, Columns { from: 0, to: 200 }, [None, Some(1)]);
             assert!((found - wanted).abs() < 1e-9, "{beyond}: {found} {wanted}");
             let gone = |c: i32| (30..100 - beyond).contains(&c);
-            let found = cover(gone, (100, 399), [Some(1), None]);
+            let found = cover(gone, Columns { from: 100, to: 399 }, [Some(1), None]);
             assert!((found - wanted).abs() < 1e-9, "before, {beyond}: {found} {wanted}");
             // Ends that may continue are not checked.
-            assert!((cover(gone, (100, 399), [None; 2]) - 1.0).abs() < 1e-9);
+            assert!((cover(gone, Columns { from: 100, to: 399 }, [None; 2]) - 1.0).abs() < 1e-9);
         }
     }
 }

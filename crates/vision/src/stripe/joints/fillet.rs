@@ -2,6 +2,7 @@ use super::cover::Part;
 use super::{Support, View, ramp, turn};
 use crate::stripe::edges::Usual;
 use crate::stripe::light::Course;
+use crate::stripe::profile::Columns;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 use glam::DVec2;
 use std::f64::consts::PI;
@@ -31,15 +32,16 @@ impl View<'_> {
         let change = self.change(&a, &b, corner).ok_or(NoFeatures::NoCorner)?;
         // All points must lie on the two faces: shoulders would make it a groove.
         let (clear, last) = (Some(self.clear_of(&a.line, &b.line)), self.profile.columns() as i32 - 1);
+        let (on_a, on_b) = (Columns { from: 0, to: change - 1 }, Columns { from: change, to: last });
         let parts = [
-            Part { course: Course::Line(a.line), columns: (0, change - 1), dark_after: [None, clear] },
-            Part { course: Course::Line(b.line), columns: (change, last), dark_after: [clear, None] },
+            Part { course: Course::Line(a.line), columns: on_a, dark_after: [None, clear] },
+            Part { course: Course::Line(b.line), columns: on_b, dark_after: [clear, None] },
         ];
         let cover = self.cover(&parts);
         if cover <= 0.0 {
             return Err(NoFeatures::NoCorner);
         }
-        let gap = self.fillet_gap((&a, &b), at, change);
+        let gap = self.fillet_gap(&a, &b, at, change);
         let shorter = f64::from(change.min(last - change)) / f64::from(last);
         let margin = ramp(inside, -MARGIN_DEG, MARGIN_DEG / 2.0) * ramp(shorter, FACE[0], FACE[1]);
         let support = Support { share: 1.0, segments: &[a, b], margin, cover, covered: true };
@@ -57,7 +59,7 @@ impl View<'_> {
 
     /// Returns the distance of one face's end from the other face: 0 if both reach the corner. The face that does not
     /// end continues past the corner to the other one's shadow.
-    fn fillet_gap(&mut self, (a, b): (&Segment, &Segment), at: DVec2, change: i32) -> f64 {
+    fn fillet_gap(&mut self, a: &Segment, b: &Segment, at: DVec2, change: i32) -> f64 {
         let corner = self.profile.column_at(at.x);
         let (ends, sign) = if f64::from(change) < corner { (a, 1.0) } else { (b, -1.0) };
         if sign * (corner - f64::from(change)) < ROUNDED {
@@ -74,17 +76,17 @@ impl View<'_> {
     /// Returns the first column with the stripe on the right face instead of the left one; among equals the nearest to
     /// the corner.
     fn change(&mut self, a: &Segment, b: &Segment, corner: f64) -> Option<i32> {
-        let (from, to) = ((a.columns.0 + a.columns.1) / 2, (b.columns.0 + b.columns.1) / 2);
+        let (from, to) = ((a.columns.from + a.columns.to) / 2, (b.columns.from + b.columns.to) / 2);
         let [left, right] = [(a, from), (b, to)].map(|(s, middle)| {
-            let end = if middle == from { s.columns.1 } else { s.columns.0 };
-            self.look_along(&Course::Line(s.line), (middle, end));
+            let end = if middle == from { s.columns.to } else { s.columns.from };
+            self.look_along(&Course::Line(s.line), Columns { from: middle, to: end });
             Usual::of(self.strip, self.scratch)
         });
         let (left, right) = (left?, right?);
-        self.look_along(&Course::Line(a.line), (from, to));
+        self.look_along(&Course::Line(a.line), Columns { from, to });
         self.scratch.clear();
         self.scratch.extend(self.strip.iter().map(|v| left.evidence(*v)));
-        self.look_along(&Course::Line(b.line), (from, to));
+        self.look_along(&Course::Line(b.line), Columns { from, to });
         let (mut sum, mut most, mut change) = (0.0, 0.0, from);
         for (i, (on_left, light)) in self.scratch.iter().zip(self.strip.iter()).enumerate() {
             sum += on_left - right.evidence(*light);

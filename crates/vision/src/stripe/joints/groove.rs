@@ -1,7 +1,7 @@
 use super::cover::Part;
 use super::{Edge, Support, View, between, ramp, turn, twice_area};
 use crate::stripe::light::Course;
-use crate::stripe::profile::{Sample, median};
+use crate::stripe::profile::{Columns, Sample, median};
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 use glam::DVec2;
 use std::f64::consts::PI;
@@ -121,7 +121,7 @@ impl View<'_> {
         let [edge_left, a, b, edge_right] = corners.map(|p| self.profile.column_at(p.x));
         let part = |line, from: f64, to: f64, dark_after| Part {
             course: Course::Line(line),
-            columns: (from.ceil() as i32 + 1, to.floor() as i32 - 1),
+            columns: Columns { from: from.ceil() as i32 + 1, to: to.floor() as i32 - 1 },
             dark_after,
         };
         let [at_left, at_root, at_right] =
@@ -161,7 +161,7 @@ impl View<'_> {
         let (from, to, grain) = (a.column.ceil() as i32, b.column.floor() as i32, self.grain());
         let far = (12.0 + b.column - a.column) * grain;
         self.scratch.clear();
-        let beside = walls.iter().flat_map(|w| self.profile.between(w.columns.0, w.columns.1));
+        let beside = walls.iter().flat_map(|w| self.profile.between(w.columns));
         self.scratch.extend(beside.filter_map(|s| s.strength));
         let usual = median(self.scratch).unwrap_or(0.0);
         let bright = |s: &&Sample| s.strength.is_none_or(|v| v > LIT * usual) && s.at.distance(closed) < far;
@@ -169,7 +169,7 @@ impl View<'_> {
         let (mut on, mut off) = (0.0, 0.0);
         // The face below a root is seen steeply.
         let face = |s: &&Sample| [a, b].iter().any(|e| e.at.y - s.at.y > FACE * (s.at.x - e.at.x).abs());
-        for s in self.profile.between(from, to).iter().filter(bright).filter(|s| !face(s)) {
+        for s in self.profile.between(Columns { from, to }).iter().filter(bright).filter(|s| !face(s)) {
             *(if on_wall(s) { &mut on } else { &mut off }) += 1.0;
         }
         let columns = f64::from((to - from + 1).max(1));

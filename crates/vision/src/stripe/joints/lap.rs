@@ -4,6 +4,7 @@ use super::cover::Part;
 use super::groove::SHOULDERS;
 use super::{Support, View, ramp, turn};
 use crate::stripe::light::Course;
+use crate::stripe::profile::Columns;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity};
 
 /// Maximum apparent overlap of the sheets of a lap joint, columns.
@@ -21,8 +22,8 @@ impl View<'_> {
         if self.segments.len() < 2 || turn(&first.line, &last.line).abs() > SHOULDERS {
             return Err(NoFeatures::NoStep);
         }
-        let left = self.edge(&first, last.columns.0).ok_or(NoFeatures::NoStep)?;
-        let right = self.edge(&last, first.columns.1).ok_or(NoFeatures::NoStep)?;
+        let left = self.edge(&first, last.columns.from).ok_or(NoFeatures::NoStep)?;
+        let right = self.edge(&last, first.columns.to).ok_or(NoFeatures::NoStep)?;
         // The end of the upper sheet is above the other sheet's line.
         let (upper, lower) = if last.line.off(left.at) > 0.0 { (left, last) } else { (right, first) };
         let height = lower.line.off(upper.at);
@@ -40,9 +41,10 @@ impl View<'_> {
         let (a, b) = (left.column.round() as i32, right.column.round() as i32);
         let (of_left, of_right) = if step > 0 { (Some(AFTER_EDGE), None) } else { (None, Some(AFTER_EDGE)) };
         let end = self.profile.columns() as i32 - 1;
+        let (on_left, on_right) = (Columns { from: 0, to: a - 1 }, Columns { from: b + 1, to: end });
         let parts = [
-            Part { course: Course::Line(first.line), columns: (0, a - 1), dark_after: [None, of_left] },
-            Part { course: Course::Line(last.line), columns: (b + 1, end), dark_after: [of_right, None] },
+            Part { course: Course::Line(first.line), columns: on_left, dark_after: [None, of_left] },
+            Part { course: Course::Line(last.line), columns: on_right, dark_after: [of_right, None] },
         ];
         let cover = seen * self.cover(&parts);
         let margin = ramp(height / self.task.least_step, 1.0, 1.2) * ramp(share, 0.7, 0.85);

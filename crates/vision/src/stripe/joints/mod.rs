@@ -13,7 +13,7 @@ use super::edges::{Usual, is_hidden, lit_columns, sub_column};
 use super::features::{Doubt, Features, JointKind, NoFeatures, Quantity, StripeTask};
 use super::fit::StripeLine;
 use super::light::{Course, Light};
-use super::profile::{Profile, Sample};
+use super::profile::{Columns, Profile, Sample};
 use super::segments::{MAX_SEGMENTS, Segment};
 use arrayvec::ArrayVec;
 use glam::DVec2;
@@ -108,16 +108,16 @@ impl View<'_> {
 
     /// Returns the end of a segment towards column `to`, not beyond it.
     fn edge(&mut self, segment: &Segment, to: i32) -> Option<Edge> {
-        let (from, last) = segment.columns;
+        let Columns { from, to: last } = segment.columns;
         let middle = (from + last) / 2;
         let sure = if to >= middle { (last - middle).min(to - middle) } else { (middle - from).min(middle - to) };
-        self.end(&Course::Line(segment.line), (middle, to), sure)
+        self.end(&Course::Line(segment.line), Columns { from: middle, to }, sure)
     }
 
-    /// Returns the end of the light on a course, on the way from column `from`, which is lit, to column `to`. The first
-    /// `sure` columns of the way are assumed to be lit except for holes.
-    fn end(&mut self, course: &Course, (from, to): (i32, i32), sure: i32) -> Option<Edge> {
-        self.look_along(course, (from, to));
+    /// Returns the end of the light on a course in the columns, the first of which is lit. The first `sure` columns are
+    /// assumed to be lit except for holes.
+    fn end(&mut self, course: &Course, columns: Columns, sure: i32) -> Option<Edge> {
+        self.look_along(course, columns);
         let sure = &self.strip[..(sure.max(0) as usize + 1).min(self.strip.len())];
         let usual = Usual::of(sure, self.scratch)?;
         let coarse = lit_columns(self.strip, &usual);
@@ -126,22 +126,24 @@ impl View<'_> {
         if leaves {
             return None;
         }
-        self.end_of(course, (from, to), &usual, coarse)
+        self.end_of(course, columns, &usual, coarse)
     }
 
     /// Returns the end of a segment whose last lit column is `last`; light beyond column `to` is ignored.
     fn end_at(&mut self, segment: &Segment, last: i32, to: i32) -> Option<Edge> {
         let course = Course::Line(segment.line);
-        let from = (segment.columns.0 + segment.columns.1) / 2;
+        let from = (segment.columns.from + segment.columns.to) / 2;
         let to = if last > from { to.max(last) } else { to.min(last) };
-        self.look_along(&course, (from, to));
+        let columns = Columns { from, to };
+        self.look_along(&course, columns);
         let lit = last.abs_diff(from) as usize + 1;
         let usual = Usual::of(&self.strip[..lit.min(self.strip.len())], self.scratch)?;
-        self.end_of(&course, (from, to), &usual, lit)
+        self.end_of(&course, columns, &usual, lit)
     }
 
     /// Returns the sub-column end of the light in the strip.
-    fn end_of(&self, course: &Course, (from, to): (i32, i32), usual: &Usual, coarse: usize) -> Option<Edge> {
+    fn end_of(&self, course: &Course, columns: Columns, usual: &Usual, coarse: usize) -> Option<Edge> {
+        let Columns { from, to } = columns;
         let lit = if self.light.is_some() {
             sub_column(self.strip, usual, coarse)
         } else {
@@ -156,15 +158,16 @@ impl View<'_> {
     }
 
     /// Fills the strip with the light along a course; without an image, with 1 for each point on it.
-    fn look_along(&mut self, course: &Course, (from, to): (i32, i32)) {
+    fn look_along(&mut self, course: &Course, columns: Columns) {
         if let Some(light) = &self.light {
-            light.along(self.profile, course, (from, to), self.strip);
+            light.along(self.profile, course, columns, self.strip);
             return;
         }
+        let Columns { from, to } = columns;
         self.strip.clear();
         self.strip.resize(from.abs_diff(to) as usize + 1, 0.0);
         let within = ON_COURSE * self.grain();
-        for s in self.profile.between(from.min(to), from.max(to)) {
+        for s in self.profile.between(Columns { from: from.min(to), to: from.max(to) }) {
             if course.off(s.at).abs() <= within {
                 self.strip[s.column.abs_diff(from) as usize] = 1.0;
             }
@@ -205,14 +208,14 @@ impl View<'_> {
     /// Returns the longest reflection beside the chain as a part of the columns. A reflection is as bright as the
     /// chain, off the chain and the joint's lines, and longer than spatter. If it is as long as a segment, the chain
     /// itself could be the reflection.
-    fn rivals(&self, columns: (i32, i32), segments: &[Segment]) -> f64 {
+    fn rivals(&self, columns: Columns, segments: &[Segment]) -> f64 {
         let grain = self.grain();
         let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(grain).max(s.covers));
         // Last point and length of the reflections being followed, up to two per column.
         let mut followed: [(Option<Sample>, i32); 2] = [(None, 0); 2];
         let mut longest = 0;
-        for s in self.profile.all_between(columns.0, columns.1) {
-            let own = self.profile.between(s.column, s.column).first();
+        for s in self.profile.all_between(columns) {
+            let own = self.profile.between(Columns { from: s.column, to: s.column }).first();
             let bright = |own: &Sample| s.strength > own.strength.map(|v| RIVAL * v) && s.at != own.at;
             if on(s) || !own.is_some_and(bright) {
                 continue;
@@ -226,7 +229,7 @@ impl View<'_> {
             followed[i] = (Some(*s), followed[i].1 + 1);
             longest = longest.max(followed[i].1);
         }
-        f64::from(longest) / f64::from((columns.1 - columns.0 + 1).max(1))
+        f64::from(longest) / f64::from((columns.to - columns.from + 1).max(1))
     }
 
     /// Returns true if an object off the joint's lines hides the end of a line, so that the end is unknown. Checks the
@@ -239,29 +242,30 @@ impl View<'_> {
         // The face of a plate's end falls steeply from it.
         let face = |s: &Sample| -line.off(s.at) > STEEP * (s.at.x - edge.at.x).abs();
         let near = |s: &&Sample| line.off(s.at).abs() < s.covers + HIDING_ROWS * grain && !on(s) && !face(s);
-        self.profile.all_between(a.min(b), a.max(b)).iter().filter(near).count() >= 3
+        let beyond = Columns { from: a.min(b), to: a.max(b) };
+        self.profile.all_between(beyond).iter().filter(near).count() >= 3
     }
 
     /// Returns the part of a segment's columns with a point on its line.
     fn density(&self, segment: &Segment) -> f64 {
         let within = segment.within(self.grain());
-        let samples = self.profile.between(segment.columns.0, segment.columns.1);
+        let samples = self.profile.between(segment.columns);
         let on = samples.iter().filter(|s| segment.line.off(s.at).abs() <= within).count();
-        on as f64 / f64::from((segment.columns.1 - segment.columns.0 + 1).max(1))
+        on as f64 / f64::from((segment.columns.to - segment.columns.from + 1).max(1))
     }
 
     /// Returns the part of the columns with other light than the chain's.
-    fn crowd(&self, columns: (i32, i32)) -> f64 {
-        let own = self.profile.between(columns.0, columns.1).len();
+    fn crowd(&self, columns: Columns) -> f64 {
+        let own = self.profile.between(columns).len();
         let (mut seen, mut crowded, mut last) = (0, 0, (i32::MIN, 0));
-        for s in self.profile.all_between(columns.0, columns.1) {
+        for s in self.profile.all_between(columns) {
             last = if last.0 == s.column { (s.column, last.1 + 1) } else { (s.column, 1) };
             seen += 1;
             crowded += u32::from(last.1 == 2);
         }
         // A column without a chain point has other light alone.
         let alone = f64::from(seen) - f64::from(crowded) - own as f64;
-        (f64::from(crowded) + alone.max(0.0)) / f64::from((columns.1 - columns.0 + 1).max(1))
+        (f64::from(crowded) + alone.max(0.0)) / f64::from((columns.to - columns.from + 1).max(1))
     }
 
     /// Returns how well the chain follows the joint, 0 to 1.

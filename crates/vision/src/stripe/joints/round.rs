@@ -5,7 +5,7 @@ use super::groove::{SHOULDERS, mismatch};
 use super::{Edge, Support, View, between, ramp, turn};
 use crate::stripe::fit::{StripeArc, StripeLine, line};
 use crate::stripe::light::Course;
-use crate::stripe::profile::Sample;
+use crate::stripe::profile::{Columns, Sample};
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 use arrayvec::ArrayVec;
 use glam::DVec2;
@@ -55,7 +55,7 @@ struct Groove {
     /// Mean direction of the shoulders.
     along: DVec2,
     /// Columns between the ends of the shoulders.
-    inside: (i32, i32),
+    inside: Columns,
     /// Ends of the shoulders.
     ends: [DVec2; 2],
     /// True if another object is seen at one of them.
@@ -77,13 +77,30 @@ struct Side {
     edge: DVec2,
 }
 
+/// Measurements of a groove with curved sides.
+struct Measured {
+    /// Left and right root, mm.
+    roots: [DVec2; 2],
+    /// Left and right edge, mm.
+    edges: [DVec2; 2],
+    /// Root gap, mm.
+    gap: f64,
+    /// Angle of the walls, rad; `None` if too little of them is visible.
+    angle: Option<f64>,
+    /// Radius of the arcs, mm.
+    radius: f64,
+    /// 0 to 1: distance from the limits of the joint type.
+    margin: f64,
+}
+
 impl View<'_> {
     /// Detects two curved sides.
     pub(super) fn u_groove(&mut self) -> Result<Features, NoFeatures> {
         let groove = self.groove().ok_or(NoFeatures::NoGroove)?;
-        let middle = (groove.inside.0 + groove.inside.1) / 2;
-        let left = self.side(&groove, (groove.inside.0, middle), 0).ok_or(NoFeatures::NoGroove)?;
-        let right = self.side(&groove, (middle + 1, groove.inside.1), 1).ok_or(NoFeatures::NoGroove)?;
+        let Columns { from: first, to: last } = groove.inside;
+        let middle = (first + last) / 2;
+        let left = self.side(&groove, Columns { from: first, to: middle }, 0).ok_or(NoFeatures::NoGroove)?;
+        let right = self.side(&groove, Columns { from: middle + 1, to: last }, 1).ok_or(NoFeatures::NoGroove)?;
         let up = groove.along.perp();
         let lowest = [left.arc.centre - left.arc.radius * up, right.arc.centre - right.arc.radius * up];
         let unequal = (left.arc.radius - right.arc.radius).abs() / (left.arc.radius + right.arc.radius);
@@ -91,7 +108,7 @@ impl View<'_> {
         // It is dark between open roots; a closed root is in the middle of the arcs' lowest points.
         let middle = (lowest[0] + lowest[1]) / 2.0;
         let to = self.profile.column_at(middle.x).round() as i32;
-        let ends = (self.arc_end(&left.arc, groove.inside.0, to), self.arc_end(&right.arc, groove.inside.1, to));
+        let ends = (self.arc_end(&left.arc, first, to), self.arc_end(&right.arc, last, to));
         let (Some(a), Some(b)) = ends else { return Err(NoFeatures::NoGroove) };
         let open = a.dark + b.dark >= a.least_gap.max(b.least_gap) && b.column > a.column;
         let ends = if open { [a.at, b.at] } else { [middle; 2] };
@@ -112,7 +129,8 @@ impl View<'_> {
         };
         let radius = (left.arc.radius + right.arc.radius) / 2.0;
         let edges = [left.edge, right.edge];
-        Ok(self.round_features(&groove, &[left, right], roots, edges, (gap, angle, radius, margin)))
+        let measured = Measured { roots, edges, gap, angle, radius, margin };
+        Ok(self.round_features(&groove, &[left, right], &measured))
     }
 
     /// Returns the end of an arc on the way from column `shoulder` to column `to`.
@@ -124,13 +142,13 @@ impl View<'_> {
         } else {
             shoulder.min(to + beside.round() as i32)
         };
-        self.end(&Course::Arc(*arc), (from, to), from.abs_diff(to) as i32 / 2)
+        self.end(&Course::Arc(*arc), Columns { from, to }, from.abs_diff(to) as i32 / 2)
     }
 
     /// Detects one curved and one upright side; the upright one is invisible between shoulder and root.
     pub(super) fn j_groove(&mut self) -> Result<Features, NoFeatures> {
         let groove = self.groove().ok_or(NoFeatures::NoGroove)?;
-        let inside = self.profile.between(groove.inside.0, groove.inside.1);
+        let inside = self.profile.between(groove.inside);
         let (_, arc) = self.best_arc(&groove, inside).ok_or(NoFeatures::NoGroove)?;
         let within = 2.0 * self.grain();
         let on = |s: &&Sample| arc.off(s.at).abs() < within;
@@ -160,17 +178,12 @@ impl View<'_> {
         let (radius, edge) = (side.arc.radius, side.edge);
         let (roots, edges) =
             if curved == 1 { ([foot, root], [upright, edge]) } else { ([root, foot], [edge, upright]) };
-        Ok(self.round_features(&groove, &[side], roots, edges, (gap, angle, radius, margin)))
+        let measured = Measured { roots, edges, gap, angle, radius, margin };
+        Ok(self.round_features(&groove, &[side], &measured))
     }
 
-    fn round_features(
-        &mut self,
-        groove: &Groove,
-        sides: &[Side],
-        roots: [DVec2; 2],
-        edges: [DVec2; 2],
-        (gap, angle, radius, margin): (f64, Option<f64>, f64, f64),
-    ) -> Features {
+    fn round_features(&mut self, groove: &Groove, sides: &[Side], measured: &Measured) -> Features {
+        let Measured { roots, edges, gap, angle, radius, margin } = *measured;
         let joint = (roots[0] + roots[1]) / 2.0;
         let roots = if gap > 0.0 { roots } else { [joint; 2] };
         let [left, right] = groove.shoulders;
@@ -179,15 +192,15 @@ impl View<'_> {
         let share = sides.iter().map(|s| s.share).fold(f64::INFINITY, f64::min);
         let worst = sides.iter().map(|s| s.deviation).fold(0.0, f64::max) / self.grain();
         let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.6, 0.8) * ramp(worst, 1.2, 0.8);
-        let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
-        let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
+        let seen = self.profile.between(groove.inside).len() as f64;
+        let columns = f64::from(groove.inside.to - groove.inside.from + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
         // Walls and shoulders meet at the ends of the shoulders' light.
         let off = [0, 1].map(|i| edges[i].distance(groove.ends[i]) / self.grain());
         let margin = margin * ramp(off[0].max(off[1]), EDGE_OFF[0], EDGE_OFF[1]);
         let cover = self.cover(&self.round_parts(groove, sides, roots));
         let shoulders = self.share(self.samples(), &groove.shoulders);
-        let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;
+        let inside = self.profile.between(groove.inside).len() as f64 / self.samples().len() as f64;
         let share = shoulders + share * inside;
         let support = Support { share, segments: &groove.shoulders, margin, cover, covered: true };
         let points = [
@@ -219,9 +232,9 @@ impl View<'_> {
         for (i, shoulder) in groove.shoulders.iter().enumerate() {
             let end = column(groove.ends[i]);
             let (columns, dark_after) = if i == 0 {
-                ((0, end - 1), [None, Some(AFTER_EDGE)])
+                (Columns { from: 0, to: end - 1 }, [None, Some(AFTER_EDGE)])
             } else {
-                ((end + 1, last), [Some(AFTER_EDGE), None])
+                (Columns { from: end + 1, to: last }, [Some(AFTER_EDGE), None])
             };
             parts.push(Part { course: Course::Line(shoulder.line), columns, dark_after });
         }
@@ -236,7 +249,11 @@ impl View<'_> {
             } else {
                 root
             };
-            let columns = if outward > 0.0 { (root + 1, upper) } else { (upper, root - 1) };
+            let columns = if outward > 0.0 {
+                Columns { from: root + 1, to: upper }
+            } else {
+                Columns { from: upper, to: root - 1 }
+            };
             parts.push(Part { course: Course::Arc(side.arc), columns, dark_after: [None; 2] });
         }
         parts
@@ -245,11 +262,11 @@ impl View<'_> {
     /// Returns two parallel shoulders and the range between them, whose points are mostly below both.
     fn groove(&mut self) -> Option<Groove> {
         let (left, right) = self.shoulders()?;
-        let a = self.edge(&left, right.columns.0)?;
-        let b = self.edge(&right, left.columns.1)?;
-        let inside = (a.column.ceil() as i32, b.column.floor() as i32);
+        let a = self.edge(&left, right.columns.from)?;
+        let b = self.edge(&right, left.columns.to)?;
+        let inside = Columns { from: a.column.ceil() as i32, to: b.column.floor() as i32 };
         let along = between(&left.line, &right.line);
-        let samples = self.profile.between(inside.0, inside.1);
+        let samples = self.profile.between(inside);
         let below = |s: &&Sample| left.line.off(s.at).max(right.line.off(s.at)) < 0.0;
         let deep = samples.iter().filter(below).count();
         let enough = samples.len() >= 40 && 4 * deep > 3 * samples.len();
@@ -318,9 +335,9 @@ impl View<'_> {
     }
 
     /// Measures the curved side in `columns`: its arc, and the wall between it and shoulder `end`.
-    fn side(&mut self, groove: &Groove, columns: (i32, i32), end: usize) -> Option<Side> {
+    fn side(&mut self, groove: &Groove, columns: Columns, end: usize) -> Option<Side> {
         let (floor, within) = (0.3 * self.grain(), 2.0 * self.grain());
-        let samples = self.profile.between(columns.0, columns.1);
+        let samples = self.profile.between(columns);
         let (_, start) = self.best_arc(groove, samples)?;
         let (arc, deviation) = start.refined(samples, floor, self.scratch)?;
         let on_arc = |s: &Sample| arc.off(s.at).abs() < within.max(3.0 * deviation);
@@ -341,9 +358,9 @@ impl View<'_> {
     }
 
     /// Fits the straight wall between the arc and shoulder `end`. It is steep, so it has few columns.
-    fn wall(&mut self, groove: &Groove, arc: &StripeArc, columns: (i32, i32), end: usize) -> Option<StripeLine> {
+    fn wall(&mut self, groove: &Groove, arc: &StripeArc, columns: Columns, end: usize) -> Option<StripeLine> {
         let grain = self.grain();
-        let samples = self.profile.between(columns.0, columns.1);
+        let samples = self.profile.between(columns);
         let outward = if end == 1 { groove.along } else { -groove.along };
         let beyond = |s: &Sample| (s.at - arc.centre).dot(outward) > 0.6 * arc.radius && arc.off(s.at) > 2.0 * grain;
         let below = |s: &Sample| groove.shoulders[end].line.off(s.at) < -4.0 * grain;
@@ -362,7 +379,7 @@ impl View<'_> {
         let along = (to - from).normalize_or(groove.along);
         let length = (to - from).length();
         let down = |p: DVec2| ((p - from).dot(along), -along.perp_dot(p - from));
-        let inside = self.profile.between(groove.inside.0, groove.inside.1).iter().map(|s| down(s.at));
+        let inside = self.profile.between(groove.inside).iter().map(|s| down(s.at));
         let (first, end) = (down(roots[0]), down(roots[1]));
         // The roots of upright sides count, as no points are beyond them. Points close to the edges are left out: they
         // are the ends of the shoulders.

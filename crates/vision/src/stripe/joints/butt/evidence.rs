@@ -12,9 +12,17 @@ const LIT_WITHIN: usize = 3;
 /// Columns to each side of a step used for its sharpness.
 const BESIDE_STEP: usize = 16;
 
-/// Returns the last column on the left line and the first one on the right line with the maximum evidence for both, and
-/// its sum. `after` is a buffer.
-pub(super) fn best_seam(left: &[f64], right: &[f64], after: &mut Vec<f64>) -> Option<(f64, i32, i32)> {
+/// Gap between two lines, or a step from one to the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Gap {
+    /// Last column on the left line.
+    pub(super) left: i32,
+    /// First column on the right line.
+    pub(super) right: i32,
+}
+
+/// Returns the gap with the maximum evidence for both lines beside it, and the sum of that. `after` is a buffer.
+pub(super) fn best_seam(left: &[f64], right: &[f64], after: &mut Vec<f64>) -> Option<(f64, Gap)> {
     // Maximum sum of the right line from any later column on.
     let n = left.len().min(right.len());
     after.clear();
@@ -34,7 +42,7 @@ pub(super) fn best_seam(left: &[f64], right: &[f64], after: &mut Vec<f64>) -> Op
     let (most, last) = best?;
     // The maximum sum starts where `after` falls to the right.
     let first = (last + 1..n).find(|i| after[*i] > after[*i + 1])?;
-    Some((most, last as i32, first as i32))
+    Some((most, Gap { left: last as i32, right: first as i32 }))
 }
 
 /// Returns the minimum part of the columns beside a step, on either side, with light on one line only.
@@ -45,10 +53,10 @@ pub(super) fn sharpness(left: &[f64], right: &[f64], a: usize, b: usize) -> f64 
     part(&mut { before }).min(part(&mut { after }))
 }
 
-/// Returns the expected number of random dark runs at least as long as the one between two columns. Dark columns and
-/// their continuations are counted on both sides of it; unknown columns do not count. Returns 0 if the runs are too
-/// few.
-pub(super) fn expected_runs(evidence: &[f64], (left, right): (i32, i32)) -> f64 {
+/// Returns the expected number of random dark runs at least as long as the one in the gap. Dark columns and their
+/// continuations are counted on both sides of it; unknown columns do not count. Returns 0 if the runs are too few.
+pub(super) fn expected_runs(evidence: &[f64], gap: Gap) -> f64 {
+    let Gap { left, right } = gap;
     let known = |e: &&f64| e.abs() > UNKNOWN;
     let (mut columns, mut dark, mut pairs) = (0.0, 0.0, 0.0);
     for side in [&evidence[..=left as usize], &evidence[right as usize..]] {
@@ -110,8 +118,9 @@ mod tests {
             let best = some.map(|(a, b)| sum(a, b)).fold(f64::NEG_INFINITY, f64::max);
             match best_seam(&left, &right, &mut Vec::new()) {
                 None => assert!(best.is_infinite(), "seed {seed}"),
-                Some((most, a, b)) => {
-                    assert!((most - best).abs() < 1e-9 && (sum(a as usize, b as usize) - best).abs() < 1e-9, "{seed}");
+                Some((most, gap)) => {
+                    let found = sum(gap.left as usize, gap.right as usize);
+                    assert!((most - best).abs() < 1e-9 && (found - best).abs() < 1e-9, "{seed}");
                 }
             }
         }
@@ -122,8 +131,8 @@ mod tests {
         for (from, to) in [(10, 12), (30, 60), (1, 98)] {
             let mut on = [1.0; 100];
             on[from..to].fill(-1.0);
-            let (sum, left, right) = best_seam(&on, &on, &mut Vec::new()).unwrap();
-            assert_eq!((left, right), (from as i32 - 1, to as i32));
+            let (sum, gap) = best_seam(&on, &on, &mut Vec::new()).unwrap();
+            assert_eq!(gap, Gap { left: from as i32 - 1, right: to as i32 });
             assert!((sum - (100 - (to - from)) as f64).abs() < 1e-12);
             assert_eq!(longest_dark(&on), (to - from) as i32);
         }
@@ -145,9 +154,9 @@ mod tests {
                 }
                 let longest = longest_dark(&on) as usize;
                 let from = on.windows(longest).position(|run| run.iter().all(|e| *e < 0.0)).unwrap();
-                let (left, right) = (from as i32 - 1, (from + longest) as i32);
-                if left >= 0 && right < on.len() as i32 {
-                    let told = expected_runs(&on, (left, right));
+                let gap = Gap { left: from as i32 - 1, right: (from + longest) as i32 };
+                if gap.left >= 0 && gap.right < on.len() as i32 {
+                    let told = expected_runs(&on, gap);
                     for (count, most) in unlikely.iter_mut().zip([1.0, 1e-2, 1e-3]) {
                         *count += u32::from(told < most);
                     }
@@ -161,11 +170,11 @@ mod tests {
     fn told(runs: &[(usize, usize)], gap: std::ops::Range<usize>, other: f64) -> f64 {
         let mut on = [1.0; 400];
         runs.iter().for_each(|(from, count)| on[*from..from + count].fill(-1.0));
-        let (left, right) = (gap.start as i32 - 1, gap.end as i32);
+        let between = Gap { left: gap.start as i32 - 1, right: gap.end as i32 };
         let middle = (gap.start + gap.end) / 2;
         on[gap].fill(-1.0);
         on[middle] = other;
-        expected_runs(&on, (left, right))
+        expected_runs(&on, between)
     }
 
     #[test]

@@ -2,14 +2,14 @@
 
 mod evidence;
 
-use self::evidence::{UNKNOWN, best_seam, expected_runs, longest_dark, sharpness};
+use self::evidence::{Gap, UNKNOWN, best_seam, expected_runs, longest_dark, sharpness};
 use super::cover::Part;
 use super::groove::mismatch;
 use super::{Edge, Support, View, between, ramp, turn};
 use crate::stripe::edges::Usual;
 use crate::stripe::fit::line;
 use crate::stripe::light::Course;
-use crate::stripe::profile::Sample;
+use crate::stripe::profile::{Columns, Sample};
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 
 /// Maximum gap of a butt joint, columns.
@@ -88,19 +88,19 @@ impl View<'_> {
         }
         let shorter = f64::from((seam.left - first).min(last - seam.right)) / f64::from(last - first + 1);
         let hidden =
-            seam.hidden || a.hidden || b.hidden || (seam.dark.is_none() && self.lit_gap((&a, &left), (&b, &right)));
+            seam.hidden || a.hidden || b.hidden || (seam.dark.is_none() && self.lit_gap([&a, &b], [&left, &right]));
         // At a small step the other plate's light would be in the strip.
         let high = step.abs() > super::APART * self.profile.row;
         let dark_after = if high { [Some(1); 2] } else { [None; 2] };
         let parts = [
             Part {
                 course: Course::Line(left.line),
-                columns: (first, seam.left - 1),
+                columns: Columns { from: first, to: seam.left - 1 },
                 dark_after: [None, dark_after[1]],
             },
             Part {
                 course: Course::Line(right.line),
-                columns: (seam.right + 1, last),
+                columns: Columns { from: seam.right + 1, to: last },
                 dark_after: [dark_after[0], None],
             },
         ];
@@ -145,21 +145,22 @@ impl View<'_> {
                 [([main, second], &*on_main, &*on_second), ([second, main], &*on_second, &*on_main)]
             {
                 let seam = best_seam(left, right, self.scratch);
-                if let Some((sum, a, b)) = seam
-                    && best.as_ref().is_none_or(|((most, _, _), _)| sum - A_LINE > *most)
+                if let Some((sum, gap)) = seam
+                    && best.as_ref().is_none_or(|((most, _), _)| sum - A_LINE > *most)
                 {
-                    best = Some(((sum - A_LINE, a, b), lines));
+                    best = Some(((sum - A_LINE, gap), lines));
                 }
             }
         }
-        let ((_, left, right), lines) = best?;
+        let ((_, gap), lines) = best?;
+        let Gap { left, right } = gap;
         let of = |line: &Segment| if *line == main { &*on_main } else { &*on_second };
-        let hidden = Self::else_about(of(&lines[0]), of(&lines[1]), (left, right));
+        let hidden = Self::else_about(of(&lines[0]), of(&lines[1]), gap);
         let margin = if lines[0] == lines[1] {
             let run = f64::from(right - left - 1);
             let second = longest_dark(&on_main[..=left as usize]).max(longest_dark(&on_main[right as usize..]));
             let clear = run / (1.5 * f64::from(second) + 3.0);
-            let chance = expected_runs(on_main, (left, right)).log10();
+            let chance = expected_runs(on_main, gap).log10();
             if clear <= 1.0 || chance >= CHANCE[0] {
                 return None;
             }
@@ -172,7 +173,8 @@ impl View<'_> {
     }
 
     /// Returns true if another object is seen in some columns about a seam.
-    fn else_about(left: &[f64], right: &[f64], (a, b): (i32, i32)) -> bool {
+    fn else_about(left: &[f64], right: &[f64], gap: Gap) -> bool {
+        let Gap { left: a, right: b } = gap;
         let unknown = |e: &[f64], from: i32, to: i32| {
             let (from, to) = (from.max(0) as usize, (to.max(0) as usize).min(e.len()));
             e.get(from..to).map_or(0, |e| e.iter().filter(|v| v.abs() <= UNKNOWN).count())
@@ -186,21 +188,22 @@ impl View<'_> {
         let course = Course::Line(s.line);
         self.look_along(&course, s.columns);
         let usual = Usual::of(self.strip, self.scratch)?;
-        self.look_along(&course, (0, self.profile.columns() as i32 - 1));
+        self.look_along(&course, Columns { from: 0, to: self.profile.columns() as i32 - 1 });
         evidence.clear();
         evidence.extend(self.strip.iter().map(|v| usual.evidence(*v)));
         Some(())
     }
 
-    /// Returns true if points other than the faces of the ends are seen in many of the gap's columns: an object in the
-    /// gap, or a groove.
-    fn lit_gap(&self, (a, left): (&Edge, &Segment), (b, right): (&Edge, &Segment)) -> bool {
+    /// Returns true if points other than the faces of the plates' ends are seen in many of the gap's columns: an object
+    /// in the gap, or a groove.
+    fn lit_gap(&self, ends: [&Edge; 2], plates: [&Segment; 2]) -> bool {
+        let ([a, b], [left, right]) = (ends, plates);
         let (from, to) = (a.column.ceil() as i32 + 2, b.column.floor() as i32 - 2);
         let below = |s: &Sample, e: &Edge, plate: &Segment| -plate.line.off(s.at) > FACE * (s.at.x - e.at.x).abs();
         let face = |s: &&Sample| below(s, a, left) || below(s, b, right);
         let under = |s: &&Sample| left.line.off(s.at).max(right.line.off(s.at)) < 0.0;
         let (mut lit, mut last) = (0, None);
-        for s in self.profile.all_between(from, to).iter().filter(|s| under(s) && !face(s)) {
+        for s in self.profile.all_between(Columns { from, to }).iter().filter(|s| under(s) && !face(s)) {
             lit += u32::from(last != Some(s.column));
             last = Some(s.column);
         }
@@ -209,13 +212,14 @@ impl View<'_> {
 
     /// Fits a robust line through the columns.
     fn plate(&mut self, from: i32, to: i32, start: &Segment) -> Option<Segment> {
-        let samples = self.profile.between(from, to);
+        let columns = Columns { from, to };
+        let samples = self.profile.between(columns);
         if samples.len() < 8 {
             return None;
         }
         let (line, deviation) = line(samples, Some(start.line), 0.3 * self.grain(), self.scratch)?;
         let ends = [samples.first()?, samples.last()?].map(|s| line.foot(s.at));
-        Some(Segment { line, columns: (from, to), deviation, ends })
+        Some(Segment { line, columns, deviation, ends })
     }
 
     /// Returns the ends of both plates at the seam.
@@ -273,7 +277,7 @@ impl View<'_> {
             return None;
         }
         let main = *self.segments.iter().max_by(|a, b| a.length().total_cmp(&b.length()))?;
-        let crowd = self.crowd((0, self.profile.columns() as i32 - 1));
+        let crowd = self.crowd(Columns { from: 0, to: self.profile.columns() as i32 - 1 });
         let margin = ramp(clear, 0.9, 1.2) * ramp(crowd, CROWD[0], CROWD[1]);
         Some(Seam { left: at - 1, right: at + 1, lines: [main; 2], margin, hidden: false, dark: Some(column) })
     }
