@@ -6,7 +6,7 @@ use crate::planned::Planned;
 use crate::speed_profile::{Bound, Interval};
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{AtCorner, Finding, Pass};
+use seamwright_program::{AtCorner, Finding, Pass, PathRange};
 
 /// Relative tolerance of the comparison with the procedure's minimum speed.
 const ROUNDING: f64 = 1e-9;
@@ -154,5 +154,5 @@ fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Findin
 fn slow_end(code: &'static str, (from_mm, to_mm): (f64, f64), least: f64, pass: usize) -> Finding {
     let over = to_mm - from_mm;
     let message = Message::new(code).quantity("over", over, Unit::Mm, 3).quantity("minimum", least, Unit::MmPerS, 3);
-    Finding::note("least_speed", message, pass, (from_mm, to_mm))
+    Finding::note("least_speed", message, pass, PathRange { from_mm, to_mm })
 }

@@ -59,7 +59,8 @@ impl PassProcedure {
     ) -> Self {
         let run = procedure.run_of(number, pass);
         let lies = lie::along(machine, path, motion);
-        let joint = procedure.joint(lie::dihedrals(path, &lies));
+        let (min_dihedral, max_dihedral) = lie::dihedrals(path, &lies);
+        let joint = procedure.joint(min_dihedral, max_dihedral);
         let limits = &procedure.position_limits;
         let places: Vec<f64> = lies.iter().map(|lie| lie.s).collect();
         let at = |s: f64| lie::at(machine, path, motion, s).inclination;
