@@ -7,7 +7,7 @@ use crate::speed_profile::{Bound, Interval};
 use crate::stretch::Stretch;
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{AtCorner, Finding, Pass};
+use seamwright_program::{AtCorner, Finding, Pass, PathRange};
 
 /// Relative tolerance of the comparison with the procedure's minimum speed.
 const ROUNDING: f64 = 1e-9;
@@ -159,5 +159,5 @@ fn slow_end(code: &'static str, slow: Stretch, least: f64, pass: usize) -> Findi
     let Stretch { from: from_mm, to: to_mm } = slow;
     let over = to_mm - from_mm;
     let message = Message::new(code).quantity("over", over, Unit::Mm, 3).quantity("minimum", least, Unit::MmPerS, 3);
-    Finding::note("least_speed", message, pass, (from_mm, to_mm))
+    Finding::note("least_speed", message, pass, PathRange { from_mm, to_mm })
 }

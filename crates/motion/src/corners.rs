@@ -16,7 +16,7 @@ use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{AtCorner, Finding, Pass};
+use seamwright_program::{AtCorner, Finding, Pass, PathRange};
 
 /// Samples of a blend; the maximum is then refined between the neighbours of the worst sample.
 const PLACES: u32 = 64;
@@ -121,7 +121,7 @@ fn note(blend: &Fitting, s: f64, pass: usize) -> Option<Finding> {
         true => blend("motion-blend"),
         false => blend("motion-blend-turned").quantity("turned", turned, Unit::Deg, 1),
     };
-    Some(Finding::note("blend", message, pass, (piece.from, piece.to)))
+    Some(Finding::note("blend", message, pass, PathRange { from_mm: piece.from, to_mm: piece.to }))
 }
 
 /// A corner and its surroundings on the path.

@@ -7,7 +7,7 @@ use crate::speed_profile::{Bound, Certificate, Interval, Leg, SpeedProfile};
 use crate::stretch::Stretch;
 use seamwright_machine::{AxisKind, Machine, TipLimits};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, OnLimit, Pass};
+use seamwright_program::{Finding, OnLimit, Pass, PathRange};
 
 /// Relative shortfall of speed that is reported: an axis at exactly its limit falls short by the profile's reserve
 /// only.
@@ -175,10 +175,10 @@ fn speed_finding(planned: Planned, run: &SlowRun, pass: &Pass, number: usize, ke
     };
     if pass.on_limit == OnLimit::Slow {
         let message = Message::new("motion-speed-slowed").message("reason", message);
-        return Finding::note("speed", message, number, (*from, *to));
+        return Finding::note("speed", message, number, PathRange { from_mm: *from, to_mm: *to });
     }
     if binding.is_none() && *reached > (1.0 - ROUNDED_OFF) * asked {
-        return Finding::note("speed", message, number, (*from, *to));
+        return Finding::note("speed", message, number, PathRange { from_mm: *from, to_mm: *to });
     }
     let cure = match (binding, keepable) {
         (None, _) => Message::new("motion-cure-longer-change"),
@@ -272,7 +272,7 @@ pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pas
             .quantity("asked", asked, Unit::MmPerS, 3);
         let (from_mm, to_mm) = (leg.from, if several { leg.to } else { leg.run_up_end });
         if on_limit == OnLimit::Slow {
-            return Some(Finding::note("speed", message, pass, (from_mm, to_mm)));
+            return Some(Finding::note("speed", message, pass, PathRange { from_mm, to_mm }));
         }
         let speed = (reached * 1e3).floor() * 1e-3;
         let cure = Message::new("motion-cure-speed-at-most").quantity("speed", speed, Unit::MmPerS, 3);

@@ -17,7 +17,7 @@ use crate::weave_limits::Woven;
 use crate::{JointPath, ProfilePoint, SpeedProfile};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_message::Message;
-use seamwright_program::{Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
+use seamwright_program::{ArcTime, Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
 use std::borrow::Cow;
 
 /// Number of samples of the tip's travel by path length before the axes are known.
@@ -236,10 +236,10 @@ impl PassMotion {
         SpeedProfile::new(&PassChannels::new(machine, &self.path, pass, factor))
     }
 
-    /// Times since arc start and until arc end, s, at `t` s after the first set-point.
-    pub fn arc_clock(&self, t: f64) -> (f64, f64) {
-        let since_on = t - self.sequence.preflow_s.get();
-        (since_on, self.arc_on_s() - since_on)
+    /// Times since arc start and until arc end at `t` s after the first set-point.
+    pub fn arc_clock(&self, t: f64) -> ArcTime {
+        let since_on_s = t - self.sequence.preflow_s.get();
+        ArcTime { since_on_s, until_off_s: self.arc_on_s() - since_on_s }
     }
 
     /// Returns the set-points every `period` s, from the first gas to the last. The iterator does not allocate.

@@ -2,7 +2,7 @@ use crate::{JointPath, JointPoint, PassMotion};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
-use seamwright_program::TorchPath;
+use seamwright_program::{PathRange, TorchPath};
 
 /// Path of the first torch as planned for the axes: that along the seam, or the bead beside it, except in blends at
 /// corners. `s` is the station on the seam; beside it and in blends the tip's travel by `s` differs from 1.
@@ -47,14 +47,14 @@ impl TorchPath for TipPath<'_> {
         self.joints.tip_rate(self.machine, s)
     }
 
-    fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
+    fn foot(&self, point: DVec3, guess: f64, within: PathRange) -> f64 {
         (0..3).fold(guess, |s, _| {
             let (tip, d1) = self.tip(s);
             // A tip at rest cannot come nearer.
             if d1.length_squared() == 0.0 {
                 return s;
             }
-            (s + (point - tip).dot(d1) / d1.length_squared()).clamp(from, to)
+            (s + (point - tip).dot(d1) / d1.length_squared()).clamp(within.from_mm, within.to_mm)
         })
     }
 }

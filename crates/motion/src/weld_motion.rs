@@ -10,7 +10,7 @@ use crate::{PassMotion, Phase, ProfilePoint, SetPoint};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, Pass, Procedure, TorchPath};
+use seamwright_program::{Finding, Pass, PathRange, Procedure, TorchPath};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -180,7 +180,7 @@ impl WeldMotion {
                     for (axis, by) in unwound(settings.machine, &from.q, &to.q) {
                         let message =
                             about("motion-unwind").axis("axis", axis).quantity("by", by.to_degrees(), Unit::Deg, 1);
-                        self.findings.push(Finding::note("unwind", message, pass, (s, s)));
+                        self.findings.push(Finding::note("unwind", message, pass, PathRange::at(s)));
                     }
                 }
                 self.transfers.push(planned);

@@ -1,4 +1,4 @@
-use crate::Tolerance;
+use crate::{Keyed, Tolerance};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive, in_serde};
 use seamwright_message::{Message, Unit};
@@ -55,25 +55,18 @@ impl<'de> Deserialize<'de> for AtCorner {
 }
 
 impl AtCorner {
-    /// Checks the choice at `path` of a file against the tolerance of the weld.
+    /// Checks the choice at `path` of a file against the `tolerance` of the weld.
     ///
     /// # Errors
     /// With the key's address: a blend that leaves the tolerance.
-    pub fn check<T>(
-        &self,
-        file: &Document<T>,
-        path: &str,
-        (from, tolerance): (&str, &Tolerance),
-    ) -> Result<(), DocumentError> {
-        let most = tolerance.path_mm;
+    pub fn check<T>(&self, file: &Document<T>, path: &str, tolerance: Keyed<Tolerance>) -> Result<(), DocumentError> {
+        let most = tolerance.value.path_mm;
         match self {
             Self::BlendMm(distance) if *distance > most => {
                 let message = Message::new("program-corner-outside-tolerance");
-                let allowed = Message::new("program-positive-up-to-key").key("key", format!("{from}.path_mm")).value(
-                    "max",
-                    most.get(),
-                    Unit::One,
-                );
+                let allowed =
+                    Message::new("program-positive-up-to-key").key("key", format!("{}.path_mm", tolerance.key));
+                let allowed = allowed.value("max", most.get(), Unit::One);
                 Err(file.error_at(&format!("{path}.blend_mm"), message, allowed))
             }
             _ => Ok(()),

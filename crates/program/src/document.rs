@@ -1,6 +1,6 @@
 use crate::{
-    Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, TransferMoves, Variables,
-    check_offset, check_process, is_beyond, is_same_position, variables,
+    Clearance, Joint, Keyed, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, TransferMoves,
+    Variables, check_offset, check_process, is_beyond, is_same_position, variables,
 };
 use glam::DAffine3;
 use schemars::JsonSchema;
@@ -120,20 +120,20 @@ impl Program {
                 let allowed = Message::new("program-at-least-one-table").key("table", "[[passes.spans]]");
                 return Err(document.error_at(&format!("passes[{p}].spans"), message, allowed));
             }
-            let within = format!("passes[{p}].tolerance");
+            let (corner, tolerance) = (format!("passes[{p}].corner"), format!("passes[{p}].tolerance"));
             if let Some(bead) = &pass.bead {
                 bead.check(&document, &format!("passes[{p}].bead"))?;
             }
             if let Some(weave) = &pass.weave {
                 let (path, process) = (format!("passes[{p}].weave"), &pass.spans[0].process);
-                weave.check(&document, &path, process, (&format!("passes[{p}].corner"), &pass.corner))?;
+                weave.check(&document, &path, process, Keyed { key: &corner, value: &pass.corner })?;
                 let speed_at = |i: usize| format!("passes[{p}].spans[{i}].speed_mm_s");
-                weave.check_speeds(&document, &path, (&pass.spans, speed_at))?;
+                weave.check_speeds(&document, &path, &pass.spans, speed_at)?;
             }
             if let Some(oscillation) = &pass.oscillation {
                 oscillation.check(&document, &format!("passes[{p}].oscillation"))?;
             }
-            pass.corner.check(&document, &format!("passes[{p}].corner"), (&within, &pass.tolerance))?;
+            pass.corner.check(&document, &corner, Keyed { key: &tolerance, value: &pass.tolerance })?;
             pass.sequence.check(&document, &format!("passes[{p}].sequence"), &pass.spans[0].process)?;
             for (i, span) in pass.spans.iter().enumerate() {
                 let path = |key: &str| format!("passes[{p}].spans[{i}].{key}");

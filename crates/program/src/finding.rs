@@ -1,3 +1,4 @@
+use crate::PathRange;
 use seamwright_message::{Language, Message};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
@@ -41,8 +42,9 @@ pub enum Severity {
 }
 
 impl Finding {
-    /// A note of pass `pass` (counted from 1) on a range of its path length, mm: information that asks for no action.
-    pub fn note(kind: &'static str, message: impl Into<Message>, pass: usize, (from_mm, to_mm): (f64, f64)) -> Self {
+    /// A note of pass `pass` (counted from 1) on a range of its path length: information that asks for no action.
+    pub fn note(kind: &'static str, message: impl Into<Message>, pass: usize, range: PathRange) -> Self {
+        let PathRange { from_mm, to_mm } = range;
         Self { kind, message: message.into(), pass, from_mm, to_mm, cure: None, allowed: true }
     }
 
@@ -87,7 +89,7 @@ mod tests {
 
     #[test]
     fn a_warning_has_a_cure_and_a_note_has_none() {
-        let note = Finding::note("blend", Message::new("blend"), 2, (1.0, 2.0));
+        let note = Finding::note("blend", Message::new("blend"), 2, PathRange { from_mm: 1.0, to_mm: 2.0 });
         assert_eq!(note.severity(), Severity::Note);
         let warning = Finding { cure: Some(Message::new("wider")), ..note.clone() };
         assert_eq!(warning.severity(), Severity::Warning);

@@ -42,6 +42,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod arc_through;
+mod arc_time;
 mod at_corner;
 mod bead;
 mod branch;
@@ -53,12 +54,14 @@ mod finding;
 mod finding_groups;
 mod head;
 mod joint;
+mod keyed;
 mod nozzle;
 mod offsets;
 mod oscillation;
 mod part;
 mod pass;
 mod path_length;
+mod path_range;
 mod piece;
 mod plane_seam;
 mod points;
@@ -80,6 +83,7 @@ mod weave;
 mod weaving;
 
 pub use arc_through::{ArcThrough, tip_way};
+pub use arc_time::ArcTime;
 pub use at_corner::AtCorner;
 pub use bead::Bead;
 pub use branch::{Branch, OtherBranch};
@@ -92,12 +96,14 @@ pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, Hemispheric
 pub use joint::{
     Bevel, Fillet, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ, U,
 };
+pub use keyed::Keyed;
 pub use nozzle::{Body, Mount, Nozzle, NozzleCurve};
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use oscillation::Oscillation;
 pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Role, Span};
 pub use path_length::{SAME_POSITION_MM, is_before, is_beyond, is_same_position, part_start, parts_of};
+pub use path_range::PathRange;
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
 pub use points::{
     Along, Columns, NUMBER_COLUMN, POSE_COLUMNS, PointEvent, PointSpan, Points, SPEED_COLUMN, TIME_COLUMN,
@@ -119,5 +125,5 @@ pub use torch::{AxisPositions, Groove, MAX_AXES, Torch, TorchAt, TorchPath};
 pub use torch_jumps::torch_jumps;
 pub use transfer::TransferMoves;
 pub use variables::Variables;
-pub use weave::{Figure, Swing, Weave};
+pub use weave::{Dwells, Figure, Swing, Weave};
 pub use weaving::Weaving;

@@ -1,4 +1,4 @@
-use crate::{Figure, Pass};
+use crate::{Dwells, Figure, Pass};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_message::{Message, Unit};
@@ -39,7 +39,7 @@ impl Oscillation {
 
     /// Deflection at `phase` (1 is a period), mm: across towards the first part, and along in the direction of travel.
     pub fn at(&self, phase: f64) -> (f64, f64) {
-        let swing = self.figure.at(phase, (0.0, 0.0));
+        let swing = self.figure.at(phase, Dwells::NONE);
         let long = self.along_mm.unwrap_or(self.across_mm).get();
         (0.5 * self.across_mm.get() * swing.across, 0.5 * long * swing.along)
     }

@@ -1,5 +1,6 @@
 use crate::{
-    AtCorner, Bead, Oscillation, Points, ProcessValues, Repeat, Sequence, SpanValue, SpareAxes, Tolerance, Torch, Weave,
+    ArcTime, AtCorner, Bead, Oscillation, Points, ProcessValues, Repeat, Sequence, SpanValue, SpareAxes, Tolerance,
+    Torch, Weave,
 };
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
@@ -185,17 +186,17 @@ impl Pass {
         ends.fold((f64::INFINITY, 0.0), |(least, most), v| (v.min(least), v.max(most)))
     }
 
-    /// The process value `name` while the arc is on, at a side of the weave that of the side. It is at path length `s`,
-    /// `since_on` s after the arc went on and `until_off` s before it goes off (infinite for the travel only). `None`
-    /// if the pass has no such value.
-    pub fn process_at(&self, name: &str, s: f64, (since_on, until_off): (f64, f64)) -> Option<f64> {
+    /// The process value `name` at path length `s` and an instant at which the arc is on; at a side of the weave that of
+    /// the side. `None` if the pass has no such value.
+    pub fn process_at(&self, name: &str, s: f64, time: ArcTime) -> Option<f64> {
         let span = self.span_at(s)?;
         let mut value = span.process.get(name)?.at(span.part(s));
         if let Some(side) = self.weave.as_ref().and_then(|weave| weave.at_sides.get(name)) {
             let out = self.swing_at(s).powi(2);
             value = (1.0 - out) * value + out * side.at(span.part(s));
         }
-        for (slope, away) in [(&self.sequence.upslope, since_on), (&self.sequence.downslope, until_off)] {
+        let slopes = [(&self.sequence.upslope, time.since_on_s), (&self.sequence.downslope, time.until_off_s)];
+        for (slope, away) in slopes {
             value = slope.as_ref().map_or(value, |slope| slope.at(name, value, away));
         }
         Some(value)

@@ -1,19 +1,21 @@
 //! Parts of a pass, and a pass the other way round.
 
-use crate::{Pass, ProcessValues, Ramp, SAME_POSITION_MM, Span, SpanValue, is_beyond};
+use crate::{Pass, PathRange, ProcessValues, Ramp, SAME_POSITION_MM, Span, SpanValue, is_beyond};
 use seamwright_document::{Finite, NonNegative, Positive};
 
 impl Pass {
-    /// The part of the pass between two of its own path lengths, mm, with the values of the pass at every position. On
-    /// a seam welded all round `turn` is its length, mm, and the part may go on beyond the pass' end: there the values
-    /// are those of a turn before. Any other part ends with the pass.
-    pub fn piece(&self, (from, to): (f64, f64), turn: Option<f64>) -> Self {
+    /// The part of the pass in a range of its own path length, with the values of the pass at every position. On a seam
+    /// welded all round `turn` is its length, mm, and the part may go on beyond the pass' end: there the values are
+    /// those of a turn before. Any other part ends with the pass.
+    pub fn piece(&self, range: PathRange, turn: Option<f64>) -> Self {
+        let PathRange { from_mm: from, to_mm: to } = range;
         let end = self.length();
         let again = turn.filter(|turn| to > end && !is_beyond(*turn, end)).into_iter().flat_map(|turn| {
-            let after = move |span: &Span| clipped(span, turn, (end.max(from), to));
+            let after = move |span: &Span| clipped(span, turn, PathRange { from_mm: end.max(from), to_mm: to });
             self.spans.iter().filter_map(after).collect::<Vec<_>>()
         });
-        let own = self.spans.iter().filter_map(|span| clipped(span, 0.0, (from, to.min(end))));
+        let within = PathRange { from_mm: from, to_mm: to.min(end) };
+        let own = self.spans.iter().filter_map(|span| clipped(span, 0.0, within));
         let spans = own.chain(again).map(|span| moved(span, -from)).collect();
         Self { begin_mm: begin(self.seam_s(from), turn), spans, ..self.clone() }
     }
@@ -56,29 +58,25 @@ fn moved(span: Span, by: f64) -> Span {
     }
 }
 
-/// The part of `span`, moved on by `by`, between two path lengths; `None` if it is empty.
-fn clipped(span: &Span, by: f64, (from, to): (f64, f64)) -> Option<Span> {
-    let (from, to) = (from.max(span.from_mm.get() + by), to.min(span.to_mm.get() + by));
+/// The part of `span`, moved on by `by`, in a range of path length; `None` if it is empty.
+fn clipped(span: &Span, by: f64, range: PathRange) -> Option<Span> {
+    let (from, to) = (range.from_mm.max(span.from_mm.get() + by), range.to_mm.min(span.to_mm.get() + by));
     if to - from <= SAME_POSITION_MM {
         return None;
     }
-    let ends = (span.part(from - by), span.part(to - by));
+    let parts = [span.part(from - by), span.part(to - by)];
     let process: ProcessValues =
-        span.process.iter().map(|(name, value)| (name.clone(), between(*value, ends, Finite::new))).collect();
+        span.process.iter().map(|(name, value)| (name.clone(), between(*value, parts, Finite::new))).collect();
     Some(Span {
         from_mm: NonNegative::new(from)?,
         to_mm: Positive::new(to)?,
-        speed_mm_s: between(span.speed_mm_s, ends, Positive::new),
+        speed_mm_s: between(span.speed_mm_s, parts, Positive::new),
         process,
     })
 }
 
-/// A value between two parts of its span.
-fn between<T: Copy + Into<f64>>(
-    value: SpanValue<T>,
-    (from, to): (f64, f64),
-    new: impl Fn(f64) -> Option<T>,
-) -> SpanValue<T> {
-    let ramp = || Some(Ramp { from: new(value.at(from))?, to: new(value.at(to))? });
+/// A value over a part of its span; `parts` are the parts of the span before the start and before the end of it.
+fn between<T: Copy + Into<f64>>(value: SpanValue<T>, parts: [f64; 2], new: impl Fn(f64) -> Option<T>) -> SpanValue<T> {
+    let ramp = || Some(Ramp { from: new(value.at(parts[0]))?, to: new(value.at(parts[1]))? });
     if value.is_ramp() { ramp().map_or(value, SpanValue::Ramp) } else { value }
 }

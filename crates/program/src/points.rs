@@ -1,7 +1,7 @@
 //! Passes through points: a table of poses or axis positions with times and process values, as part programs and taught
 //! programs have them.
 
-use crate::{Pass, ProcessValues, Ramp, SpanValue, Torch, check_process_name};
+use crate::{Keyed, Pass, ProcessValues, Ramp, SpanValue, Torch, check_process_name};
 use schemars::JsonSchema;
 use seamwright_document::{Bound, Direction, Document, DocumentError, Finite, Point};
 use seamwright_message::{Message, Unit};
@@ -190,7 +190,7 @@ impl Points {
     pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         self.check_columns(file, path)?;
         let columns = self.known_columns();
-        self.check_row(file, &format!("{path}.start"), &self.start, (&columns, None))?;
+        self.check_row(file, &format!("{path}.start"), &self.start, &columns, None)?;
         if self.count() == 0 {
             let allowed = Message::new("program-at-least-one-point");
             return Err(file.error_at(&format!("{path}.spans"), Message::new("program-pass-without-points"), allowed));
@@ -199,7 +199,7 @@ impl Points {
             let at = |key: &str| format!("{path}.spans[{i}].{key}");
             self.check_span(file, &at, span, &columns)?;
             for (k, row) in span.points.iter().enumerate() {
-                self.check_row(file, &at(&format!("points[{k}]")), row, (&columns, Some(span.along)))?;
+                self.check_row(file, &at(&format!("points[{k}]")), row, &columns, Some(span.along))?;
             }
         }
         self.check_bounds(file, path)?;
@@ -329,7 +329,8 @@ impl Points {
         file: &Document<T>,
         path: &str,
         row: &[Finite],
-        (columns, along): (&Columns, Option<Along>),
+        columns: &Columns,
+        along: Option<Along>,
     ) -> Result<(), DocumentError> {
         if row.len() != self.columns.len() {
             let (message, allowed) = numbers_for_columns(row.len(), &self.columns);
@@ -391,8 +392,8 @@ impl Pass {
             let allowed = Message::new("program-leave-out-key-or-points");
             return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
         }
-        let corner = (format!("{path}.corner"), format!("{path}.tolerance"));
-        self.corner.check(file, &corner.0, (&corner.1, &self.tolerance))?;
+        let tolerance = Keyed { key: &format!("{path}.tolerance"), value: &self.tolerance };
+        self.corner.check(file, &format!("{path}.corner"), tolerance)?;
         let columns = self.points.as_ref().map(Points::known_columns);
         let process = columns.into_iter().flat_map(|c| c.process);
         let process = process.map(|(name, _)| (name, SpanValue::Steady(Finite::default()))).collect();

@@ -75,7 +75,8 @@ fn greatest<'a>(name: &str, mut names: impl Iterator<Item = &'a String>) -> f64 
 pub fn check_process_value<'a, T>(
     file: &Document<T>,
     key: &str,
-    (name, value): (&str, f64),
+    name: &str,
+    value: f64,
     names: impl Iterator<Item = &'a String>,
 ) -> Result<(), DocumentError> {
     if value < 0.0 {
@@ -125,7 +126,7 @@ pub fn check_process<T>(file: &Document<T>, path: &str, values: &ProcessValues) 
         let (from, to) = value.ends();
         for (end, found) in [("from", from), ("to", to)] {
             let key = if value.is_ramp() { format!("{key}.{end}") } else { key.clone() };
-            check_process_value(file, &key, (name, found), values.keys())?;
+            check_process_value(file, &key, name, found, values.keys())?;
         }
     }
     check_process_units(file, path, &values.keys())
@@ -133,7 +134,7 @@ pub fn check_process<T>(file: &Document<T>, path: &str, values: &ProcessValues) 
 
 #[cfg(test)]
 mod tests {
-    use crate::Program;
+    use crate::{ArcTime, Program};
 
     const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n\
         [seam.nozzle.body.cylinder]\nradius_mm = 800\n[[passes]]\nname = \"root\"\n[passes.sequence]\n\
@@ -148,7 +149,9 @@ mod tests {
         let program = Program::read("p.toml", TEXT).unwrap().value;
         assert_eq!(Program::read("p.toml", &program.to_toml().unwrap()).unwrap().value, program);
         let pass = &program.passes[0];
-        let at = |s: f64, since: f64, until: f64| pass.process_at("beam_ma", s, (since, until)).unwrap();
+        let at = |s: f64, since_on_s: f64, until_off_s: f64| {
+            pass.process_at("beam_ma", s, ArcTime { since_on_s, until_off_s }).unwrap()
+        };
         let far = f64::INFINITY;
         for (s, value) in [(0.0, 20.0), (2.5, 30.0), (10.0 - 1e-12, 60.0), (10.0, 60.0), (15.0, 60.0), (20.0, 60.0)] {
             assert!((at(s, far, far) - value).abs() < 1e-9, "{s}");
@@ -161,8 +164,9 @@ mod tests {
         for (until, value) in [(1.0, 60.0), (0.5, 60.0), (0.25, 32.5), (0.0, 5.0)] {
             assert!((at(20.0, far, until) - value).abs() < 1e-12);
         }
-        assert_eq!(pass.process_at("lens_ma", 3.0, (0.0, 0.0)), Some(700.0));
-        assert_eq!(pass.process_at("voltage_v", 3.0, (0.0, 0.0)), None);
+        let at_once = ArcTime { since_on_s: 0.0, until_off_s: 0.0 };
+        assert_eq!(pass.process_at("lens_ma", 3.0, at_once), Some(700.0));
+        assert_eq!(pass.process_at("voltage_v", 3.0, at_once), None);
     }
 
     #[test]

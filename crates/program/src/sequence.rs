@@ -100,7 +100,7 @@ impl Sequence {
             }
             for (value_name, value) in &slope.process {
                 let key = format!("{path}.{name}.process.{value_name}");
-                check_process_value(file, &key, (value_name, value.get()), weld.keys())?;
+                check_process_value(file, &key, value_name, value.get(), weld.keys())?;
             }
         }
         Ok(())

@@ -1,3 +1,4 @@
+use crate::PathRange;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::Finite;
@@ -133,16 +134,16 @@ pub trait TorchPath: Sync {
         (self.centre(s), self.tangent(s))
     }
 
-    /// Path length within [`from`, `to`] of the path's point nearest to `point`, which must lie near the path at path
+    /// Path length in the range `within` of the path's point nearest to `point`, which must lie near the path at path
     /// length `guess`. Makes two Newton steps on the foot of the perpendicular. With a weave, the swing at `guess` is
     /// subtracted from `point`, and the foot is on the line.
-    fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
+    fn foot(&self, point: DVec3, guess: f64, within: PathRange) -> f64 {
         let point = point - self.swing(guess).unwrap_or_default();
         let along = |s: f64| {
             let (centre, tangent) = self.line(s);
             (point - centre).dot(tangent) / self.rate(s)
         };
-        (0..2).fold(guess, |s, _| (s + along(s)).clamp(from, to))
+        (0..2).fold(guess, |s, _| (s + along(s)).clamp(within.from_mm, within.to_mm))
     }
 
     /// Path lengths inside the path where a derivative may jump, increasing.

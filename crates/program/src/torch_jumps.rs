@@ -36,16 +36,16 @@ fn jumps(pose: impl Fn(f64) -> Pose, s: f64, pass: usize) -> Vec<Finding> {
     // Of small angles, arc cosines would leave half the digits.
     let turn = abrupt(|a, b| 2.0 * (0.5 * a.direction.distance(b.direction)).min(1.0).asin()).map(|turn| {
         let message = Message::new("program-torch-direction-jumps").quantity("jump", turn.to_degrees(), Unit::Deg, 2);
-        finding((message, "program-cure-direction-jumps"), s, pass)
+        finding(message, "program-cure-direction-jumps", s, pass)
     });
     let way = abrupt(|a, b| a.point.distance(b.point)).map(|jump| {
         let message = Message::new("program-torch-tip-jumps").quantity("jump", jump, Unit::Mm, 3);
-        finding((message, "program-cure-tip-jumps"), s, pass)
+        finding(message, "program-cure-tip-jumps", s, pass)
     });
     turn.into_iter().chain(way).collect()
 }
 
-fn finding((message, cure): (Message, &'static str), s: f64, pass: usize) -> Finding {
+fn finding(message: Message, cure: &'static str, s: f64, pass: usize) -> Finding {
     Finding {
         kind: "turn",
         message: message.quantity("s", s, Unit::Mm, 3),

@@ -1,6 +1,6 @@
 //! Weaving of the torch, and the figures that it or a deflected beam goes through.
 
-use crate::{AtCorner, ProcessValues, Span};
+use crate::{AtCorner, Keyed, ProcessValues, Span};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
@@ -91,11 +91,29 @@ pub struct Swing {
     pub along: f64,
 }
 
+/// Dwells of a trapezoid, as parts of its period.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dwells {
+    /// Dwell at the side of the first part.
+    pub first: f64,
+    /// Dwell at the side of the second part.
+    pub second: f64,
+}
+
+impl Dwells {
+    /// No dwells.
+    pub const NONE: Self = Self { first: 0.0, second: 0.0 };
+
+    /// Part of the period from one side to the other.
+    fn way(self) -> f64 {
+        0.5 * (1.0 - self.first - self.second)
+    }
+}
+
 impl Figure {
-    /// Offset of the figure at a phase (1 is a period); `dwells` are the parts of the period at the side of the first
-    /// and the second part, of a trapezoid. Twice continuously differentiable; outside [`Figure::knots`] any number of
-    /// times.
-    pub fn at(self, phase: f64, dwells: (f64, f64)) -> Swing {
+    /// Offset of the figure at a phase (1 is a period); only a trapezoid has `dwells`. Twice continuously
+    /// differentiable; outside [`Figure::knots`] any number of times.
+    pub fn at(self, phase: f64, dwells: Dwells) -> Swing {
         let phase = phase.rem_euclid(1.0);
         let (sin, cos) = (TAU * phase).sin_cos();
         let across = match self {
@@ -112,10 +130,10 @@ impl Figure {
     }
 
     /// Phases within a period at which a third derivative jumps.
-    pub fn knots(self, (first, second): (f64, f64)) -> Vec<f64> {
-        let way = 0.5 * (1.0 - first - second);
+    pub fn knots(self, dwells: Dwells) -> Vec<f64> {
+        let way = dwells.way();
         match self {
-            Self::Trapezoid => vec![0.0, way, way + first, 2.0 * way + first],
+            Self::Trapezoid => vec![0.0, way, way + dwells.first, 2.0 * way + dwells.first],
             _ => Vec::new(),
         }
     }
@@ -127,8 +145,8 @@ impl Figure {
 }
 
 /// From the side of the second part across, a dwell, back, and a dwell.
-fn trapezoid(phase: f64, (first, second): (f64, f64)) -> f64 {
-    let way = 0.5 * (1.0 - first - second);
+fn trapezoid(phase: f64, dwells: Dwells) -> f64 {
+    let (way, first) = (dwells.way(), dwells.first);
     let smooth = |t: f64| t * t * t * (10.0 + t * (6.0 * t - 15.0));
     if phase < way {
         2.0 * smooth(phase / way) - 1.0
@@ -142,8 +160,7 @@ fn trapezoid(phase: f64, (first, second): (f64, f64)) -> f64 {
 }
 
 impl Weave {
-    /// Checks the weave at `path` of a file; `process` are the values of the pass. The last argument is the key of the
-    /// pass' corners, and their setting.
+    /// Checks the weave at `path` of a file; `process` are the values of the pass, `corner` is its behaviour at corners.
     ///
     /// # Errors
     /// With the key's address: neither pitch nor frequency or both, dwells without a trapezoid or longer than the
@@ -153,11 +170,11 @@ impl Weave {
         file: &Document<T>,
         path: &str,
         process: &ProcessValues,
-        (corner, at_corner): (&str, &AtCorner),
+        corner: Keyed<AtCorner>,
     ) -> Result<(), DocumentError> {
-        if matches!(at_corner, AtCorner::BlendMm(_)) {
+        if matches!(corner.value, AtCorner::BlendMm(_)) {
             let message = Message::new("program-weave-at-blend");
-            return Err(file.error_at(corner, message, Message::new("program-corner-or-no-weave")));
+            return Err(file.error_at(corner.key, message, Message::new("program-corner-or-no-weave")));
         }
         let wrong = |key: &str, code, allowed: Message| {
             Err(file.error_at(&format!("{path}.{key}"), Message::new(code), allowed))
@@ -215,7 +232,8 @@ impl Weave {
         &self,
         file: &Document<T>,
         path: &str,
-        (spans, speed_at): (&[Span], impl Fn(usize) -> String),
+        spans: &[Span],
+        speed_at: impl Fn(usize) -> String,
     ) -> Result<(), DocumentError> {
         let slowest = spans.iter().map(|span| span.speed_mm_s.ends()).fold(f64::INFINITY, |v, (a, b)| v.min(a).min(b));
         let (key, pitch, allowed) = match (self.frequency_hz, self.pitch_mm) {
@@ -290,9 +308,9 @@ impl Weave {
     }
 
     /// Parts of a period in the dwells at the sides of the first and the second part.
-    pub fn dwells(&self) -> (f64, f64) {
+    pub fn dwells(&self) -> Dwells {
         let of = |dwell: NonNegative| dwell.get() * self.frequency_hz.map_or(0.0, Positive::get);
-        (of(self.dwell_first_s), of(self.dwell_second_s))
+        Dwells { first: of(self.dwell_first_s), second: of(self.dwell_second_s) }
     }
 
     /// Half the width and half the length, mm.
@@ -324,7 +342,8 @@ mod tests {
     #[test]
     fn figures_reach_both_sides_and_come_round_smoothly() {
         for figure in ALL {
-            let dwells = if figure == Figure::Trapezoid { (0.2, 0.1) } else { (0.0, 0.0) };
+            let trapezoid = figure == Figure::Trapezoid;
+            let dwells = if trapezoid { Dwells { first: 0.2, second: 0.1 } } else { Dwells::NONE };
             let at = |p: f64| figure.at(p, dwells);
             let all: Vec<Swing> = (0..10_000).map(|i| at(f64::from(i) / 1e4)).collect();
             let reach = |f: fn(&Swing) -> f64| {
@@ -347,7 +366,7 @@ mod tests {
 
     #[test]
     fn dwells_last_as_asked() {
-        let dwells = (0.25, 0.1);
+        let dwells = Dwells { first: 0.25, second: 0.1 };
         let at = |p: f64| Figure::Trapezoid.at(p, dwells).across;
         let part =
             |side: f64| (0..100_000).filter(|i| (at(f64::from(*i) / 1e5) - side).abs() < 1e-15).count() as f64 / 1e5;

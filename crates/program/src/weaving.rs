@@ -123,7 +123,7 @@ impl Pass {
 #[allow(clippy::float_cmp, reason = "values at the sides are exactly those")]
 mod tests {
     use super::*;
-    use crate::Program;
+    use crate::{ArcTime, Dwells, Figure, Program};
 
     const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n\
         [seam.nozzle.body.cylinder]\nradius_mm = 800\n[[passes]]\nname = \"root\"\n[passes.weave]\n\
@@ -157,7 +157,7 @@ mod tests {
         let knots = weaving.knots();
         let at_figure = knots.iter().filter(|s| {
             let phase = weaving.phase(**s).rem_euclid(1.0);
-            let figure = crate::Figure::Trapezoid.knots((0.225, 0.15));
+            let figure = Figure::Trapezoid.knots(Dwells { first: 0.225, second: 0.15 });
             figure.iter().chain(&[1.0]).any(|knot| (phase - knot).abs() < 1e-9)
         });
         let all = 4.0 * weaving.phase(length);
@@ -170,8 +170,7 @@ mod tests {
     #[test]
     fn process_values_follow_the_square_of_the_swing() {
         let pass = pass(TEXT);
-        let far = (f64::INFINITY, f64::INFINITY);
-        let current = |s: f64| pass.process_at("current_a", s, far).unwrap();
+        let current = |s: f64| pass.process_at("current_a", s, ArcTime::TRAVEL).unwrap();
         let mut sides = 0;
         for i in 0..9000 {
             let s = 0.01 * f64::from(i);

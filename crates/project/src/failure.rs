@@ -238,10 +238,13 @@ impl Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use seamwright_program::PathRange;
 
     #[test]
     fn equal_findings_are_printed_once_with_where_they_are() {
-        let at = |pass, from_mm, to_mm| Finding::note("process", Message::verbatim("no gas"), pass, (from_mm, to_mm));
+        let at = |pass, from_mm, to_mm| {
+            Finding::note("process", Message::verbatim("no gas"), pass, PathRange { from_mm, to_mm })
+        };
         let mut findings: Vec<Finding> = (1..=9).map(|pass| at(pass, 0.0, 0.0)).collect();
         findings.extend((1..=7).map(|i| at(3, 10.0 * f64::from(i), 10.0 * f64::from(i) + 1.0)));
         let mut out = Vec::new();

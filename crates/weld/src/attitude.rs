@@ -5,7 +5,7 @@ use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::MonotoneCurve;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{SAME_POSITION_MM, Torch, is_before, is_beyond, is_same_position};
+use seamwright_program::{PathRange, SAME_POSITION_MM, Torch, is_before, is_beyond, is_same_position};
 
 /// Largest travel angle, degrees: beyond it the torch lies along the seam.
 const MAX_TRAVEL_DEG: f64 = 75.0;
@@ -80,7 +80,7 @@ impl Attitude {
     }
 
     /// Positions inside `range` of the seam at which a second derivative of the angles may jump, mm.
-    pub(crate) fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
+    pub(crate) fn knots_within(&self, range: PathRange) -> Vec<f64> {
         repeated(self.work.knots().iter().copied(), self.work.period(), range, SAME_POSITION_MM)
     }
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_geometry::CubicSpline;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Bead, SAME_POSITION_MM, is_before, is_beyond, is_same_position};
+use seamwright_program::{Bead, PathRange, SAME_POSITION_MM, is_before, is_beyond, is_same_position};
 
 /// Position of a bead beside the seam, by the seam's path length: cubic splines through the rows of a [`Bead`],
 /// periodic on a seam welded all round, natural on any other.
@@ -30,7 +30,8 @@ impl BeadLine {
         file: &Document<T>,
         keys: &PassKeys,
         bead: &Bead,
-        (seam, stretch): (&SeamCurve, &Stretch),
+        seam: &SeamCurve,
+        stretch: &Stretch,
     ) -> Result<Self, DocumentError> {
         let rows: Vec<f64> = bead.s_mm.iter().map(|s| s.get()).collect();
         let last = rows.len().saturating_sub(1);
@@ -45,7 +46,7 @@ impl BeadLine {
         if let Some(i) = rows.iter().position(|s| beside(*s)) {
             return wrong(i, "weld-position-beside-weld", on_weld(end, period.is_some()));
         }
-        let (from, to) = stretch.range();
+        let PathRange { from_mm: from, to_mm: to } = stretch.range();
         if period.is_none() && rows.len() > 1 {
             let code = "weld-bead-rows-too-short";
             if is_beyond(rows[0], from) {
@@ -92,7 +93,7 @@ impl BeadLine {
     }
 
     /// Rows inside `range` of the seam, where third derivatives may jump, mm.
-    pub(crate) fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
+    pub(crate) fn knots_within(&self, range: PathRange) -> Vec<f64> {
         // A single row is no knot: it is the same all along.
         let rows = self.rows.iter().copied().filter(|_| self.rows.len() > 1);
         repeated(rows, self.period, range, SAME_POSITION_MM)

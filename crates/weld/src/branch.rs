@@ -52,7 +52,7 @@ impl Joint {
                 file.error_at("seam.branch.wall_mm", Message::new("weld-wall-leaves-no-bore"), allowed)
             })
         });
-        let other = branch.other.as_ref().map(|other| second(file, other, (&leg, branch.angle_deg), chord));
+        let other = branch.other.as_ref().map(|other| second(file, other, &leg, branch.angle_deg, chord));
         Ok(Self { tube: outside, bore: bore.transpose()?, chord, other: other.transpose()? })
     }
 
@@ -92,11 +92,12 @@ impl Leg {
     }
 }
 
-/// The other branch of a K-joint, placed beside the first.
+/// The other branch of a K-joint, placed beside the first, whose angle in the file is `first_angle`.
 fn second<T>(
     file: &Document<T>,
     b: &OtherBranch,
-    (first, first_angle): (&Leg, Option<Positive>),
+    first: &Leg,
+    first_angle: Option<Positive>,
     chord: f64,
 ) -> Result<Leg, DocumentError> {
     let keys = Keys { file, path: "seam.branch.other", chord };

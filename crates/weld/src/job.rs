@@ -7,7 +7,7 @@ use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_message::Message;
 use seamwright_program::{
-    AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Repeat, Seam,
+    AtCorner, Clearance, Joint, Keyed, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Repeat, Seam,
     SeamCopy, SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, TransferMoves, Variables, Weave, check_offset,
     check_process,
 };
@@ -133,9 +133,9 @@ impl Job {
         let job = Document::<Self>::read(file, text)?;
         check_offset(&job, job.value.offset.as_deref(), &job.value.offsets)?;
         check_process(&job, "weld.process", &job.value.weld.process)?;
-        job.value.weld.corner.check(&job, "weld.corner", ("tolerance", &job.value.tolerance))?;
+        job.value.weld.corner.check(&job, "weld.corner", Keyed { key: "tolerance", value: &job.value.tolerance })?;
         if let Some(weave) = &job.value.weld.weave {
-            let corner = ("weld.corner", &job.value.weld.corner);
+            let corner = Keyed { key: "weld.corner", value: &job.value.weld.corner };
             weave.check(&job, "weld.weave", &job.value.weld.process, corner)?;
         }
         if let Some(oscillation) = &job.value.weld.oscillation {
@@ -146,12 +146,12 @@ impl Job {
             let allowed = by_key("weld-allowed-less-than-key", "speed_mm_s", job.value.weld.speed_mm_s.get());
             return Err(job.error_at("weld.least_speed_mm_s", Message::new("weld-min-speed-too-high"), allowed));
         }
-        let weld = (&job.value.sequence, &job.value.weld.process);
+        let (sequence, process) = (&job.value.sequence, &job.value.weld.process);
         if let Some(tacks) = &job.value.tacks {
-            tacks.check(&job, weld)?;
+            tacks.check(&job, sequence, process)?;
         }
         if let Some(cosmetic) = &job.value.cosmetic {
-            cosmetic.check(&job, weld)?;
+            cosmetic.check(&job, sequence, process)?;
         }
         order::copies(&job)?;
         if let Some(beads) = &job.value.beads {

@@ -71,11 +71,17 @@ impl Outside for NoFiles {
 /// With the key's address: faults outside, points given twice.
 pub(crate) fn fetch<T>(
     file: &Document<T>,
-    (seam, taught): (Option<&mut Seam>, &mut [Taught]),
-    (machine, seam_in_work): (&str, DAffine3),
+    seam: Option<&mut Seam>,
+    taught: &mut [Taught],
+    machine: &str,
+    seam_in_work: DAffine3,
     outside: &dyn Outside,
 ) -> Result<(), DocumentError> {
-    if let Some(Seam::Spline(spline)) = seam {
+    let spline = seam.and_then(|seam| match seam {
+        Seam::Spline(spline) => Some(spline),
+        _ => None,
+    });
+    if let Some(spline) = spline {
         table(file, spline, outside)?;
     }
     let to_seam = seam_in_work.inverse();

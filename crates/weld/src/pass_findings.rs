@@ -37,7 +37,7 @@ impl PassPath<'_> {
                 message.quantity("dihedral", p.dihedral.to_degrees(), Unit::Deg, 1)
             })
         };
-        self.stretches(("access", number), "weld-cure-smaller-work-angle", complaint)
+        self.stretches("access", number, "weld-cure-smaller-work-angle", complaint)
     }
 
     /// Reports stretches on which the bead would not progress along the seam.
@@ -53,13 +53,14 @@ impl PassPath<'_> {
             let progress = way.dot(self.stretch.sense * self.seam_point(s).tangent);
             (progress < MIN_PROGRESS).then(|| Message::new("weld-bead-goes-back"))
         };
-        self.stretches(("turn", number), "weld-cure-bead-nearer", complaint)
+        self.stretches("turn", number, "weld-cure-bead-nearer", complaint)
     }
 
     /// Stretches of neighbouring stations with a complaint, each a finding with the first one's.
     fn stretches(
         &self,
-        (kind, pass): (&'static str, usize),
+        kind: &'static str,
+        pass: usize,
         cure: &'static str,
         complaint: impl Fn(f64) -> Option<Message>,
     ) -> Vec<Finding> {

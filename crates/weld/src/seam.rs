@@ -12,8 +12,8 @@ use seamwright_geometry::{
 };
 use seamwright_message::{Message, Unit};
 use seamwright_program::{
-    MAX_SEAM_MM, SAME_POSITION_MM, Seam, SeamStart, Side, Taught, WallFaces, WeldDirection, is_before, is_beyond,
-    is_same_position,
+    MAX_SEAM_MM, PathRange, SAME_POSITION_MM, Seam, SeamStart, Side, Taught, WallFaces, WeldDirection, is_before,
+    is_beyond, is_same_position,
 };
 use std::sync::Arc;
 
@@ -88,7 +88,8 @@ impl SeamCurve {
     /// With the key's address: spans that overlap or leave the weld, points that do not fit.
     pub fn with_taught<T>(
         file: &Document<T>,
-        (seam, start): (&Seam, &SeamStart),
+        seam: &Seam,
+        start: &SeamStart,
         taught: &[Taught],
     ) -> Result<Self, DocumentError> {
         let nominal = Self::new(file, seam, start)?;
@@ -202,11 +203,11 @@ impl SeamCurve {
 
     /// Path lengths inside the weld where a derivative of the seam or of its faces may jump, increasing.
     pub fn knots(&self) -> Vec<f64> {
-        self.knots_within((0.0, self.weld_length))
+        self.knots_within(PathRange::up_to(self.weld_length))
     }
 
     /// Those inside `range`; on a closed seam it may be longer than a turn, and start before the start of the weld.
-    pub fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
+    pub fn knots_within(&self, range: PathRange) -> Vec<f64> {
         let length = self.length();
         let place = |u: f64| {
             let s = self.sense * (self.curve.length_at(u) - self.start);

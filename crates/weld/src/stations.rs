@@ -96,7 +96,7 @@ fn check(job: &Document<Job>, length: f64) -> Result<(), DocumentError> {
                     let message = Message::new("weld-value-ramps-already");
                     return Err(job.error_at(&path, message, Message::new("weld-allowed-number-or-no-value")));
                 }
-                Some(_) => check_process_value(job, &path, (name, value.get()), weld.process.keys())?,
+                Some(_) => check_process_value(job, &path, name, value.get(), weld.process.keys())?,
             }
         }
     }

@@ -2,7 +2,7 @@ use crate::allowed::{at_most, between, rounded};
 use crate::{PassKeys, SeamCurve};
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Pass, is_beyond};
+use seamwright_program::{Pass, PathRange, is_beyond};
 
 /// Maximum number of turns of a pass; more are a mistake.
 const MAX_TURNS: f64 = 2.0;
@@ -59,21 +59,22 @@ impl Stretch {
         self.sense * (seam_s - self.begin)
     }
 
-    /// Range on the seam: from the smaller path length to the larger, mm.
-    pub fn range(&self) -> (f64, f64) {
+    /// Range on the seam: from the smaller path length to the larger.
+    pub fn range(&self) -> PathRange {
         let end = self.seam_s(self.length);
-        (self.begin.min(end), self.begin.max(end))
+        PathRange { from_mm: self.begin.min(end), to_mm: self.begin.max(end) }
     }
 }
 
-/// All of `places` inside (`from`, `to`), and again every `period`, increasing. Those nearer than `near` to each other
-/// are merged, those so near to an end are left out.
+/// All of `places` inside `range`, and again every `period`, increasing. Those nearer than `near` to each other are
+/// merged, those so near to an end are left out.
 pub(crate) fn repeated(
     places: impl Iterator<Item = f64>,
     period: Option<f64>,
-    (from, to): (f64, f64),
+    range: PathRange,
     near: f64,
 ) -> Vec<f64> {
+    let PathRange { from_mm: from, to_mm: to } = range;
     let mut all = Vec::new();
     for place in places {
         match period {

@@ -6,7 +6,7 @@ use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{Along, Curve, Edge, EdgePoint, End, Ends, Jet, Spline, chord_lengths};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Taught, is_before, is_beyond};
+use seamwright_program::{PathRange, Taught, is_before, is_beyond};
 use std::sync::Arc;
 
 /// Points nearer to each other than this are one, mm.
@@ -245,7 +245,7 @@ impl<T> Making<'_, T> {
             return Err(self.file.error_at(&path, message, Message::new("weld-allowed-taught-points")));
         }
         // Path lengths on the nominal seam, then arc lengths of its curve, in its own sense.
-        let feet = self.feet(&points, (from_mm, to_mm))?;
+        let feet = self.feet(&points, PathRange { from_mm, to_mm })?;
         let nominal = self.nominal;
         let (ends, forward) = ([nominal.at(from_mm).point, nominal.at(to_mm).point], nominal.sense > 0.0);
         let mut all: Vec<DVec3> = [&ends[..1], &points, &ends[1..]].concat();
@@ -259,7 +259,7 @@ impl<T> Making<'_, T> {
         let (first, last) = (by_arc(nominal, lengths[0], -1.0), by_arc(nominal, lengths[lengths.len() - 1], 1.0));
         let count = all.len();
         (all[0], all[count - 1]) = (first.point, last.point);
-        let span = self.build(&all, &lengths, (&first, &last));
+        let span = self.build(&all, &lengths, &first, &last);
         let span = span.map_err(|e| {
             let path = format!("taught[{}]", self.number);
             self.file.error_at(&path, e.message(), Message::new("weld-allowed-smooth-points"))
@@ -272,7 +272,8 @@ impl<T> Making<'_, T> {
         &self,
         points: &[DVec3],
         lengths: &[f64],
-        (first, last): (&ByArc, &ByArc),
+        first: &ByArc,
+        last: &ByArc,
     ) -> Result<Span, seamwright_geometry::Error> {
         let t = chord_lengths(points, false)?;
         let jets = |f: fn(&ByArc) -> (DVec3, DVec3)| {
@@ -291,11 +292,12 @@ impl<T> Making<'_, T> {
         Ok(Span { from, to, nominal, curve, along, place, points })
     }
 
-    /// Path lengths of the nominal seam's nearest points; they must increase between the joins.
-    fn feet(&self, points: &[DVec3], (from, to): (f64, f64)) -> Result<Vec<f64>, DocumentError> {
+    /// Path lengths of the nominal seam's nearest points; they must increase within `range`, between the joins.
+    fn feet(&self, points: &[DVec3], range: PathRange) -> Result<Vec<f64>, DocumentError> {
+        let PathRange { from_mm: from, to_mm: to } = range;
         let mut feet: Vec<f64> = Vec::new();
         for (i, p) in points.iter().enumerate() {
-            let (s, away) = nearest(self.nominal, *p, (from, to));
+            let (s, away) = nearest(self.nominal, *p, range);
             let within = self.taught.within_mm.get();
             if away > within {
                 let message = Message::new("weld-taught-point-far").quantity("distance", away, Unit::Mm, 3);
@@ -366,9 +368,10 @@ fn by_arc(nominal: &SeamCurve, l: f64, side: f64) -> ByArc {
     ByArc { point, tangent, curvature, change }
 }
 
-/// Path length within `from` and `to` of the nominal seam's point nearest to `p`, and the distance: the nearest of many
-/// stations, then Newton steps on the foot of the perpendicular.
-fn nearest(nominal: &SeamCurve, p: DVec3, (from, to): (f64, f64)) -> (f64, f64) {
+/// Path length in `range` of the nominal seam's point nearest to `p`, and the distance: the nearest of many stations,
+/// then Newton steps on the foot of the perpendicular.
+fn nearest(nominal: &SeamCurve, p: DVec3, range: PathRange) -> (f64, f64) {
+    let PathRange { from_mm: from, to_mm: to } = range;
     let count = ((to - from).ceil() as u32).clamp(64, 4096);
     let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(count);
     let away = |s: f64| nominal.at(s).point.distance(p);

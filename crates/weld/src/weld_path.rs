@@ -1,7 +1,7 @@
 use crate::{PassPath, PointPath};
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_program::{AxisPositions, Groove, TorchPath};
+use seamwright_program::{AxisPositions, Groove, PathRange, TorchPath};
 
 /// The path of a pass: along the seam, or through points.
 #[derive(Debug)]
@@ -91,7 +91,7 @@ impl TorchPath for WeldPath<'_> {
         self.path().line(s)
     }
 
-    fn foot(&self, point: DVec3, guess: f64, within: (f64, f64)) -> f64 {
+    fn foot(&self, point: DVec3, guess: f64, within: PathRange) -> f64 {
         self.path().foot(point, guess, within)
     }
 

@@ -1,3 +1,4 @@
+use crate::beads::WeldValues;
 use crate::outside::{fetch, forget};
 use crate::{
     Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassKeys, PassPath, PointPath, SeamCurve, SeamJoint,
@@ -5,7 +6,7 @@ use crate::{
 };
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, Program, Role, Weaving};
+use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, PathRange, Program, Role, Weaving};
 use std::sync::Arc;
 
 /// A weld read from a job or a program file: the program, the seam, and the torch angles along it.
@@ -47,14 +48,15 @@ impl Welding {
         let mut welding = if Program::is_in(text) {
             let mut program = Program::read(file, text)?;
             let (mut seam, mut taught) = (program.value.seam.clone(), program.value.taught.clone());
-            let place = (program.value.machine.as_str(), program.value.seam_in_work());
-            fetch(&program, (seam.as_mut(), &mut taught), place, outside)?;
+            let frame = program.value.seam_in_work();
+            fetch(&program, seam.as_mut(), &mut taught, &program.value.machine, frame, outside)?;
             (program.value.seam, program.value.taught) = (seam, taught);
             Self::from_program(&program, outside)?
         } else {
             let mut job = Job::read(file, text)?;
             let (mut seam, mut taught) = (job.value.seam.clone(), job.value.taught.clone());
-            fetch(&job, (Some(&mut seam), &mut taught), (&job.value.machine, job.value.seam_in_work()), outside)?;
+            let frame = job.value.seam_in_work();
+            fetch(&job, Some(&mut seam), &mut taught, &job.value.machine, frame, outside)?;
             (job.value.seam, job.value.taught) = (seam, taught);
             Self::from_job(&job, outside)?
         };
@@ -65,28 +67,28 @@ impl Welding {
 
     fn from_job(job: &Document<Job>, outside: &dyn Outside) -> Result<Self, DocumentError> {
         let j = &job.value;
-        let seam = SeamCurve::with_taught(job, (&j.seam, &j.start), &j.taught)?;
+        let seam = SeamCurve::with_taught(job, &j.seam, &j.start, &j.taught)?;
         let mut program = Job::program(job, &seam)?;
         let joint = j.joint.as_ref().map(|joint| SeamJoint::new(job, joint, &seam)).transpose()?;
         let weld = program.passes[0].clone();
         let (mut plan, mut plan_findings) = (None, Vec::new());
         if let (Some(beads), Some(joint)) = (&j.beads, &joint) {
-            let asked = (j.weld.speed_mm_s, &j.weld.process);
-            let filled = beads.filled(job, (&seam, joint), asked, &weld)?;
+            let values = WeldValues { speed_mm_s: j.weld.speed_mm_s, process: &j.weld.process };
+            let filled = beads.filled(job, &seam, joint, &values, &weld)?;
             program.passes = filled.passes;
             (plan, plan_findings) = (Some(filled.plan), filled.findings);
         }
         if let Some(cosmetic) = &j.cosmetic {
             program.passes.push(cosmetic.pass(job, &seam, &weld)?);
         }
-        let ordered = order::ordered(job, &seam, (program.passes, &weld), &program.copies)?;
+        let ordered = order::ordered(job, &seam, &program.passes, &weld, &program.copies)?;
         for finding in &mut plan_findings {
             // A finding against a bead is reported at the first pass that lays it there.
             let bead = finding.pass.checked_sub(1);
             let mut laid = ordered.iter().enumerate().filter(|(_, (_, from))| *from == bead);
-            let range = (finding.from_mm, finding.to_mm);
-            if let Some((i, (from, to))) = laid.find_map(|(i, (pass, _))| Some((i, on_pass(pass, &seam, range)?))) {
-                (finding.pass, finding.from_mm, finding.to_mm) = (i + 1, from, to);
+            let range = PathRange { from_mm: finding.from_mm, to_mm: finding.to_mm };
+            if let Some((i, own)) = laid.find_map(|(i, (pass, _))| Some((i, on_pass(pass, &seam, range)?))) {
+                (finding.pass, finding.from_mm, finding.to_mm) = (i + 1, own.from_mm, own.to_mm);
             }
         }
         program.passes = ordered.into_iter().map(|(pass, _)| pass).collect();
@@ -95,7 +97,7 @@ impl Welding {
             match (&j.beads, &pass.weave) {
                 (Some(beads), _) => beads.check_weave(job, pass)?,
                 (None, Some(weave)) => {
-                    weave.check_speeds(job, "weld.weave", (&pass.spans, |_| "weld.speed_mm_s".to_owned()))?;
+                    weave.check_speeds(job, "weld.weave", &pass.spans, |_| "weld.speed_mm_s".to_owned())?;
                 }
                 (None, None) => {}
             }
@@ -111,7 +113,7 @@ impl Welding {
 
     fn from_program(program: &Document<Program>, outside: &dyn Outside) -> Result<Self, DocumentError> {
         let p = &program.value;
-        let seam = p.seam.as_ref().map(|seam| SeamCurve::with_taught(program, (seam, &p.start), &p.taught));
+        let seam = p.seam.as_ref().map(|seam| SeamCurve::with_taught(program, seam, &p.start, &p.taught));
         let seam = seam.transpose()?;
         let keys: Vec<PassKeys> = (0..p.passes.len()).map(PassKeys::listed).collect();
         let lines = pass_lines(program, seam.as_ref(), &keys, outside)?;
@@ -182,16 +184,20 @@ impl Welding {
 /// Number of stations checked in a range of the seam.
 const PLACES: u32 = 64;
 
-/// The path lengths of `pass` between which it runs over a range of the seam (mm from the start of the weld); `None` if
-/// it does not.
-fn on_pass(pass: &Pass, seam: &SeamCurve, (from, to): (f64, f64)) -> Option<(f64, f64)> {
+/// The path lengths of `pass` between which it runs over a range of the seam (from the start of the weld); `None` if it
+/// does not.
+fn on_pass(pass: &Pass, seam: &SeamCurve, range: PathRange) -> Option<PathRange> {
+    let PathRange { from_mm: from, to_mm: to } = range;
     let sense = if pass.reverse { -1.0 } else { 1.0 };
     let own = |i: u32| {
         let s = sense * (from + (to - from) * f64::from(i) / f64::from(PLACES) - pass.begin_mm.get());
         if seam.all_round() { s.rem_euclid(seam.length()) } else { s }
     };
     let inside = (0..=PLACES).map(own).filter(|s| (0.0..=pass.length()).contains(s));
-    inside.fold(None, |range, s| Some(range.map_or((s, s), |(low, high): (f64, f64)| (low.min(s), high.max(s)))))
+    inside.fold(None, |own: Option<PathRange>, s| {
+        let own = own.unwrap_or(PathRange::at(s));
+        Some(PathRange { from_mm: own.from_mm.min(s), to_mm: own.to_mm.max(s) })
+    })
 }
 
 /// Reports gaps that the oscillation of the beam leaves in pass `number`.
@@ -237,7 +243,7 @@ fn pass_lines(
         let seam = match (&pass.points, seam) {
             (None, Some(seam)) => seam,
             (Some(points), _) => {
-                return Ok(PassLine::Points(Box::new(PointPath::new(program, (i, points), &machine)?)));
+                return Ok(PassLine::Points(Box::new(PointPath::new(program, i, points, &machine)?)));
             }
             (None, None) => {
                 let message = Message::new("weld-pass-without-seam");
@@ -251,7 +257,7 @@ fn pass_lines(
             let allowed = Message::new("weld-allowed-travel-time").value("max", MAX_TRAVEL_S, Unit::S);
             return Err(program.error_at(&keys.speed(), message, allowed));
         }
-        let bead = |bead| BeadLine::new(program, keys, bead, (seam, &stretch));
+        let bead = |bead| BeadLine::new(program, keys, bead, seam, &stretch);
         let attitude = Attitude::new(program, &keys.of("torch"), &pass.torch, seam)?;
         let bead = pass.bead.as_ref().map(bead).transpose()?;
         Ok(PassLine::Seam(Box::new(SeamLine { stretch, attitude, bead })))

@@ -11,7 +11,7 @@ use super::{Alarm, Executive, ProcessState, VALUES};
 use seamwright_machine::Joints;
 use seamwright_motion::feed_override::{FeedOverride, Instant, Order, Run, RunPhase, Timed};
 use seamwright_motion::transfer::Leg;
-use seamwright_program::Sequence;
+use seamwright_program::{ArcTime, Sequence};
 
 /// Tolerance of the feed override.
 const PACED: f64 = 1e-3;
@@ -194,9 +194,10 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let welded = pass.filter(|_| welds);
         let tip = now.played.rates.tip;
         let asked = welded.is_some() && now.phase.arc();
-        let until = if now.phase == RunPhase::Crater { now.left_s } else { f64::INFINITY };
+        let until_off_s = if now.phase == RunPhase::Crater { now.left_s } else { f64::INFINITY };
+        let time = ArcTime { since_on_s: burnt_s, until_off_s };
         let gas = !matches!(now.phase, RunPhase::Held | RunPhase::Move | RunPhase::Ended);
-        let values = welded.filter(|_| asked).map_or([0.0; VALUES], |i| work.process_at(i, tip.s, (burnt_s, until)));
+        let values = welded.filter(|_| asked).map_or([0.0; VALUES], |i| work.process_at(i, tip.s, time));
         let place = pass.map_or_else(Place::default, |i| Place { pass: i + 1, s_mm: tip.s });
         let in_pass = pass.is_some();
         Doing {

@@ -6,7 +6,7 @@ use seamwright_motion::feed_override::{Limits, PassTimed};
 use seamwright_motion::jog::Jog;
 use seamwright_motion::transfer::{Blocked, TransferMove, route};
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_program::{AtHold, Pass, Sequence};
+use seamwright_program::{ArcTime, AtHold, Pass, Sequence};
 use std::cell::RefCell;
 
 /// Starting point of a program.
@@ -113,12 +113,11 @@ impl<'a> Work<'a> {
         &self.values
     }
 
-    /// Returns the process values of pass `pass` (from 0) at path length `s`; `clock` holds the times since arc or beam
-    /// came on and until it goes off, s.
-    pub(super) fn process_at(&self, pass: usize, s: f64, clock: (f64, f64)) -> [f64; VALUES] {
+    /// Returns the process values of pass `pass` (from 0) at path length `s`; `time` is an instant with arc or beam on.
+    pub(super) fn process_at(&self, pass: usize, s: f64, time: ArcTime) -> [f64; VALUES] {
         let mut values = [f64::NAN; VALUES];
         for (value, name) in values.iter_mut().zip(&self.values) {
-            *value = self.passes[pass].pass.process_at(name, s, clock).unwrap_or(f64::NAN);
+            *value = self.passes[pass].pass.process_at(name, s, time).unwrap_or(f64::NAN);
         }
         values
     }

@@ -186,8 +186,7 @@ impl Recorder {
                 image.ok_or_else(count)?.save_with_format(&path, ImageFormat::Png)
             }
         };
-        written
-            .map_err(|e| FrameError::Io { what: path.display().to_string(), why: Message::outside(&e) })?;
+        written.map_err(|e| FrameError::Io { what: path.display().to_string(), why: Message::outside(&e) })?;
         let _ = write!(self.list, "{name},{}", frame.t_s);
         for value in frame.axes.iter().flatten() {
             let _ = write!(self.list, ",{value}");

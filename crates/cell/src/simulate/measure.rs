@@ -4,12 +4,12 @@ use seamwright_geometry::Pose;
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_motion::corners::foot_in_blend;
-use seamwright_program::TorchPath;
+use seamwright_program::{PathRange, TorchPath};
 
 /// Finds the planned path's nearest point to the true tip, and the distance of the tip from the seam.
 pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMotion, sample: &mut Sample) {
     let tip = machine.forward(&sample.q);
-    let whole = (0.0, path.length());
+    let whole = PathRange::up_to(path.length());
     // In blends the planned path differs from the seam, on which the nearest point would jump at the corner.
     let s = match planned.path.blends().is_empty() {
         // The tip may stop or turn back while the axes move on: their positions define the point.
@@ -41,10 +41,11 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
     }
 }
 
-/// Finds the path length near `guess`, from 0 to `length_mm`, at which the path `place` is nearest to `point`. Searches
-/// both ways from `guess` while the distance falls. Steps start in proportion to the distance and grow; thirds refine
-/// the result. The distance found is never below the true minimum.
-fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, length_mm: f64) -> f64 {
+/// Finds the path length near `guess` at which the path `place` is nearest to `point`. Searches both ways from `guess`
+/// while the distance falls. Steps start in proportion to the distance and grow; thirds refine the result. The distance
+/// found is never below the true minimum.
+fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, within: PathRange) -> f64 {
+    let PathRange { from_mm: from, to_mm: to } = within;
     let away = |s: f64| place(s).distance_squared(point);
     let start = away(guess);
     let mut best = (start, guess, start.sqrt() / 16.0);

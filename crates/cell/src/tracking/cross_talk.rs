@@ -26,8 +26,7 @@ pub fn cross_talk(
         "schema = 1\n[[displacement]]\nhead = 1\nwave = {{ length_mm = {LENGTH_MM}, by = {{ lateral_mm = {SIZE_MM} }} }}\n"
     );
     let other = |text: &str| -> Result<Vec<DVec2>, Error> {
-        let distortion =
-            Distortion::read("displaced", text).map_err(|e| Error::Distortion(Message::outside(&e)))?;
+        let distortion = Distortion::read("displaced", text).map_err(|e| Error::Distortion(Message::outside(&e)))?;
         let conditions = Conditions { seed, distortion: Some(&distortion), tracking: true, ..Conditions::default() };
         let mut misses = Vec::new();
         simulate(machine, passes, motion, conditions, |sample: &Sample| {

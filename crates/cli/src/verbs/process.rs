@@ -1,8 +1,5 @@
 use seamwright_motion::{SetPoint, WeldMotion};
-use seamwright_program::Program;
-
-/// Time since the arc went on, and time until it goes off, s; infinite if unknown.
-pub(super) type Clock = (f64, f64);
+use seamwright_program::{ArcTime, Program};
 
 /// The process columns of a table with a row a set-point.
 pub(super) struct ProcessColumns<'a> {
@@ -25,7 +22,7 @@ impl<'a> ProcessColumns<'a> {
     }
 
     /// The values at path length `s` (mm) in `pass` (0 in the air): 0 while the arc is off, without a clock.
-    pub(super) fn values(&self, pass: usize, s: f64, clock: Option<Clock>) -> impl Iterator<Item = f64> {
+    pub(super) fn values(&self, pass: usize, s: f64, clock: Option<ArcTime>) -> impl Iterator<Item = f64> {
         let now = pass.checked_sub(1).zip(clock).map(|(i, clock)| (&self.program.passes[i], clock));
         let value = move |name: &String| now.and_then(|(pass, clock)| pass.process_at(name, s, clock));
         self.names.iter().map(move |name| value(name).unwrap_or(0.0))
@@ -45,7 +42,7 @@ impl<'a> ArcClock<'a> {
     }
 
     /// At `set` in `pass` (0 in transfer moves); `None` while the arc is off.
-    pub(super) fn at(&mut self, pass: usize, set: &SetPoint) -> Option<Clock> {
+    pub(super) fn at(&mut self, pass: usize, set: &SetPoint) -> Option<ArcTime> {
         if pass != self.begun.0 {
             self.begun = (pass, set.t);
         }

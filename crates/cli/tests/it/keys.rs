@@ -113,12 +113,8 @@ fn kind(schema: &Value) -> String {
 /// `named`, with the bounds of `schema`.
 fn bounded(named: &str, schema: &Value) -> String {
     let bound = |key: &str, sign: &str| schema.get(key).map(|value| format!(" {sign} {value}"));
-    let bounds = [
-        bound("exclusiveMinimum", ">"),
-        bound("minimum", "≥"),
-        bound("exclusiveMaximum", "<"),
-        bound("maximum", "≤"),
-    ];
+    let bounds =
+        [bound("exclusiveMinimum", ">"), bound("minimum", "≥"), bound("exclusiveMaximum", "<"), bound("maximum", "≤")];
     bounds.into_iter().flatten().fold(named.to_owned(), |text, bound| text + &bound)
 }
 

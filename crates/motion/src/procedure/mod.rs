@@ -69,7 +69,8 @@ impl PassProcedure {
     pub fn new(procedure: &Procedure, planned: PlannedPass) -> Self {
         let run = procedure.run_of(planned.number, planned.pass);
         let lies = lie::along(planned);
-        let joint = procedure.joint(lie::dihedrals(planned.path, &lies));
+        let (min_dihedral, max_dihedral) = lie::dihedrals(planned.path, &lies);
+        let joint = procedure.joint(min_dihedral, max_dihedral);
         let limits = &procedure.position_limits;
         let places: Vec<f64> = lies.iter().map(|lie| lie.s).collect();
         let at = |s: f64| lie::at(planned, s).inclination;

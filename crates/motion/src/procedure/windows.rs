@@ -3,7 +3,7 @@
 use super::lie::{self, Lie};
 use super::{PlannedPass, Quantity};
 use seamwright_document::Finite;
-use seamwright_program::{Outside, Pass, Procedure, Run, Span, SpanValue, Window};
+use seamwright_program::{ArcTime, Outside, Pass, Procedure, Run, Span, SpanValue, Window};
 
 /// A stretch over which every value is continuous: samples in it, and its span.
 struct Piece<'a> {
@@ -41,9 +41,9 @@ fn power(procedure: &Procedure, pass: &Pass, span: &Span, s: f64) -> Option<f64>
     if pass.weave.as_ref().is_none_or(|weave| weave.at_sides.is_empty()) {
         return procedure.power_w(&span.process, span.part(s));
     }
-    let welding = (f64::INFINITY, f64::INFINITY);
-    let there =
-        |name: &String| Some((name.clone(), SpanValue::Steady(Finite::new(pass.process_at(name, s, welding)?)?)));
+    let there = |name: &String| {
+        Some((name.clone(), SpanValue::Steady(Finite::new(pass.process_at(name, s, ArcTime::TRAVEL)?)?)))
+    };
     procedure.power_w(&span.process.keys().filter_map(there).collect(), 0.0)
 }
 

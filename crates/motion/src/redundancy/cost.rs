@@ -51,7 +51,7 @@ impl<'a> AllowedPositions<'a> {
         let angles = places.filter_map(|s| path.groove(s)).map(|groove| groove.dihedral);
         let ends = angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), a| (low.min(a), high.max(a)));
         let ends = if ends.0 <= ends.1 { ends } else { (PI, PI) };
-        Some(Self { limits: &procedure.position_limits, joint: procedure.joint(ends), positions })
+        Some(Self { limits: &procedure.position_limits, joint: procedure.joint(ends.0, ends.1), positions })
     }
 
     /// Distance of a weld outside all of them, degrees; negative within one.

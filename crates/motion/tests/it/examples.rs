@@ -4,7 +4,7 @@ use crate::number;
 use proptest::prelude::*;
 use seamwright_machine::{AxisKind, Joints, Machine, shipped};
 use seamwright_motion::{PassMotion, Phase, SetPoint};
-use seamwright_program::{Finding, TorchPath};
+use seamwright_program::{Finding, PathRange, TorchPath};
 use seamwright_weld::Welding;
 
 const EXAMPLES: [(&str, &str); 7] = [
@@ -135,7 +135,7 @@ fn a_nozzle_across_a_knuckle_needs_an_answer_to_its_corners() {
     let mut farthest: f64 = 0.0;
     for p in motion.set_points(0.01) {
         let tip = case.machine.forward(&p.q);
-        let foot = path.foot(tip.point, p.profile.s, (0.0, path.length()));
+        let foot = path.foot(tip.point, p.profile.s, PathRange::up_to(path.length()));
         farthest = farthest.max(path.pose(foot).point.distance(tip.point));
     }
     assert!(farthest > 1e-7 && farthest < 0.05 + 1e-6, "{farthest}");

@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3};
 use seamwright_machine::{Joints, Machine, Surroundings, shipped};
 use seamwright_motion::procedure::{PassProcedure, PlannedPass, Quantity};
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_program::{Finding, Inclination, Procedure, TorchPath, WeldingPosition};
+use seamwright_program::{ArcTime, Finding, Inclination, Procedure, TorchPath, WeldingPosition};
 use seamwright_weld::Welding;
 
 const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
@@ -75,7 +75,7 @@ fn heat_input_adds_up_to_the_energy_of_the_set_points() {
     let energy: f64 = (0..n)
         .map(|i| {
             let s = profile.at(start + (f64::from(i) + 0.5) * dt, &mut cursor).s;
-            let value = |name: &str| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)).unwrap();
+            let value = |name: &str| pass.process_at(name, s, ArcTime::TRAVEL).unwrap();
             0.8 * value("current_a") * value("voltage_v") * dt / 1000.0
         })
         .sum();
@@ -116,7 +116,7 @@ fn windows_on_ramps_end_where_the_ramps_cross_them() {
     let (from, to) = (held.held.heat_input[0].0, held.held.heat_input[held.held.heat_input.len() - 1].0);
     for i in 0..=20_000 {
         let s = from + (to - from) * f64::from(i) / 20_000.0;
-        let value = |name: &str| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)).unwrap();
+        let value = |name: &str| pass.process_at(name, s, ArcTime::TRAVEL).unwrap();
         let found = 0.8e-3 * value("current_a") * value("voltage_v") / held.motion.profile.speed(s);
         let outside = heat.iter().any(|o| s >= o.from_mm && s <= o.to_mm);
         let close = (found - 0.48).abs() < 2e-6 || (found - 0.49).abs() < 2e-6;

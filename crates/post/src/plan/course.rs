@@ -2,11 +2,9 @@
 
 use crate::Control;
 use crate::part_program::ChannelKind;
-use seamwright_program::Pass;
+use seamwright_program::{ArcTime, Pass};
 use std::ops::Range;
 
-/// During the travel neither upslope nor downslope.
-pub(crate) const WELDING: (f64, f64) = (f64::INFINITY, f64::INFINITY);
 /// Way over which a value goes from that of one span to that of the next, mm.
 const JUMP_MM: f64 = 0.5;
 /// Maximum deviation of a value from an even change within a block, as a part of its range there.
@@ -43,9 +41,9 @@ impl<'a> Course<'a> {
         self.values.iter().map(move |(name, i, _)| (*i, self.at(name, s)))
     }
 
-    /// Channel and value of each while the torch rests at `s`, by the time since the arc went on and until it goes off.
-    pub(crate) fn at_rest(&self, s: f64, clock: (f64, f64)) -> impl Iterator<Item = (usize, f64)> {
-        self.values.iter().map(move |(name, i, _)| (*i, self.pass.process_at(name, s, clock).unwrap_or(0.0)))
+    /// Channel and value of each while the torch rests at `s`.
+    pub(crate) fn at_rest(&self, s: f64, time: ArcTime) -> impl Iterator<Item = (usize, f64)> {
+        self.values.iter().map(move |(name, i, _)| (*i, self.pass.process_at(name, s, time).unwrap_or(0.0)))
     }
 
     /// Starts and ends of jumps, mm.
@@ -71,7 +69,7 @@ impl<'a> Course<'a> {
 
     /// The value at path length `s`: where it jumps between spans, it goes over evenly behind the border.
     fn at(&self, name: &str, s: f64) -> f64 {
-        let value = |s: f64| self.pass.process_at(name, s, WELDING).unwrap_or(0.0);
+        let value = |s: f64| self.pass.process_at(name, s, ArcTime::TRAVEL).unwrap_or(0.0);
         let k = self.pass.spans.partition_point(|span| span.to_mm.get() <= s).min(self.pass.spans.len() - 1);
         let span = &self.pass.spans[k];
         let (begin, way) = (span.from_mm.get(), jump(span));

@@ -7,7 +7,7 @@ use crate::Level;
 use crate::even_speed::EvenSpeed;
 use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
-use seamwright_program::TorchPath;
+use seamwright_program::{PathRange, TorchPath};
 
 /// Maximum lead or lag of a block against the plan, as a multiple of the chord tolerance: along the seam, or along a
 /// weaving tip's way.
@@ -86,7 +86,7 @@ impl Cutter<'_> {
     fn deviation(&self, a: &Block, b: &Block, f: f64) -> [f64; 3] {
         let (q, passed) = self.interpolated(a, b, f);
         let planned = self.motion.profile.at(self.motion.profile.time(a.s) + f * b.duration, &mut 0).s;
-        let s = self.path.foot(passed.point, planned, (a.s, b.s));
+        let s = self.path.foot(passed.point, planned, PathRange { from_mm: a.s, to_mm: b.s });
         let there = self.motion.path.at(s);
         // Compared with the reached position, so that a missing freedom is not a chord error.
         let reached = self.machine.forward(&there);

@@ -9,7 +9,7 @@ use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 use seamwright_motion::PassMotion;
-use seamwright_program::TorchPath;
+use seamwright_program::{PathRange, TorchPath};
 
 /// Times are multiples of this, s.
 pub(crate) const TICK: f64 = 2.5e-7;
@@ -178,7 +178,7 @@ impl Plan<'_> {
                     passed = Pose { point: tip, ..passed };
                 }
                 let planned = self.s(begin + (k as f64 + f) * step);
-                let s = path.foot(passed.point, planned, (0.0, path.length()));
+                let s = path.foot(passed.point, planned, PathRange::up_to(path.length()));
                 let there = self.motion.path.at(s);
                 worst = worst.max((passed.point - self.machine.forward(&there).point).length());
                 worst = worst.max((s - planned).abs() * path.tip_rate(planned) / LAG);

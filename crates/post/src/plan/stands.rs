@@ -6,7 +6,7 @@ use crate::part_program::{ChannelKind, Event, Path, What};
 use crate::points::{Part, ends, steps as blocks};
 use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_machine::Joints;
-use seamwright_program::{Along, Pass, Span, SpanValue};
+use seamwright_program::{Along, ArcTime, Pass, Span, SpanValue};
 
 /// The pass with only the process values of its first and its last block, in spans of 1 mm: the data for slopes before
 /// and after it.
@@ -91,13 +91,14 @@ impl Steps<'_> {
             self.arc = true;
         }
         let upslope = sequence.upslope.as_ref().map_or(0.0, |s| s.time_s.get());
+        let since_on = |since_on_s: f64| ArcTime { since_on_s, ..ArcTime::TRAVEL };
         let mut time = 0.0;
         for step in self.rests(delay, (upslope, 0.0), pass) {
             if step.slopes {
-                self.values(pass, true, (0.0, (step.middle, f64::INFINITY)));
+                self.values(pass, true, 0.0, since_on(step.middle));
             }
             time += step.time;
-            let ends = course.at_rest(0.0, (time, f64::INFINITY));
+            let ends = course.at_rest(0.0, since_on(time));
             self.rest(step.time, ends, if step.slopes { "upslope" } else { "travel delay" });
         }
     }

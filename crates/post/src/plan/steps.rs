@@ -1,7 +1,7 @@
 //! The steps of a pass around its blocks: gas, arc, slopes, values, and the ways there and back.
 
 use super::block::{Block, Linearisation, Shape};
-use super::course::{Course, WELDING};
+use super::course::Course;
 use super::ramps::{RestStep, rest_steps};
 use super::rows::{SCALE, rounded};
 use super::spline::TICK;
@@ -12,7 +12,7 @@ use crate::{Control, Dialect};
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_motion::transfer::{Leg, TransferMove};
-use seamwright_program::{Pass, ProcessValue, Program};
+use seamwright_program::{ArcTime, Pass, ProcessValue, Program};
 use std::collections::BTreeMap;
 
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
@@ -162,7 +162,8 @@ impl<'a> Steps<'a> {
         }
         self.dwell(sequence.preflow_s.get(), if pass.has_arc() { "preflow" } else { "before" });
         let delay = sequence.travel_delay_s.get();
-        let at_first = if delay > 0.0 { (0.0, f64::INFINITY) } else { WELDING };
+        let since_on = |since_on_s: f64| ArcTime { since_on_s, ..ArcTime::TRAVEL };
+        let at_first = if delay > 0.0 { since_on(0.0) } else { ArcTime::TRAVEL };
         for (channel, value) in course.at_rest(0.0, at_first) {
             self.set_interpolated(channel, value);
         }
@@ -171,17 +172,17 @@ impl<'a> Steps<'a> {
             let upslope = sequence.upslope.as_ref().map_or(0.0, |s| s.time_s.get());
             let mut time = 0.0;
             for (i, step) in self.rests(delay, (upslope, 0.0), pass).into_iter().enumerate() {
-                self.values(pass, true, (0.0, (step.middle, f64::INFINITY)));
+                self.values(pass, true, 0.0, since_on(step.middle));
                 if i == 0 && pass.has_arc() {
                     self.event(Event::Arc(true), true);
                 }
                 time += step.time;
-                let ends = course.at_rest(0.0, (time, f64::INFINITY));
+                let ends = course.at_rest(0.0, since_on(time));
                 self.rest(step.time, ends, if step.slopes { "upslope" } else { "travel delay" });
             }
         }
         let first_middle = cut.blocks.first().map_or(0.0, |block| 0.5 * block.s);
-        self.values(pass, false, (first_middle, WELDING));
+        self.values(pass, false, first_middle, ArcTime::TRAVEL);
         if pass.has_arc() && (delay <= 0.0 || self.control.dialect == Dialect::Linuxcnc) {
             self.event(Event::Arc(true), false);
         }
@@ -206,7 +207,7 @@ impl<'a> Steps<'a> {
             let ramps = pass.spans[span].process.values().any(ProcessValue::is_ramp)
                 || pass.weave.as_ref().is_some_and(|weave| !weave.at_sides.is_empty());
             if i > 0 && (span != last || ramps) {
-                self.values(pass, false, (middle, WELDING));
+                self.values(pass, false, middle, ArcTime::TRAVEL);
                 last = span;
             }
             while let Some((_, event)) = events.next_if(|(s, _)| *s <= before.s + NEAR) {
@@ -254,13 +255,14 @@ impl<'a> Steps<'a> {
         let sequence = &pass.sequence;
         let (crater, length) = (sequence.crater_s.get(), pass.length());
         let downslope = sequence.downslope.as_ref().map_or(0.0, |s| s.time_s.get());
+        let until_off = |until_off_s: f64| ArcTime { until_off_s, ..ArcTime::TRAVEL };
         let mut time = 0.0;
         for step in self.rests(crater, (0.0, downslope), pass) {
             if step.slopes {
-                self.values(pass, true, (length, (f64::INFINITY, crater - step.middle)));
+                self.values(pass, true, length, until_off(crater - step.middle));
             }
             time += step.time;
-            let ends = course.at_rest(length, (f64::INFINITY, (crater - time).max(0.0)));
+            let ends = course.at_rest(length, until_off((crater - time).max(0.0)));
             self.rest(step.time, ends, if step.slopes { "downslope" } else { "crater fill" });
         }
     }
@@ -305,11 +307,10 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Sets the process values that change in steps and have changed, at path length `s`. `clock` is the time since the
-    /// arc went on, and until it goes off.
-    pub(super) fn values(&mut self, pass: &Pass, at_once: bool, (s, clock): (f64, (f64, f64))) {
+    /// Sets the process values that change in steps and have changed, at path length `s` and an instant with the arc on.
+    pub(super) fn values(&mut self, pass: &Pass, at_once: bool, s: f64, time: ArcTime) {
         for name in pass.spans[0].process.keys() {
-            let value = rounded(pass.process_at(name, s, clock).unwrap_or(0.0), VALUE_SCALE);
+            let value = rounded(pass.process_at(name, s, time).unwrap_or(0.0), VALUE_SCALE);
             match self.control.channel(name) {
                 Some(i) if self.control.channels[i].kind == ChannelKind::Stepped => {
                     let channel = i as u16;
@@ -326,7 +327,7 @@ impl<'a> Steps<'a> {
     /// Reports process values for which the control has no output.
     fn missing(&mut self, pass: &Pass) {
         for name in pass.spans[0].process.keys().filter(|name| self.control.channel(name).is_none()) {
-            let value = pass.process_at(name, 0.0, WELDING).unwrap_or(0.0);
+            let value = pass.process_at(name, 0.0, ArcTime::TRAVEL).unwrap_or(0.0);
             self.comment(&format!("{name}, {value} at first: the machine file has no output for it"));
         }
     }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::{PassMotion, TipPath};
-use seamwright_program::{Pass, TorchPath};
+use seamwright_program::{ArcTime, Pass, PathRange, TorchPath};
 use std::ops::Range;
 
 /// Stations checked in a block, its end among them.
@@ -120,7 +120,7 @@ impl Checker<'_> {
             let t = segment.begin + f * segment.seconds - self.travel;
             let (q, tip) = self.place(&row, is_tip(segment.level));
             let s = self.motion.profile.at(t.clamp(0.0, self.motion.profile.duration()), &mut self.cursor).s;
-            let foot = self.path.foot(tip.point, s, (0.0, length));
+            let foot = self.path.foot(tip.point, s, PathRange::up_to(length));
             self.deviation(&Reached { q, tip, s, foot }, is_tip(segment.level));
             way += last.map_or(0.0, |last| last.distance(tip.point));
             last = Some(tip.point);
@@ -206,8 +206,8 @@ impl Checker<'_> {
         let travel = (t - self.travel).clamp(0.0, self.motion.profile.duration());
         let s = self.motion.profile.at(travel, &mut cursor).s;
         for (channel, name, greatest) in &self.greatest {
-            let clock = (since_on, self.motion.arc_on_s() - since_on);
-            let Some(asked) = self.pass.process_at(name, s, clock) else { continue };
+            let time = ArcTime { since_on_s: since_on, until_off_s: self.motion.arc_on_s() - since_on };
+            let Some(asked) = self.pass.process_at(name, s, time) else { continue };
             let percent = if *greatest > 0.0 { 100.0 * (row[*channel] - asked).abs() / greatest } else { 0.0 };
             if self.proof.process.as_ref().is_none_or(|(most, _)| percent > *most) {
                 self.proof.process = Some((percent, name.clone()));

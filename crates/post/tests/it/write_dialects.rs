@@ -9,6 +9,7 @@ use seamwright_post::{
     Arc, Control, Dialect, Error, Event, Feed, Interpolation, Level, Move, Options, PartProgram, Path, What,
     WriteOptions, write,
 };
+use seamwright_program::ArcTime;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn machine(name: &str, more: &str) -> Machine {
@@ -199,7 +200,7 @@ fn interpolated_values_need_no_steps() {
         for k in 0..=16 {
             let f = f64::from(k) / 16.0;
             let s = motion.profile.at(time + f * way.step.seconds, &mut 0).s;
-            let wanted = pass.process_at("current_a", s, (f64::INFINITY, f64::INFINITY)).unwrap();
+            let wanted = pass.process_at("current_a", s, ArcTime::TRAVEL).unwrap();
             worst = worst.max((way.at(f)[current] - wanted).abs());
         }
         time += way.step.seconds;

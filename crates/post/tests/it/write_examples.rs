@@ -8,7 +8,7 @@ use seamwright_post::{
     Control, Dialect, Event, Feed, Interpolation, Level, Options, PartProgram, Path, ReadOptions, What, WriteOptions,
     read, verify, write,
 };
-use seamwright_program::TorchPath;
+use seamwright_program::{PathRange, TorchPath};
 
 const TOLERANCE: f64 = 0.01;
 
@@ -40,7 +40,7 @@ fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
                 let tip = way.tip(&planned.machine, head, f);
                 let s = motion.profile.at(time + f * way.step.seconds, &mut 0).s;
                 let away = if head == 0 {
-                    let foot = path.foot(tip, s, (0.0, path.length()));
+                    let foot = path.foot(tip, s, PathRange::up_to(path.length()));
                     tip.distance(path.pose(foot).point)
                 } else {
                     let near = (-20..=20).map(|k| (s + 0.01 * f64::from(k)).clamp(0.0, path.length()));

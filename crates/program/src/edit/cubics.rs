@@ -1,6 +1,6 @@
 //! Speeds of cubics: each point of a span has its own, and so has the start of the span.
 
-use super::draft::{PointsDraft, Row, RowSpan};
+use super::draft::{PointRange, PointsDraft, Row, RowSpan};
 use crate::Along;
 use glam::DVec3;
 use seamwright_geometry::CubicSpline;
@@ -107,8 +107,8 @@ impl PointsDraft {
     }
 
     /// Sets position and speeds of a point halfway in time of a cubic to those of the cubic, so both halves go the same
-    /// way.
-    pub(super) fn set_halfway(&self, row: &mut Row, (before, begin_speeds): (&Row, &[f64]), next: &Row) {
+    /// way. The cubic leaves the point `before` with `begin_speeds`.
+    pub(super) fn set_halfway(&self, row: &mut Row, before: &Row, begin_speeds: &[f64], next: &Row) {
         let seconds = next.numbers[next.numbers.len() - 1];
         row.speeds.clear();
         for (k, column) in self.place_columns().into_iter().enumerate() {
@@ -133,9 +133,10 @@ impl PointsDraft {
         out
     }
 
-    /// Scales the speeds of cubics over the ways to points `from` to `to`. They are split at the ends of this range:
-    /// the point in between has one speed before it and another behind it.
-    pub(super) fn scale_cubics(&mut self, (from, to): (usize, usize), factor: f64) {
+    /// Scales the speeds of cubics over the ways to a range of points. They are split at the ends of this range: the
+    /// point in between has one speed before it and another behind it.
+    pub(super) fn scale_cubics(&mut self, range: PointRange, factor: f64) {
+        let PointRange { from, to } = range;
         for point in [from - 1, to] {
             if point > 0 && self.spans[self.place(point).0].is_cubic() {
                 // At the end of a span there is no cubic to split.

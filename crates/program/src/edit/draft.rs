@@ -76,6 +76,13 @@ pub(super) struct RowSpan {
     pub(super) from: Option<usize>,
 }
 
+/// Range of points of a pass, both ends included; point 0 is the start.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PointRange {
+    pub(super) from: usize,
+    pub(super) to: usize,
+}
+
 #[derive(Debug, Clone)]
 pub(super) struct EventDraft {
     pub(super) event: PointEvent,
@@ -174,17 +181,17 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// The first and last point of a range within a pass, `least` or later; all of them if no range is given.
+    /// A range of points within a pass, `least` or later; all of them if no range is given.
     pub(super) fn range(
         &mut self,
         pass: usize,
         points: Option<[usize; 2]>,
         least: usize,
-    ) -> Result<(usize, usize), DocumentError> {
+    ) -> Result<PointRange, DocumentError> {
         let count = self.points(pass)?.count();
         let [from, to] = points.unwrap_or([least, count]);
         if least <= from && from <= to && to <= count {
-            return Ok((from, to));
+            return Ok(PointRange { from, to });
         }
         let message = Message::new("program-no-points").number("from", from as f64, 0).number("to", to as f64, 0);
         let allowed = Message::new("program-range-in-order").number("min", least as f64, 0);

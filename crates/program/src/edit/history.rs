@@ -52,17 +52,17 @@ impl Patch {
 
     /// `text` after the edit; `None` if the removed text is not there.
     fn applied(&self, text: &str) -> Option<String> {
-        exchanged(text, self.at, (&self.removed, &self.inserted))
+        exchanged(text, self.at, &self.removed, &self.inserted)
     }
 
     /// `text` before the edit; `None` if the inserted text is not there.
     fn undone(&self, text: &str) -> Option<String> {
-        exchanged(text, self.at, (&self.inserted, &self.removed))
+        exchanged(text, self.at, &self.inserted, &self.removed)
     }
 }
 
 /// Replaces the `from` at `at` of `text` by `to`; in a text that was changed since, the only `from` in it.
-fn exchanged(text: &str, at: usize, (from, to): (&str, &str)) -> Option<String> {
+fn exchanged(text: &str, at: usize, from: &str, to: &str) -> Option<String> {
     let here = text.get(at..).is_some_and(|rest| rest.starts_with(from));
     let alone = || text.find(from).filter(|i| !from.is_empty() && text.rfind(from) == Some(*i));
     let at = if here { at } else { alone()? };

@@ -1,6 +1,6 @@
 //! Edits of points' positions: mirrored, or moved by the torch's frame.
 
-use super::draft::{Body, Draft, PointsDraft, Row, RowSpan, along_seam, through_points};
+use super::draft::{Body, Draft, PointRange, PointsDraft, Row, RowSpan, along_seam, through_points};
 use super::report::Report;
 use crate::{Along, ArcThrough, Bead};
 use glam::DVec3;
@@ -65,7 +65,9 @@ impl Mirror {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         let mut report = Report::new(Message::new("program-edit-mirrored"));
         let plane = match (&self.axis, self.normal) {
-            (None, Some(normal)) if self.about.is_none() => Some((self.at_mm.unwrap_or_default().get(), normal.unit())),
+            (None, Some(normal)) if self.about.is_none() => {
+                Some(MirrorPlane { point: self.at_mm.unwrap_or_default().get(), normal: normal.unit() })
+            }
             (Some(_), None) if self.at_mm.is_none() => None,
             _ => {
                 let message = Message::new("program-mirror-unclear");
@@ -78,7 +80,7 @@ impl Mirror {
             }
             let points = draft.points(pass)?;
             match (plane, &self.axis, points.places().filter(|_| points.known().pose > 0)) {
-                (Some(plane), _, Some(columns)) => points.mirror(plane, columns),
+                (Some(plane), _, Some(columns)) => points.mirror(&plane, columns),
                 (None, Some(axis), None) if points.known().axes.iter().any(|(name, _)| name == axis) => {
                     points.mirror_axis(axis, self.about.unwrap_or_default().get());
                 }
@@ -101,9 +103,17 @@ impl Mirror {
     }
 }
 
+/// Plane of a mirror, with a unit normal.
+#[derive(Debug, Clone, Copy)]
+struct MirrorPlane {
+    point: DVec3,
+    normal: DVec3,
+}
+
 impl PointsDraft {
-    fn mirror(&mut self, (at, normal): (DVec3, DVec3), columns: [usize; 3]) {
-        let mirrored = |p: DVec3| p - 2.0 * (p - at).dot(normal) * normal;
+    fn mirror(&mut self, plane: &MirrorPlane, columns: [usize; 3]) {
+        let MirrorPlane { point, normal } = *plane;
+        let mirrored = |p: DVec3| p - 2.0 * (p - point).dot(normal) * normal;
         let turned = |d: DVec3| d - 2.0 * d.dot(normal) * normal;
         let directions = self.directions();
         let of_speeds: Vec<[usize; 3]> = [Some(columns), directions]
@@ -190,7 +200,8 @@ impl PointsDraft {
     }
 
     /// Moves the points of a range; fails with the number of a point that has no frame.
-    fn offset(&mut self, (from, to): (usize, usize), by: DVec3, columns: [usize; 3]) -> Result<(), usize> {
+    fn offset(&mut self, range: PointRange, by: DVec3, columns: [usize; 3]) -> Result<(), usize> {
+        let PointRange { from, to } = range;
         let travel = self.travel(columns);
         let rows: Vec<Row> = self.rows().cloned().collect();
         let moved = |place: DVec3, travel: DVec3, direction: DVec3| {
@@ -250,17 +261,17 @@ impl Offset {
         if beside.iter().any(|by| by.abs() > 0.0) {
             return Err(draft.wrong_in(self.pass, through_points(self.pass), "`dx_mm`, `dy_mm`, `dz_mm`"));
         }
-        let (from, to) = draft.range(self.pass, self.points, 0)?;
+        let range = draft.range(self.pass, self.points, 0)?;
         let points = draft.points(self.pass)?;
         let Some(columns) = points.places().filter(|_| points.known().pose > 0) else {
             let message = Message::new("program-offset-of-axes");
             return Err(draft.wrong_in(self.pass, message, Message::new("program-points-with-poses")));
         };
-        if let Err(point) = points.offset((from, to), by, columns) {
+        if let Err(point) = points.offset(range, by, columns) {
             let message = Message::new("program-no-torch-frame").number("point", point as f64, 0);
             return Err(draft.wrong_in(self.pass, message, Message::new("program-torch-across-path")));
         }
-        Ok(Report::new(words).points(self.pass, from, to))
+        Ok(Report::new(words).points(self.pass, range.from, range.to))
     }
 }
 

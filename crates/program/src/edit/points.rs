@@ -1,6 +1,6 @@
 //! Single points: their numbers, new ones, fewer of them.
 
-use super::draft::{Draft, PointsDraft, Row, RowSpan};
+use super::draft::{Draft, PointRange, PointsDraft, Row, RowSpan};
 use super::report::Report;
 use crate::points::numbers_for_columns;
 use crate::{Along, ArcThrough};
@@ -187,7 +187,7 @@ impl PointsDraft {
         self.set_direction(&mut row, &before);
         if self.spans[span].is_cubic() {
             let begin = if k == 0 { &self.spans[span].begin_speeds } else { &before.speeds };
-            self.set_halfway(&mut row, (&before, begin), &next);
+            self.set_halfway(&mut row, &before, begin, &next);
         }
         if self.timed() {
             *row.pace() *= 0.5;
@@ -254,7 +254,8 @@ impl PointsDraft {
 
 impl DeletePoints {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
-        let (from, to) = draft.range(self.pass, Some([self.from, self.to.unwrap_or(self.from)]), 1)?;
+        let last = self.to.unwrap_or(self.from);
+        let PointRange { from, to } = draft.range(self.pass, Some([self.from, last]), 1)?;
         let points = draft.points(self.pass)?;
         let deleted = to - from + 1;
         if deleted == points.count() {

@@ -1,6 +1,6 @@
 //! Points joined by lines as lines and arcs.
 
-use super::draft::{Draft, PointsDraft, Row, RowSpan};
+use super::draft::{Draft, PointRange, PointsDraft, Row, RowSpan};
 use super::report::Report;
 use crate::{Along, ArcThrough};
 use glam::{DQuat, DVec3};
@@ -47,9 +47,6 @@ impl Reduce {
     }
 }
 
-/// A part of a span that becomes lines and arcs: its points by their numbers in the pass, both ends included.
-type Stretch = (usize, usize);
-
 impl PointsDraft {
     fn reduce(&mut self, columns: [usize; 3], tolerances: (f64, f64)) -> Result<(), seamwright_geometry::Error> {
         let rows: Vec<Row> = self.rows().cloned().collect();
@@ -61,10 +58,11 @@ impl PointsDraft {
                 spans.push(span);
             } else {
                 let mut from = span.from;
-                for stretch in self.stretches(&rows, (first, last)) {
-                    for part in self.reduced(&rows, stretch, (columns, tolerances))? {
-                        kept.push(stretch.0 + part.last);
-                        self.push(&mut spans, &rows, (stretch.0, part, columns), &mut from);
+                for stretch in self.stretches(&rows, PointRange { from: first, to: last }) {
+                    let rows = &rows[stretch.from..=stretch.to];
+                    for part in self.reduced(rows, columns, tolerances)? {
+                        kept.push(stretch.from + part.last);
+                        self.push(&mut spans, rows, part, columns, &mut from);
                     }
                 }
             }
@@ -76,25 +74,25 @@ impl PointsDraft {
     }
 
     /// Parts of a run of lines that are reduced on their own.
-    fn stretches(&self, rows: &[Row], (first, last): Stretch) -> Vec<Stretch> {
+    fn stretches(&self, rows: &[Row], run: PointRange) -> Vec<PointRange> {
         let stepped: Vec<usize> = self.stepped.iter().filter_map(|name| self.column(name)).collect();
         let is_kept = |i: &usize| {
             let event = self.events.iter().any(|event| event.event.after == *i);
             event || stepped.iter().any(|c| (rows[*i].numbers[*c] - rows[i + 1].numbers[*c]).abs() > 0.0)
         };
-        let mut ends = vec![first];
-        ends.extend((first + 1..last).filter(is_kept));
-        ends.push(last);
-        ends.windows(2).map(|pair| (pair[0], pair[1])).collect()
+        let mut ends = vec![run.from];
+        ends.extend((run.from + 1..run.to).filter(is_kept));
+        ends.push(run.to);
+        ends.windows(2).map(|pair| PointRange { from: pair[0], to: pair[1] }).collect()
     }
 
+    /// Lines and arcs through `rows`, by their indices.
     fn reduced(
         &self,
         rows: &[Row],
-        (first, last): Stretch,
-        (columns, tolerances): ([usize; 3], (f64, f64)),
+        columns: [usize; 3],
+        tolerances: (f64, f64),
     ) -> Result<Vec<Span>, seamwright_geometry::Error> {
-        let rows = &rows[first..=last];
         let ways = self.way_columns();
         let further = (0..self.columns.len()).filter(|i| !ways.contains(i) && !columns.contains(i));
         let further: Vec<Vec<f64>> = further.map(|i| rows.iter().map(|row| row.numbers[i]).collect()).collect();
@@ -103,15 +101,9 @@ impl PointsDraft {
         Ok(reduce(&places, &further, tolerances, Method::Fewest)?.spans)
     }
 
-    /// A line or arc from point `at` on as a point more of the last span, or a span of its own.
-    fn push(
-        &self,
-        spans: &mut Vec<RowSpan>,
-        rows: &[Row],
-        (at, part, columns): (usize, Span, [usize; 3]),
-        from: &mut Option<usize>,
-    ) {
-        let (first, last) = (at + part.first, at + part.last);
+    /// Adds a line or arc between two of `rows` as a point more of the last span, or a span of its own.
+    fn push(&self, spans: &mut Vec<RowSpan>, rows: &[Row], part: Span, columns: [usize; 3], from: &mut Option<usize>) {
+        let Span { first, last, .. } = part;
         let [start, end] = [first, last].map(|i| rows[i].place(columns));
         let arc = via(part.shape, start, end).and_then(|via| Some((via, ArcThrough::new(start, via, end, None)?)));
         let length = arc.as_ref().map_or_else(|| (end - start).length(), |(_, way)| way.length());

@@ -23,6 +23,14 @@ pub(super) struct Written {
     columns: Vec<Option<usize>>,
 }
 
+/// Rows of a document that follow each other.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RowRun {
+    /// Index of the first one.
+    pub(super) first: usize,
+    pub(super) count: usize,
+}
+
 /// Text around the points of an array.
 struct Around {
     opening: String,
@@ -31,12 +39,14 @@ struct Around {
 }
 
 impl Written {
-    /// `numbers` are those of the points, the start first; `columns` the names of the columns before and after.
+    /// `numbers` are those of the points, the start first; `before` and `after` the names of the columns before and after
+    /// the edit.
     pub(super) fn new(
         start: Option<&Value>,
         arrays: &[Option<Array>],
         numbers: Vec<Vec<f64>>,
-        (before, after): (&[String], &[String]),
+        before: &[String],
+        after: &[String],
     ) -> Self {
         let start = start.cloned().unwrap_or_else(|| Array::new().into());
         Self {
@@ -47,10 +57,13 @@ impl Written {
         }
     }
 
-    /// Whether these are the `count` points of the document from point `first` on.
-    fn is_same(&self, rows: &[Row], (first, count): (usize, usize)) -> bool {
-        let same = |(i, row): (usize, &Row)| row.from == Some(first + i) && row.numbers == self.numbers[first + i];
-        rows.len() == count && rows.iter().enumerate().all(same)
+    /// Whether these are the points `there` of the document.
+    fn is_same(&self, rows: &[Row], there: RowRun) -> bool {
+        let same = |(i, row): (usize, &Row)| {
+            let old = there.first + i;
+            row.from == Some(old) && row.numbers == self.numbers[old]
+        };
+        rows.len() == there.count && rows.iter().enumerate().all(same)
     }
 
     /// The start as it is to be written; `None` if it is unchanged.
@@ -63,8 +76,8 @@ impl Written {
         Some(value)
     }
 
-    /// Points into their array, where they stood at `there` (first point and count) if they did.
-    pub(super) fn write(&self, array: &mut Array, rows: &[Row], there: Option<(usize, usize)>) {
+    /// Points into their array, where they stood at `there` if they did.
+    pub(super) fn write(&self, array: &mut Array, rows: &[Row], there: Option<RowRun>) {
         if there.is_some_and(|there| self.is_same(rows, there)) {
             return;
         }

@@ -2,7 +2,7 @@
 
 use super::draft::{Body, Draft, PointsDraft, Row, RowSpan, SeamSpan, from_to};
 use super::report::Report;
-use crate::{Along, Pass, Ramp, Span, SpanValue, is_before, is_beyond};
+use crate::{Along, Pass, PathRange, Ramp, Span, SpanValue, is_before, is_beyond};
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point, Positive};
 use seamwright_message::{Message, Unit};
@@ -172,8 +172,8 @@ impl super::draft::PassDraft {
         let i = spans.iter().position(inside)?;
         let (from, to) = (spans[i].span.from_mm.get(), spans[i].span.to_mm.get());
         let alone = Pass { spans: vec![spans[i].span.clone()], ..self.pass.clone() };
-        let part = |range: (f64, f64)| alone.piece(range, None).spans.into_iter().next();
-        let (first, second) = (part((from, s))?, part((s, to))?);
+        let part = |from_mm: f64, to_mm: f64| alone.piece(PathRange { from_mm, to_mm }, None).spans.into_iter().next();
+        let (first, second) = (part(from, s)?, part(s, to)?);
         // Values are those of the pieces, path lengths the ones meant.
         let first = Span { from_mm: spans[i].span.from_mm, to_mm: Positive::new(s)?, ..first };
         let second = Span { from_mm: NonNegative::new(s)?, to_mm: spans[i].span.to_mm, ..second };

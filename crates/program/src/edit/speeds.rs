@@ -2,27 +2,27 @@
 
 use super::draft::{PointsDraft, Row};
 use super::merge::take_out;
-use super::rows::Written;
+use super::rows::{RowRun, Written};
 use crate::Points;
 use toml_edit::{Array, Item, TableLike};
 
-/// Indices and counts of rows that follow each other, the first one of index 1, by how many there are in each part.
-pub(super) fn firsts(counts: impl Iterator<Item = usize>) -> Vec<(usize, usize)> {
+/// Rows of each part, by how many there are in it; the first one has index 1.
+pub(super) fn row_runs(counts: impl Iterator<Item = usize>) -> Vec<RowRun> {
     let mut next = 1;
-    let first = |count: usize| {
+    let run = |count: usize| {
         next += count;
-        (next - count, count)
+        RowRun { first: next - count, count }
     };
-    counts.map(first).collect()
+    counts.map(run).collect()
 }
 
 /// The speeds of a pass as they are written: all of its cubics in a row.
 pub(super) struct WrittenSpeeds {
     written: Written,
-    /// For each span its first point and the number of its points.
-    points: Vec<(usize, usize)>,
-    /// For each span its first row of speeds and the number of them.
-    speeds: Vec<(usize, usize)>,
+    /// Points of each span.
+    points: Vec<RowRun>,
+    /// Rows of speeds of each span.
+    speeds: Vec<RowRun>,
     /// Rows that are in the new document: a second copy does not repeat their comments.
     used: Vec<bool>,
 }
@@ -36,9 +36,9 @@ impl WrittenSpeeds {
         let names: Vec<String> = after.place_columns().into_iter().map(|i| after.columns[i].clone()).collect();
         Self {
             used: vec![false; numbers.len()],
-            written: Written::new(None, arrays, numbers, (&names, &names)),
-            points: firsts(before.spans.iter().map(|span| span.points.len())),
-            speeds: firsts(before.spans.iter().map(|span| span.speeds.len())),
+            written: Written::new(None, arrays, numbers, &names, &names),
+            points: row_runs(before.spans.iter().map(|span| span.points.len())),
+            speeds: row_runs(before.spans.iter().map(|span| span.speeds.len())),
         }
     }
 
@@ -62,8 +62,9 @@ impl WrittenSpeeds {
 
     /// The row of speeds at a point of a span, or at its start, if it is not used yet.
     fn from(&mut self, span: usize, point: usize) -> Option<usize> {
-        let ((first_point, points), (first, speeds)) = (self.points[span], self.speeds[span]);
-        let k = (point + 1).checked_sub(first_point).filter(|k| *k <= points && *k < speeds)?;
-        (!std::mem::replace(&mut self.used[first + k], true)).then_some(first + k)
+        let (points, speeds) = (self.points[span], self.speeds[span]);
+        let k = (point + 1).checked_sub(points.first).filter(|k| *k <= points.count && *k < speeds.count)?;
+        let row = speeds.first + k;
+        (!std::mem::replace(&mut self.used[row], true)).then_some(row)
     }
 }

@@ -1,6 +1,6 @@
 //! Speeds, process values and block numbers over ranges.
 
-use super::draft::{Body, Draft, PointsDraft, SeamSpan, along_seam, through_points};
+use super::draft::{Body, Draft, PointRange, PointsDraft, SeamSpan, along_seam, through_points};
 use super::report::Report;
 use crate::{NUMBER_COLUMN, ProcessValue, Ramp, SpanValue, is_beyond};
 use schemars::JsonSchema;
@@ -116,15 +116,15 @@ impl ScaleSpeed {
         let mut report = Report::new(Message::new("program-edit-speed").value("factor", factor, Unit::One));
         for pass in draft.numbers(self.pass)? {
             if draft.check_range(pass, self.points, self.s_mm)? {
-                let (from, to) = draft.range(pass, self.points, 1)?;
+                let range = draft.range(pass, self.points, 1)?;
                 let points = draft.points(pass)?;
                 let timed = points.timed();
-                points.scale_cubics((from, to), factor);
-                for row in points.rows_mut().skip(from).take(to + 1 - from) {
+                points.scale_cubics(range, factor);
+                for row in points.rows_mut().skip(range.from).take(range.to + 1 - range.from) {
                     let pace = row.pace();
                     *pace = if timed { *pace / factor } else { *pace * factor };
                 }
-                report = report.points(pass, from, to);
+                report = report.points(pass, range.from, range.to);
             } else {
                 let range = draft.seam_range(pass, self.s_mm)?;
                 report = report.spans(pass, range.start + 1, range.end);
@@ -161,15 +161,15 @@ impl SetProcess {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
         let words = Message::new("program-edit-process").pass("pass", self.pass).key("name", &self.name);
         if draft.check_range(self.pass, self.points, self.s_mm)? {
-            let (from, to) = draft.range(self.pass, self.points, 0)?;
+            let range = draft.range(self.pass, self.points, 0)?;
             let known = draft.points(self.pass)?.known().process;
             let Some((_, column)) = known.iter().find(|(name, _)| *name == self.name) else {
                 let names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
                 let path = format!("passes[{}].points.columns", self.pass - 1);
                 return Err(draft.file.unknown_name(&path, &self.name, &names));
             };
-            draft.points(self.pass)?.set_process((from, to), *column, self.value);
-            return Ok(Report::new(words).points(self.pass, from, to));
+            draft.points(self.pass)?.set_process(range, *column, self.value);
+            return Ok(Report::new(words).points(self.pass, range.from, range.to));
         }
         let range = draft.seam_range(self.pass, self.s_mm)?;
         let there = draft.pass(self.pass)?;
@@ -188,7 +188,8 @@ impl SetProcess {
 }
 
 impl PointsDraft {
-    fn set_process(&mut self, (from, to): (usize, usize), column: usize, value: ProcessValue) {
+    fn set_process(&mut self, range: PointRange, column: usize, value: ProcessValue) {
+        let PointRange { from, to } = range;
         let lengths = self.lengths();
         let whole: f64 = lengths[from..to].iter().sum();
         let mut done = 0.0;

@@ -3,7 +3,7 @@
 use super::draft::{Body, Draft, EventDraft, PassDraft, PointsDraft, SeamSpan};
 use super::merge::{each_table, forget_positions, merge_table, rebuild, table_of, tables};
 use super::rows::Written;
-use super::speeds::{WrittenSpeeds, firsts};
+use super::speeds::{WrittenSpeeds, row_runs};
 use crate::{Pass, Points, Program};
 use seamwright_document::DocumentError;
 use toml_edit::{Array, DocumentMut, Item, Table, TomlError, Value};
@@ -100,13 +100,13 @@ fn write_points(table: &mut Table, before: &Points, after: &PointsDraft) {
     write_events(table, before, &after.events);
     let (arrays, of_speeds) = (arrays(table, "points"), arrays(table, "speeds"));
     let numbers = before.rows().map(|row| row.iter().map(|n| n.get()).collect()).collect();
-    let names = (before.columns.as_slice(), after.columns.as_slice());
-    let written = Written::new(table.get("start").and_then(Item::as_value), &arrays, numbers, names);
+    let start = table.get("start").and_then(Item::as_value);
+    let written = Written::new(start, &arrays, numbers, &before.columns, &after.columns);
     if let (Some(new), Some(item)) = (written.start(&after.start), table.get_mut("start")) {
         *item = Item::Value(new);
     }
     let speeds = WrittenSpeeds::new(before, after, &of_speeds);
-    write_rows(table, before, after, (&written, speeds));
+    write_rows(table, before, after, &written, speeds);
 }
 
 /// The arrays at `key` of each span as they are written.
@@ -122,13 +122,8 @@ fn arrays(table: &Table, key: &str) -> Vec<Option<Array>> {
     }
 }
 
-fn write_rows(
-    table: &mut Table,
-    before: &Points,
-    after: &PointsDraft,
-    (written, mut speeds): (&Written, WrittenSpeeds),
-) {
-    let firsts = firsts(before.spans.iter().map(|span| span.points.len()));
+fn write_rows(table: &mut Table, before: &Points, after: &PointsDraft, written: &Written, mut speeds: WrittenSpeeds) {
+    let runs = row_runs(before.spans.iter().map(|span| span.points.len()));
     let head = |head: Option<toml::Table>| {
         let mut head = head.unwrap_or_default();
         head.remove("points");
@@ -142,7 +137,7 @@ fn write_rows(
         speeds.write(table, after, i);
         let points = table.entry("points").or_insert_with(|| Item::Value(Array::new().into()));
         if let Some(array) = points.as_array_mut() {
-            written.write(array, &after.spans[i].rows, from[i].map(|i| firsts[i]));
+            written.write(array, &after.spans[i].rows, from[i].map(|i| runs[i]));
         }
     });
 }

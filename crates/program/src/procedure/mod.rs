@@ -126,7 +126,7 @@ impl Run {
             check_process_name(file, &key, name)?;
             let (_, greatest) = window.ends();
             // A minimum of 0 or below is no limit.
-            check_process_value(file, &key, (name, greatest), self.ranges.keys())?;
+            check_process_value(file, &key, name, greatest, self.ranges.keys())?;
         }
         check_process_units(file, &format!("{path}.ranges"), &self.ranges.keys())
     }
@@ -230,8 +230,8 @@ impl Procedure {
     }
 
     /// The kind of weld for the minimum and maximum angle between the faces (rad) along it.
-    pub fn joint(&self, (least, greatest): (f64, f64)) -> FilletOrButt {
-        let fillet = 0.5 * (least + greatest).to_degrees() <= self.position_limits.fillet_up_to_deg.get();
+    pub fn joint(&self, min_dihedral: f64, max_dihedral: f64) -> FilletOrButt {
+        let fillet = 0.5 * (min_dihedral + max_dihedral).to_degrees() <= self.position_limits.fillet_up_to_deg.get();
         self.joint.unwrap_or(if fillet { FilletOrButt::Fillet } else { FilletOrButt::Butt })
     }
 }

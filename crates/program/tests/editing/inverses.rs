@@ -2,7 +2,7 @@
 
 use super::random::{Random, cases, program};
 use seamwright_program::edit::{Editor, Operation};
-use seamwright_program::{Pass, PointEvent, Points, Program};
+use seamwright_program::{ArcTime, Pass, PointEvent, Points, Program};
 use serde_json::{Value, json};
 
 /// Whether two programs are equal to rounding, by their JSON.
@@ -111,7 +111,7 @@ fn check_seam_turned(old: &Pass, new: &Pass) {
     for k in 0..50 {
         let s = length * (f64::from(k) + 0.513) / 50.0;
         assert!((new.speed_at(length - s) - old.speed_at(s)).abs() < 1e-6);
-        let current = |pass: &Pass, s: f64| pass.process_at("current_a", s, (9e9, 9e9)).unwrap();
+        let current = |pass: &Pass, s: f64| pass.process_at("current_a", s, ArcTime::TRAVEL).unwrap();
         assert!((current(new, length - s) - current(old, s)).abs() < 1e-5);
         let seam = |pass: &Pass, s: f64| pass.seam_s(s).rem_euclid(1600.0);
         let off = (seam(new, length - s) - seam(old, s)).abs();
@@ -255,7 +255,7 @@ fn a_process_value_changes_only_in_its_range() {
             let new = &editor.program().passes[i];
             for k in 0..60 {
                 let s = old.length() * (f64::from(k) + 0.31) / 60.0;
-                let current = |pass: &Pass| pass.process_at("current_a", s, (9e9, 9e9)).unwrap();
+                let current = |pass: &Pass| pass.process_at("current_a", s, ArcTime::TRAVEL).unwrap();
                 let inside = a < s && s < b;
                 let wanted = if inside { low + (high - low) * (s - a) / (b - a) } else { current(old) };
                 assert!((current(new) - wanted).abs() < 1e-6, "seed {seed} {s}");

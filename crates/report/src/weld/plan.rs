@@ -1,7 +1,7 @@
 use super::samples::Sample;
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassMotion};
-use seamwright_program::{Pass, ProcessValues, SeamStart, Sequence, Tolerance};
+use seamwright_program::{ArcTime, Pass, ProcessValues, SeamStart, Sequence, Tolerance};
 use seamwright_weld::Welding;
 use serde::Serialize;
 
@@ -80,7 +80,7 @@ fn arc_energy(pass: &Pass, samples: &[Sample], legs: &[Leg]) -> Option<(f64, f64
     let steady = |s: f64| legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);
     let inside = samples.iter().filter(|s| steady(s.s) && s.speed > 0.0);
     let energies = inside.map(|s| {
-        let value = |name: &str| pass.process_at(name, s.s, (f64::INFINITY, f64::INFINITY));
+        let value = |name: &str| pass.process_at(name, s.s, ArcTime::TRAVEL);
         let power = value("current_a")? * value("voltage_v")?;
         Some(power / s.speed / 1000.0)
     });

@@ -2,7 +2,7 @@
 
 use super::figures::PassFigures;
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_program::Pass;
+use seamwright_program::{ArcTime, Pass};
 use serde::Serialize;
 
 /// Number of instants for integrating process values while the arc is on; a ramp of a tenth of it is exact to 0.01 %.
@@ -73,7 +73,8 @@ fn while_arc_is_on(
         let since_on = (f64::from(i) + 0.5) * step;
         let travelled = (since_on - motion.sequence.travel_delay_s.get()).clamp(0.0, motion.profile.duration());
         let s = motion.profile.at(travelled, &mut cursor).s;
-        Some(rate(&|name| pass.process_at(name, s, (since_on, arc_on - since_on)))? * step)
+        let time = ArcTime { since_on_s: since_on, until_off_s: arc_on - since_on };
+        Some(rate(&|name| pass.process_at(name, s, time))? * step)
     });
     instants.sum()
 }

@@ -33,8 +33,8 @@ pub(crate) use assets::names;
 #[cfg(test)]
 pub(crate) use client::hears;
 pub(crate) use guard::cookie;
-pub use openapi::openapi;
 pub(crate) use jobs::text as job_text;
+pub use openapi::openapi;
 pub(crate) use panel::Panel;
 pub(crate) use place::found_place;
 pub(crate) use plan::{begin_with, try_load};

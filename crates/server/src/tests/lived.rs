@@ -1,7 +1,7 @@
 //! The socket: permission to command, handling of messages, jogging.
 
-use axum::http::StatusCode;
 use super::{Bench, Visitor};
+use axum::http::StatusCode;
 use futures_util::{SinkExt as _, StreamExt as _};
 use serde_json::{Value, json};
 use std::sync::Arc;

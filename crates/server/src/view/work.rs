@@ -8,7 +8,7 @@ use crate::wire::{FindingView, NearView, PassView, PathPoint, SolidView, WorkVie
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::transfer::Leg;
 use seamwright_motion::{PassClearance, PassMotion, WeldMotion};
-use seamwright_program::{Finding, Pass, TorchPath};
+use seamwright_program::{ArcTime, Finding, Pass, TorchPath};
 use seamwright_project::load::Loaded;
 
 /// Number of samples of a pass, and of a transfer move.
@@ -184,7 +184,7 @@ fn named_view(pass: &Pass, path: Vec<PathPoint>) -> PassView {
 
 /// Returns the requested process values at path length `s`.
 fn process(pass: &Pass, values: &[String], s: f64) -> Vec<Option<f64>> {
-    let asked = values.iter().map(|name| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)));
+    let asked = values.iter().map(|name| pass.process_at(name, s, ArcTime::TRAVEL));
     asked.map(|v| v.filter(|v| v.is_finite())).collect()
 }
 

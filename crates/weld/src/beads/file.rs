@@ -3,7 +3,7 @@ use crate::attitude::check_angles;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Pass, ProcessValues, Role, Weave, check_process};
+use seamwright_program::{Keyed, Pass, ProcessValues, Role, Weave, check_process};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_4;
 
@@ -143,6 +143,13 @@ fn layer() -> Positive {
     number(3.0)
 }
 
+/// Values of the weld that its runs have by default.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WeldValues<'a> {
+    pub(crate) speed_mm_s: Positive,
+    pub(crate) process: &'a ProcessValues,
+}
+
 /// Settings of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Asked {
@@ -158,26 +165,27 @@ pub(crate) struct Asked {
 }
 
 impl Beads {
-    /// Settings of the run `name`: its own values over those of the weld.
+    /// Settings of the run `name`: its own values over those of `weld`.
     ///
     /// # Errors
     /// With the key's address: no area, or an area and a wire.
     pub(crate) fn asked<T>(
         &self,
         file: &Document<T>,
-        (name, run): (&str, &Run),
-        (speed, process): (Positive, &ProcessValues),
+        name: &str,
+        run: &Run,
+        weld: &WeldValues,
     ) -> Result<Asked, DocumentError> {
         let path = format!("beads.{name}");
         check_process(file, &format!("{path}.process"), &run.process)?;
-        if let Some(key) = run.process.keys().find(|key| !process.contains_key(*key)) {
-            let known: Vec<&str> = process.keys().map(String::as_str).collect();
+        if let Some(key) = run.process.keys().find(|key| !weld.process.contains_key(*key)) {
+            let known: Vec<&str> = weld.process.keys().map(String::as_str).collect();
             return Err(file.unknown_name(&format!("{path}.process.{key}"), key, &known));
         }
-        let mut all = process.clone();
+        let mut all = weld.process.clone();
         all.extend(run.process.clone());
         check_angles(file, &path, 0.0, run.travel_angle_deg.map_or(0.0, Finite::get))?;
-        let speed = run.speed_mm_s.unwrap_or(speed);
+        let speed = run.speed_mm_s.unwrap_or(weld.speed_mm_s);
         let area = match (run.area_mm2, self.wire_mm) {
             (Some(area), _) if self.adapt != Adapt::WireFeed => area.get(),
             (Some(_), _) => {
@@ -221,8 +229,9 @@ impl Beads {
         let (name, run) = run.unwrap_or(("fill", &self.fill));
         let own = run.weave.is_some().then(|| format!("beads.{name}.weave"));
         let path = own.unwrap_or_else(|| "weld.weave".to_owned());
-        weave.check(file, &path, &pass.spans[0].process, ("weld.corner", &pass.corner))?;
-        weave.check_speeds(file, &path, (&pass.spans, |_| path.clone()))
+        let corner = Keyed { key: "weld.corner", value: &pass.corner };
+        weave.check(file, &path, &pass.spans[0].process, corner)?;
+        weave.check_speeds(file, &path, &pass.spans, |_| path.clone())
     }
 
     /// Checks the settings that do not depend on the groove.

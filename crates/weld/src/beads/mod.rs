@@ -18,6 +18,7 @@ mod refusal;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use file::WeldValues;
 pub use file::{Adapt, Beads, Order, Run};
 pub use fill::BeadAt;
 pub use layers::Layer;
@@ -26,9 +27,9 @@ pub(crate) use refusal::NoPlan;
 
 use crate::{SeamCurve, SeamJoint};
 use layers::Runs;
-use seamwright_document::{Document, DocumentError, Positive};
+use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;
-use seamwright_program::{Finding, Pass, ProcessValues};
+use seamwright_program::{Finding, Pass};
 
 /// A joint with its beads.
 #[derive(Debug)]
@@ -39,19 +40,20 @@ pub(crate) struct Filled {
 }
 
 impl Beads {
-    /// Fills the joint of `seam`; speed and process values missing from the runs are those of the weld, all others
-    /// those of `template`.
+    /// Fills the joint of `seam`; speed and process values missing from the runs are those of `weld`, all others those of
+    /// `template`.
     ///
     /// # Errors
     /// With the key's address: no area of a bead, ramps, a station without a groove.
     pub(crate) fn filled<T>(
         &self,
         file: &Document<T>,
-        (seam, joint): (&SeamCurve, &SeamJoint),
-        (speed, process): (Positive, &ProcessValues),
+        seam: &SeamCurve,
+        joint: &SeamJoint,
+        weld: &WeldValues,
         template: &Pass,
     ) -> Result<Filled, DocumentError> {
-        if let Some((name, _)) = process.iter().find(|(_, value)| value.is_ramp()) {
+        if let Some((name, _)) = weld.process.iter().find(|(_, value)| value.is_ramp()) {
             let message = Message::new("weld-ramp-with-beads");
             return Err(file.error_at(&format!("weld.process.{name}"), message, Message::new("document-number")));
         }
@@ -61,7 +63,7 @@ impl Beads {
                 let allowed = Message::new("weld-allowed-travel-angle-once");
                 return Err(file.error_at(&format!("beads.{name}.travel_angle_deg"), message, allowed));
             }
-            self.asked(file, (name, run), (speed, process))
+            self.asked(file, name, run, weld)
         };
         let fill = asked("fill", &self.fill)?;
         let runs = Runs {

@@ -1,7 +1,7 @@
 //! Beads over random grooves: areas, order and positions, against independent sums.
 
 use super::layers::{Runs, layers};
-use super::{BeadPlan, Beads};
+use super::{BeadPlan, Beads, WeldValues};
 use crate::joint::SeamJoint;
 use crate::{SeamCurve, Section};
 use proptest::prelude::*;
@@ -32,8 +32,8 @@ fn plan(text: &str) -> Planned {
     let f = &file.value;
     let seam = SeamCurve::new(&file, &f.seam, &f.start).unwrap();
     let joint = SeamJoint::new(&file, &f.joint, &seam).unwrap_or_else(|e| panic!("{e}"));
-    let speed = (Positive::TEN, &ProcessValues::new());
-    let run = |name, run| f.beads.asked(&file, (name, run), speed).unwrap();
+    let weld = WeldValues { speed_mm_s: Positive::TEN, process: &ProcessValues::new() };
+    let run = |name, run| f.beads.asked(&file, name, run, &weld).unwrap();
     let runs = Runs {
         root: f.beads.root.as_ref().map(|r| run("root", r)),
         fill: run("fill", &f.beads.fill),

@@ -4,7 +4,9 @@ use crate::allowed::{between, rounded};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Oscillation, Pass, ProcessValues, Role, Sequence, SpanValue, check_process, is_beyond};
+use seamwright_program::{
+    Oscillation, Pass, PathRange, ProcessValues, Role, Sequence, SpanValue, check_process, is_beyond,
+};
 use serde::{Deserialize, Serialize};
 
 /// A last pass over the finished weld, on the seam's line, that smooths its surface with a weak or wide beam. Missing
@@ -40,9 +42,10 @@ impl Cosmetic {
     pub(crate) fn check<T>(
         &self,
         file: &Document<T>,
-        (sequence, process): (&Sequence, &ProcessValues),
+        sequence: &Sequence,
+        process: &ProcessValues,
     ) -> Result<(), DocumentError> {
-        self.sequence.check(file, "cosmetic.sequence", (sequence, process))?;
+        self.sequence.check(file, "cosmetic.sequence", sequence, process)?;
         check_process(file, "cosmetic.process", &self.process)?;
         for (key, value) in &self.process {
             let path = format!("cosmetic.process.{key}");
@@ -69,6 +72,7 @@ impl Cosmetic {
             return Err(file.error_at("cosmetic.from_mm", message, between(0.0, rounded(last), Unit::Mm)));
         }
         let turn = seam.all_round().then(|| seam.length());
+        let range = PathRange { from_mm: self.from_mm.get(), to_mm: weld.length() };
         let mut pass = Pass {
             name: "cosmetic".to_owned(),
             role: Some(Role::Cosmetic),
@@ -76,7 +80,7 @@ impl Cosmetic {
             sequence: self.sequence.of(&weld.sequence),
             weave: None,
             oscillation: self.oscillation,
-            ..weld.piece((self.from_mm.get(), weld.length()), turn)
+            ..weld.piece(range, turn)
         };
         for span in &mut pass.spans {
             span.speed_mm_s = self.speed_mm_s.map_or(span.speed_mm_s, SpanValue::Steady);

@@ -96,7 +96,8 @@ pub(crate) fn copies(job: &Document<Job>) -> Result<Vec<SeamCopy>, DocumentError
 pub(crate) fn ordered(
     job: &Document<Job>,
     seam: &SeamCurve,
-    (passes, weld): (Vec<Pass>, &Pass),
+    passes: &[Pass],
+    weld: &Pass,
     copies: &[SeamCopy],
 ) -> Result<Vec<(Pass, Option<usize>)>, DocumentError> {
     let j = &job.value;
@@ -111,7 +112,7 @@ pub(crate) fn ordered(
         let starts = tacks.starts(job, seam)?;
         extent.add(starts.len(), 1 + root.map_or(0, |root| root.s_mm.len()));
         extent.check(job, "tacks", copies)?;
-        let tacks: Visit = tacks.passes(&starts, seam, (weld, root)).into_iter().map(|tack| vec![tack]).collect();
+        let tacks: Visit = tacks.passes(&starts, seam, weld, root).into_iter().map(|tack| vec![tack]).collect();
         ordering.add(&tacks, None);
     }
     // Each part has all rows of its pass.

@@ -4,7 +4,9 @@ use crate::allowed::{less_than, rounded};
 use crate::seam::SAME_MM;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Pass, SAME_POSITION_MM, is_before, is_beyond, is_same_position, part_start, parts_of};
+use seamwright_program::{
+    Pass, PathRange, SAME_POSITION_MM, is_before, is_beyond, is_same_position, part_start, parts_of,
+};
 
 /// Quarters in the order of welding: each followed by the one opposite it.
 const QUARTERS: [usize; 4] = [0, 2, 1, 3];
@@ -26,7 +28,7 @@ impl WeldOrder {
     pub(crate) fn check_parts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<(), DocumentError> {
         let part = match self.parts {
             Parts::Whole => f64::INFINITY,
-            Parts::AtCorners if corners(seam, (0.0, seam.weld_length())).is_empty() => {
+            Parts::AtCorners if corners(seam, PathRange::up_to(seam.weld_length())).is_empty() => {
                 let message = Message::new("weld-seam-without-corners");
                 let allowed = Message::verbatim("\"whole\", \"quadrants\", { back_step_mm = 150 }");
                 return Err(file.error_at("order.parts", message, allowed));
@@ -91,12 +93,16 @@ impl WeldOrder {
             Parts::Quadrants if is_before(length, seam.length()) => vec![pass.clone()],
             Parts::Quadrants => {
                 let quarter = 0.25 * seam.length();
-                let piece = |q: usize| pass.piece((quarter * q as f64, quarter * (q + 1) as f64 + tie_in), turn);
+                let piece = |q: usize| {
+                    let range = PathRange { from_mm: quarter * q as f64, to_mm: quarter * (q + 1) as f64 + tie_in };
+                    pass.piece(range, turn)
+                };
                 QUARTERS.into_iter().map(piece).collect()
             }
             Parts::AtCorners => {
                 let ends = ends_at_corners(pass, seam, turn);
-                ends.windows(2).map(|end| pass.piece((end[0] + CORNER_MM, end[1] - CORNER_MM), turn)).collect()
+                let range = |end: &[f64]| PathRange { from_mm: end[0] + CORNER_MM, to_mm: end[1] - CORNER_MM };
+                ends.windows(2).map(|end| pass.piece(range(end), turn)).collect()
             }
             Parts::BackStepMm(step) => {
                 let count = parts_of(length, step.get());
@@ -105,7 +111,8 @@ impl WeldOrder {
                 let piece = |i: usize| {
                     let (from, to) = (part_start(length, i, count), part_start(length, i + 1, count));
                     let to = if i + 1 == count { to + over } else { to };
-                    pass.piece(((from - tie_in).max(0.0), to), turn).turned(turn)
+                    let range = PathRange { from_mm: (from - tie_in).max(0.0), to_mm: to };
+                    pass.piece(range, turn).turned(turn)
                 };
                 if count == 1 { vec![pass.clone()] } else { (0..count).map(piece).collect() }
             }
@@ -120,7 +127,10 @@ fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64>
     let low = from.min(to);
     let all_round = turn.filter(|turn| !is_before(pass.length(), *turn));
     // All round one of every corner, also of one at the start.
-    let range = all_round.map_or((low, from.max(to)), |turn| (low - SAME_POSITION_MM, low + turn - SAME_POSITION_MM));
+    let range = match all_round {
+        Some(turn) => PathRange { from_mm: low - SAME_POSITION_MM, to_mm: low + turn - SAME_POSITION_MM },
+        None => PathRange { from_mm: low, to_mm: from.max(to) },
+    };
     let mut ends: Vec<f64> = corners(seam, range).iter().map(|s| (s - from).abs()).collect();
     ends.sort_by(f64::total_cmp);
     ends.dedup_by(|later, earlier| *later - *earlier < MIN_PART_MM);
@@ -137,7 +147,7 @@ fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64>
 }
 
 /// Positions inside a range of the seam at which it or the direction between its faces turns, mm.
-fn corners(seam: &SeamCurve, range: (f64, f64)) -> Vec<f64> {
+fn corners(seam: &SeamCurve, range: PathRange) -> Vec<f64> {
     let turns = |s: &f64| {
         let (before, after) = (seam.at(s - SAME_MM), seam.at(s + SAME_MM));
         before.tangent.dot(after.tangent) < STRAIGHT || before.bisector.dot(after.bisector) < STRAIGHT

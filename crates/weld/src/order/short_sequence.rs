@@ -62,7 +62,7 @@ impl ShortSequence {
         }
     }
 
-    /// Checks the slopes of the table `path`; `process` are the weld's process values.
+    /// Checks the slopes of the table `path`; `weld` is the weld's sequence, `process` are its process values.
     ///
     /// # Errors
     /// With the key's address: slopes longer than the time for them, values that the weld has not.
@@ -70,7 +70,8 @@ impl ShortSequence {
         &self,
         file: &Document<T>,
         path: &str,
-        (weld, process): (&Sequence, &ProcessValues),
+        weld: &Sequence,
+        process: &ProcessValues,
     ) -> Result<(), DocumentError> {
         self.of(weld).check(file, path, process)
     }

@@ -51,9 +51,10 @@ impl Tacks {
     pub(crate) fn check<T>(
         &self,
         file: &Document<T>,
-        (sequence, process): (&Sequence, &ProcessValues),
+        sequence: &Sequence,
+        process: &ProcessValues,
     ) -> Result<(), DocumentError> {
-        self.sequence.check(file, "tacks.sequence", (sequence, process))?;
+        self.sequence.check(file, "tacks.sequence", sequence, process)?;
         if self.count.is_some() == self.pitch_mm.is_some() {
             let message = Message::new("weld-tack-count-or-pitch");
             return Err(file.error_at("tacks", message, Message::new("weld-allowed-count-or-pitch")));
@@ -80,7 +81,7 @@ impl Tacks {
     /// The tacks on `seam` that start at `starts`, in the order of welding: each far from all before it, then the one
     /// opposite. Values without a setting of their own come from `weld`, the pass along the whole seam. They lie on the
     /// `root` bead of a groove.
-    pub(crate) fn passes(&self, starts: &[f64], seam: &SeamCurve, (weld, root): (&Pass, Option<&Bead>)) -> Vec<Pass> {
+    pub(crate) fn passes(&self, starts: &[f64], seam: &SeamCurve, weld: &Pass, root: Option<&Bead>) -> Vec<Pass> {
         // Their metal is not that of the bead, which comes on top.
         let none = |root: &Bead| vec![NonNegative::default(); root.area_mm2.len()];
         let bead = root.map(|root| Bead { area_mm2: none(root), weave_part: Vec::new(), ..root.clone() });

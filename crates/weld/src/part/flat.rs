@@ -1,7 +1,7 @@
 //! Plates with parts that stand on them along a circle, an arc or a rectangle.
 
 use super::swept::{Section, WITHIN_MM, sweep_through};
-use super::{Impossible, Making, PLATE_MM, standing};
+use super::{Extent, Impossible, Making, PLATE_MM, standing};
 use crate::plane::zero;
 use crate::t_joint::Middle;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
@@ -53,9 +53,12 @@ impl Making<'_> {
         let left = normal.cross(curve.jet(0.0).d1.normalize());
         let sweep = curve.domain().1;
         let along = Middle { start, end: a.end_mm.get(), left, skin: normal, arc: Some((curve.clone(), sweep)) };
-        let across = if a.wall_faces == WallFaces::Right { (0.0, PLATE_MM) } else { (-PLATE_MM, 0.0) };
+        let across = match a.wall_faces {
+            WallFaces::Right => Extent { low: 0.0, high: PLATE_MM },
+            WallFaces::Left => Extent { low: -PLATE_MM, high: 0.0 },
+        };
         // Its foot is within the plate, so that no gap is between them.
-        let wall = Section { left: across, out: (-0.5 * PLATE_MM, self.nozzle_mm) };
+        let wall = Section { left: across, out: Extent { low: -0.5 * PLATE_MM, high: self.nozzle_mm } };
         Ok(vec![plate, along.solid("wall", wall)?])
     }
 
@@ -63,7 +66,7 @@ impl Making<'_> {
     pub(super) fn spline(&self, s: &Spline) -> Result<Vec<Solid>, Impossible> {
         let (Some(first), true) = (s.points_mm.first(), s.first_normals.is_empty()) else { return Ok(Vec::new()) };
         let (first, normal) = (first.get(), s.normal.unwrap_or_else(Direction::z).unit());
-        let (low, high) = self.heights(first, normal);
+        let Extent { low, high } = self.heights(first, normal);
         let flat = high - low <= FLAT * self.seam.length();
         if flat { self.plate_below(first, normal).map(|plate| vec![plate]) } else { Ok(Vec::new()) }
     }

@@ -3,7 +3,7 @@
 use super::heads::{head_within, turned};
 use super::swept::WITHIN_MM;
 use super::tubes::Foot;
-use super::{Impossible, Making, standing};
+use super::{Extent, Impossible, Making, standing};
 use crate::body::thickness;
 use crate::{NozzleEdges, head, nozzle::bore};
 use glam::{DAffine3, DMat3, DVec3};
@@ -60,7 +60,7 @@ impl Making<'_> {
         let thick = thickness(file, &nozzle.body)?;
         let usual = 6.0 * nozzle.radius_mm.get();
         let lengthwise = |point: DVec3, axis: DVec3| -> Result<(f64, f64), Impossible> {
-            let (low, high) = self.heights(point, axis);
+            let Extent { low, high } = self.heights(point, axis);
             let more = 0.5 * (self.body(usual, high - low)? - (high - low));
             Ok((low - more, high + more))
         };

@@ -51,6 +51,13 @@ impl From<DocumentError> for Impossible {
 /// Loads the bytes of an STL file.
 type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
+/// Range of coordinates along a direction, mm.
+#[derive(Debug, Clone, Copy)]
+struct Extent {
+    low: f64,
+    high: f64,
+}
+
 /// Inputs of the solids.
 struct Making<'a> {
     seam: &'a SeamCurve,
@@ -168,13 +175,15 @@ impl Making<'_> {
     }
 
     /// Minimum and maximum height of the seam along a direction.
-    fn heights(&self, from: DVec3, along: DVec3) -> (f64, f64) {
-        (self.least(|p| (p - from).dot(along)), -self.least(|p| -(p - from).dot(along)))
+    fn heights(&self, from: DVec3, along: DVec3) -> Extent {
+        let low = self.least(|p| (p - from).dot(along));
+        Extent { low, high: -self.least(|p| -(p - from).dot(along)) }
     }
 
     /// The middle of the seam's extent.
     fn middle(&self) -> DVec3 {
-        DVec3::from_array(DVec3::AXES.map(|n| self.heights(DVec3::ZERO, n)).map(|(low, high)| 0.5 * (low + high)))
+        let middle = |extent: Extent| 0.5 * (extent.low + extent.high);
+        DVec3::from_array(DVec3::AXES.map(|n| middle(self.heights(DVec3::ZERO, n))))
     }
 
     /// The body's length: as given by the job, or the usual one, but at least a nozzle's length beyond the seam

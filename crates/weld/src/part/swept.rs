@@ -1,4 +1,4 @@
-use super::{Impossible, Making, PLATE_MM};
+use super::{Extent, Impossible, Making, PLATE_MM};
 use crate::t_joint::Middle;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid};
@@ -37,30 +37,33 @@ impl Making<'_> {
     pub(super) fn t_joint(&self, joint: &TJoint, along: &Middle) -> Result<Vec<Solid>, Impossible> {
         let web_mm = joint.web_mm.get();
         let width = self.body(2.0 * self.nozzle_mm, web_mm)?;
-        let skin = Section { left: (-0.5 * width, 0.5 * width), out: (-PLATE_MM, 0.0) };
+        let about_middle = |width: f64| Extent { low: -0.5 * width, high: 0.5 * width };
+        let skin = Section { left: about_middle(width), out: Extent { low: -PLATE_MM, high: 0.0 } };
         // The web's foot is within the skin, so that no gap is between them where both are meshes.
-        let web = Section { left: (-0.5 * web_mm, 0.5 * web_mm), out: (-0.5 * PLATE_MM, self.nozzle_mm) };
+        let height = Extent { low: -0.5 * PLATE_MM, high: self.nozzle_mm };
+        let web = Section { left: about_middle(web_mm), out: height };
         Ok(vec![along.solid("skin", skin)?, along.solid("web", web)?])
     }
 }
 
-/// A rectangle across the middle line, mm: from where to where to the left, and out of the skin.
+/// A rectangle across the middle line: its extent to the left, and out of the skin.
 #[derive(Clone, Copy)]
 pub(super) struct Section {
-    pub(super) left: (f64, f64),
-    pub(super) out: (f64, f64),
+    pub(super) left: Extent,
+    pub(super) out: Extent,
 }
 
 impl Section {
     /// The same with each side moved outwards by its part of `more` mm along a direction with these components.
     fn grown(self, more: f64, left: f64, out: f64) -> Self {
-        let wider = |(low, high): (f64, f64), c: f64| (low - more * (-c).max(0.0), high + more * c.max(0.0));
+        let wider =
+            |side: Extent, c: f64| Extent { low: side.low - more * (-c).max(0.0), high: side.high + more * c.max(0.0) };
         Self { left: wider(self.left, left), out: wider(self.out, out) }
     }
 
     fn corners(self) -> [(f64, f64); 4] {
-        let ((l, r), (low, high)) = (self.left, self.out);
-        [(l, low), (r, low), (r, high), (l, high)]
+        let Self { left, out } = self;
+        [(left.low, out.low), (left.high, out.low), (left.high, out.high), (left.low, out.high)]
     }
 }
 
@@ -70,8 +73,8 @@ impl Middle {
         let Some((arc, sweep)) = &self.arc else {
             let length = self.start.distance(self.end);
             let axes = DMat3::from_cols((self.end - self.start) / length, self.left, self.skin);
-            let (low, high) =
-                (DVec3::new(0.0, section.left.0, section.out.0), DVec3::new(length, section.left.1, section.out.1));
+            let low = DVec3::new(0.0, section.left.low, section.out.low);
+            let high = DVec3::new(length, section.left.high, section.out.high);
             let pose = DAffine3::from_mat3_translation(axes, self.start + axes * (0.5 * (low + high)));
             return Solid::new(name, Shape::Box { size: high - low }, pose);
         };
@@ -101,9 +104,10 @@ impl Middle {
 }
 
 /// The part of a range that goes no more than `room` mm towards the axis, which one mm of it does by `-outward`.
-fn short_of((low, high): (f64, f64), outward: f64, room: f64) -> (f64, f64) {
+fn short_of(range: Extent, outward: f64, room: f64) -> Extent {
+    let Extent { low, high } = range;
     let end = room / outward.abs();
-    if outward > 0.0 { (low.max(-end), high) } else { (low, high.min(end)) }
+    if outward > 0.0 { Extent { low: low.max(-end), high } } else { Extent { low, high: high.min(end) } }
 }
 
 /// The closed mesh through cross-sections with as many corners each.

@@ -1,5 +1,5 @@
 use super::heads::bend;
-use super::{Impossible, Making, standing};
+use super::{Extent, Impossible, Making, standing};
 use crate::branch::{Joint, Leg};
 use crate::head;
 use glam::{DAffine3, DMat3, DVec3};
@@ -49,11 +49,11 @@ pub(super) struct Foot {
 }
 
 impl Foot {
-    /// The seam's heights along a direction, and this end's too.
-    fn with(&self, (low, high): (f64, f64), from: DVec3, axis: DVec3) -> (f64, f64) {
+    /// The seam's `heights` over `from` along `axis`, and this end's too.
+    fn with(&self, heights: Extent, from: DVec3, axis: DVec3) -> Extent {
         let middle = (self.centre - from).dot(axis);
         let half = self.radius * self.along.cross(axis).length();
-        (low.min(middle - half), high.max(middle + half))
+        Extent { low: heights.low.min(middle - half), high: heights.high.max(middle + half) }
     }
 }
 
@@ -64,7 +64,7 @@ impl Making<'_> {
             return self.root(file, nozzle);
         }
         let (origin, along, radius) = (nozzle.origin_mm.get(), nozzle.direction.unit(), nozzle.radius_mm.get());
-        let (low, high) = self.heights(origin, along);
+        let Extent { low, high } = self.heights(origin, along);
         let length = high - low + self.nozzle_mm;
         let foot = Foot { centre: origin + low * along, along, radius };
         let tube = match self.joint.filter(|joint| joint.cuts_first()) {
@@ -78,7 +78,7 @@ impl Making<'_> {
     pub(super) fn branch<T>(&self, file: &Document<T>, branch: &Branch) -> Result<Vec<Solid>, Impossible> {
         let Joint { tube, chord, other, .. } = Joint::new(file, branch)?;
         let (origin, along, radius) = (tube.origin(), tube.direction(), tube.radius());
-        let (low, high) = self.heights(origin, along);
+        let Extent { low, high } = self.heights(origin, along);
         let length = high - low + self.nozzle_mm;
         let foot = Foot { centre: origin + low * along, along, radius };
         let mut solids = vec![Solid::new("branch", Shape::Cylinder { radius, length }, standing(foot.centre, along))?];
@@ -86,13 +86,13 @@ impl Making<'_> {
         if let Some(Leg { origin, direction, radius }) = other {
             // Above the chord on all sides, and beyond the seam.
             let out = (chord + radius * direction.x.abs()) / direction.z;
-            let length = self.heights(origin, direction).1.max(out) + self.nozzle_mm;
+            let length = self.heights(origin, direction).high.max(out) + self.nozzle_mm;
             solids.push(Solid::new("other branch", Shape::Cylinder { radius, length }, standing(origin, direction))?);
             let beside = radius / direction.z + chord * (direction.x / direction.z).abs();
-            extent = (extent.0.min(origin.x - beside), extent.1.max(origin.x + beside));
+            extent = Extent { low: extent.low.min(origin.x - beside), high: extent.high.max(origin.x + beside) };
         }
-        let length = self.body(6.0 * radius, extent.1 - extent.0)?;
-        let start = 0.5 * (extent.0 + extent.1 - length) * DVec3::X;
+        let length = self.body(6.0 * radius, extent.high - extent.low)?;
+        let start = 0.5 * (extent.low + extent.high - length) * DVec3::X;
         solids.push(Solid::new("chord", Shape::Cylinder { radius: chord, length }, standing(start, DVec3::X))?);
         Ok(solids)
     }
@@ -102,7 +102,7 @@ impl Making<'_> {
         let solid = match body {
             Body::Cylinder { radius_mm, point_mm, axis, .. } => {
                 let (point, axis) = (point_mm.get(), axis.unit());
-                let (low, high) = foot.with(self.heights(point, axis), point, axis);
+                let Extent { low, high } = foot.with(self.heights(point, axis), point, axis);
                 let length = self.body(usual, high - low)?;
                 let start = point + 0.5 * (low + high - length) * axis;
                 Solid::new("shell", Shape::Cylinder { radius: radius_mm.get(), length }, standing(start, axis))
@@ -110,7 +110,7 @@ impl Making<'_> {
             Body::Cone { half_angle_deg, apex_mm, axis, .. } => {
                 let (apex, axis) = (apex_mm.get(), axis.unit());
                 let slope = half_angle_deg.get().to_radians().tan();
-                let (low, high) = foot.with(self.heights(apex, axis), apex, axis);
+                let Extent { low, high } = foot.with(self.heights(apex, axis), apex, axis);
                 let more = 0.5 * (self.body(usual, high - low)? - (high - low));
                 let (from, to) = ((low - more).max(0.0), high + more);
                 let shape = Shape::Cone { radius: from * slope, top_radius: to * slope, length: to - from };
@@ -127,7 +127,7 @@ impl Making<'_> {
                 let x = (x - x.dot(z) * z).normalize();
                 let semi_axes = DVec3::from_array(semi_axes_mm.map(Positive::get));
                 // A head is half an ellipsoid, unless the seam goes over its rim.
-                let (low, high) = self.heights(centre_mm.get(), z);
+                let Extent { low, high } = self.heights(centre_mm.get(), z);
                 let z = if high < 0.0 { -z } else { z };
                 let axes = DMat3::from_cols(x, z.cross(x), z);
                 let pose = DAffine3::from_mat3_translation(axes, centre_mm.get());
@@ -157,7 +157,7 @@ impl Making<'_> {
     /// The cylinder that a helix lies on, going on to both sides of it.
     pub(super) fn helix(&self, helix: &Helix) -> Result<Vec<Solid>, Impossible> {
         let (origin, radius, along) = (helix.origin_mm.get(), helix.radius_mm.get(), helix.direction.unit());
-        let (low, high) = self.heights(origin, along);
+        let Extent { low, high } = self.heights(origin, along);
         let length = self.body(0.0, high - low)?;
         let start = origin + (0.5 * (low + high - length)) * along;
         Ok(vec![Solid::new("cylinder", Shape::Cylinder { radius, length }, standing(start, along))?])
@@ -166,7 +166,7 @@ impl Making<'_> {
     /// A tube that extends to both sides of the cut.
     pub(super) fn girth(&self, girth: &Girth) -> Result<Vec<Solid>, Impossible> {
         let (radius, along) = (girth.radius_mm.get(), girth.direction.unit());
-        let (low, high) = self.heights(girth.origin_mm.get(), along);
+        let Extent { low, high } = self.heights(girth.origin_mm.get(), along);
         let length = self.body(6.0 * radius, high - low)?;
         let start = girth.origin_mm.get() + (0.5 * (low + high - length)) * along;
         Ok(vec![Solid::new("tube", Shape::Cylinder { radius, length }, standing(start, along))?])

@@ -28,7 +28,8 @@ impl PointPath {
     /// without any motion.
     pub fn new(
         program: &Document<Program>,
-        (number, points): (usize, &Points),
+        number: usize,
+        points: &Points,
         machine: &dyn Fn() -> Result<Arc<dyn MachineAxes>, DocumentError>,
     ) -> Result<Self, DocumentError> {
         let path = format!("passes[{number}].points");
@@ -59,7 +60,7 @@ impl PointPath {
             (at, point) = (t.block.to, t.point);
         }
         reached[point + 1..].fill(at);
-        let spans = spans(points, &columns, (&reached, pace));
+        let spans = spans(points, &columns, &reached, pace);
         let blocks = timed.into_iter().map(|t| t.block).collect();
         Ok(Self { blocks, numbers, spans, reached })
     }
@@ -175,8 +176,7 @@ impl Builder<'_> {
 
     fn lines(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Vec<Timed> {
         let starts = std::iter::once(here).chain(rows);
-        let each = starts.zip(rows).zip(&span.points).enumerate();
-        each.map(|(k, ((start, end), point))| self.timed((start, end), Shape::Line, (point, k, span))).collect()
+        starts.zip(rows).enumerate().map(|(k, (start, end))| self.timed(span, k, start, end, Shape::Line)).collect()
     }
 
     fn arc(&self, i: usize, span: &PointSpan, here: &Row, end: &Row) -> Result<Timed, DocumentError> {
@@ -188,18 +188,14 @@ impl Builder<'_> {
             return Err(self.program.error_at(&at, message, Message::new("weld-allowed-arc-points")));
         };
         let shape = Shape::Arc(arc, self.reader.places);
-        Ok(self.timed((here, end), shape, (&span.points[0], 0, span)))
+        Ok(self.timed(span, 0, here, end, shape))
     }
 
-    fn timed(
-        &self,
-        (start, end): (&Row, &Row),
-        shape: Shape,
-        (point, k, span): (&[Finite], usize, &PointSpan),
-    ) -> Timed {
+    /// The way to point `k` of a span.
+    fn timed(&self, span: &PointSpan, k: usize, start: &Row, end: &Row, shape: Shape) -> Timed {
         let (from, to, stops) = (0.0, 0.0, span.stops);
         let block = Block { from, to, start: *start, end: *end, shape, stops, is_continued: false };
-        let seconds = self.seconds(&block, point, span.along);
+        let seconds = self.seconds(&block, &span.points[k], span.along);
         Timed { block, seconds, point: k + 1 }
     }
 
@@ -230,7 +226,7 @@ impl Builder<'_> {
         each.map(|(k, ((start, end), point))| {
             let seconds = point[point.len() - 1].get();
             let slopes = [speeds[k], speeds[k + 1]].map(|row| row.map(|speed| speed * seconds));
-            self.timed((start, end), Shape::Cubic(Box::new(slopes)), (point, k, span))
+            self.timed(span, k, start, end, Shape::Cubic(Box::new(slopes)))
         })
         .collect()
     }
@@ -257,8 +253,8 @@ impl Builder<'_> {
     fn knots(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Knots {
         let rows: Vec<Row> = std::iter::once(*here).chain(rows.iter().copied()).collect();
         let (mut at, mut ways) = (vec![0.0], vec![0.0]);
-        for (k, point) in span.points.iter().enumerate() {
-            let chord = self.timed((&rows[k], &rows[k + 1]), Shape::Line, (point, k, span));
+        for k in 0..span.points.len() {
+            let chord = self.timed(span, k, &rows[k], &rows[k + 1], Shape::Line);
             at.push(at[k] + chord.seconds.max(SHORTEST_S));
             ways.push(ways[k] + self.way(&chord.block));
         }
@@ -289,7 +285,7 @@ impl Builder<'_> {
 }
 
 /// The pass' spans: process values from point to point. Points between which all values are constant are one span.
-fn spans(points: &Points, columns: &Columns, (reached, pace): (&[f64], f64)) -> Vec<Span> {
+fn spans(points: &Points, columns: &Columns, reached: &[f64], pace: f64) -> Vec<Span> {
     let rows: Vec<&[Finite]> = points.rows().collect();
     let mut spans: Vec<Span> = Vec::new();
     for (i, ends) in rows.windows(2).enumerate() {

@@ -13,7 +13,7 @@ mod thin;
 use block::Block;
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
-use seamwright_program::{AxisPositions, Span, TorchPath};
+use seamwright_program::{AxisPositions, PathRange, Span, TorchPath};
 use std::fmt;
 use std::sync::Arc;
 
@@ -138,11 +138,11 @@ impl TorchPath for PointPath {
         (self.pose(b).point - self.pose(a).point).try_normalize().unwrap_or_else(|| self.pose(s).direction)
     }
 
-    fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
+    fn foot(&self, point: DVec3, guess: f64, within: PathRange) -> f64 {
         (0..2).fold(guess, |s, _| {
             let rate = self.rate(s);
             let along = (point - self.pose(s).point).dot(self.tangent(s));
-            if rate > STILL { (s + along / rate).clamp(from, to) } else { s }
+            if rate > STILL { (s + along / rate).clamp(within.from_mm, within.to_mm) } else { s }
         })
     }
 

@@ -1,7 +1,7 @@
 //! Jobs with beads as programs: the metal deposited by the passes, from their speeds and wire feeds alone, fills the
 //! joint.
 
-use seamwright_program::{Pass, Program, Role};
+use seamwright_program::{ArcTime, Pass, Program, Role};
 use seamwright_weld::Welding;
 use std::f64::consts::FRAC_PI_4;
 
@@ -26,7 +26,7 @@ fn deposited(pass: &Pass, seam_s: f64, turn: f64) -> Option<f64> {
     if own > pass.length() {
         return None;
     }
-    let feed = pass.process_at("wire_feed_m_min", own, (f64::INFINITY, f64::INFINITY)).unwrap() * 1000.0 / 60.0;
+    let feed = pass.process_at("wire_feed_m_min", own, ArcTime::TRAVEL).unwrap() * 1000.0 / 60.0;
     Some(FRAC_PI_4 * 1.2 * 1.2 * feed * 0.95 / pass.speed_at(own))
 }
 

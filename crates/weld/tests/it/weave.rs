@@ -5,7 +5,7 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use seamwright_document::Positive;
-use seamwright_program::{Figure, TorchPath, Weave};
+use seamwright_program::{Figure, PathRange, TorchPath, Weave};
 use seamwright_weld::Welding;
 use std::f64::consts::TAU;
 
@@ -106,7 +106,7 @@ proptest! {
             prop_assert!(path.tangent(s).distance(plain.tangent(s)) < 1e-6 && path.rate(s) == plain.rate(s));
             let inside = s.clamp(1.0, length - 1.0);
             let ahead = path.pose(inside).point + 0.01 * path.tangent(inside);
-            prop_assert!((path.foot(ahead, inside, (0.0, length)) - inside - 0.01).abs() < 1e-4);
+            prop_assert!((path.foot(ahead, inside, PathRange::up_to(length)) - inside - 0.01).abs() < 1e-4);
         }
         // Half as fast, and not at all.
         let (half, none) = (path.slower(0.5).unwrap(), path.slower(0.0).unwrap());

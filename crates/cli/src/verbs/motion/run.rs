@@ -6,14 +6,14 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::{between, refused};
 use crate::rows::{Cell, Rows};
-use crate::verbs::process::{Clock, ProcessColumns};
+use crate::verbs::process::ProcessColumns;
 use seamwright_machine::Joints;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::feed_override::{
     FeedOverride, FeedOverrideError, Instant, Limits, Order, Run, RunPhase, Timed as Moves,
 };
 use seamwright_motion::{PassMotion, SpeedProfile, Stage, WeldMotion};
-use seamwright_program::{Finding, Pass};
+use seamwright_program::{ArcTime, Finding, Pass};
 use std::io::Write;
 
 /// Maximum override; a speed profile of its own is planned for it if needed.
@@ -74,7 +74,7 @@ struct Point {
     /// `None` in a transfer move.
     phase: Option<RunPhase>,
     /// `None` while the arc is off.
-    arc: Option<Clock>,
+    arc: Option<ArcTime>,
 }
 
 struct Player<'a> {
@@ -214,9 +214,9 @@ impl<'a> Player<'a> {
 
     fn instant(&mut self, pass: usize, motion: &PassMotion, now: &Instant) -> Result<(), Failure> {
         let r = &now.played.rates;
-        let until_off = if now.phase == RunPhase::Crater { now.left_s } else { f64::INFINITY };
-        let arc = now.phase.arc().then_some((self.burning, until_off));
-        self.burning = arc.map_or(0.0, |(burning, _)| burning + self.period);
+        let until_off_s = if now.phase == RunPhase::Crater { now.left_s } else { f64::INFINITY };
+        let arc = now.phase.arc().then_some(ArcTime { since_on_s: self.burning, until_off_s });
+        self.burning = arc.map_or(0.0, |arc| arc.since_on_s + self.period);
         let speed = r.tip.v * motion.path.tip_rate(&self.loaded.machine, r.tip.s);
         self.row(&Point { pass, s: r.tip.s, speed, q: r.q, phase: Some(now.phase), arc })
     }

@@ -2,9 +2,10 @@ use crate::args::ExportArg;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::rows::{Cell, Rows};
-use crate::verbs::process::{Clock, ProcessColumns};
+use crate::verbs::process::ProcessColumns;
 use seamwright_machine::Joints;
 use seamwright_motion::SetPoint;
+use seamwright_program::ArcTime;
 
 /// The position along the seam at an instant.
 #[derive(Debug, Clone, Copy)]
@@ -16,11 +17,11 @@ pub(super) struct Along {
     /// Speed of the tip, mm/s.
     pub(super) speed: f64,
     /// `None` while the arc is off.
-    pub(super) arc: Option<Clock>,
+    pub(super) arc: Option<ArcTime>,
 }
 
 impl Along {
-    pub(super) fn new(pass: usize, set: &SetPoint, speed: f64, arc: Option<Clock>) -> Self {
+    pub(super) fn new(pass: usize, set: &SetPoint, speed: f64, arc: Option<ArcTime>) -> Self {
         Self { pass, s: set.profile.s, speed, arc }
     }
 }

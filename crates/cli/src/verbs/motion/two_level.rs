@@ -3,6 +3,7 @@ use crate::args::ExportArg;
 use crate::failure::Failure;
 use seamwright_machine::Joints;
 use seamwright_motion::fine::{CoarseSpline, Knot, Segment};
+use seamwright_program::ArcTime;
 use std::collections::VecDeque;
 
 /// Coarse points at rest that lead a B-spline in and out: (2 - sqrt 3)^24 of a period's way, 2e-14, is left of the
@@ -101,7 +102,10 @@ impl<'a> TwoLevel<'a> {
 /// Path length and speed at a part of the period: the cubic with those of both ends; at rest between two passes. The
 /// arc has the state of the coarse point before, but its clock goes on.
 fn between(from: &Along, to: &Along, period: f64, part: f64) -> Along {
-    let later = |(since_on, until_off)| (since_on + part * period, until_off - part * period);
+    let later = |arc: ArcTime| ArcTime {
+        since_on_s: arc.since_on_s + part * period,
+        until_off_s: arc.until_off_s - part * period,
+    };
     let from = &Along { arc: from.arc.map(later), ..*from };
     if from.pass != to.pass || !from.s.is_finite() {
         return *from;
