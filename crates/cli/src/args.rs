@@ -31,6 +31,7 @@ use std::path::PathBuf;
 /// Without a verb it starts the cell with its panel: open the printed address.
 #[derive(Debug, Parser)]
 #[command(
+    name = "seamwright",
     version,
     about,
     long_about,

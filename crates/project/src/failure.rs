@@ -1,7 +1,7 @@
 //! Reasons why a command ends without its result.
 
 use seamwright_document::DocumentError;
-use seamwright_message::{Argument, Language, Message, Unit};
+use seamwright_message::{Argument, Language, Message, Unit, display_by_message};
 use seamwright_program::{Finding, FindingGroup, FindingPlace, Severity, group_findings};
 use std::io::{self, Write};
 
@@ -23,6 +23,8 @@ pub enum Failure {
     /// 0: the reader of our output has stopped reading.
     ReaderGone,
 }
+
+display_by_message!(Failure);
 
 /// Maximum number of positions listed of one finding.
 const MAX_PLACES: usize = 6;

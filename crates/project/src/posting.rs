@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::load::Loaded;
 use seamwright_machine::Machine;
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Message, Unit, display_by_message};
 use seamwright_motion::WeldMotion;
 use seamwright_post::{
     Control, Error, Feed, Level, Options, PartProgram, Planned, ReadOptions, Verification, WriteOptions, part_program,
@@ -19,6 +19,21 @@ pub enum Unproven {
     /// Differences of the text read back from the plan: a line each.
     Wrong(Vec<Message>),
 }
+
+impl Unproven {
+    /// Description of the reason; differences are separate lines.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Failure(failure) => failure.message(),
+            Self::Wrong(lines) => {
+                let lines: Vec<String> = lines.iter().map(ToString::to_string).collect();
+                Message::verbatim(lines.join("\n"))
+            }
+        }
+    }
+}
+
+display_by_message!(Unproven);
 
 impl From<Failure> for Unproven {
     fn from(failure: Failure) -> Self {
