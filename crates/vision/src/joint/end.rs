@@ -21,6 +21,7 @@ const CLEAR: f32 = 0.5;
 const TOLD: f32 = 0.5;
 
 /// Rows that belong to the joint, and the reason why it ends.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Cut {
     pub(super) rows: usize,
     pub(super) end: End,

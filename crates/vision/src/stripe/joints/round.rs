@@ -130,7 +130,7 @@ impl View<'_> {
         let radius = (left.arc.radius + right.arc.radius) / 2.0;
         let edges = [left.edge, right.edge];
         let measured = Measured { roots, edges, gap, angle, radius, margin };
-        Ok(self.round_features(&groove, &[left, right], measured))
+        Ok(self.round_features(&groove, &[left, right], &measured))
     }
 
     /// Returns the end of an arc on the way from column `shoulder` to column `to`.
@@ -179,11 +179,11 @@ impl View<'_> {
         let (roots, edges) =
             if curved == 1 { ([foot, root], [upright, edge]) } else { ([root, foot], [edge, upright]) };
         let measured = Measured { roots, edges, gap, angle, radius, margin };
-        Ok(self.round_features(&groove, &[side], measured))
+        Ok(self.round_features(&groove, &[side], &measured))
     }
 
-    fn round_features(&mut self, groove: &Groove, sides: &[Side], measured: Measured) -> Features {
-        let Measured { roots, edges, gap, angle, radius, margin } = measured;
+    fn round_features(&mut self, groove: &Groove, sides: &[Side], measured: &Measured) -> Features {
+        let Measured { roots, edges, gap, angle, radius, margin } = *measured;
         let joint = (roots[0] + roots[1]) / 2.0;
         let roots = if gap > 0.0 { roots } else { [joint; 2] };
         let [left, right] = groove.shoulders;
