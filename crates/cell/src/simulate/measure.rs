@@ -41,11 +41,10 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
     }
 }
 
-/// Finds the path length near `guess` at which the path `place` is nearest to `point`. Searches both ways from `guess`
-/// while the distance falls. Steps start in proportion to the distance and grow; thirds refine the result. The distance
-/// found is never below the true minimum.
-fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, within: PathRange) -> f64 {
-    let PathRange { from_mm: from, to_mm: to } = within;
+/// Finds the path length near `guess`, from 0 to `length_mm`, at which the path `place` is nearest to `point`. Searches
+/// both ways from `guess` while the distance falls. Steps start in proportion to the distance and grow; thirds refine
+/// the result. The distance found is never below the true minimum.
+fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, length_mm: f64) -> f64 {
     let away = |s: f64| place(s).distance_squared(point);
     let start = away(guess);
     let mut best = (start, guess, start.sqrt() / 16.0);
