@@ -167,9 +167,9 @@ fn page(name: &str, title: &str, folder: &str) -> String {
         }
     }
     let mut text = format!("# {title}\n\n{}\n\n", description(&schema));
-    let _ = write!(
+    let _ = writeln!(
         text,
-        "Made from the schema that `seamwright schema {name}` prints; examples are out of the supplied files.\n"
+        "Made from the schema that `seamwright schema {name}` prints; examples are out of the supplied files."
     );
     section(&schema, "", &examples, &mut text);
     types(&schema["$defs"], &examples, &mut text);
