@@ -520,7 +520,7 @@ panel-lies-misplaced = 2 mm und ein halbes Grad versetzt, wellig, zwei Heftstell
 panel-lies-half-ring = 2 mm und ein halbes Grad versetzt, oval, eine Heftstelle
 
 # Form of a job.
-panel-form-add-what = Abschnitt hinzufügen …
+panel-form-add-what = Abschnitt hinzufügen
 panel-form-add = Hinzufügen
 panel-form-add-key = Wert hinzufügen
 panel-form-values = { $n } Werte

@@ -520,7 +520,7 @@ panel-lies-misplaced = 2 mm and half a degree off, wavy, two tacks
 panel-lies-half-ring = 2 mm and half a degree off, oval, one tack
 
 # Form of a job.
-panel-form-add-what = Add a section …
+panel-form-add-what = Add a section
 panel-form-add = Add
 panel-form-add-key = Add a value
 panel-form-values = { $n } values

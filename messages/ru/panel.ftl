@@ -520,7 +520,7 @@ panel-lies-misplaced = сдвиг 2 мм и полградуса, волнист
 panel-lies-half-ring = сдвиг 2 мм и полградуса, овальная, одна прихватка
 
 # Form of a job.
-panel-form-add-what = Добавить раздел …
+panel-form-add-what = Добавить раздел
 panel-form-add = Добавить
 panel-form-add-key = Добавить значение
 panel-form-values = Значений: { $n }

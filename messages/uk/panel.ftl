@@ -520,7 +520,7 @@ panel-lies-misplaced = зсув 2 мм і пів градуса, хвиляст�
 panel-lies-half-ring = зсув 2 мм і пів градуса, овальна, одна прихватка
 
 # Form of a job.
-panel-form-add-what = Додати розділ …
+panel-form-add-what = Додати розділ
 panel-form-add = Додати
 panel-form-add-key = Додати значення
 panel-form-values = Значень: { $n }

@@ -520,7 +520,7 @@ panel-lies-misplaced = 偏移 2 mm 和 0.5°，波浪形，两处定位焊
 panel-lies-half-ring = 偏移 2 mm 和 0.5°，失圆，一处定位焊
 
 # Form of a job.
-panel-form-add-what = 添加部分…
+panel-form-add-what = 添加部分
 panel-form-add = 添加
 panel-form-add-key = 添加数值
 panel-form-values = { $n } 个数值
