@@ -63,5 +63,5 @@ document-bound-hundredfold = das Hundertfache
 document-bound-process-source = die größte Stromquelle
 document-bound-beam-generator = der größte Strahlerzeuger
 
-# The code under which docs/messages.md explains a message.
+# The code under which docs/reference/messages.md explains a message.
 document-code = Code: { $code }

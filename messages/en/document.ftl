@@ -85,5 +85,5 @@ document-bound-hundredfold = a hundredfold
 document-bound-process-source = the largest process source
 document-bound-beam-generator = the largest beam generator
 
-# The code under which docs/messages.md explains a message.
+# The code under which docs/reference/messages.md explains a message.
 document-code = code: { $code }

@@ -29,10 +29,12 @@ project-with-allowed =
     { $message }
     { "   " }{ $allowed }
     .cause = The first line gives the fault, the second one the allowed values.
+    .cure = Choose an allowed value.
 project-with-hint =
     { $message }
     { "   " }{ $hint }
     .cause = The first line gives the fault, the second one a suggestion.
+    .cure = Follow the suggestion.
 project-or = { $first } or { $second }
 project-note = note: { $note }
 project-planning-cancelled = planning was cancelled

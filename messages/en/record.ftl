@@ -231,6 +231,7 @@ record-problem-unfinished = weld { $id }: its trace is being written
     .cure = Verify again after the end of the weld.
 record-problem-left = weld { $id }: a crash left its trace unfinished; run `records recover`
     .cause = The program or the power failed during the weld; its raw trace was not closed and nobody holds it now.
+    .cure = Run `seamwright records recover` with the data folder while no weld runs.
 record-problem-program = weld { $id }: the text of its program was changed
     .cause = The stored text of the program differs from its SHA-256, so it was changed with another program or damaged.
     .cure = Restore the last good backup; do not use this text as proof.

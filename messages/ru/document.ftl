@@ -63,5 +63,5 @@ document-bound-hundredfold = стократное значение
 document-bound-process-source = самый большой источник питания процесса
 document-bound-beam-generator = самый большой генератор луча
 
-# The code under which docs/messages.md explains a message.
+# The code under which docs/reference/messages.md explains a message.
 document-code = код: { $code }

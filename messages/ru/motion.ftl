@@ -172,14 +172,14 @@ motion-cure-plan-again = спланируйте заново
 
 # Comparison with the welding procedure specification.
 motion-quantity-speed = скорость острия
-motion-quantity-heat-input = погонная энергия
+motion-quantity-heat-input = тепловложение
 motion-quantity-travel-angle = продольный угол
 motion-quantity-work-angle = поперечный угол
 motion-run-pass = проход { $passes }
 motion-run-passes = проходы { $passes }
 motion-procedure-outside = { $quantity } составляет { $found } на s = { $at }; { $procedure } разрешает ({ $run }) от { $min } до { $max }
-motion-procedure-unbounded = { $quantity } не ограничена на s = { $at }, где горелка останавливается с горящей дугой; { $procedure } разрешает ({ $run }) от { $min } до { $max }
-motion-procedure-no-power = проход не задаёт { $keys }, поэтому его погонная энергия неизвестна; { $procedure } разрешает ({ $run }) от { $min } до { $max }
+motion-procedure-unbounded = { $quantity } не ограничено на s = { $at }, где горелка останавливается с горящей дугой; { $procedure } разрешает ({ $run }) от { $min } до { $max }
+motion-procedure-no-power = проход не задаёт { $keys }, поэтому его тепловложение неизвестно; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-procedure-no-faces = поверхности соединения неизвестны, поэтому и поперечный угол неизвестен; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-procedure-missing = проход не задаёт { $key }; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-procedure-no-run = ни один проход технологии { $procedure } не относится к проходу { $pass } ({ $name })

@@ -63,7 +63,7 @@ panel-alarm-until = до { $time }, { $user }
 panel-alarm-shelve-how = Отложить можно лишь сообщающие тревоги; те, что дают останов или паузу, видны всегда.
 
 # Process values.
-panel-value-heat-input = Погонная энергия
+panel-value-heat-input = Тепловложение
 panel-value-tip-speed = Скорость острия
 panel-value-current = Ток
 panel-value-voltage = Напряжение
@@ -399,8 +399,8 @@ panel-scene-show = Показ
 panel-scene-colour = Цвет проходов по
 panel-scene-cut = Секущая плоскость
 panel-scene-measure = Измерить
-panel-scene-heat = Погонная энергия
-panel-scene-no-heat = Погонная энергия неизвестна: в программе нет ни тока с напряжением, ни мощности.
+panel-scene-heat = Погонная энергия дуги
+panel-scene-no-heat = Погонная энергия дуги неизвестна: в программе нет ни тока с напряжением, ни мощности.
 panel-scene-no-value = Для этой программы это неизвестно.
 panel-scene-off-beam = Отклонение луча
 panel-scene-off-torch = Отклонение

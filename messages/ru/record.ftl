@@ -129,6 +129,6 @@ record-notes = { $first }; { $then }
 record-rows-lost = потеряно строк записи хода: { $n }: { $why }
 record-incomplete = запись неполная: { $why }
 record-no-figures = показателей нет: { $why }
-record-heat-input-outside = погонная энергия вне пределов технологии на { $length }
+record-heat-input-outside = тепловложение вне пределов технологии на { $length }
 record-recovered = восстановлено { $time }
 record-recovered-without = восстановлено { $time } без последних { $size } записи хода, которые не составляют целых строк

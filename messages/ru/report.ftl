@@ -38,7 +38,7 @@ report-limit-max = наибольшая
 report-label-path-length = длина пути s
 report-label-distance = расстояние
 report-label-angle = угол
-report-label-heat-input = погонная энергия
+report-label-heat-input = тепловложение
 report-label-speed = скорость
 report-label-acceleration = ускорение
 report-label-jerk = рывок
@@ -95,8 +95,8 @@ report-column-travel-s = Ход, с
 report-column-arc-on-s = Дуга горит, с
 report-column-total-s = Всего, с
 report-column-speed-mm-s = Скорость, мм/с
-report-column-arc-energy = Энергия дуги, кДж/мм
-report-column-heat-input = Погонная энергия, кДж/мм
+report-column-arc-energy = Погонная энергия дуги, кДж/мм
+report-column-heat-input = Тепловложение, кДж/мм
 report-column-length-mm = Длина, мм
 report-column-wire-m = Проволока, м
 report-column-at-requested-speed = С заданной скоростью, %
@@ -219,8 +219,8 @@ report-caption-sources = Тексты, по которым сварено; он�
 report-caption-files = Файлы записи
 
 # Record of a weld: charts.
-report-heat-input-unknown = Неизвестна: без технологии (WPS) мощность не определена.
-report-chart-heat-input = Погонная энергия вдоль шва
+report-heat-input-unknown = Неизвестно: без технологии (WPS) мощность не определена.
+report-chart-heat-input = Тепловложение вдоль шва
 report-caption-heat-input-bins = Энергия на путь острия горелки, на каждых { $bin }.
 report-chart-tip-off-path = Отклонение острия горелки от запланированного пути
 report-caption-tip-off-path = Расстояние истинного острия горелки от шва по нормали к нему, на каждых { $bin } наибольшее.
@@ -257,7 +257,7 @@ report-speed-range = { $from } … { $to }, СКЗ { $rms }
 report-too-short = шов слишком короткий, чтобы судить
 report-tile-attitude-error = Погрешность наклона
 report-attitude-error-of-plan = наибольшая, по плану
-report-tile-arc-energy = Энергия дуги на единицу длины
+report-tile-arc-energy = Погонная энергия дуги
 report-arc-energy-formula = U I / v, без коэффициента полезного действия
 report-arc-energy-range = наибольшая; наименьшая { $min }; U I / v
 report-tile-wire = Проволока
@@ -314,7 +314,7 @@ report-section-torch = горелка: поперечный угол { $work }, 
 report-caption-sections = Сечения вдоль шва в одном масштабе, поверхность второй детали горизонтальна или лицевая поверхность стыкового шва вверх: валики в порядке сварки и куда в каждом указывает проволока; площадь: разделки и усиления над ней.
 
 # Plan: welding procedure.
-report-caption-heat-input = Погонная энергия при запланированной скорости между разгоном и торможением, с её пределами; затенено там, где она вне их.
+report-caption-heat-input = Тепловложение при запланированной скорости между разгоном и торможением, с его пределами; затенено там, где оно вне их.
 report-caption-positions = Положение сварки (ISO 6947) по наклону хода и повороту лицевой поверхности шва, как оси станка поворачивают деталь.
 report-too-high = слишком велика
 report-too-low = слишком мала
@@ -323,7 +323,7 @@ report-curve-slope = наклон (+ вверх)
 report-curve-rotation = поворот лицевой поверхности (0 вверх, 180 вниз)
 report-run = проход технологии { $run }
 report-no-run = ни один её проход не относится к этому
-report-procedure = { $number } ({ $title }), { $run }. Процесс { $process }: { $process_name }. Погонная энергия: { $efficiency } × мощность / запланированная скорость. Положения как для { $joint ->
+report-procedure = { $number } ({ $title }), { $run }. Процесс { $process }: { $process_name }. Тепловложение: { $efficiency } × мощность / запланированная скорость. Положения как для { $joint ->
         [fillet] углового
        *[butt] стыкового
     } шва.

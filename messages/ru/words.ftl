@@ -1,7 +1,7 @@
 # Words by names in files: the part behind the first hyphen is the name.
 
 # Process values, without their units.
-value-heat-input = Погонная энергия
+value-heat-input = Тепловложение
 value-tip-speed = Скорость острия
 value-current = Ток
 value-voltage = Напряжение

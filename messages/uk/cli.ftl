@@ -366,11 +366,11 @@ cli-not-a-position = не положення
 cli-stripe-position = число в межах 1e7 мм від 0, або нічого, де його бракує
 cli-stripe-profile-in-mm = профіль уже в мм
 cli-stripe-image-options = --machine, --mm-per-px і --overlay із зображенням
-cli-stripe-sensor-size = { $width } x { $height }, як у сенсора
+cli-stripe-sensor-size = { $width } x { $height }, як у давача
 cli-stripe-no-sensors = верстат їх не має: [sensors.NAME]
-cli-stripe-no-such-sensor = { $machine } не має такого сенсора
-cli-stripe-sees-none = цей сенсор не бачить смуги
-cli-stripe-kind = сенсор із kind = "stripe"
+cli-stripe-no-such-sensor = { $machine } не має такого давача
+cli-stripe-sees-none = цей давач не бачить смуги
+cli-stripe-kind = давач із kind = "stripe"
 cli-stripe-hint = підказка: догори дном стик є: поверніть зображення на 180 градусів або віддзеркальте, щоб верх був від листів
 cli-stripe-no-joint = стику немає: { $why }
 cli-stripe-unsure = довіра { $confidence } нижча за { $min }, тож за стиком не слід іти
@@ -543,7 +543,7 @@ cli-teach-truth = насправді { $across } RMS убік від шва, н�
 cli-teach-no-address = не адреса
 cli-teach-address = tcp://HOST:PORT, порт від 1 до 65535
 cli-teach-no-frames = немає кадрів
-cli-teach-not-a-camera = сенсор { $sensor } не є камерою
+cli-teach-not-a-camera = давач { $sensor } не є камерою
 cli-teach-not-three-numbers = не три числа
 cli-teach-distortion = SHIFT,TURN,BEND у мм, градусах, мм
 cli-teach-shift = зсув { $value }

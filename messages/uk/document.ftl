@@ -63,5 +63,5 @@ document-bound-hundredfold = стократне значення
 document-bound-process-source = найбільше джерело живлення процесу
 document-bound-beam-generator = найбільший генератор променя
 
-# The code under which docs/messages.md explains a message.
+# The code under which docs/reference/messages.md explains a message.
 document-code = код: { $code }

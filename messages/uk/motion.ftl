@@ -172,14 +172,14 @@ motion-cure-plan-again = сплануйте ще раз
 
 # Comparison with the welding procedure specification.
 motion-quantity-speed = швидкість вістря
-motion-quantity-heat-input = погонна енергія
+motion-quantity-heat-input = тепловкладення
 motion-quantity-travel-angle = кут уздовж шва
 motion-quantity-work-angle = кут поперек шва
 motion-run-pass = прохід { $passes }
 motion-run-passes = проходи { $passes }
 motion-procedure-outside = { $quantity } становить { $found } на s = { $at }; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
-motion-procedure-unbounded = { $quantity } необмежена на s = { $at }, де пальник зупиняється з увімкненою дугою; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
-motion-procedure-no-power = прохід не задає { $keys }, тому його погонна енергія невідома; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
+motion-procedure-unbounded = { $quantity } необмежене на s = { $at }, де пальник зупиняється з увімкненою дугою; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
+motion-procedure-no-power = прохід не задає { $keys }, тому його тепловкладення невідоме; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-procedure-no-faces = поверхні з’єднання невідомі, тому й кут поперек шва невідомий; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-procedure-missing = прохід не задає { $key }; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-procedure-no-run = жоден прохід технології { $procedure } не стосується проходу { $pass } ({ $name })

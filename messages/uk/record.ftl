@@ -129,6 +129,6 @@ record-notes = { $first }; { $then }
 record-rows-lost = втрачено рядків запису ходу: { $n }: { $why }
 record-incomplete = запис неповний: { $why }
 record-no-figures = показників немає: { $why }
-record-heat-input-outside = погонна енергія поза межами технології на { $length }
+record-heat-input-outside = тепловкладення поза межами технології на { $length }
 record-recovered = відновлено { $time }
 record-recovered-without = відновлено { $time } без останніх { $size } запису ходу, що не утворюють цілих рядків

@@ -38,7 +38,7 @@ report-limit-max = найбільша
 report-label-path-length = довжина шляху s
 report-label-distance = відстань
 report-label-angle = кут
-report-label-heat-input = погонна енергія
+report-label-heat-input = тепловкладення
 report-label-speed = швидкість
 report-label-acceleration = прискорення
 report-label-jerk = ривок
@@ -95,8 +95,8 @@ report-column-travel-s = Хід, с
 report-column-arc-on-s = Дуга горить, с
 report-column-total-s = Разом, с
 report-column-speed-mm-s = Швидкість, мм/с
-report-column-arc-energy = Енергія дуги, кДж/мм
-report-column-heat-input = Погонна енергія, кДж/мм
+report-column-arc-energy = Погонна енергія дуги, кДж/мм
+report-column-heat-input = Тепловкладення, кДж/мм
 report-column-length-mm = Довжина, мм
 report-column-wire-m = Дріт, м
 report-column-at-requested-speed = Із заданою швидкістю, %
@@ -219,8 +219,8 @@ report-caption-sources = Тексти, за якими зварено; вони 
 report-caption-files = Файли запису
 
 # Record of a weld: charts.
-report-heat-input-unknown = Невідома: без технології (WPS) потужність не визначено.
-report-chart-heat-input = Погонна енергія вздовж шва
+report-heat-input-unknown = Невідоме: без технології (WPS) потужність не визначено.
+report-chart-heat-input = Тепловкладення вздовж шва
 report-caption-heat-input-bins = Енергія на шлях вістря пальника, на кожних { $bin }.
 report-chart-tip-off-path = Відхилення вістря пальника від запланованого шляху
 report-caption-tip-off-path = Відстань справжнього вістря пальника від шва по нормалі до нього, на кожних { $bin } найбільша.
@@ -257,7 +257,7 @@ report-speed-range = { $from } … { $to }, СКВ { $rms }
 report-too-short = шов закороткий, щоб судити
 report-tile-attitude-error = Похибка нахилу
 report-attitude-error-of-plan = найбільша, за планом
-report-tile-arc-energy = Енергія дуги
+report-tile-arc-energy = Погонна енергія дуги
 report-arc-energy-formula = U I / v, без коефіцієнта корисної дії
 report-arc-energy-range = найбільша; найменша { $min }; U I / v
 report-tile-wire = Дріт
@@ -314,7 +314,7 @@ report-section-torch = пальник: кут поперек { $work }, кут �
 report-caption-sections = Перерізи вздовж шва в одному масштабі, поверхня другої деталі горизонтальна або лице стикового шва вгору: валики в порядку зварювання і куди в кожному вказує дріт; площа: розробки і підсилення над нею.
 
 # Plan: welding procedure.
-report-caption-heat-input = Погонна енергія при запланованій швидкості між розгоном і гальмуванням, з її межами; затінено там, де вона поза ними.
+report-caption-heat-input = Тепловкладення при запланованій швидкості між розгоном і гальмуванням, з його межами; затінено там, де воно поза ними.
 report-caption-positions = Положення зварювання (ISO 6947) за нахилом ходу і поворотом лиця шва, як осі верстата повертають деталь.
 report-too-high = завелика
 report-too-low = замала
@@ -323,7 +323,7 @@ report-curve-slope = нахил (+ угору)
 report-curve-rotation = поворот лиця (0 вгору, 180 вниз)
 report-run = прохід технології { $run }
 report-no-run = жоден її прохід не стосується цього
-report-procedure = { $number } ({ $title }), { $run }. Процес { $process }: { $process_name }. Погонна енергія: { $efficiency } × потужність / запланована швидкість. Положення як для { $joint ->
+report-procedure = { $number } ({ $title }), { $run }. Процес { $process }: { $process_name }. Тепловкладення: { $efficiency } × потужність / запланована швидкість. Положення як для { $joint ->
         [fillet] кутового
        *[butt] стикового
     } шва.

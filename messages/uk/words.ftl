@@ -1,7 +1,7 @@
 # Words by names in files: the part behind the first hyphen is the name.
 
 # Process values, without their units.
-value-heat-input = Погонна енергія
+value-heat-input = Тепловкладення
 value-tip-speed = Швидкість вістря
 value-current = Струм
 value-voltage = Напруга

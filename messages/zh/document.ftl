@@ -63,5 +63,5 @@ document-bound-hundredfold = 一百倍
 document-bound-process-source = 最大的焊接电源
 document-bound-beam-generator = 最大的电子束发生器
 
-# The code under which docs/messages.md explains a message.
+# The code under which docs/reference/messages.md explains a message.
 document-code = 代码：{ $code }

@@ -108,7 +108,7 @@ sensors: Array<SensorView>,
  */
 beam: boolean, 
 /**
- * From the work to where a beam comes from, mm; none of an arc.
+ * Distance from the work to the source of a beam, mm; none for an arc.
  */
 beam_mm: number | null, };
 
@@ -150,7 +150,7 @@ number: number,
  */
 name: string, 
 /**
- * Why it comes.
+ * Cause.
  */
 cause: string, 
 /**
@@ -197,7 +197,7 @@ permitted: boolean,
 solids: Array<SolidView>, };
 
 /**
- * A named place on a link.
+ * A named frame on a link.
  */
 export type FrameView = { 
 /**
@@ -218,7 +218,7 @@ frame: [number, number, number, number, number, number, number, number, number, 
  */
 export type JointView = { 
 /**
- * That link: one before it.
+ * Index of the next link: less than that of this link.
  */
 on: number, 
 /**
@@ -226,8 +226,8 @@ on: number,
  */
 axis: number, 
 /**
- * Unit vector in the work frame with all axes at zero, along which an axis in mm moves it, or about which one in degrees
- * turns it.
+ * Unit vector in the work frame with all axes at zero: direction of motion of an axis in mm, axis of rotation of
+ * one in degrees.
  */
 direction: [number, number, number], 
 /**
@@ -236,7 +236,7 @@ direction: [number, number, number],
 at: [number, number, number], };
 
 /**
- * A sensor that sees the joint.
+ * A sensor for the joint.
  */
 export type SensorView = { 
 /**
@@ -252,8 +252,8 @@ kind: string,
  */
 link: number, 
 /**
- * Corners of what it sees, around, in the work frame with all axes at zero, mm: of a camera on the plane it looks at, of a
- * stripe sensor in the plane of its laser. Empty where the picture's corners see nothing.
+ * Corners of the field of view in the work frame with all axes at zero, mm: of a camera in its nominal plane, of a
+ * stripe sensor in the plane of its laser. Empty if a corner of the picture does not meet that plane.
  */
 field: Array<[number, number, number]>, 
 /**
@@ -262,7 +262,7 @@ field: Array<[number, number, number]>,
 frames: boolean, };
 
 /**
- * `GET /api/devices`: what the cell drives and reads, with its values now.
+ * `GET /api/devices`: a device of the cell with its present values.
  */
 export type DeviceView = { 
 /**
@@ -286,7 +286,7 @@ poll_s: number,
  */
 watchdog_s: number, 
 /**
- * Everything with a name on it.
+ * Its named signals.
  */
 signals: Array<SignalView>, 
 /**
@@ -319,7 +319,7 @@ bit: boolean,
  */
 unit: string, 
 /**
- * Now: of a bit 0 or 1; null where it is not known.
+ * Present value: of a bit 0 or 1; null if unknown.
  */
 value: number | null, 
 /**
@@ -327,11 +327,11 @@ value: number | null,
  */
 safe: number | null, 
 /**
- * Of an input, what the condition that it is for needs.
+ * Of an input, the value that its condition needs.
  */
 wanted: boolean | null, 
 /**
- * The condition that it is for.
+ * Condition of an input.
  */
 condition: string | null, };
 
@@ -385,7 +385,7 @@ unit: string,
  */
 assumed_drive: boolean, 
 /**
- * Why it cannot be tuned.
+ * Reason why it cannot be tuned.
  */
 refused: MessageView | null, 
 /**
@@ -393,15 +393,15 @@ refused: MessageView | null,
  */
 response: Array<[number, number, number]>, 
 /**
- * Gain margin, dB, and the frequency at which it is, Hz; none: the phase never comes to -180 degrees.
+ * Gain margin, dB, and its frequency, Hz; none: the phase does not reach -180 degrees.
  */
 gain_margin: [number, number] | null, 
 /**
- * Phase margin, degrees, and the frequency at which it is, Hz.
+ * Phase margin, degrees, and its frequency, Hz.
  */
 phase_margin: [number, number] | null, 
 /**
- * Settings and what was measured, with the keys of machine files.
+ * Settings and measured values, with the keys of machine files.
  */
 values: Array<[string, number]>, 
 /**
@@ -414,7 +414,7 @@ settings: Array<[string, number]>,
 notches: Array<[number, number, number]>, };
 
 /**
- * `GET /api/parameters`: what the machine file of the cell's job holds of axes, drives and tools.
+ * `GET /api/parameters`: axes, drives and tools in the machine file of the cell's job.
  */
 export type ParametersView = { 
 /**
@@ -426,7 +426,7 @@ machine: string,
  */
 file: string, 
 /**
- * The cell still has the machine as it was before a change: it is in force when the job is loaded anew, drives off.
+ * A change is not in force yet: it takes effect when the job is loaded again with the drives off.
  */
 pending: boolean, 
 /**
@@ -455,7 +455,7 @@ unit: string,
  */
 has_drive: boolean, 
 /**
- * All that can stand there, with the keys of machine files.
+ * All possible values, with the keys of machine files.
  */
 values: Array<ParameterView>, 
 /**
@@ -476,7 +476,7 @@ key: string,
  */
 group: string, 
 /**
- * Its value; none: it is not there.
+ * Its value; none: the key is missing.
  */
 value: number | null, 
 /**
@@ -511,7 +511,7 @@ axis: string,
  */
 values: Array<[string, number | null]>, 
 /**
- * Notch filters in place of those that are there, if they change.
+ * Notch filters that replace the present ones, if they change.
  */
 notches: Array<[number, number, number]> | null, };
 
@@ -529,11 +529,11 @@ head: number,
 touches: Array<Array<number>>, };
 
 /**
- * Its answer; nothing is kept.
+ * Its answer; nothing is saved.
  */
 export type ToolAnswer = { 
 /**
- * The tip in the last frame of the head's steps, mm: as it was, and as it was found.
+ * The tip in the last frame of the head's steps, mm: before and as found.
  */
 was_mm: [number, number, number], 
 /**
@@ -575,7 +575,7 @@ unseen: Array<[number, number, number]>,
 verdict: string, };
 
 /**
- * `PUT /api/tool`: the tip is there from now on.
+ * `PUT /api/tool`: new position of a tip.
  */
 export type ToolTip = { 
 /**
@@ -588,7 +588,7 @@ head: number,
 tip_mm: [number, number, number], };
 
 /**
- * `GET /api/sensors`: what the machine file of the cell's job holds of sensors.
+ * `GET /api/sensors`: sensors in the machine file of the cell's job.
  */
 export type SensorsView = { 
 /**
@@ -625,11 +625,11 @@ kind: string,
  */
 size_px: [number, number], 
 /**
- * All that can stand there, with the keys of machine files.
+ * All possible values, with the keys of machine files.
  */
 values: Array<SensorValue>, 
 /**
- * Of a camera: how it sees planes square to its axis.
+ * Of a camera: its maps of planes square to its axis.
  */
 heights: Array<HeightView>, };
 
@@ -646,11 +646,11 @@ key: string,
  */
 group: string, 
 /**
- * As many as it has when it is there.
+ * Number of values of the key.
  */
 count: number, 
 /**
- * None: what is assumed without it.
+ * Its values; empty if the key is missing.
  */
 numbers: Array<number>, };
 
@@ -675,16 +675,16 @@ centre_px: [number, number] | null,
  */
 rotation_deg: number, 
 /**
- * By how many mm a step of 1 mm down the picture also goes along its x.
+ * Shift along the picture's x per mm down the picture, mm.
  */
 shear: number, 
 /**
- * The part by which pixels half a width from the centre lie further out than without distortion.
+ * Relative radial displacement of pixels half a width from the centre by distortion.
  */
 barrel: number, };
 
 /**
- * `PUT /api/sensor`: what a sensor has from now on, all checked as the loader checks it.
+ * `PUT /api/sensor`: new values of a sensor, all checked as the loader checks them.
  */
 export type SensorChange = { 
 /**
@@ -696,17 +696,17 @@ name: string,
  */
 values: Array<[string, Array<number>]>, 
 /**
- * The planes of a camera in place of those that are there, if they change.
+ * Planes of a camera that replace the present ones, if they change.
  */
 heights: Array<HeightView> | null, };
 
 /**
- * `POST /api/sensor`, a picture of a grid of dots: what it says of the camera; nothing is kept.
+ * `POST /api/sensor`, a picture of a grid of dots: the camera's map from it; nothing is saved.
  */
 export type SensorAnswer = { 
 /**
- * `good`; `far`: the scale differs by more than a lens is moved; else why there is no map: `picture`, `size`, `plain`, `few`,
- * `tangled`, `corner`, `residual`, `map`.
+ * `good`; `far`: the scale differs by more than a lens is moved; else the reason for no map: `picture`, `size`,
+ * `plain`, `few`, `tangled`, `corner`, `residual`, `map`.
  */
 verdict: string, 
 /**
@@ -714,7 +714,7 @@ verdict: string,
  */
 of: Array<string>, 
 /**
- * The plane as it is believed to be at that height, and as it was found; none if it was not.
+ * The plane at that height as in the machine file, and as found; none if not found.
  */
 was: HeightView | null, 
 /**
@@ -722,11 +722,11 @@ was: HeightView | null,
  */
 found: HeightView | null, 
 /**
- * Each dot: column and row where it is seen, and where the map has it from there, pixels.
+ * Each dot: measured column and row, and its residual in the map from there, pixels.
  */
 dots: Array<[number, number, number, number]>, 
 /**
- * Root of the mean square of those distances, and the greatest, pixels.
+ * Root mean square of the residuals, and their maximum, pixels.
  */
 rms_px: number, 
 /**
@@ -767,13 +767,13 @@ may: Array<string>,
  */
 token: string, 
 /**
- * There is no password yet: whoever has the printed address is the owner.
+ * No password is set yet: the printed address gives the rights of the owner.
  */
 first_run: boolean, };
 
 /**
- * The answer to a stop of whoever is not logged in: the server has passed it on. That the cell has stopped is seen from its mode, if
- * the cycle is heard of.
+ * Answer to `POST /api/stop`: the server has passed the stop on. If the mode is current, it shows whether the cell has
+ * stopped.
  */
 export type Stopped = { 
 /**
@@ -781,7 +781,7 @@ export type Stopped = {
  */
 mode: string, 
 /**
- * Time since the cycle was heard of, s; none before its first status. A cycle that hangs or has ended grows older.
+ * Age of the last status of the cycle, s; none before the first one. It grows if the cycle hangs or has ended.
  */
 cycle_age_s: number | null, };
 
@@ -837,7 +837,7 @@ password: string | null,
  */
 enabled: boolean, 
 /**
- * The password of whoever asks.
+ * Password of the user who sends the request.
  */
 own_password: string | null, 
 /**
@@ -850,12 +850,12 @@ only_new: boolean | null, };
  */
 export type OwnPassword = { 
 /**
- * The password of whoever asks.
+ * Password of the user who sends the request.
  */
 own_password: string | null, };
 
 /**
- * `PUT /api/restore`: what is in an archive that was checked and could replace the data.
+ * `PUT /api/restore`: contents of a checked archive.
  */
 export type ArchiveView = { 
 /**
@@ -863,7 +863,7 @@ export type ArchiveView = {
  */
 welds: number, 
 /**
- * When the newest of them began; RFC 3339, UTC.
+ * Start of the newest of them; RFC 3339, UTC.
  */
 newest: string | null, 
 /**
@@ -906,7 +906,7 @@ arguments: Array<[string, ArgumentView]>, };
  */
 export type Status = { 
 /**
- * Since the executive began, s.
+ * Time since the start of the executive, s.
  */
 t: number, 
 /**
@@ -926,7 +926,7 @@ s_mm: number,
  */
 welded_mm: number, 
 /**
- * Speed along the path that is asked of the axes, with the override in it, mm/s.
+ * Commanded speed along the path, with the feed override, mm/s.
  */
 speed_mm_s: number, 
 /**
@@ -946,7 +946,7 @@ powered: boolean,
  */
 process: ProcessStatus, 
 /**
- * The axes stand: nothing is asked to move, nor has moved for a moment.
+ * The axes are at rest: neither commanded to move nor moved recently.
  */
 stands: boolean, 
 /**
@@ -958,7 +958,7 @@ axes: Array<AxisStatus>,
  */
 tip: [number, number, number, number, number, number], 
 /**
- * For each link a frame, row by row (3 x 4), mm: by how much it has moved since all axes were at zero.
+ * Displacement of each link from its pose with all axes at zero: a frame, row by row (3 x 4), mm.
  */
 links: Array<[number, number, number, number, number, number, number, number, number, number, number, number]>, 
 /**
@@ -974,7 +974,7 @@ inputs: Array<boolean>,
  */
 tracking: Array<TrackingStatus>, 
 /**
- * The pair nearest to its minimum clearance; none if nothing is watched or near.
+ * The pair nearest to its minimum clearance; none if no pair is watched or near.
  */
 near: NearView | null, 
 /**
@@ -990,7 +990,7 @@ realtime: RealtimeView,
  */
 longest_gap_ms: number, 
 /**
- * Cycles that were missed, and cycles that were not recorded, in all.
+ * Total numbers of missed cycles and of unrecorded cycles.
  */
 missed: number, 
 /**
@@ -1006,7 +1006,7 @@ left: LeftView | null,
  */
 start: [number, number] | null, 
 /**
- * Number of the part that the next weld is recorded of; empty if it has none. A part that is welded whole takes it along.
+ * Number of the part for the record of the next weld; empty if it has none. A finished part clears it.
  */
 part: string, 
 /**
@@ -1015,7 +1015,7 @@ part: string,
 recording: number | null, };
 
 /**
- * `GET /api/position`: where the machine stands, refused while something moves.
+ * `GET /api/position`: positions of the axes and the tip; refused while an axis moves.
  */
 export type StandingView = { 
 /**
@@ -1028,7 +1028,7 @@ axes: Array<number>,
 tip: [number, number, number, number, number, number], };
 
 /**
- * A weld that was left.
+ * An interrupted weld.
  */
 export type LeftView = { 
 /**
@@ -1040,7 +1040,7 @@ pass: number,
  */
 s_mm: number, 
 /**
- * So many passes, from the first, are finished.
+ * Number of finished passes, from the first.
  */
 finished: number, 
 /**
@@ -1048,7 +1048,7 @@ finished: number,
  */
 record: number | null, 
 /**
- * Title of what was welded.
+ * Title of the job.
  */
 title: string, 
 /**
@@ -1070,7 +1070,7 @@ export type RealtimeView = {
  */
 missing: Array<string>, 
 /**
- * The same in English, with the system's reasons and what allows it.
+ * The same in English, with the system's reasons and the remedy.
  */
 text: string, };
 
@@ -1083,11 +1083,11 @@ export type ProcessStatus = {
  */
 state: string, 
 /**
- * It is ordered on.
+ * It is switched on by command.
  */
 on: boolean, 
 /**
- * The source says that it burns.
+ * The source reports that it burns.
  */
 burning: boolean, 
 /**
@@ -1174,7 +1174,7 @@ correction_mm: [number, number],
  */
 confidence: number, 
 /**
- * Standard deviation of the deviation, mm; null where nothing is known.
+ * Standard deviation of the deviation, mm; null if unknown.
  */
 sigma_mm: number | null, 
 /**
@@ -1183,7 +1183,7 @@ sigma_mm: number | null,
 state: string, };
 
 /**
- * Ages, s; null: never heard of.
+ * Ages, s; null: no data yet.
  */
 export type Ages = { 
 /**
@@ -1212,11 +1212,11 @@ number: number,
  */
 name: string, 
 /**
- * Which axis or condition, if it is about one.
+ * Axis or condition of the alarm, if any.
  */
 of: MessageView | null, 
 /**
- * Why it came, what it leads to, what to do.
+ * Cause, consequence and operator action.
  */
 cause: string, 
 /**
@@ -1232,11 +1232,11 @@ action: string,
  */
 reaction: string, 
 /**
- * Which axis, condition or process value, counted as the cell counts: with `number`, what this alarm is asked about by.
+ * Index of the axis, condition or process value; with `number` it identifies the alarm.
  */
 detail: number, 
 /**
- * `unacknowledged`, `acknowledged`, `returned`; `gone`: it is not on the list but shelved still.
+ * `unacknowledged`, `acknowledged`, `returned`; `gone`: not on the list but still shelved.
  */
 state: string, 
 /**
@@ -1244,11 +1244,11 @@ state: string,
  */
 first_out: boolean, 
 /**
- * When, s of the executive.
+ * Time of the executive, s.
  */
 t: number, 
 /**
- * When; RFC 3339, UTC.
+ * Time; RFC 3339, UTC.
  */
 at: string, 
 /**
@@ -1264,7 +1264,7 @@ shelved: WhoWhen | null,
  */
 tells: boolean, 
 /**
- * Where: pass from 1 (0: beside passes) and path length.
+ * Position: pass from 1 (0: outside of passes) and path length.
  */
 pass: number, 
 /**
@@ -1286,7 +1286,7 @@ by: string,
 at: string, };
 
 /**
- * `POST /api/alarms/shelve`: shelves an alarm that only informs for a while, or takes it back.
+ * `POST /api/alarms/shelve`: shelves a message-only alarm for a while, or ends the shelving.
  */
 export type Shelving = { 
 /**
@@ -1298,12 +1298,12 @@ number: number,
  */
 detail: number, 
 /**
- * For so long, up to 480; 0 takes it back.
+ * Duration, up to 480; 0 ends the shelving.
  */
 minutes: number, };
 
 /**
- * Something that happened.
+ * An event.
  */
 export type EventView = { 
 /**
@@ -1311,7 +1311,7 @@ export type EventView = {
  */
 number: number, 
 /**
- * s of the executive.
+ * Time of the executive, s.
  */
 t: number, 
 /**
@@ -1344,7 +1344,7 @@ text: string,
 arguments: Array<[string, ArgumentView]>, };
 
 /**
- * Something that stands against what is asked.
+ * A missing condition of a command.
  */
 export type LackView = { 
 /**
@@ -1369,7 +1369,7 @@ arguments: Array<[string, ArgumentView]>, };
  */
 export type WorkView = { 
 /**
- * Number of this plan: another one, another program.
+ * Number of this plan; each plan has its own.
  */
 id: number, 
 /**
@@ -1381,7 +1381,7 @@ job: string,
  */
 title: string, 
 /**
- * Name of the machine that it is for; the cell's may be another.
+ * Name of the job's machine; the cell's may be another.
  */
 machine: string, 
 /**
@@ -1397,11 +1397,11 @@ values: Array<string>,
  */
 passes: Array<PassView>, 
 /**
- * Ways through the air, one more than passes: tips.
+ * Transfer moves, one more than passes: positions of the tip.
  */
 air: Array<Array<[number, number, number]>>, 
 /**
- * Times of those ways, s.
+ * Times of the transfer moves, s.
  */
 air_s: Array<number>, 
 /**
@@ -1413,7 +1413,7 @@ part: Array<SolidView>,
  */
 fixtures: Array<SolidView>, 
 /**
- * The joint in cross-section, at places along the seam.
+ * Cross-sections of the joint at stations along the seam.
  */
 sections: Array<SectionView>, 
 /**
@@ -1421,15 +1421,15 @@ sections: Array<SectionView>,
  */
 findings: Array<FindingView>, 
 /**
- * It can be welded: no finding forbids it.
+ * It can be welded: no finding prevents it.
  */
 good: boolean, 
 /**
- * Time in all, s.
+ * Total time, s.
  */
 time_s: number, 
 /**
- * It goes on where a power failure or a stop left it: pass from 1, and path length.
+ * Start of a resumed weld: pass from 1, and path length.
  */
 from: [number, number] | null, 
 /**
@@ -1458,19 +1458,19 @@ role: string,
  */
 length_mm: number, 
 /**
- * Time from gas to gas, s.
+ * Time from the gas preflow to the end of the postflow, s.
  */
 time_s: number, 
 /**
- * After a stop it begins so far before the end of what is welded, mm.
+ * Overlap onto the finished weld after a stop, mm.
  */
 overlap_mm: number, 
 /**
- * Speed that is asked for at its begin, mm/s.
+ * Requested speed at its start, mm/s.
  */
 speed_mm_s: number, 
 /**
- * It ends where it begins.
+ * It is closed.
  */
 closed: boolean, 
 /**
@@ -1515,7 +1515,7 @@ tip: [number, number, number],
  */
 torch: [number, number, number], 
 /**
- * Speed along the path, mm/s; if it cannot be welded, what is asked for.
+ * Speed along the path, mm/s; the requested one if the pass cannot be welded.
  */
 speed_mm_s: number, 
 /**
@@ -1531,7 +1531,7 @@ used: Array<[number, number, number]>,
  */
 values: Array<number | null>, 
 /**
- * Least distance of anything watched, mm; null where nothing is near.
+ * Minimum distance of the watched pairs, mm; null if none is near.
  */
 clearance_mm: number | null, };
 
@@ -1540,7 +1540,7 @@ clearance_mm: number | null, };
  */
 export type CertificateView = { 
 /**
- * Part of the path's length on which the tip is as fast as asked, %.
+ * Part of the path's length at the requested speed, %.
  */
 at_asked_percent: number, 
 /**
@@ -1548,11 +1548,11 @@ at_asked_percent: number,
  */
 everywhere_mm_s: number, 
 /**
- * Stretches of the path in order, each with what bounds its speed.
+ * Stretches of the path in order, each with the bound on its speed.
  */
 bounds: Array<BoundView>, 
 /**
- * The greatest use of each axis' limits over the whole path; after the axes the torch tip's, if it has limits.
+ * Maximum use of each axis' limits over the whole path; after the axes that of the torch tip, if it has limits.
  */
 uses: Array<UseView>, };
 
@@ -1561,19 +1561,19 @@ uses: Array<UseView>, };
  */
 export type BoundView = { 
 /**
- * Path length at which it begins, mm.
+ * Path length at its start, mm.
  */
 from_mm: number, 
 /**
- * Path length at which it ends, mm.
+ * Path length at its end, mm.
  */
 to_mm: number, 
 /**
- * Least planned speed of the tip in it, mm/s.
+ * Minimum planned speed of the tip in it, mm/s.
  */
 least_speed_mm_s: number, 
 /**
- * False in run-up and run-down.
+ * False in the acceleration and deceleration phase.
  */
 between: boolean, 
 /**
@@ -1594,7 +1594,7 @@ limit: number | null,
 unit: string | null, };
 
 /**
- * The greatest use of the limits of an axis or of the torch tip; of speed, acceleration and jerk, none where there is no limit.
+ * Maximum use of the limits of an axis or of the torch tip: of speed, acceleration and jerk; none without a limit.
  */
 export type UseView = { 
 /**
@@ -1615,7 +1615,7 @@ percent: [number | null, number | null, number | null],
 limit: [number | null, number | null, number | null], };
 
 /**
- * The nearest pair of what must keep clear of each other.
+ * The nearest pair of bodies with a minimum clearance.
  */
 export type NearView = { 
 /**
@@ -1623,7 +1623,7 @@ export type NearView = {
  */
 distance_mm: number, 
 /**
- * The least that is allowed, mm.
+ * Minimum clearance, mm.
  */
 least_mm: number, 
 /**
@@ -1648,7 +1648,7 @@ s_mm: number,
  */
 dihedral_deg: number, 
 /**
- * Root gap and how far the second part stands out, mm.
+ * Root gap and misalignment of the second part, mm.
  */
 root_gap_mm: number, 
 /**
@@ -1681,7 +1681,7 @@ beads: Array<BeadView>, };
  */
 export type BeadView = { 
 /**
- * Begins the name of the passes that lay it, as in `fill 2.1`.
+ * First part of the names of its passes, such as `fill 2.1`.
  */
 name: string, 
 /**
@@ -1727,7 +1727,7 @@ sections: Array<SectionView>, } | { "kind": "wrong",
 message: string, };
 
 /**
- * `POST /api/place`: where the part stands, from points that were touched on it.
+ * `POST /api/place`: position of the part from touched points.
  */
 export type PlaceText = { 
 /**
@@ -1766,7 +1766,7 @@ feature: string,
 tip: [number, number, number], };
 
 /**
- * Its answer; nothing is kept.
+ * Its answer; nothing is saved.
  */
 export type PlaceAnswer = { 
 /**
@@ -1778,11 +1778,11 @@ text: string,
  */
 move_mm: [number, number, number], 
 /**
- * By how much it is turned, degrees.
+ * Rotation of the part, degrees.
  */
 angle_deg: number, 
 /**
- * Distance of each point from its nominal surface then, mm: positive outside.
+ * Distance of each point from its nominal surface with this offset, mm: positive outside.
  */
 residuals_mm: Array<number>, 
 /**
@@ -1799,7 +1799,7 @@ rms_mm: number,
 notes: Array<MessageView>, };
 
 /**
- * Something that is wrong or worth knowing.
+ * A finding.
  */
 export type FindingView = { 
 /**
@@ -1807,7 +1807,7 @@ export type FindingView = {
  */
 kind: string, 
 /**
- * With the value found and the value allowed.
+ * Text with the value found and the value allowed.
  */
 message: MessageView, 
 /**
@@ -1827,11 +1827,11 @@ to_mm: number,
  */
 cure: MessageView | null, 
 /**
- * The weld can be made nevertheless.
+ * The weld can be made in spite of it.
  */
 allowed: boolean, 
 /**
- * Positions of the axes there, in the order of [`WorkView::axes`]; empty if it is not known how the machine stands.
+ * Positions of the axes there, in the order of [`WorkView::axes`]; empty if unknown.
  */
 axes: Array<number>, 
 /**
@@ -1914,7 +1914,7 @@ work: WorkView, } | { "kind": "wrong",
  */
 message: string, 
 /**
- * The same in parts, where a file says where.
+ * The same in parts, if the fault is in a file.
  */
 at: WrongView | null, };
 
@@ -1923,7 +1923,7 @@ at: WrongView | null, };
  */
 export type WrongView = { 
 /**
- * The other file that it is in; none: the job's own text.
+ * Name of the file, if it is not the job's own text.
  */
 file: string | null, 
 /**
@@ -1931,11 +1931,11 @@ file: string | null,
  */
 line: number | null, 
 /**
- * Its path, like `weld.speed_mm_s`; empty where none is meant.
+ * Path of the key, like `weld.speed_mm_s`; may be empty.
  */
 key: string, 
 /**
- * As it is written; empty where none is meant.
+ * Value as written; may be empty.
  */
 value: string, 
 /**
@@ -1961,7 +1961,7 @@ export type JobText = {
 text: string, };
 
 /**
- * Something that is being planned for a page: see `GET /api/planning`.
+ * A running plan of a page: see `GET /api/planning`.
  */
 export type PlanningView = { 
 /**
@@ -1969,7 +1969,7 @@ export type PlanningView = {
  */
 kind: string, 
 /**
- * Time since it was asked for, s.
+ * Time since the request, s.
  */
 elapsed_s: number, };
 
@@ -1982,8 +1982,8 @@ export type JobKept = {
  */
 text: string, 
 /**
- * The text in whose place it is put, as far as the page knows, empty for none: if another one stands there it is refused
- * (`other`), so that nobody's work is lost unseen. Without it the text takes the place of whatever stands there.
+ * Text that the page expects to replace; empty for a new job. If the stored text differs, the request is refused
+ * (`other`), so that no changes of other users are lost. If missing, any stored text is replaced.
  */
 over: string | null, };
 
@@ -1996,24 +1996,24 @@ export type JobRow = {
  */
 name: string, 
 /**
- * Title, or what is wrong with it.
+ * Title, or its fault.
  */
 title: string, 
 /**
- * One of those that ship: it can be copied, not changed.
+ * A supplied example: it can be copied, not changed.
  */
 example: boolean, };
 
 /**
- * `GET /api/choices`: what a job can name, those that ship first.
+ * `GET /api/choices`: machines and procedures for jobs, the supplied ones first.
  */
 export type ChoicesView = { 
 /**
- * For `machine`.
+ * Values of `machine`.
  */
 machines: Array<Choice>, 
 /**
- * For `procedure`.
+ * Values of `procedure`.
  */
 procedures: Array<Choice>, };
 
@@ -2022,7 +2022,7 @@ procedures: Array<Choice>, };
  */
 export type Choice = { 
 /**
- * As jobs name it: that of a file among the jobs ends in `.toml`.
+ * Name in jobs; that of a file among the jobs ends in `.toml`.
  */
 name: string, 
 /**
@@ -2039,7 +2039,7 @@ own: boolean,
 text: string | null, };
 
 /**
- * `GET /api/distortions`: how a simulated part can lie.
+ * `GET /api/distortions`: a distortion of the simulated part.
  */
 export type DistortionRow = { 
 /**
@@ -2060,7 +2060,7 @@ export type Load = {
  */
 job: string, 
 /**
- * Start, if not the weld's own: pass from 1, and the path length up to which it is welded.
+ * Start of a resumed weld: pass from 1, and the path length up to which it is welded.
  */
 from: [number, number] | null, 
 /**
@@ -2117,8 +2117,8 @@ text: string,
 words: Array<MessageView>, };
 
 /**
- * A row of `GET /api/audit?most=200&before=1234&after=1000&text=load`, the newest first: of those that are older or newer than an
- * entry and have a text in them, if that is asked for.
+ * A row of `GET /api/audit?most=200&before=1234&after=1000&text=load`, the newest first: optionally only entries
+ * before or after a number, or with a text in them.
  */
 export type AuditRow = { 
 /**
@@ -2126,19 +2126,19 @@ export type AuditRow = {
  */
 id: number, 
 /**
- * When: RFC 3339, UTC.
+ * Time: RFC 3339, UTC.
  */
 at: string, 
 /**
- * Who.
+ * User.
  */
 user: string, 
 /**
- * Where from.
+ * Origin.
  */
 station: MessageView, 
 /**
- * What.
+ * The command.
  */
 command: MessageView, 
 /**
@@ -2171,7 +2171,7 @@ part: string,
  */
 title: string, 
 /**
- * No metal was welded.
+ * The weld was simulated.
  */
 simulated: boolean, 
 /**
@@ -2199,15 +2199,15 @@ machine: string,
  */
 procedure: string | null, 
 /**
- * Who welded.
+ * User who started the weld.
  */
 welder: string | null, 
 /**
- * Least, mean and greatest heat input, kJ/mm.
+ * Minimum, mean and maximum heat input, kJ/mm.
  */
 heat_input_kj_mm: [number, number, number] | null, 
 /**
- * Greatest distance of the torch tip from the seam (mm), and where (mm).
+ * Maximum distance of the torch tip from the seam, mm, and its path length, mm.
  */
 worst_deviation_mm: [number, number] | null, };
 
@@ -2228,7 +2228,7 @@ values: Array<JudgedView>,
  */
 alarms: Array<RecordedAlarm>, 
 /**
- * Its events in order: cycles that were missed, what was stopped and by what, rights that were missing.
+ * Its events in order: missed cycles, stops and their causes, missing rights.
  */
 events: Array<RecordedEvent>, 
 /**
@@ -2253,7 +2253,7 @@ pass: number,
  */
 name: string, 
 /**
- * Least, mean and greatest.
+ * Minimum, mean and maximum.
  */
 least: number, 
 /**
@@ -2265,7 +2265,7 @@ mean: number,
  */
 greatest: number, 
 /**
- * Least and greatest value allowed.
+ * Minimum and maximum value allowed.
  */
 allowed: [number, number] | null, 
 /**
@@ -2273,7 +2273,7 @@ allowed: [number, number] | null,
  */
 outside_s: number, 
 /**
- * Over how much of the way it was outside, mm.
+ * Length of travel outside, mm.
  */
 outside_mm: number, };
 
@@ -2336,8 +2336,8 @@ text: string,
 arguments: Array<[string, ArgumentView]>, };
 
 /**
- * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each
- * stretch the rows with the least and with the greatest value of every column.
+ * `GET /api/records/ID/trace?columns=a,b&most=2000`: evenly spaced rows with the first and the last, and of each
+ * stretch the rows with the minimum and with the maximum of every column.
  */
 export type TraceView = { 
 /**
@@ -2350,19 +2350,19 @@ columns: Array<string>,
 values: Array<Array<number | null>>, };
 
 /**
- * Orders to the teaching by eye, see [`super::ToCell::Teach`].
+ * Commands for teaching by camera, see [`super::ToCell::Teach`].
  */
 export type TeachOrder = { "do": "open", 
 /**
- * Longest step from frame to frame, mm: 1 to 100.
+ * Maximum step from frame to frame, mm: 1 to 100.
  */
 step_mm: number, 
 /**
- * Longest tack that is passed without asking, mm: above 0, up to 100.
+ * Maximum length of a tack that is bridged without a question, mm: above 0, up to 100.
  */
 longest_tack_mm: number, 
 /**
- * Simulation: seed of where the seam actually is, and of the noise.
+ * Simulation: seed of the actual position of the seam, and of the noise.
  */
 seed: number, 
 /**
@@ -2370,11 +2370,11 @@ seed: number,
  */
 tack_mm: [number, number] | null, } | { "do": "here", 
 /**
- * A pixel of the newest picture, right and down.
+ * Pixel of the newest picture, right and down.
  */
 px: [number, number] | null, 
 /**
- * A place in the work frame, mm. Neither: where the eye looks.
+ * Position in the work frame, mm. If both are missing: the centre of the picture.
  */
 at: [number, number, number] | null, } | { "do": "end", } | { "do": "pause", } | { "do": "resume", } | { "do": "stop", };
 
@@ -2392,20 +2392,20 @@ export type TeachView = {
  */
 phase: TeachPhase, 
 /**
- * Name of the job whose seam it is.
+ * Name of the job with the seam.
  */
 job: string, 
 /**
- * Why it is paused: `operator`, `hand`, `control`, `mode`; how it ended: `closed`, `joint-end`, `operator`, `lost`, `limit`,
- * `too-long`, `stopped`, `failed`.
+ * Reason of a pause: `operator`, `hand`, `control`, `mode`; result of the session: `closed`, `joint-end`,
+ * `operator`, `lost`, `limit`, `too-long`, `stopped`, `failed`.
  */
 key: string | null, 
 /**
- * More of that.
+ * Details of `key`.
  */
 why: MessageView | null, 
 /**
- * Way along the joint that was taught, and length of the nominal seam, mm.
+ * Taught length along the joint, and length of the nominal seam, mm.
  */
 way_mm: number, 
 /**
@@ -2413,11 +2413,11 @@ way_mm: number,
  */
 nominal_mm: number, 
 /**
- * Frames so far.
+ * Number of frames.
  */
 frames: number, 
 /**
- * Mean confidence of the last frame, and the least of all, 0 to 1.
+ * Mean confidence of the last frame, and the minimum over all points, 0 to 1.
  */
 confidence: number, 
 /**
@@ -2434,7 +2434,7 @@ picture: number,
 size_px: [number, number], };
 
 /**
- * `GET /api/teach`: what was taught so far.
+ * `GET /api/teach`: taught points and frames.
  */
 export type TaughtView = { 
 /**
@@ -2451,7 +2451,7 @@ looks: Array<TaughtLook>, };
  */
 export type TaughtPointView = { 
 /**
- * Way along the joint, mm.
+ * Path length along the joint, mm.
  */
 s_mm: number, 
 /**
@@ -2463,16 +2463,16 @@ at: [number, number, number],
  */
 confidence: number, 
 /**
- * Distance across the nominal seam and above it, mm; null far away from it.
+ * Lateral and height deviation from the nominal seam, mm; null if far from it.
  */
 from_nominal_mm: [number, number] | null, };
 
 /**
- * A frame that was looked at.
+ * An evaluated frame.
  */
 export type TaughtLook = { 
 /**
- * Way along the joint up to where the eye looked, mm.
+ * Path length along the joint at the centre of the frame, mm.
  */
 s_mm: number, 
 /**
@@ -2480,7 +2480,7 @@ s_mm: number,
  */
 at: [number, number, number], 
 /**
- * The machine's axes then, mm or degrees.
+ * Positions of the axes at that time, mm or degrees.
  */
 axes: Array<number>, 
 /**
@@ -2488,12 +2488,12 @@ axes: Array<number>,
  */
 confidence: number, 
 /**
- * It agrees with the frames before.
+ * The frame agrees with the earlier ones.
  */
 believed: boolean, };
 
 /**
- * `POST /api/teach/program`: how what was taught becomes a program.
+ * `POST /api/teach/program`: settings for a program of the taught points.
  */
 export type TeachProgram = { 
 /**
@@ -2501,7 +2501,7 @@ export type TeachProgram = {
  */
 tolerance_mm: number, 
 /**
- * Maximum angle of the torch's direction from the one that was found, degrees: above 0, up to 90.
+ * Maximum deviation of the torch attitude from the one found, degrees: above 0, up to 90.
  */
 attitude_deg: number, 
 /**
@@ -2526,23 +2526,23 @@ counts: [number, number, number],
  */
 length_mm: number, 
 /**
- * Greatest distance of the taught line from its curves, mm.
+ * Maximum distance of the taught line from its curves, mm.
  */
 error_mm: number, 
 /**
- * Greatest distance of a point as it was seen, mm.
+ * Maximum distance of an unsmoothed point from its curves, mm.
  */
 raw_error_mm: number | null, 
 /**
- * Greatest distance from the nominal seam, across it and above or below it, mm.
+ * Maximum lateral and height deviation from the nominal seam, mm.
  */
 from_nominal_mm: [number, number] | null, 
 /**
- * Length that nobody saw, mm.
+ * Total length of unseen stretches, mm.
  */
 bridged_mm: number, 
 /**
- * Simulation: greatest distance from where the seam truly is, across it and above or below it, mm.
+ * Simulation: maximum lateral and height deviation from the actual seam, mm.
  */
 truth_mm: [number, number] | null, 
 /**
@@ -2571,8 +2571,9 @@ seq: number,
  */
 of: JogOf, 
 /**
- * For joints: part of the highest speed of each axis, -1 to 1. For the tip: x, y, z in the work frame as parts of the
- * highest speed by hand; its direction is kept. The cell slows all of it so that the tip keeps to that speed.
+ * For joints: part of the maximum speed of each axis, -1 to 1. For the tip: x, y, z in the work frame as parts
+ * of the maximum jogging speed; its direction is kept. The cell slows all axes so that the tip keeps to that
+ * speed.
  */
 speeds: Array<number>, } | { "kind": "step", 
 /**
@@ -2584,7 +2585,7 @@ seq: number,
  */
 of: JogOf, 
 /**
- * Which axis, or x, y, z of the work frame: from 0.
+ * Axis, or x, y, z of the work frame, from 0.
  */
 index: number, 
 /**
@@ -2596,7 +2597,7 @@ by: number, } | { "kind": "go",
  */
 seq: number, 
 /**
- * Positions of all axes, mm or degrees; reached at once.
+ * Positions of all axes, mm or degrees; all axes arrive at the same time.
  */
 axes: Array<number>, } | { "kind": "teach", 
 /**
@@ -2604,15 +2605,15 @@ axes: Array<number>, } | { "kind": "teach",
  */
 seq: number, 
 /**
- * What.
+ * The command.
  */
 order: TeachOrder, } | { "kind": "beat", } | { "kind": "take_control", 
 /**
- * Take it from whoever has it (never while something jogs).
+ * Take it from another connection (never while an axis is jogged).
  */
 over: boolean, } | { "kind": "give_control", } | { "kind": "why", 
 /**
- * For which command: `switch_on`, `home`, `start_jog`, `start_dry_run`, `start_weld`, `resume`, `reset`.
+ * The command: `switch_on`, `home`, `start_jog`, `start_dry_run`, `start_weld`, `resume`, `reset`.
  */
 ask: string, };
 
@@ -2655,7 +2656,7 @@ station: number,
  */
 version: string, } | { "kind": "status" } & Status | { "kind": "event" } & EventView | { "kind": "alarms", 
 /**
- * All that are there or not acknowledged, the first first.
+ * All active or unacknowledged alarms, the first one first.
  */
 list: Array<AlarmView>, } | { "kind": "machine" } | { "kind": "work", 
 /**
@@ -2663,7 +2664,7 @@ list: Array<AlarmView>, } | { "kind": "machine" } | { "kind": "work",
  */
 work: WorkView | null, } | { "kind": "control", 
 /**
- * The connection; none: nobody.
+ * The connection; none: no one has control.
  */
 station: number | null, 
 /**
@@ -2671,7 +2672,7 @@ station: number | null,
  */
 user: string | null, 
 /**
- * True if that is this connection.
+ * True for this connection.
  */
 mine: boolean, } | { "kind": "teach" } & TeachView | { "kind": "answer", 
 /**
@@ -2679,20 +2680,20 @@ mine: boolean, } | { "kind": "teach" } & TeachView | { "kind": "answer",
  */
 seq: number, 
 /**
- * True if it was taken.
+ * True if it was accepted.
  */
 ok: boolean, 
 /**
- * Why not: a stable key (`mode`, `moving`, `references`, `power`, `silent`, `condition`, `alarm`, `arming`, `source`,
- * `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`, `silent_cycle`: a stop was passed on to a cycle
- * that is not heard of), and words.
+ * Reason of a refusal: a stable key (`mode`, `moving`, `references`, `power`, `silent`, `condition`, `alarm`,
+ * `arming`, `source`, `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`,
+ * `silent_cycle`: a stop was passed on to a cycle that sends no status), and words.
  */
 why: LackView | null, } | { "kind": "why", 
 /**
- * The command that was asked for.
+ * The command.
  */
 ask: string, 
 /**
- * All that stands against it.
+ * Its missing conditions.
  */
 lacks: Array<LackView>, };

@@ -27,7 +27,7 @@ export function useText(use: UseView, order: number, of: (percent: string, limit
   return of(number(percent, percent < 9.95 ? 1 : 0), `${three(limit)} ${limitUnit(use.unit, order)}`);
 }
 
-/** Stretches to be drawn: run-up and run-down too, as parts of the length, none narrower than can be seen and pressed. */
+/** Stretches to be drawn, with the acceleration and deceleration phase, as parts of the length; each is wide enough to be pressed. */
 export function strips(bounds: BoundView[], length: number): { bound: BoundView; left: number; width: number }[] {
   return bounds.map((bound) => ({ bound, left: (100 * bound.from_mm) / length, width: Math.max(0.4, (100 * (bound.to_mm - bound.from_mm)) / length) }));
 }

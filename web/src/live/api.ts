@@ -119,7 +119,7 @@ const query = (of: Record<string, string | number>): string =>
 export const api = {
   login: (login: Login) => request<SessionView>('POST', '/api/login', login),
   logout: () => request<void>('POST', '/api/logout'),
-  /** STOP of a page where nobody is logged in. */
+  /** STOP of a page without login. */
   stop: () => request<Stopped>('POST', '/api/stop'),
   session: () => request<SessionView>('GET', '/api/session'),
   machine: () => request<MachineView>('GET', '/api/machine'),
@@ -142,7 +142,7 @@ export const api = {
     request<PostAnswer>('POST', '/api/post', { text, dialect }),
   edit: (text: string, operations: unknown[]) =>
     request<EditAnswer>('POST', '/api/edit', { text, operations }),
-  /** Where the machine stands; refused while something moves. */
+  /** Positions of axes and tip; refused while an axis moves. */
   position: () => request<StandingView>('GET', '/api/position'),
   taught: () => request<TaughtView>('GET', '/api/teach'),
   taughtProgram: (how: TeachProgram) => request<TaughtProgram>('POST', '/api/teach/program', how),

@@ -51,7 +51,7 @@ class Cell {
   /** How often the machine was asked for. */
   private asked = 0;
   control = $state.raw<Control>({ station: null, user: null, mine: false });
-  /** Teaching by eye. */
+  /** Teaching by camera. */
   teach = $state.raw<TeachView>(CLOSED);
   /** What ran last, so what is held in a hold. */
   ran = $state<'dry_run' | 'weld' | null>(null);
@@ -69,7 +69,7 @@ class Cell {
   /** The loaded program is tracked, as far as this panel has seen. */
   tracked = $state(false);
 
-  /** Alarms that nobody has put aside. */
+  /** Alarms that are not shelved. */
   readonly seen = $derived(this.alarms.filter((alarm) => !alarm.shelved));
   readonly stale = $derived(this.age > STALE_MS);
   /** What is shown is what the cell is doing now. */

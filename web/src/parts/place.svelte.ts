@@ -16,7 +16,7 @@ class Place {
   setup = $state<SetupPage>('machine');
   /** The first-run tour is shown: until it is dismissed once. */
   touring = $state(localStorage.getItem(TOURED) === null);
-  /** Teaching goes by eye, else by hand. */
+  /** Teaching by camera, else by hand. */
   byEye = $state(false);
   /** A place on a pass that is shown in 3D, tables and plots alike: pass from 0 and the sample of its path. */
   spot = $state.raw<{ pass: number; point: number } | null>(null);

@@ -1,6 +1,6 @@
 import type { Key } from '../words/index.svelte';
 
-/** What the tour looks at: what the cell does, not what was clicked. Whoever knows the way just goes it. */
+/** Input of the tour: the state of the cell, not clicks. Users who know the steps can take them directly. */
 export type Seen = {
   mine: boolean;
   powered: boolean;

@@ -74,7 +74,7 @@ export function numberOf(point: PathPoint, by: ColourBy, values: string[]): numb
   }
 }
 
-/** Ends of the scale over all passes, without the run-up and run-down of each, where heat input has no end. */
+/** Ends of the scale over all passes, without their acceleration and deceleration phases, where arc energy is unlimited. */
 export function scale(passes: PassView[], by: ColourBy, values: string[]): Scale | null {
   if (by.kind === 'pass') return null;
   let least = Infinity;

@@ -119,7 +119,7 @@ test('what is cut open is closed: its faces are counted, and a face lies in the 
   expect(caps.group.children.length).toBe(count);
 });
 
-test('what was taught stands as points, by hand or by eye, until there is none', () => {
+test('taught points are drawn, by hand or by camera, until there are none', () => {
   let drawn = 0;
   const line = new TaughtLine(() => (drawn += 1));
   line.set([{ at: [1, 2, 3], confidence: 1 }, { at: [4, 5, 6], confidence: 0 }], null);

@@ -108,7 +108,7 @@ export class Scene {
     this.camera.position.set(900, -1300, 900);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', this.draw);
-    // Whoever has turned the picture gets the seam first.
+    // After the view was turned, the seam comes first.
     this.controls.addEventListener('start', () => ([this.wide, this.blind] = [true, false]));
     this.world.add(this.root, new AmbientLight(0xffffff, 0.9), new HemisphereLight(0xffffff, 0x8a8f95, 1.2));
     const sun = new DirectionalLight(0xffffff, 1.6);

@@ -2,7 +2,7 @@ import { BufferGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial,
 import type { TaughtPointView } from '../wire';
 import { release } from './passes';
 
-/** What was taught: its points, red where little was seen and green where much, and the program's path through them. */
+/** Taught points, from red (low confidence) to green (high), and the path of the program through them. */
 export class TaughtLine {
   readonly group = new Group();
 
@@ -27,7 +27,7 @@ export class TaughtLine {
   }
 }
 
-/** As in the picture of the eye: red without confidence, yellow where it is usual, green when sure. */
+/** As in the picture of the camera: red without confidence, yellow for the usual one, green for a high one. */
 export function sureness(confidence: number): [number, number, number] {
   const part = (value: number): number => Math.min(1, Math.max(0, value));
   return [part(2 - confidence / 0.5), part(confidence / 0.5) * 0.8, 0];

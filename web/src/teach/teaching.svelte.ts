@@ -5,9 +5,9 @@ import type { TaughtProgram, TaughtView, TeachOrder } from '../wire';
 
 const NOTHING: TaughtView = { points: [], looks: [] };
 
-/** Teaching by eye as this panel sees it; it is kept when the tab is left. */
+/** State of teaching by camera; it is kept when the tab is left. */
 class Teaching {
-  /** What was taught so far. */
+  /** Taught points and frames. */
   taught = $state.raw<TaughtView>(NOTHING);
   /** What became of it, if a program was made. */
   made = $state.raw<TaughtProgram | null>(null);

@@ -1,6 +1,7 @@
 import { FluentResource } from '@fluent/bundle';
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test, vi } from 'vitest';
+import { read } from '../jobs/toml';
 import type { MessageView } from '../wire';
 import { ALARMS } from './alarms';
 import { accented, Catalogue, languages, load, type Language } from './catalogue';
@@ -124,13 +125,18 @@ test('every condition of the supplied machines has words', () => {
   expect(conditions.filter((name) => english.get(code(`interlock.${name}`)) !== name)).toEqual([]);
 });
 
-test('every template has its title in every language', () => {
-  const files = readdirSync(new URL('examples/', root)).filter((name) => name.endsWith('.toml'));
-  const titles = files.map((name) => /^title = "(.*)"$/m.exec(file(`examples/${name}`))?.[1] ?? '');
-  expect(titles.length).toBeGreaterThan(15);
+test('titles of supplied files and comments on their keys have words in every language, and no other text has', () => {
+  const folders = ['examples/', 'examples/procedures/', 'machines/'];
+  const files = folders.flatMap((folder) => readdirSync(new URL(folder, root)).filter((name) => name.endsWith('.toml')).map((name) => folder + name));
+  const titles = files.map((path) => /^title = "(.*)"$/m.exec(file(path))?.[1] ?? '');
+  // The panel shows the comments of jobs and procedures, not those of machines.
+  const comments = files.filter((path) => !path.startsWith('machines/')).flatMap((path) => read(file(path)).map((entry) => entry.comment));
+  const shown = [...new Set([...titles, ...comments])].filter((text) => text !== '').sort();
+  expect(shown.length).toBeGreaterThan(100);
   for (const language of Object.keys(languages).filter((code) => code !== 'en')) {
     const own = JSON.parse(file(`messages/${language}/shipped.json`)) as Record<string, string>;
-    expect(titles.filter((title) => !own[title]), language).toEqual([]);
+    expect(Object.keys(own).sort(), language).toEqual(shown);
+    expect(Object.entries(own).filter(([, words]) => words === ''), language).toEqual([]);
   }
 });
 

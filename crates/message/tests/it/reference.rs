@@ -77,7 +77,11 @@ fn page(area: &str, title: &str) -> Page {
         }
         let _ = write!(text, "\n## `{code}` {{#{code}}}\n\n> {words}\n");
         for attribute in &message.attributes {
-            let name = if attribute.id.name == "cause" { "Cause" } else { "Cure" };
+            let name = match attribute.id.name {
+                "cause" => "Cause",
+                "cure" => "Cure",
+                other => panic!("{code} has the attribute .{other}; allowed: .cause, .cure"),
+            };
             let mut words = String::new();
             pattern(&attribute.value, &mut words);
             let _ = write!(text, "\n**{name}:** {}\n", words.trim());

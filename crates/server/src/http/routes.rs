@@ -85,11 +85,11 @@ pub(super) fn routes() -> Vec<Route> {
     let login = post(login::login).layer(DefaultBodyLimit::max(MAX_UNKNOWN));
     let login = Route {
         action: None,
-        ..Route::write("post", "/api/login", "", "Begins a session", login)
+        ..Route::write("post", "/api/login", "", "Starts a session", login)
             .with_body::<Login>()
             .with_answer::<SessionView>()
     };
-    let about = "Stops what runs, for whoever can reach the panel";
+    let about = "Stops the cell; needs no login";
     let stop = post(stop::stop).layer(DefaultBodyLimit::max(MAX_UNKNOWN));
     let stop = Route { action: None, ..Route::write("post", "/api/stop", "", about, stop).with_answer::<Stopped>() };
     let jobs = "/api/jobs/{name}";
@@ -98,7 +98,7 @@ pub(super) fn routes() -> Vec<Route> {
         login,
         stop,
         Route::write("post", "/api/logout", "watch", "Ends the session", post(login::logout)),
-        Route::get("/api/session", "watch", "Who is logged in", shape::<SessionView>(), get(login::session)),
+        Route::get("/api/session", "watch", "The logged-in user", shape::<SessionView>(), get(login::session)),
         Route::get("/api/machine", "watch", "The machine of the cell", shape::<MachineView>(), get(look::machine)),
         Route::get(
             "/api/machine/of-job",
@@ -128,65 +128,59 @@ pub(super) fn routes() -> Vec<Route> {
         Route::get(
             "/api/distortions",
             "jobs.read",
-            "How a simulated part can differ from the planned one",
+            "Distortions of simulated parts",
             shape::<Vec<DistortionRow>>(),
             get(jobs::distortions),
         ),
         Route::get(jobs, "jobs.read", "A job's text", shape::<JobText>(), get(jobs::get)),
-        Route::write("put", jobs, "jobs.write", "Keeps a job", put(jobs::put))
+        Route::write("put", jobs, "jobs.write", "Saves a job", put(jobs::put))
             .with_body::<JobKept>()
             .with_answer::<JobRow>(),
         Route::write("delete", jobs, "jobs.write", "Removes a job", delete(jobs::delete)),
-        Route::write("post", "/api/plan", "plan", "Plans a text without keeping it", post(plan::plan))
+        Route::write("post", "/api/plan", "plan", "Plans a text without saving it", post(plan::plan))
             .with_body::<JobText>()
             .with_answer::<PlanAnswer>(),
         Route::write(
             "post",
             "/api/draft",
             "plan",
-            "What a text describes: parts and the joint's sections",
+            "Parts and sections of the joint that a text describes",
             post(plan::draft),
         )
         .with_body::<JobText>()
         .with_answer::<DraftAnswer>(),
-        Route::write("post", "/api/place", "plan", "Where the part stands, from touched points", post(plan::place))
+        Route::write("post", "/api/place", "plan", "Position of the part from touched points", post(plan::place))
             .with_body::<PlaceText>()
             .with_answer::<PlaceAnswer>(),
         Route::get(
             "/api/planning",
             "plan",
-            "What is being planned for this page (header x-seamwright-page), and for how long",
+            "Running plans of this page (header x-seamwright-page) and their durations",
             shape::<Vec<PlanningView>>(),
             get(plan::planning),
         ),
-        Route::write(
-            "delete",
-            "/api/planning",
-            "plan",
-            "Cancels what is being planned for this page",
-            delete(plan::cancel),
-        ),
-        Route::write("post", "/api/load", "load", "Plans a job and gives it to the cell", post(plan::load))
+        Route::write("delete", "/api/planning", "plan", "Cancels the running plans of this page", delete(plan::cancel)),
+        Route::write("post", "/api/load", "load", "Plans a job and loads it into the cell", post(plan::load))
             .with_body::<Load>()
             .with_answer::<WorkView>(),
-        Route::write("post", "/api/post", "post", "A part program, proven", post(plan::post))
+        Route::write("post", "/api/post", "post", "A part program with its proof", post(plan::post))
             .with_body::<PostText>()
             .with_answer::<PostAnswer>(),
         Route::write("post", "/api/edit", "edit", "Edits a text", post(edit::edit)).with_answer::<EditAnswer>(),
         Route::get(
             "/api/position",
             "watch",
-            "Where the machine stands; refused while something moves",
+            "Positions of axes and tip; refused while an axis moves",
             shape::<StandingView>(),
             get(teach::position),
         ),
-        Route::get("/api/teach", "watch", "What was taught so far", shape::<TaughtView>(), get(teach::taught)),
-        Route::get("/api/teach/picture", "watch", "The newest picture of the eye, PNG", None, get(teach::picture)),
+        Route::get("/api/teach", "watch", "Taught points and frames", shape::<TaughtView>(), get(teach::taught)),
+        Route::get("/api/teach/picture", "watch", "The newest picture of the camera, PNG", None, get(teach::picture)),
         Route::write(
             "post",
             "/api/teach/program",
             "teach",
-            "What was taught as a program, not kept",
+            "A program of the taught points; nothing is saved",
             post(teach::made),
         )
         .with_body::<TeachProgram>()
@@ -201,13 +195,7 @@ pub(super) fn routes() -> Vec<Route> {
         Route::get("/api/records", "records.read", "Welds", shape::<Vec<RecordRow>>(), get(records::list)),
         Route::get("/api/records/{id}", "records.read", "A weld", shape::<RecordView>(), get(records::get)),
         Route::get("/api/records/{id}/trace", "records.read", "Its trace", shape::<TraceView>(), get(records::trace)),
-        Route::get(
-            "/api/records/{id}/work",
-            "records.read",
-            "What it welded",
-            shape::<WorkView>(),
-            get(plan::recorded),
-        ),
+        Route::get("/api/records/{id}/work", "records.read", "Its program", shape::<WorkView>(), get(plan::recorded)),
         Route::get(
             "/api/records/{id}/report",
             "records.read",
@@ -219,7 +207,7 @@ pub(super) fn routes() -> Vec<Route> {
         Route::get(
             "/api/parameters",
             "watch",
-            "Axes, drives and tools as the machine file has them",
+            "Axes, drives and tools in the machine file",
             shape::<ParametersView>(),
             get(setup::parameters),
         ),
@@ -236,25 +224,25 @@ pub(super) fn routes() -> Vec<Route> {
             "post",
             "/api/tool",
             "set_up",
-            "Where a tool's tip is, from touches of one point; nothing is kept",
+            "Position of a tool's tip from touches of one point; nothing is saved",
             post(setup::find_tool),
         )
         .with_body::<ToolTouches>()
         .with_answer::<ToolAnswer>(),
-        Route::write("put", "/api/tool", "set_up", "Keeps a tool's tip in the machine file", put(setup::keep_tool))
+        Route::write("put", "/api/tool", "set_up", "Saves a tool's tip in the machine file", put(setup::keep_tool))
             .with_body::<ToolTip>()
             .with_answer::<ParametersView>(),
         Route::get(
             "/api/sensors",
             "watch",
-            "Sensors as the machine file has them",
+            "Sensors in the machine file",
             shape::<SensorsView>(),
             get(sensors::sensors),
         ),
         Route::get(
             "/api/sensor/picture",
             "set_up",
-            "What a simulated camera sees of a plate with a grid of dots, PNG",
+            "Picture of a plate with a grid of dots by a simulated camera, PNG",
             None,
             get(sensors::picture),
         ),
@@ -264,7 +252,7 @@ pub(super) fn routes() -> Vec<Route> {
                 "post",
                 "/api/sensor",
                 "set_up",
-                "How a camera's pixels become mm, from a picture of a grid of dots; nothing is kept",
+                "Map of a camera from pixels to mm, from a picture of a grid of dots; nothing is saved",
                 post(sensors::find),
             )
             .with_answer::<SensorAnswer>()
@@ -273,7 +261,7 @@ pub(super) fn routes() -> Vec<Route> {
             "put",
             "/api/sensor",
             "set_up",
-            "Keeps numbers of a sensor in the machine file",
+            "Saves numbers of a sensor in the machine file",
             put(sensors::keep),
         )
         .with_body::<SensorChange>()
@@ -282,11 +270,11 @@ pub(super) fn routes() -> Vec<Route> {
             "post",
             "/api/alarms/shelve",
             "shelve",
-            "Puts an alarm that only tells aside for a while",
+            "Shelves a message-only alarm for a while",
             post(setup::shelve),
         )
         .with_body::<Shelving>(),
-        Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(audit::list)),
+        Route::get("/api/audit", "audit.read", "Entries of the audit log", shape::<Vec<AuditRow>>(), get(audit::list)),
         Route::get("/api/backup", "backup", "All data as a tar archive", None, get(records::backup)),
         Route {
             takes: TAR,
@@ -294,7 +282,7 @@ pub(super) fn routes() -> Vec<Route> {
                 "put",
                 "/api/restore",
                 "restore",
-                "Takes an archive of a backup and checks it; nothing is replaced",
+                "Receives an archive of a backup and checks it; nothing is replaced",
                 put(restore::take),
             )
             .with_answer::<ArchiveView>()
@@ -303,7 +291,7 @@ pub(super) fn routes() -> Vec<Route> {
             "post",
             "/api/restore",
             "restore",
-            "Puts the archive that was checked in place of all data; all sessions end",
+            "Replaces all data by the checked archive; all sessions end",
             post(restore::begin),
         )
         .with_body::<OwnPassword>(),
@@ -312,7 +300,7 @@ pub(super) fn routes() -> Vec<Route> {
             .with_body::<UserChange>()
             .with_answer::<UserRow>(),
         Route::write("delete", user, "users.write", "Removes a user", delete(users::delete)).with_body::<OwnPassword>(),
-        Route::get("/api/openapi.json", "watch", "This interface", None, get(openapi::document)),
+        Route::get("/api/openapi.json", "watch", "Description of this interface", None, get(openapi::document)),
     ]
 }
 

@@ -38,25 +38,25 @@ pub struct MachineView {
     pub sensors: Vec<SensorView>,
     /// The process is a beam (else an arc).
     pub beam: bool,
-    /// From the work to where a beam comes from, mm; none of an arc.
+    /// Distance from the work to the source of a beam, mm; none for an arc.
     pub beam_mm: Option<f64>,
 }
 
 /// Joint by which a link moves on the next one towards the work.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct JointView {
-    /// That link: one before it.
+    /// Index of the next link: less than that of this link.
     pub on: usize,
     /// The axis that moves it.
     pub axis: usize,
-    /// Unit vector in the work frame with all axes at zero, along which an axis in mm moves it, or about which one in degrees
-    /// turns it.
+    /// Unit vector in the work frame with all axes at zero: direction of motion of an axis in mm, axis of rotation of
+    /// one in degrees.
     pub direction: [f64; 3],
     /// A point on the axis there, mm.
     pub at: [f64; 3],
 }
 
-/// A sensor that sees the joint.
+/// A sensor for the joint.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct SensorView {
     /// Name.
@@ -65,8 +65,8 @@ pub struct SensorView {
     pub kind: String,
     /// The link that carries it.
     pub link: usize,
-    /// Corners of what it sees, around, in the work frame with all axes at zero, mm: of a camera on the plane it looks at, of a
-    /// stripe sensor in the plane of its laser. Empty where the picture's corners see nothing.
+    /// Corners of the field of view in the work frame with all axes at zero, mm: of a camera in its nominal plane, of a
+    /// stripe sensor in the plane of its laser. Empty if a corner of the picture does not meet that plane.
     pub field: Vec<[f64; 3]>,
     /// Its frames come from the machine's own camera.
     pub frames: bool,
@@ -94,7 +94,7 @@ pub struct AlarmEntry {
     pub number: u8,
     /// Stable name.
     pub name: String,
-    /// Why it comes.
+    /// Cause.
     pub cause: String,
     /// Consequence.
     pub consequence: String,
@@ -124,7 +124,7 @@ pub struct ZoneView {
     pub solids: Vec<SolidView>,
 }
 
-/// A named place on a link.
+/// A named frame on a link.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct FrameView {
     /// Name.
@@ -135,13 +135,13 @@ pub struct FrameView {
     pub frame: [f64; 12],
 }
 
-/// The answer to a stop of whoever is not logged in: the server has passed it on. That the cell has stopped is seen from its mode, if
-/// the cycle is heard of.
+/// Answer to `POST /api/stop`: the server has passed the stop on. If the mode is current, it shows whether the cell has
+/// stopped.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Stopped {
     /// Mode of the cell at that time: [`super::Status::mode`]; empty if it is not known yet.
     pub mode: String,
-    /// Time since the cycle was heard of, s; none before its first status. A cycle that hangs or has ended grows older.
+    /// Age of the last status of the cycle, s; none before the first one. It grows if the cycle hangs or has ended.
     pub cycle_age_s: Option<f64>,
 }
 
@@ -156,7 +156,7 @@ pub struct SessionView {
     pub may: Vec<String>,
     /// Value of the header `x-seamwright` that every request with an effect must carry.
     pub token: String,
-    /// There is no password yet: whoever has the printed address is the owner.
+    /// No password is set yet: the printed address gives the rights of the owner.
     pub first_run: bool,
 }
 
@@ -164,9 +164,9 @@ pub struct SessionView {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
-    /// Looks.
+    /// Watches.
     Viewer,
-    /// Runs what is loaded, jogs, acknowledges.
+    /// Runs the loaded job, jogs, acknowledges.
     Operator,
     /// Writes and loads jobs, teaches.
     Programmer,
@@ -207,7 +207,7 @@ pub struct UserChange {
     pub password: Option<String>,
     /// It can log in.
     pub enabled: bool,
-    /// The password of whoever asks.
+    /// Password of the user who sends the request.
     pub own_password: Option<String>,
     /// Refuse an existing name as `exists` instead of changing its user.
     pub only_new: Option<bool>,
@@ -217,16 +217,16 @@ pub struct UserChange {
 #[derive(Clone, PartialEq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OwnPassword {
-    /// The password of whoever asks.
+    /// Password of the user who sends the request.
     pub own_password: Option<String>,
 }
 
-/// `PUT /api/restore`: what is in an archive that was checked and could replace the data.
+/// `PUT /api/restore`: contents of a checked archive.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct ArchiveView {
     /// Welds.
     pub welds: usize,
-    /// When the newest of them began; RFC 3339, UTC.
+    /// Start of the newest of them; RFC 3339, UTC.
     pub newest: Option<String>,
     /// Jobs.
     pub jobs: usize,
@@ -237,7 +237,7 @@ pub struct ArchiveView {
     pub audit: u64,
 }
 
-/// `GET /api/devices`: what the cell drives and reads, with its values now.
+/// `GET /api/devices`: a device of the cell with its present values.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct DeviceView {
     /// Its name in the machine file; empty: simulated.
@@ -250,7 +250,7 @@ pub struct DeviceView {
     pub poll_s: f64,
     /// Time without a cycle after which outputs go to their safe states, s.
     pub watchdog_s: f64,
-    /// Everything with a name on it.
+    /// Its named signals.
     pub signals: Vec<SignalView>,
     /// Traffic on the line; none without a line.
     pub traffic: Option<TrafficView>,
@@ -269,13 +269,13 @@ pub struct SignalView {
     pub bit: bool,
     /// Unit of a number.
     pub unit: String,
-    /// Now: of a bit 0 or 1; null where it is not known.
+    /// Present value: of a bit 0 or 1; null if unknown.
     pub value: Option<f64>,
     /// Of an output, its safe value.
     pub safe: Option<f64>,
-    /// Of an input, what the condition that it is for needs.
+    /// Of an input, the value that its condition needs.
     pub wanted: Option<bool>,
-    /// The condition that it is for.
+    /// Condition of an input.
     pub condition: Option<String>,
 }
 
@@ -310,15 +310,15 @@ pub struct TuningView {
     pub unit: String,
     /// The machine file describes no drive: an assumed one was tuned.
     pub assumed_drive: bool,
-    /// Why it cannot be tuned.
+    /// Reason why it cannot be tuned.
     pub refused: Option<MessageView>,
     /// Open loop: frequency, Hz, gain, dB, phase, degrees.
     pub response: Vec<[f64; 3]>,
-    /// Gain margin, dB, and the frequency at which it is, Hz; none: the phase never comes to -180 degrees.
+    /// Gain margin, dB, and its frequency, Hz; none: the phase does not reach -180 degrees.
     pub gain_margin: Option<[f64; 2]>,
-    /// Phase margin, degrees, and the frequency at which it is, Hz.
+    /// Phase margin, degrees, and its frequency, Hz.
     pub phase_margin: Option<[f64; 2]>,
-    /// Settings and what was measured, with the keys of machine files.
+    /// Settings and measured values, with the keys of machine files.
     pub values: Vec<(String, f64)>,
     /// The settings, as [`super::ParameterChange::values`] takes them over.
     pub settings: Vec<(String, f64)>,

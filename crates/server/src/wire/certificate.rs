@@ -5,26 +5,26 @@ use ts_rs::TS;
 /// Certificate of a pass: its speeds and their limits, as `tools motion --certificate` writes them.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct CertificateView {
-    /// Part of the path's length on which the tip is as fast as asked, %.
+    /// Part of the path's length at the requested speed, %.
     pub at_asked_percent: f64,
     /// A speed of the tip that every axis can hold everywhere, mm/s.
     pub everywhere_mm_s: f64,
-    /// Stretches of the path in order, each with what bounds its speed.
+    /// Stretches of the path in order, each with the bound on its speed.
     pub bounds: Vec<BoundView>,
-    /// The greatest use of each axis' limits over the whole path; after the axes the torch tip's, if it has limits.
+    /// Maximum use of each axis' limits over the whole path; after the axes that of the torch tip, if it has limits.
     pub uses: Vec<UseView>,
 }
 
 /// A stretch of a pass with one bound.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct BoundView {
-    /// Path length at which it begins, mm.
+    /// Path length at its start, mm.
     pub from_mm: f64,
-    /// Path length at which it ends, mm.
+    /// Path length at its end, mm.
     pub to_mm: f64,
-    /// Least planned speed of the tip in it, mm/s.
+    /// Minimum planned speed of the tip in it, mm/s.
     pub least_speed_mm_s: f64,
-    /// False in run-up and run-down.
+    /// False in the acceleration and deceleration phase.
     pub between: bool,
     /// `asked` (nothing else binds), `speed`, `acceleration` or `jerk`.
     pub what: String,
@@ -36,7 +36,7 @@ pub struct BoundView {
     pub unit: Option<String>,
 }
 
-/// The greatest use of the limits of an axis or of the torch tip; of speed, acceleration and jerk, none where there is no limit.
+/// Maximum use of the limits of an axis or of the torch tip: of speed, acceleration and jerk; none without a limit.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct UseView {
     /// The axis; none: the torch tip.

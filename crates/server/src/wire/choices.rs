@@ -2,19 +2,19 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use ts_rs::TS;
 
-/// `GET /api/choices`: what a job can name, those that ship first.
+/// `GET /api/choices`: machines and procedures for jobs, the supplied ones first.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct ChoicesView {
-    /// For `machine`.
+    /// Values of `machine`.
     pub machines: Vec<Choice>,
-    /// For `procedure`.
+    /// Values of `procedure`.
     pub procedures: Vec<Choice>,
 }
 
 /// One of them.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Choice {
-    /// As jobs name it: that of a file among the jobs ends in `.toml`.
+    /// Name in jobs; that of a file among the jobs ends in `.toml`.
     pub name: String,
     /// Its title.
     pub title: String,

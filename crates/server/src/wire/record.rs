@@ -13,7 +13,7 @@ pub struct RecordRow {
     pub part: String,
     /// The job's title.
     pub title: String,
-    /// No metal was welded.
+    /// The weld was simulated.
     pub simulated: bool,
     /// RFC 3339, UTC.
     pub begun: String,
@@ -27,11 +27,11 @@ pub struct RecordRow {
     pub machine: String,
     /// Number of the procedure.
     pub procedure: Option<String>,
-    /// Who welded.
+    /// User who started the weld.
     pub welder: Option<String>,
-    /// Least, mean and greatest heat input, kJ/mm.
+    /// Minimum, mean and maximum heat input, kJ/mm.
     pub heat_input_kj_mm: Option<[f64; 3]>,
-    /// Greatest distance of the torch tip from the seam (mm), and where (mm).
+    /// Maximum distance of the torch tip from the seam, mm, and its path length, mm.
     pub worst_deviation_mm: Option<(f64, f64)>,
 }
 
@@ -44,7 +44,7 @@ pub struct RecordView {
     pub values: Vec<JudgedView>,
     /// Its alarms in order.
     pub alarms: Vec<RecordedAlarm>,
-    /// Its events in order: cycles that were missed, what was stopped and by what, rights that were missing.
+    /// Its events in order: missed cycles, stops and their causes, missing rights.
     pub events: Vec<RecordedEvent>,
     /// Columns of its trace with their units.
     pub columns: Vec<(String, String)>,
@@ -60,24 +60,24 @@ pub struct JudgedView {
     pub pass: u32,
     /// Its name, which ends in its unit.
     pub name: String,
-    /// Least, mean and greatest.
+    /// Minimum, mean and maximum.
     pub least: f64,
     /// See `least`.
     pub mean: f64,
     /// See `least`.
     pub greatest: f64,
-    /// Least and greatest value allowed.
+    /// Minimum and maximum value allowed.
     pub allowed: Option<(f64, f64)>,
     /// Time outside, s.
     pub outside_s: f64,
-    /// Over how much of the way it was outside, mm.
+    /// Length of travel outside, mm.
     pub outside_mm: f64,
 }
 
 /// An event of a recorded weld.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RecordedEvent {
-    /// What happened.
+    /// Description.
     #[serde(flatten)]
     pub message: MessageView,
     /// The pass, from 1.
@@ -105,8 +105,8 @@ pub struct RecordedAlarm {
     pub first_out: bool,
 }
 
-/// `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each
-/// stretch the rows with the least and with the greatest value of every column.
+/// `GET /api/records/ID/trace?columns=a,b&most=2000`: evenly spaced rows with the first and the last, and of each
+/// stretch the rows with the minimum and with the maximum of every column.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TraceView {
     /// The columns asked for.
@@ -115,20 +115,20 @@ pub struct TraceView {
     pub values: Vec<Vec<Option<f64>>>,
 }
 
-/// A row of `GET /api/audit?most=200&before=1234&after=1000&text=load`, the newest first: of those that are older or newer than an
-/// entry and have a text in them, if that is asked for.
+/// A row of `GET /api/audit?most=200&before=1234&after=1000&text=load`, the newest first: optionally only entries
+/// before or after a number, or with a text in them.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct AuditRow {
     /// Its number: entries are numbered from 1, without gaps.
     #[ts(type = "number")]
     pub id: i64,
-    /// When: RFC 3339, UTC.
+    /// Time: RFC 3339, UTC.
     pub at: String,
-    /// Who.
+    /// User.
     pub user: String,
-    /// Where from.
+    /// Origin.
     pub station: MessageView,
-    /// What.
+    /// The command.
     pub command: MessageView,
     /// The value before, and after.
     pub old: String,

@@ -3,14 +3,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// `GET /api/parameters`: what the machine file of the cell's job holds of axes, drives and tools.
+/// `GET /api/parameters`: axes, drives and tools in the machine file of the cell's job.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct ParametersView {
     /// Title of the machine.
     pub machine: String,
     /// The file, among the jobs, in which changes are kept.
     pub file: String,
-    /// The cell still has the machine as it was before a change: it is in force when the job is loaded anew, drives off.
+    /// A change is not in force yet: it takes effect when the job is loaded again with the drives off.
     pub pending: bool,
     /// In the order of the machine's axes.
     pub axes: Vec<AxisParameters>,
@@ -36,7 +36,7 @@ pub struct AxisParameters {
     pub unit: String,
     /// The machine file describes its drive.
     pub has_drive: bool,
-    /// All that can stand there, with the keys of machine files.
+    /// All possible values, with the keys of machine files.
     pub values: Vec<ParameterView>,
     /// Notch filters of the speed command: frequency, Hz, depth (gain at the centre), width, Hz.
     pub notches: Vec<[f64; 3]>,
@@ -49,7 +49,7 @@ pub struct ParameterView {
     pub key: String,
     /// `axis`, `loop`, `feedforward`, `mechanics`.
     pub group: String,
-    /// Its value; none: it is not there.
+    /// Its value; none: the key is missing.
     pub value: Option<f64>,
     /// Value in force without the key. None: the key is required, or the thing it belongs to is missing (a drive, a
     /// second mass, a compensation, gains of the machine's own).
@@ -64,7 +64,7 @@ pub struct ParameterChange {
     pub axis: String,
     /// Keys with their new values; null takes the key away.
     pub values: Vec<(String, Option<f64>)>,
-    /// Notch filters in place of those that are there, if they change.
+    /// Notch filters that replace the present ones, if they change.
     pub notches: Option<Vec<[f64; 3]>>,
 }
 
@@ -78,10 +78,10 @@ pub struct ToolTouches {
     pub touches: Vec<Vec<f64>>,
 }
 
-/// Its answer; nothing is kept.
+/// Its answer; nothing is saved.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct ToolAnswer {
-    /// The tip in the last frame of the head's steps, mm: as it was, and as it was found.
+    /// The tip in the last frame of the head's steps, mm: before and as found.
     pub was_mm: [f64; 3],
     /// See `was_mm`.
     pub tip_mm: [f64; 3],
@@ -104,7 +104,7 @@ pub struct ToolAnswer {
     pub verdict: String,
 }
 
-/// `PUT /api/tool`: the tip is there from now on.
+/// `PUT /api/tool`: new position of a tip.
 #[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolTip {
@@ -114,7 +114,7 @@ pub struct ToolTip {
     pub tip_mm: [f64; 3],
 }
 
-/// `GET /api/sensors`: what the machine file of the cell's job holds of sensors.
+/// `GET /api/sensors`: sensors in the machine file of the cell's job.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct SensorsView {
     /// The file, among the jobs, in which changes are kept.
@@ -136,9 +136,9 @@ pub struct SensorSetUp {
     pub kind: String,
     /// Columns and rows of its images.
     pub size_px: [u32; 2],
-    /// All that can stand there, with the keys of machine files.
+    /// All possible values, with the keys of machine files.
     pub values: Vec<SensorValue>,
-    /// Of a camera: how it sees planes square to its axis.
+    /// Of a camera: its maps of planes square to its axis.
     pub heights: Vec<HeightView>,
 }
 
@@ -149,9 +149,9 @@ pub struct SensorValue {
     pub key: String,
     /// `pose`, `map`, `timing`.
     pub group: String,
-    /// As many as it has when it is there.
+    /// Number of values of the key.
     pub count: u32,
-    /// None: what is assumed without it.
+    /// Its values; empty if the key is missing.
     pub numbers: Vec<f64>,
 }
 
@@ -167,13 +167,13 @@ pub struct HeightView {
     pub centre_px: Option<[f64; 2]>,
     /// Turn of the picture's x from the sensor's x towards its rows, degrees.
     pub rotation_deg: f64,
-    /// By how many mm a step of 1 mm down the picture also goes along its x.
+    /// Shift along the picture's x per mm down the picture, mm.
     pub shear: f64,
-    /// The part by which pixels half a width from the centre lie further out than without distortion.
+    /// Relative radial displacement of pixels half a width from the centre by distortion.
     pub barrel: f64,
 }
 
-/// `PUT /api/sensor`: what a sensor has from now on, all checked as the loader checks it.
+/// `PUT /api/sensor`: new values of a sensor, all checked as the loader checks them.
 #[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SensorChange {
@@ -181,28 +181,28 @@ pub struct SensorChange {
     pub name: String,
     /// Keys with their new numbers; none takes the key away.
     pub values: Vec<(String, Vec<f64>)>,
-    /// The planes of a camera in place of those that are there, if they change.
+    /// Planes of a camera that replace the present ones, if they change.
     pub heights: Option<Vec<HeightView>>,
 }
 
-/// `POST /api/sensor`, a picture of a grid of dots: what it says of the camera; nothing is kept.
+/// `POST /api/sensor`, a picture of a grid of dots: the camera's map from it; nothing is saved.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct SensorAnswer {
-    /// `good`; `far`: the scale differs by more than a lens is moved; else why there is no map: `picture`, `size`, `plain`, `few`,
-    /// `tangled`, `corner`, `residual`, `map`.
+    /// `good`; `far`: the scale differs by more than a lens is moved; else the reason for no map: `picture`, `size`,
+    /// `plain`, `few`, `tangled`, `corner`, `residual`, `map`.
     pub verdict: String,
     /// Details of the verdict.
     pub of: Vec<String>,
     /// Description with the allowed values; empty if it is good.
     #[serde(flatten)]
     pub message: MessageView,
-    /// The plane as it is believed to be at that height, and as it was found; none if it was not.
+    /// The plane at that height as in the machine file, and as found; none if not found.
     pub was: Option<HeightView>,
     /// See `was`.
     pub found: Option<HeightView>,
-    /// Each dot: column and row where it is seen, and where the map has it from there, pixels.
+    /// Each dot: measured column and row, and its residual in the map from there, pixels.
     pub dots: Vec<[f64; 4]>,
-    /// Root of the mean square of those distances, and the greatest, pixels.
+    /// Root mean square of the residuals, and their maximum, pixels.
     pub rms_px: f64,
     /// See `rms_px`.
     pub max_px: f64,

@@ -14,54 +14,55 @@ pub enum ToCell {
         /// The command.
         ask: AskView,
     },
-    /// The hand on the jog keys, every 50 ms while it holds; not answered. All speeds zero: it lets go.
+    /// Jogs, every 50 ms while a key is held; not answered. All speeds zero: the key is released.
     Jog {
         /// See [`ToCell::Command`]; jogs count by themselves.
         seq: u32,
         /// By joints or by the tip.
         of: JogOf,
-        /// For joints: part of the highest speed of each axis, -1 to 1. For the tip: x, y, z in the work frame as parts of the
-        /// highest speed by hand; its direction is kept. The cell slows all of it so that the tip keeps to that speed.
+        /// For joints: part of the maximum speed of each axis, -1 to 1. For the tip: x, y, z in the work frame as parts
+        /// of the maximum jogging speed; its direction is kept. The cell slows all axes so that the tip keeps to that
+        /// speed.
         speeds: Vec<f64>,
     },
-    /// The hand on a key that moves by a step and stands, every 50 ms while it holds, its number counted with [`ToCell::Jog`]; not
-    /// answered. The first one since the hand let go says where to; let go (a jog of zeros), it stops where it is.
+    /// Moves by one step, every 50 ms while a key is held, its number counted with [`ToCell::Jog`]; not answered. The
+    /// first one after a release sets the target; a release (a jog of zeros) stops the motion.
     Step {
         /// See [`ToCell::Jog`].
         seq: u32,
         /// By joints or by the tip.
         of: JogOf,
-        /// Which axis, or x, y, z of the work frame: from 0.
+        /// Axis, or x, y, z of the work frame, from 0.
         index: u32,
         /// Distance with sign: mm or degrees, 10 at most. A step beyond an axis' end stops at the end.
         by: f64,
     },
-    /// The hand on a key that sends all axes to a place, as [`ToCell::Step`].
+    /// Moves all axes to a position while a key is held, as [`ToCell::Step`].
     Go {
         /// See [`ToCell::Jog`].
         seq: u32,
-        /// Positions of all axes, mm or degrees; reached at once.
+        /// Positions of all axes, mm or degrees; all axes arrive at the same time.
         axes: Vec<f64>,
     },
-    /// An order to the teaching by eye, its number counted with [`ToCell::Command`] and answered so.
+    /// A command for teaching by camera, its number counted and answered as those of [`ToCell::Command`].
     Teach {
         /// See [`ToCell::Command`].
         seq: u32,
-        /// What.
+        /// The command.
         order: TeachOrder,
     },
-    /// Sign of life of the page, every 250 ms; the control token is lost without for 1 s.
+    /// Sign of life of the page, every 250 ms; after 1 s without one the page loses the control token.
     Beat {},
     /// Asks for the control token.
     TakeControl {
-        /// Take it from whoever has it (never while something jogs).
+        /// Take it from another connection (never while an axis is jogged).
         over: bool,
     },
     /// Gives the control token back.
     GiveControl {},
-    /// Asks what stands between now and a start; answered by [`FromCell::Why`].
+    /// Asks for the missing conditions of a command; answered by [`FromCell::Why`].
     Why {
-        /// For which command: `switch_on`, `home`, `start_jog`, `start_dry_run`, `start_weld`, `resume`, `reset`.
+        /// The command: `switch_on`, `home`, `start_jog`, `start_dry_run`, `start_weld`, `resume`, `reset`.
         ask: String,
     },
 }
@@ -80,48 +81,48 @@ pub enum JogOf {
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum AskView {
-    /// Power for the drives.
+    /// Switches the drives on.
     SwitchOn {},
-    /// No power for the drives.
+    /// Switches the drives off.
     SwitchOff {},
-    /// Find the references, and go home as the machine file says; or one axis goes to its home position alone.
+    /// Homes the machine as its file describes; with `axis`, moves one axis to its home position.
     Home {
         /// The axis, counted from 0; all if missing.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[ts(optional)]
         axis: Option<u8>,
     },
-    /// Jogging, until hold.
+    /// Starts jogging, until a hold.
     StartJog {},
-    /// Jogging while places are recorded.
+    /// Starts teaching: jogging while positions are recorded.
     StartTeach {},
-    /// The program with the process off.
+    /// Runs the program with the process off.
     StartDryRun {},
-    /// Allow the next start of the process: for one start, within a minute.
+    /// Allows the next start of the process: one start, within a minute.
     Arm {},
-    /// The program with the process on. Refused (`finished_pass`, `finished_part`) where it would weld again what is finished.
+    /// Runs the program with the process on. Refused (`finished_pass`, `finished_part`) over finished weld.
     StartWeld {
         /// The operator confirmed that finished work may be welded again. No if missing.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         #[ts(optional, as = "Option<bool>")]
         reweld: bool,
     },
-    /// Stand still on the path.
+    /// Stops on the path.
     Hold {},
-    /// Go on after a hold.
+    /// Continues after a hold.
     Resume {},
-    /// Go back along the path with the process off, until the next hold.
+    /// Moves back along the path with the process off, until the next hold.
     Reverse {},
-    /// Everything stops, the process first.
+    /// Stops everything, the process first.
     Stop {},
-    /// Part of the planned speed.
+    /// Sets the feed override: part of the planned speed.
     Override {
         /// 0 to 1.
         part: f64,
     },
-    /// The fault has been looked at.
+    /// Resets a fault.
     Reset {},
-    /// All alarms are known, or one.
+    /// Acknowledges all alarms, or one.
     Acknowledge {
         /// Number and detail of the alarm; all if missing.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -147,10 +148,10 @@ pub enum FromCell {
     Event(EventView),
     /// The whole list, whenever it changes.
     Alarms {
-        /// All that are there or not acknowledged, the first first.
+        /// All active or unacknowledged alarms, the first one first.
         list: Vec<AlarmView>,
     },
-    /// The cell has another machine: `GET /api/machine` says which. On connecting, too.
+    /// The machine of the cell changed, see `GET /api/machine`; also sent on connecting.
     Machine,
     /// The program in the cell changed; none: the cell is empty.
     Work {
@@ -159,31 +160,31 @@ pub enum FromCell {
     },
     /// Holder of the control token, whenever it changes.
     Control {
-        /// The connection; none: nobody.
+        /// The connection; none: no one has control.
         station: Option<u32>,
         /// Its user's name.
         user: Option<String>,
-        /// True if that is this connection.
+        /// True for this connection.
         mine: bool,
     },
     /// State of teaching by camera, whenever it changes.
     Teach(TeachView),
-    /// To a command of this connection.
+    /// Answer to a command of this connection.
     Answer {
         /// Its number.
         seq: u32,
-        /// True if it was taken.
+        /// True if it was accepted.
         ok: bool,
-        /// Why not: a stable key (`mode`, `moving`, `references`, `power`, `silent`, `condition`, `alarm`, `arming`, `source`,
-        /// `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`, `silent_cycle`: a stop was passed on to a cycle
-        /// that is not heard of), and words.
+        /// Reason of a refusal: a stable key (`mode`, `moving`, `references`, `power`, `silent`, `condition`, `alarm`,
+        /// `arming`, `source`, `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`,
+        /// `silent_cycle`: a stop was passed on to a cycle that sends no status), and words.
         why: Option<LackView>,
     },
-    /// To [`ToCell::Why`]; empty: nothing.
+    /// Answer to [`ToCell::Why`]; empty: no condition is missing.
     Why {
-        /// The command that was asked for.
+        /// The command.
         ask: String,
-        /// All that stands against it.
+        /// Its missing conditions.
         lacks: Vec<LackView>,
     },
 }

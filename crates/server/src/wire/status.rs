@@ -6,7 +6,7 @@ use ts_rs::TS;
 /// State of the cell.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Status {
-    /// Since the executive began, s.
+    /// Time since the start of the executive, s.
     pub t: f64,
     /// `off`, `idle`, `homing`, `ready`, `jog`, `teach`, `dry_run`, `weld`, `hold`, `fault`.
     pub mode: String,
@@ -16,7 +16,7 @@ pub struct Status {
     pub s_mm: f64,
     /// Path length up to which the pass is welded, mm.
     pub welded_mm: f64,
-    /// Speed along the path that is asked of the axes, with the override in it, mm/s.
+    /// Commanded speed along the path, with the feed override, mm/s.
     pub speed_mm_s: f64,
     /// The override: part of the planned speed.
     pub override_part: f64,
@@ -26,13 +26,13 @@ pub struct Status {
     pub powered: bool,
     /// Arc or beam.
     pub process: ProcessStatus,
-    /// The axes stand: nothing is asked to move, nor has moved for a moment.
+    /// The axes are at rest: neither commanded to move nor moved recently.
     pub stands: bool,
     /// In the order of the machine's axes.
     pub axes: Vec<AxisStatus>,
     /// Measured torch tip in the work frame: x, y, z (mm) and the unit vector out of the work along the torch.
     pub tip: [f64; 6],
-    /// For each link a frame, row by row (3 x 4), mm: by how much it has moved since all axes were at zero.
+    /// Displacement of each link from its pose with all axes at zero: a frame, row by row (3 x 4), mm.
     pub links: Vec<[f64; 12]>,
     /// In the order of the machine's conditions: met or not.
     pub conditions: Vec<bool>,
@@ -40,7 +40,7 @@ pub struct Status {
     pub inputs: Vec<bool>,
     /// State of tracking of each head that is tracked in this pass.
     pub tracking: Vec<TrackingStatus>,
-    /// The pair nearest to its minimum clearance; none if nothing is watched or near.
+    /// The pair nearest to its minimum clearance; none if no pair is watched or near.
     pub near: Option<super::NearView>,
     /// Ages of the devices' reports, s.
     pub ages: Ages,
@@ -48,7 +48,7 @@ pub struct Status {
     pub realtime: RealtimeView,
     /// Longest time without a cycle since the start, ms.
     pub longest_gap_ms: f64,
-    /// Cycles that were missed, and cycles that were not recorded, in all.
+    /// Total numbers of missed cycles and of unrecorded cycles.
     pub missed: u32,
     /// See `missed`.
     #[ts(type = "number")]
@@ -57,14 +57,14 @@ pub struct Status {
     pub left: Option<LeftView>,
     /// Start of the weld of the program in the cell: pass from 1, and path length, mm; none without a program.
     pub start: Option<(u32, f64)>,
-    /// Number of the part that the next weld is recorded of; empty if it has none. A part that is welded whole takes it along.
+    /// Number of the part for the record of the next weld; empty if it has none. A finished part clears it.
     pub part: String,
     /// Number of the weld in the library while one is recorded.
     #[ts(type = "number | null")]
     pub recording: Option<i64>,
 }
 
-/// `GET /api/position`: where the machine stands, refused while something moves.
+/// `GET /api/position`: positions of the axes and the tip; refused while an axis moves.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct StandingView {
     /// Measured, in the order of the machine's axes, mm or degrees.
@@ -79,23 +79,23 @@ pub struct RealtimeView {
     /// Missing rights: `priority` (real-time scheduling), `memory` (locked), `cpu` (of its own, if requested); empty if
     /// complete.
     pub missing: Vec<String>,
-    /// The same in English, with the system's reasons and what allows it.
+    /// The same in English, with the system's reasons and the remedy.
     pub text: String,
 }
 
-/// A weld that was left.
+/// An interrupted weld.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct LeftView {
     /// The pass, from 1.
     pub pass: u32,
     /// Path length up to which the pass is welded, mm.
     pub s_mm: f64,
-    /// So many passes, from the first, are finished.
+    /// Number of finished passes, from the first.
     pub finished: u32,
     /// Number of its record in the library, if it was recorded.
     #[ts(type = "number | null")]
     pub record: Option<i64>,
-    /// Title of what was welded.
+    /// Title of the job.
     pub title: String,
     /// Number of the part; empty if it has none.
     pub part: String,
@@ -108,9 +108,9 @@ pub struct LeftView {
 pub struct ProcessStatus {
     /// `off`, `strikes`, `pauses`, `burns`, `failed`.
     pub state: String,
-    /// It is ordered on.
+    /// It is switched on by command.
     pub on: bool,
-    /// The source says that it burns.
+    /// The source reports that it burns.
     pub burning: bool,
     /// The gas valve is open.
     pub gas: bool,
@@ -159,13 +159,13 @@ pub struct TrackingStatus {
     pub correction_mm: [f64; 2],
     /// 0 to 1.
     pub confidence: f64,
-    /// Standard deviation of the deviation, mm; null where nothing is known.
+    /// Standard deviation of the deviation, mm; null if unknown.
     pub sigma_mm: Option<f64>,
     /// Quality: `seen`, `bridged`, `coasted`, `fading`, `unseen`, `lost`.
     pub state: String,
 }
 
-/// Ages, s; null: never heard of.
+/// Ages, s; null: no data yet.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Ages {
     /// Drives.
@@ -183,9 +183,9 @@ pub struct AlarmView {
     pub number: u8,
     /// Stable name.
     pub name: String,
-    /// Which axis or condition, if it is about one.
+    /// Axis or condition of the alarm, if any.
     pub of: Option<MessageView>,
-    /// Why it came, what it leads to, what to do.
+    /// Cause, consequence and operator action.
     pub cause: String,
     /// See `cause`.
     pub consequence: String,
@@ -193,15 +193,15 @@ pub struct AlarmView {
     pub action: String,
     /// Reaction of the cell.
     pub reaction: String,
-    /// Which axis, condition or process value, counted as the cell counts: with `number`, what this alarm is asked about by.
+    /// Index of the axis, condition or process value; with `number` it identifies the alarm.
     pub detail: u8,
-    /// `unacknowledged`, `acknowledged`, `returned`; `gone`: it is not on the list but shelved still.
+    /// `unacknowledged`, `acknowledged`, `returned`; `gone`: not on the list but still shelved.
     pub state: String,
     /// It came first.
     pub first_out: bool,
-    /// When, s of the executive.
+    /// Time of the executive, s.
     pub t: f64,
-    /// When; RFC 3339, UTC.
+    /// Time; RFC 3339, UTC.
     pub at: String,
     /// User and time of the acknowledgement.
     pub acknowledged: Option<WhoWhen>,
@@ -209,7 +209,7 @@ pub struct AlarmView {
     pub shelved: Option<WhoWhen>,
     /// It only informs, and may be shelved.
     pub tells: bool,
-    /// Where: pass from 1 (0: beside passes) and path length.
+    /// Position: pass from 1 (0: outside of passes) and path length.
     pub pass: u32,
     /// See `pass`.
     pub s_mm: f64,
@@ -224,7 +224,7 @@ pub struct WhoWhen {
     pub at: String,
 }
 
-/// `POST /api/alarms/shelve`: shelves an alarm that only informs for a while, or takes it back.
+/// `POST /api/alarms/shelve`: shelves a message-only alarm for a while, or ends the shelving.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Shelving {
@@ -232,17 +232,17 @@ pub struct Shelving {
     pub number: u8,
     /// See [`AlarmView::detail`].
     pub detail: u8,
-    /// For so long, up to 480; 0 takes it back.
+    /// Duration, up to 480; 0 ends the shelving.
     pub minutes: u32,
 }
 
-/// Something that happened.
+/// An event.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct EventView {
     /// Counts up, without gaps.
     #[ts(type = "number")]
     pub number: u64,
-    /// s of the executive.
+    /// Time of the executive, s.
     pub t: f64,
     /// RFC 3339, UTC.
     pub at: String,
@@ -257,7 +257,7 @@ pub struct EventView {
     pub user: Option<String>,
 }
 
-/// Something that stands against what is asked.
+/// A missing condition of a command.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct LackView {
     /// Stable key.

@@ -4,35 +4,35 @@ use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// Orders to the teaching by eye, see [`super::ToCell::Teach`].
+/// Commands for teaching by camera, see [`super::ToCell::Teach`].
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum TeachOrder {
-    /// Opens the eye over the seam of the program in the cell; what was taught before is forgotten.
+    /// Starts the camera over the seam of the program in the cell; discards earlier taught points.
     Open {
-        /// Longest step from frame to frame, mm: 1 to 100.
+        /// Maximum step from frame to frame, mm: 1 to 100.
         step_mm: f64,
-        /// Longest tack that is passed without asking, mm: above 0, up to 100.
+        /// Maximum length of a tack that is bridged without a question, mm: above 0, up to 100.
         longest_tack_mm: f64,
-        /// Simulation: seed of where the seam actually is, and of the noise.
+        /// Simulation: seed of the actual position of the seam, and of the noise.
         seed: u32,
         /// Simulation: a tack hides the joint between these path lengths, mm.
         tack_mm: Option<(f64, f64)>,
     },
-    /// The joint is here: the crawl begins, or goes on where it was lost. The machine moves.
+    /// Gives the position of the joint, and starts or continues the following. The machine moves.
     Here {
-        /// A pixel of the newest picture, right and down.
+        /// Pixel of the newest picture, right and down.
         px: Option<[f64; 2]>,
-        /// A place in the work frame, mm. Neither: where the eye looks.
+        /// Position in the work frame, mm. If both are missing: the centre of the picture.
         at: Option<[f64; 3]>,
     },
-    /// The joint ends where it was lost.
+    /// Ends the joint at the position of its loss.
     End {},
-    /// Stands still; a hand on the jog keys does the same.
+    /// Pauses, as any jog key does.
     Pause {},
-    /// Goes on.
+    /// Continues.
     Resume {},
-    /// Ends the crawl; what was taught so far is kept.
+    /// Ends the following; keeps the taught points.
     Stop {},
 }
 
@@ -71,17 +71,17 @@ pub enum TeachPhase {
     /// Teaching is closed.
     #[default]
     Closed,
-    /// The seam of the program is looked up.
+    /// The motion along the seam is being planned.
     Plans,
     /// The camera is open and waits for the start of the joint.
     Places,
-    /// It crawls.
+    /// The camera follows the joint.
     Runs,
-    /// It stands still until it is resumed.
+    /// Paused until a command to continue.
     Paused,
-    /// It has lost the joint and asks.
+    /// The joint is lost; the session waits for its position.
     Asks,
-    /// It has ended.
+    /// The session has ended.
     Ended,
 }
 
@@ -90,20 +90,20 @@ pub enum TeachPhase {
 pub struct TeachView {
     /// Phase.
     pub phase: TeachPhase,
-    /// Name of the job whose seam it is.
+    /// Name of the job with the seam.
     pub job: String,
-    /// Why it is paused: `operator`, `hand`, `control`, `mode`; how it ended: `closed`, `joint-end`, `operator`, `lost`, `limit`,
-    /// `too-long`, `stopped`, `failed`.
+    /// Reason of a pause: `operator`, `hand`, `control`, `mode`; result of the session: `closed`, `joint-end`,
+    /// `operator`, `lost`, `limit`, `too-long`, `stopped`, `failed`.
     pub key: Option<String>,
-    /// More of that.
+    /// Details of `key`.
     pub why: Option<MessageView>,
-    /// Way along the joint that was taught, and length of the nominal seam, mm.
+    /// Taught length along the joint, and length of the nominal seam, mm.
     pub way_mm: f64,
     /// See `way_mm`.
     pub nominal_mm: f64,
-    /// Frames so far.
+    /// Number of frames.
     pub frames: u32,
-    /// Mean confidence of the last frame, and the least of all, 0 to 1.
+    /// Mean confidence of the last frame, and the minimum over all points, 0 to 1.
     pub confidence: f64,
     /// See `confidence`.
     pub least_confidence: f64,
@@ -113,7 +113,7 @@ pub struct TeachView {
     pub size_px: (u32, u32),
 }
 
-/// `GET /api/teach`: what was taught so far.
+/// `GET /api/teach`: taught points and frames.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TaughtView {
     /// Points of the joint, about 1 mm apart.
@@ -125,38 +125,38 @@ pub struct TaughtView {
 /// A point of the joint.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TaughtPointView {
-    /// Way along the joint, mm.
+    /// Path length along the joint, mm.
     pub s_mm: f64,
     /// In the work frame, mm.
     pub at: [f64; 3],
     /// 0 to 1.
     pub confidence: f64,
-    /// Distance across the nominal seam and above it, mm; null far away from it.
+    /// Lateral and height deviation from the nominal seam, mm; null if far from it.
     pub from_nominal_mm: Option<(f64, f64)>,
 }
 
-/// A frame that was looked at.
+/// An evaluated frame.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TaughtLook {
-    /// Way along the joint up to where the eye looked, mm.
+    /// Path length along the joint at the centre of the frame, mm.
     pub s_mm: f64,
     /// That position in the work frame, mm.
     pub at: [f64; 3],
-    /// The machine's axes then, mm or degrees.
+    /// Positions of the axes at that time, mm or degrees.
     pub axes: Vec<f64>,
     /// Mean confidence of its rows, 0 to 1.
     pub confidence: f64,
-    /// It agrees with the frames before.
+    /// The frame agrees with the earlier ones.
     pub believed: bool,
 }
 
-/// `POST /api/teach/program`: how what was taught becomes a program.
+/// `POST /api/teach/program`: settings for a program of the taught points.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TeachProgram {
     /// Maximum distance of the curves from the taught line, mm: above 0, up to 5.
     pub tolerance_mm: f64,
-    /// Maximum angle of the torch's direction from the one that was found, degrees: above 0, up to 90.
+    /// Maximum deviation of the torch attitude from the one found, degrees: above 0, up to 90.
     pub attitude_deg: f64,
     /// `greedy`, `fewest`: lines and arcs; `spline`.
     pub method: String,
@@ -171,15 +171,15 @@ pub struct TaughtProgram {
     pub counts: [usize; 3],
     /// Its length, mm.
     pub length_mm: f64,
-    /// Greatest distance of the taught line from its curves, mm.
+    /// Maximum distance of the taught line from its curves, mm.
     pub error_mm: f64,
-    /// Greatest distance of a point as it was seen, mm.
+    /// Maximum distance of an unsmoothed point from its curves, mm.
     pub raw_error_mm: Option<f64>,
-    /// Greatest distance from the nominal seam, across it and above or below it, mm.
+    /// Maximum lateral and height deviation from the nominal seam, mm.
     pub from_nominal_mm: Option<(f64, f64)>,
-    /// Length that nobody saw, mm.
+    /// Total length of unseen stretches, mm.
     pub bridged_mm: f64,
-    /// Simulation: greatest distance from where the seam truly is, across it and above or below it, mm.
+    /// Simulation: maximum lateral and height deviation from the actual seam, mm.
     pub truth_mm: Option<(f64, f64)>,
     /// Points of its path in the work frame, mm.
     pub path: Vec<[f64; 3]>,

@@ -6,14 +6,14 @@ use ts_rs::TS;
 /// A planned program.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct WorkView {
-    /// Number of this plan: another one, another program.
+    /// Number of this plan; each plan has its own.
     #[ts(type = "number")]
     pub id: u64,
     /// Name of the job in the folder of jobs.
     pub job: String,
     /// Its title.
     pub title: String,
-    /// Name of the machine that it is for; the cell's may be another.
+    /// Name of the job's machine; the cell's may be another.
     pub machine: String,
     /// Axes of that machine, in the order of [`PathPoint::axes`].
     pub axes: Vec<AxisView>,
@@ -21,23 +21,23 @@ pub struct WorkView {
     pub values: Vec<String>,
     /// Passes in order.
     pub passes: Vec<PassView>,
-    /// Ways through the air, one more than passes: tips.
+    /// Transfer moves, one more than passes: positions of the tip.
     pub air: Vec<Vec<[f64; 3]>>,
-    /// Times of those ways, s.
+    /// Times of the transfer moves, s.
     pub air_s: Vec<f64>,
     /// The part and the fixtures.
     pub part: Vec<SolidView>,
     /// See `part`.
     pub fixtures: Vec<SolidView>,
-    /// The joint in cross-section, at places along the seam.
+    /// Cross-sections of the joint at stations along the seam.
     pub sections: Vec<SectionView>,
     /// Findings about it.
     pub findings: Vec<FindingView>,
-    /// It can be welded: no finding forbids it.
+    /// It can be welded: no finding prevents it.
     pub good: bool,
-    /// Time in all, s.
+    /// Total time, s.
     pub time_s: f64,
-    /// It goes on where a power failure or a stop left it: pass from 1, and path length.
+    /// Start of a resumed weld: pass from 1, and path length.
     pub from: Option<(u32, f64)>,
     /// Number of tracked heads.
     pub tracked: usize,
@@ -54,13 +54,13 @@ pub struct PassView {
     pub role: String,
     /// Path length, mm.
     pub length_mm: f64,
-    /// Time from gas to gas, s.
+    /// Time from the gas preflow to the end of the postflow, s.
     pub time_s: f64,
-    /// After a stop it begins so far before the end of what is welded, mm.
+    /// Overlap onto the finished weld after a stop, mm.
     pub overlap_mm: f64,
-    /// Speed that is asked for at its begin, mm/s.
+    /// Requested speed at its start, mm/s.
     pub speed_mm_s: f64,
-    /// It ends where it begins.
+    /// It is closed.
     pub closed: bool,
     /// Samples all along.
     pub path: Vec<PathPoint>,
@@ -76,12 +76,12 @@ pub struct PassView {
     pub nearest_at_mm: Option<f64>,
 }
 
-/// The nearest pair of what must keep clear of each other.
+/// The nearest pair of bodies with a minimum clearance.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct NearView {
     /// Their distance, mm; less than 0 where a zone is left.
     pub distance_mm: f64,
-    /// The least that is allowed, mm.
+    /// Minimum clearance, mm.
     pub least_mm: f64,
     /// Names of the two.
     pub between: [String; 2],
@@ -98,7 +98,7 @@ pub struct PathPoint {
     pub tip: [f64; 3],
     /// Unit vector out of the work along the torch.
     pub torch: [f64; 3],
-    /// Speed along the path, mm/s; if it cannot be welded, what is asked for.
+    /// Speed along the path, mm/s; the requested one if the pass cannot be welded.
     pub speed_mm_s: f64,
     /// Axes, mm or degrees; empty if it cannot be welded, as `used`.
     pub axes: Vec<f64>,
@@ -106,16 +106,16 @@ pub struct PathPoint {
     pub used: Vec<[u8; 3]>,
     /// Process values; null if missing.
     pub values: Vec<Option<f64>>,
-    /// Least distance of anything watched, mm; null where nothing is near.
+    /// Minimum distance of the watched pairs, mm; null if none is near.
     pub clearance_mm: Option<f64>,
 }
 
-/// Something that is wrong or worth knowing.
+/// A finding.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct FindingView {
     /// Stable kind: `reach`, `range`, `speed`, ...
     pub kind: String,
-    /// With the value found and the value allowed.
+    /// Text with the value found and the value allowed.
     pub message: MessageView,
     /// From 1.
     pub pass: u32,
@@ -125,9 +125,9 @@ pub struct FindingView {
     pub to_mm: f64,
     /// Operator action, if one is needed.
     pub cure: Option<MessageView>,
-    /// The weld can be made nevertheless.
+    /// The weld can be made in spite of it.
     pub allowed: bool,
-    /// Positions of the axes there, in the order of [`WorkView::axes`]; empty if it is not known how the machine stands.
+    /// Positions of the axes there, in the order of [`WorkView::axes`]; empty if unknown.
     pub axes: Vec<f64>,
     /// The pair nearest to its minimum clearance there.
     pub nearest: Option<NearView>,
@@ -197,7 +197,7 @@ pub struct SectionView {
     pub s_mm: f64,
     /// Angle between the two faces, degrees.
     pub dihedral_deg: f64,
-    /// Root gap and how far the second part stands out, mm.
+    /// Root gap and misalignment of the second part, mm.
     pub root_gap_mm: f64,
     /// See `root_gap_mm`.
     pub mismatch_mm: f64,
@@ -216,7 +216,7 @@ pub struct SectionView {
 /// A bead in a cross-section.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct BeadView {
-    /// Begins the name of the passes that lay it, as in `fill 2.1`.
+    /// First part of the names of its passes, such as `fill 2.1`.
     pub name: String,
     /// `root`, `fill`, `cap` ..
     pub role: String,
@@ -250,7 +250,7 @@ pub enum DraftAnswer {
     },
 }
 
-/// `POST /api/place`: where the part stands, from points that were touched on it.
+/// `POST /api/place`: position of the part from touched points.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlaceText {
@@ -288,16 +288,16 @@ pub struct TouchedPoint {
     pub tip: [f64; 3],
 }
 
-/// Its answer; nothing is kept.
+/// Its answer; nothing is saved.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct PlaceAnswer {
     /// The job with the offset in force.
     pub text: String,
     /// Translation of the part, mm.
     pub move_mm: [f64; 3],
-    /// By how much it is turned, degrees.
+    /// Rotation of the part, degrees.
     pub angle_deg: f64,
-    /// Distance of each point from its nominal surface then, mm: positive outside.
+    /// Distance of each point from its nominal surface with this offset, mm: positive outside.
     pub residuals_mm: Vec<f64>,
     /// Points that are far off the others.
     pub outliers: Vec<bool>,
@@ -320,7 +320,7 @@ pub enum PlanAnswer {
     Wrong {
         /// Fault and position, with the allowed values.
         message: String,
-        /// The same in parts, where a file says where.
+        /// The same in parts, if the fault is in a file.
         at: Option<Box<WrongView>>,
     },
 }
@@ -328,13 +328,13 @@ pub enum PlanAnswer {
 /// Fault of a file, in parts.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct WrongView {
-    /// The other file that it is in; none: the job's own text.
+    /// Name of the file, if it is not the job's own text.
     pub file: Option<String>,
     /// From 1, in the job's own text.
     pub line: Option<usize>,
-    /// Its path, like `weld.speed_mm_s`; empty where none is meant.
+    /// Path of the key, like `weld.speed_mm_s`; may be empty.
     pub key: String,
-    /// As it is written; empty where none is meant.
+    /// Value as written; may be empty.
     pub value: String,
     /// Description of the fault.
     pub what: MessageView,
@@ -352,12 +352,12 @@ pub struct JobText {
     pub text: String,
 }
 
-/// Something that is being planned for a page: see `GET /api/planning`.
+/// A running plan of a page: see `GET /api/planning`.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct PlanningView {
     /// `draft`, `plan`, `recorded`, `report`, `post`, `load` or `place`.
     pub kind: String,
-    /// Time since it was asked for, s.
+    /// Time since the request, s.
     pub elapsed_s: f64,
 }
 
@@ -367,8 +367,8 @@ pub struct PlanningView {
 pub struct JobKept {
     /// TOML of a job or program.
     pub text: String,
-    /// The text in whose place it is put, as far as the page knows, empty for none: if another one stands there it is refused
-    /// (`other`), so that nobody's work is lost unseen. Without it the text takes the place of whatever stands there.
+    /// Text that the page expects to replace; empty for a new job. If the stored text differs, the request is refused
+    /// (`other`), so that no changes of other users are lost. If missing, any stored text is replaced.
     #[serde(default)]
     pub over: Option<String>,
 }
@@ -378,13 +378,13 @@ pub struct JobKept {
 pub struct JobRow {
     /// Name, ends in `.toml`.
     pub name: String,
-    /// Title, or what is wrong with it.
+    /// Title, or its fault.
     pub title: String,
-    /// One of those that ship: it can be copied, not changed.
+    /// A supplied example: it can be copied, not changed.
     pub example: bool,
 }
 
-/// `GET /api/distortions`: how a simulated part can lie.
+/// `GET /api/distortions`: a distortion of the simulated part.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct DistortionRow {
     /// Its name.
@@ -399,7 +399,7 @@ pub struct DistortionRow {
 pub struct Load {
     /// Name of a job.
     pub job: String,
-    /// Start, if not the weld's own: pass from 1, and the path length up to which it is welded.
+    /// Start of a resumed weld: pass from 1, and the path length up to which it is welded.
     pub from: Option<(u32, f64)>,
     /// Overlap onto the finished weld before `from`, mm: the start needs no confirmation for it.
     #[serde(default)]
