@@ -1724,7 +1724,7 @@ sections: Array<SectionView>, } | { "kind": "wrong",
 /**
  * Fault and position, with the allowed values.
  */
-message: string, };
+message: MessageView, };
 
 /**
  * `POST /api/place`: where the part stands, from points that were touched on it.
@@ -1912,7 +1912,7 @@ work: WorkView, } | { "kind": "wrong",
 /**
  * Fault and position, with the allowed values.
  */
-message: string, 
+message: MessageView, 
 /**
  * The same in parts, where a file says where.
  */
