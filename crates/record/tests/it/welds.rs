@@ -157,7 +157,7 @@ fn words_are_found_among_many_alarms() {
     let db = rusqlite::Connection::open(data.library().path()).unwrap();
     let sql = r#"WITH RECURSIVE n (i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i + 1 < ?1)
         INSERT INTO alarm (weld, name, cause, raised, first_out)
-        SELECT 1 + i % 3, 'feed slip', '{"code":"quantity","arguments":[["value",{"type":"text","value":"axis ' || i % 30 || '"}]]}',
+        SELECT 1 + i % 3, 'feed slip', '{"code":"quantity","arguments":[["value",{"type":"text","value":"axis ' || (i % 30) || '"}]]}',
             i, 0 FROM n"#;
     db.execute(sql, [ALARMS]).unwrap();
     let found = |text: &str, limit: Option<u32>| -> Vec<i64> {
