@@ -1,5 +1,6 @@
 
 # Parts of every error in a file.
+document-error = { $at }: { $message }
 document-allowed = erlaubt: { $allowed }
 document-help = Hinweis: { $help }
 

@@ -15,6 +15,7 @@ project-pass = Lage { $pass }
 project-passes = Lagen { $first } bis { $last }
 project-place = { $passes }, s = { $s }
 project-place-range = { $passes }, s = { $from } bis { $to }
+project-places = { $first }; { $then }
 project-more-places = { $places ->
         [one] { $places } weitere Stelle
        *[other] { $places } weitere Stellen

@@ -1,6 +1,10 @@
 # Einheiten mit der Zahl davor.
 quantity = { $value }
 text = { $text }
+lines =
+    { $first }
+    { $then }
+indented = { "   " }{ $line }
 unit-mm = { $number } mm
 unit-mm2 = { $number } mm²
 unit-m2 = { $number } m²

@@ -19,6 +19,7 @@ project-pass = pass { $pass }
 project-passes = passes { $first } to { $last }
 project-place = { $passes }, s = { $s }
 project-place-range = { $passes }, s = { $from } to { $to }
+project-places = { $first }; { $then }
 project-more-places = { $places ->
         [one] { $places } more place
        *[other] { $places } more places

@@ -1,6 +1,10 @@
 # Units, with the number before them. `quantity` is a value by itself.
 quantity = { $value }
 text = { $text }
+lines =
+    { $first }
+    { $then }
+indented = { "   " }{ $line }
 unit-mm = { $number } mm
 unit-mm2 = { $number } mm²
 unit-m2 = { $number } m²

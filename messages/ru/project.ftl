@@ -16,6 +16,7 @@ project-pass = проход { $pass }
 project-passes = проходы от { $first } до { $last }
 project-place = { $passes }, s = { $s }
 project-place-range = { $passes }, s = от { $from } до { $to }
+project-places = { $first }; { $then }
 project-more-places = ещё { $places ->
         [one] { $places } место
         [few] { $places } места

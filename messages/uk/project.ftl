@@ -16,6 +16,7 @@ project-pass = прохід { $pass }
 project-passes = проходи від { $first } до { $last }
 project-place = { $passes }, s = { $s }
 project-place-range = { $passes }, s = від { $from } до { $to }
+project-places = { $first }; { $then }
 project-more-places = ще { $places ->
         [one] { $places } місце
         [few] { $places } місця

@@ -1,6 +1,10 @@
 # Одиниці з числом перед ними.
 quantity = { $value }
 text = { $text }
+lines =
+    { $first }
+    { $then }
+indented = { "   " }{ $line }
 unit-mm = { $number } мм
 unit-mm2 = { $number } мм²
 unit-m2 = { $number } м²

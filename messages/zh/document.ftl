@@ -1,5 +1,6 @@
 
 # Parts of every error in a file.
+document-error = { $at }: { $message }
 document-allowed = 允许：{ $allowed }
 document-help = 提示：{ $help }
 

@@ -12,6 +12,7 @@ project-pass = 焊道 { $pass }
 project-passes = 焊道 { $first } 至 { $last }
 project-place = { $passes }，s = { $s }
 project-place-range = { $passes }，s = { $from } 至 { $to }
+project-places = { $first }；{ $then }
 project-more-places = 另有 { $places } 处
 
 # Failures.

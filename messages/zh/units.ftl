@@ -1,6 +1,10 @@
 # 带数值的单位。
 quantity = { $value }
 text = { $text }
+lines =
+    { $first }
+    { $then }
+indented = { "   " }{ $line }
 unit-mm = { $number } mm
 unit-mm2 = { $number } mm²
 unit-m2 = { $number } m²

@@ -1724,7 +1724,7 @@ sections: Array<SectionView>, } | { "kind": "wrong",
 /**
  * Fault and position, with the allowed values.
  */
-message: string, };
+message: MessageView, };
 
 /**
  * `POST /api/place`: position of the part from touched points.
@@ -1912,7 +1912,7 @@ work: WorkView, } | { "kind": "wrong",
 /**
  * Fault and position, with the allowed values.
  */
-message: string, 
+message: MessageView, 
 /**
  * The same in parts, if the fault is in a file.
  */

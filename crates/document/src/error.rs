@@ -1,5 +1,5 @@
-use seamwright_message::{Language, Message};
-use std::fmt::{self, Write};
+use seamwright_message::Message;
+use std::fmt;
 use std::ops::Range;
 
 /// An error in a document, with its address.
@@ -31,53 +31,41 @@ pub struct DocumentError {
 impl std::error::Error for DocumentError {}
 
 impl DocumentError {
-    /// Returns the error in `language`, as `Display` prints it in that of the process.
-    pub fn in_language(&self, language: Language) -> String {
-        let mut text = String::new();
-        // Writing to a String cannot fail.
-        let _ = self.write(&mut text, language);
-        text
-    }
-
-    fn write(&self, f: &mut impl Write, language: Language) -> fmt::Result {
-        write!(f, "{}", self.file)?;
+    /// Returns the whole error as one message, with a line for each part.
+    pub fn to_message(&self) -> Message {
+        let mut at = self.file.clone();
         if self.line > 0 {
-            write!(f, ":{}:{}", self.line, self.column)?;
+            at += &format!(":{}:{}", self.line, self.column);
         }
         if !self.key.is_empty() {
-            write!(f, ": {}", self.key)?;
+            at += &format!(": {}", self.key);
             if !self.value.is_empty() {
-                write!(f, " = {}", self.value)?;
+                at += &format!(" = {}", self.value);
             }
         }
-        writeln!(f, ": {}", self.message.in_language(language))?;
+        let mut lines = vec![Message::new("document-error").text("at", at).message("message", self.message.clone())];
         if self.line > 0 {
             let number = self.line.to_string();
             let margin = " ".repeat(number.len());
-            writeln!(f, " {margin} |")?;
-            writeln!(f, " {number} | {}", self.source_line)?;
-            let mark = "^".repeat(self.marked.max(1));
-            writeln!(f, " {margin} | {}{mark}", " ".repeat(self.column.saturating_sub(1)))?;
+            let mark = " ".repeat(self.column.saturating_sub(1)) + &"^".repeat(self.marked.max(1));
+            lines.push(Message::verbatim(format!(" {margin} |")));
+            lines.push(Message::verbatim(format!(" {number} | {}", self.source_line)));
+            lines.push(Message::verbatim(format!(" {margin} | {mark}")));
         }
-        if let Some(allowed) = &self.allowed {
-            let allowed = Message::new("document-allowed").message("allowed", allowed.clone());
-            writeln!(f, "   {}", allowed.in_language(language))?;
-        }
-        if let Some(help) = &self.help {
-            let help = Message::new("document-help").message("help", help.clone());
-            writeln!(f, "   {}", help.in_language(language))?;
-        }
+        let allowed = |allowed: &Message| Message::new("document-allowed").message("allowed", allowed.clone());
+        lines.extend(self.allowed.as_ref().map(|text| allowed(text).indented()));
+        let help = |help: &Message| Message::new("document-help").message("help", help.clone());
+        lines.extend(self.help.as_ref().map(|text| help(text).indented()));
         if !self.message.is_verbatim() {
-            let code = Message::new("document-code").text("code", self.message.code.clone());
-            writeln!(f, "   {}", code.in_language(language))?;
+            lines.push(Message::new("document-code").text("code", self.message.code.clone()).indented());
         }
-        Ok(())
+        Message::lines(lines)
     }
 }
 
 impl fmt::Display for DocumentError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        self.write(f, Language::of_process())
+        writeln!(f, "{}", self.to_message())
     }
 }
 

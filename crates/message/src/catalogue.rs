@@ -48,11 +48,6 @@ impl Catalogue {
         Self { language, bundle }
     }
 
-    /// Language of the words.
-    pub fn language(&self) -> Language {
-        self.language
-    }
-
     /// True if there are words for `code`.
     pub fn has(&self, code: &str) -> bool {
         self.bundle.get_message(code).is_some_and(|found| found.value().is_some())

@@ -42,6 +42,22 @@ impl Message {
         Self::verbatim(error.to_string())
     }
 
+    /// Creates a message of one line after another; an empty text for none.
+    pub fn lines(mut lines: Vec<Self>) -> Self {
+        // Halves keep the depth small.
+        let then = lines.split_off(lines.len().div_ceil(2));
+        if then.is_empty() {
+            return lines.pop().unwrap_or_default();
+        }
+        Self::new("lines").message("first", Self::lines(lines)).message("then", Self::lines(then))
+    }
+
+    /// Puts the message below another one, as a part of it.
+    #[must_use]
+    pub fn indented(self) -> Self {
+        Self::new("indented").message("line", self)
+    }
+
     /// Returns the words in `language`.
     pub fn in_language(&self, language: Language) -> String {
         Catalogue::of(language).text(self)
@@ -180,6 +196,18 @@ mod tests {
         assert_eq!(serde_json::from_str::<Message>(&json).unwrap(), message);
         assert!(json.contains(r#"{"type":"quantity","value":{"value":6.0,"unit":"mm/s","decimals":3}}"#), "{json}");
         assert_eq!(serde_json::from_str::<Message>(r#"{"code":"stopped"}"#).unwrap(), Message::new("stopped"));
+    }
+
+    #[test]
+    fn lines_are_one_below_the_other() {
+        let lines = |n: usize| (0..n).map(|i| Message::verbatim(i.to_string()).indented()).collect::<Vec<_>>();
+        assert_eq!(Message::lines(lines(0)), Message::default());
+        for n in [1, 2, 3, 7] {
+            let text = (0..n).map(|i| format!("   {i}")).collect::<Vec<_>>().join("\n");
+            assert_eq!(Message::lines(lines(n)).in_language(Language::German), text);
+        }
+        let json = serde_json::to_string(&Message::lines(lines(5000))).unwrap();
+        assert_eq!(serde_json::from_str::<Message>(&json).unwrap(), Message::lines(lines(5000)));
     }
 
     #[test]

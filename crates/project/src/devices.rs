@@ -12,7 +12,7 @@ use seamwright_cell::devices::{
 };
 use seamwright_cell::executive::{DriveReport, Interlocks, SourceReport};
 use seamwright_machine::{LinuxCnc, Machine};
-use seamwright_message::{Argument, Message, Unit};
+use seamwright_message::{Argument, Language, Message, Unit};
 use serde_json::{Value, json};
 use std::io::Write as _;
 use std::path::Path;
@@ -168,7 +168,7 @@ pub fn told(lines: &Lines) -> Vec<Value> {
             "polls": traffic.polls, "missed": traffic.missed, "failed": traffic.failed,
             "connections": traffic.connections, "away_s": traffic.away_s,
             "round_us": { "median": round.quantile_us(0.5), "p99_9": round.quantile_us(0.999), "most": round.most_us() },
-            "trouble": traffic.trouble.as_ref().map(ToString::to_string),
+            "trouble": traffic.trouble.as_ref().map(|trouble| trouble.in_language(Language::English)),
         })
     };
     lines.iter().map(one).collect()

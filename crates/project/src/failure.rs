@@ -29,28 +29,31 @@ display_by_message!(Failure);
 /// Maximum number of positions listed of one finding.
 const MAX_PLACES: usize = 6;
 
-/// Findings for people, equal ones once, those that stand against the weld first.
+/// Writes findings for people, in the language of the process: see [`findings_message`].
 pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<()> {
+    writeln!(out, "{}", findings_message(findings))
+}
+
+/// Returns findings for people, equal ones once, those that stand against the weld first.
+pub fn findings_message(findings: &[Finding]) -> Message {
     let groups = group_findings(findings);
-    let heading = match groups.iter().filter(|group| !group.finding.allowed).count() {
+    let mut lines = vec![match groups.iter().filter(|group| !group.finding.allowed).count() {
         0 if findings.is_empty() => Message::new("project-weld-possible"),
         0 => Message::new("project-weld-possible-with-remarks"),
         n => Message::new("project-weld-impossible").count("findings", n),
-    };
-    writeln!(out, "{heading}")?;
+    }];
     for group in &groups {
         let finding = Message::new("project-finding").message("severity", severity(group.finding));
-        let finding = finding.text("kind", group.finding.kind).message("finding", group.message.clone());
-        writeln!(out, "{finding}")?;
-        writeln!(out, "   {}", Message::new("project-where").text("places", places_text(group)))?;
+        lines.push(finding.text("kind", group.finding.kind).message("finding", group.message.clone()));
+        lines.push(Message::new("project-where").message("places", places(group)).indented());
         if let Some(cure) = &group.cure {
-            writeln!(out, "   {}", Message::new("project-cure").message("cure", cure.clone()))?;
+            lines.push(Message::new("project-cure").message("cure", cure.clone()).indented());
         }
         if !group.message.is_verbatim() {
-            writeln!(out, "   {}", Message::new("document-code").text("code", group.message.code.clone()))?;
+            lines.push(Message::new("document-code").text("code", group.message.code.clone()).indented());
         }
     }
-    Ok(())
+    Message::lines(lines)
 }
 
 /// Word for a finding's severity at the command line.
@@ -67,14 +70,12 @@ fn severity(finding: &Finding) -> Message {
 }
 
 /// Positions of a group's findings: `pass 1, s = 3.000 to 5.000 mm; passes 2 to 14, s = 0.000 mm`.
-pub fn places_text(group: &FindingGroup<'_>) -> String {
-    let text = |place: &FindingPlace| place_message(place).to_string();
-    let mut places: Vec<String> = group.places.iter().take(MAX_PLACES).map(text).collect();
-    match group.places.len().saturating_sub(MAX_PLACES) {
-        0 => {}
-        more => places.push(Message::new("project-more-places").count("places", more).to_string()),
-    }
-    places.join("; ")
+pub fn places(group: &FindingGroup<'_>) -> Message {
+    let shown = group.places.iter().take(MAX_PLACES).map(place_message);
+    let more = group.places.len().saturating_sub(MAX_PLACES);
+    let more = (more > 0).then(|| Message::new("project-more-places").count("places", more));
+    let both = |first, then| Message::new("project-places").message("first", first).message("then", then);
+    shown.chain(more).reduce(both).unwrap_or_default()
 }
 
 /// A range of path length in one or several passes.
@@ -206,29 +207,20 @@ impl Failure {
         }
     }
 
-    /// Description of the failure. Findings and errors in files are text in the language of the process.
+    /// Description of the failure.
     pub fn message(&self) -> Message {
         match self {
-            Self::Findings(findings) => {
-                let mut out = Vec::new();
-                // Writing to memory cannot fail.
-                drop(write_findings(&mut out, findings));
-                Message::verbatim(String::from_utf8_lossy(&out).trim_end())
-            }
+            Self::Findings(findings) => findings_message(findings),
             Self::Input(message) | Self::Environment(message) => message.clone(),
-            Self::Document(error) => Message::verbatim(error.to_string().trim_end()),
+            Self::Document(error) => error.to_message(),
             Self::Cancelled => Message::new("project-planning-cancelled"),
             Self::Printed | Self::ReaderGone => Message::new("project-failed"),
         }
     }
 
-    /// Words of the failure in `language`; findings stay in the language of the process.
+    /// Words of the failure in `language`.
     pub fn text_in(&self, language: Language) -> String {
-        let text = match self {
-            Self::Document(error) => error.in_language(language),
-            other => other.message().in_language(language),
-        };
-        text.trim_end().to_owned()
+        self.message().in_language(language).trim_end().to_owned()
     }
 
     /// Words of the failure.

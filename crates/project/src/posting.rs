@@ -25,10 +25,7 @@ impl Unproven {
     pub fn message(&self) -> Message {
         match self {
             Self::Failure(failure) => failure.message(),
-            Self::Wrong(lines) => {
-                let lines: Vec<String> = lines.iter().map(ToString::to_string).collect();
-                Message::verbatim(lines.join("\n"))
-            }
+            Self::Wrong(lines) => Message::lines(lines.clone()),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Summary of a planned or simulated weld at the command line.
 
-use crate::failure::{places_text, severity_word};
+use crate::failure::{places, severity_word};
 use crate::files::written_text;
 use crate::labels::{labelled, line};
 use crate::refusals::{range, unit_of};
@@ -33,7 +33,7 @@ pub(super) fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     let transfers = Message::new("cli-summary-transfers").quantity("time", r.air_s, Unit::S, 2);
     labelled(&mut text, "cli-label-transfers", transfers.quantity("total", r.total_s, Unit::S, 2));
     for group in group_findings(&r.findings) {
-        let finding = format!("{} ({})", group.message, places_text(&group));
+        let finding = format!("{} ({})", group.message, places(&group));
         line(&mut text, &severity_word(group.finding), finding);
     }
     written_text(paths).iter().for_each(|files| labelled(&mut text, "cli-label-wrote", files));

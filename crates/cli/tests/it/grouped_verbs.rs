@@ -176,6 +176,16 @@ fn output_for_programs_is_the_same_in_every_language() {
         let output = |language: &str| run(&[arguments, &["--language", language]].concat()).stdout;
         assert_eq!(String::from_utf8_lossy(&output("de")), String::from_utf8_lossy(&output("en")), "{arguments:?}");
     }
+    // Files of a weld with an alarm.
+    let folder = tempfile::tempdir().unwrap();
+    let files = |language: &str| {
+        let out = folder.path().join(language);
+        let job = example("ellipse");
+        let fault = ["--fault", "source:wrong@12+0.3", "--language", language];
+        run(&[&["simulate", &job, "-o", &out.display().to_string()], &fault[..]].concat());
+        ["run.json", "events.jsonl", "report.json"].map(|name| fs::read_to_string(out.join(name)).unwrap())
+    };
+    assert_eq!(files("de"), files("en"));
 }
 
 #[test]

@@ -1,5 +1,4 @@
 use super::Library;
-use super::find::pattern;
 use crate::{Error, Moment, sha256};
 use rusqlite::{TransactionBehavior, params};
 use seamwright_message::Message;
@@ -30,7 +29,8 @@ pub struct AuditQuery {
     pub before: Option<i64>,
     /// Only entries whose number is higher.
     pub after: i64,
-    /// Only entries with this in one of their texts, ignoring the case of plain letters; empty: all.
+    /// Only entries with this in one of their texts; empty: all. Upper and lower case are the same. Words of messages are
+    /// found in every language.
     pub text: String,
     /// So many at most.
     pub most: u32,
@@ -116,11 +116,11 @@ impl Library {
     /// If the library cannot be read.
     pub fn audit_page(&self, query: &AuditQuery) -> Result<Vec<(i64, AuditEntry)>, Error> {
         let sql = "SELECT id, at, user, station, command, old, new, result FROM audit
-            WHERE id < ?1 AND id > ?4 AND (user LIKE ?2 ESCAPE '\\' OR station LIKE ?2 ESCAPE '\\' OR command LIKE ?2 ESCAPE '\\'
-                OR old LIKE ?2 ESCAPE '\\' OR new LIKE ?2 ESCAPE '\\' OR result LIKE ?2 ESCAPE '\\')
+            WHERE id < ?1 AND id > ?4 AND (?2 = '' OR has_words(user, ?2) OR has_words(station, ?2)
+                OR has_words(command, ?2) OR has_words(old, ?2) OR has_words(new, ?2) OR has_words(result, ?2))
             ORDER BY id DESC LIMIT ?3";
         let before = query.before.unwrap_or(i64::MAX);
-        self.all(sql, params![before, pattern(&query.text), query.most, query.after], numbered)
+        self.all(sql, params![before, query.text, query.most, query.after], numbered)
     }
 
     /// Checks every link of the audit log. Entries cut off its end are detected by the count that SQLite keeps beside

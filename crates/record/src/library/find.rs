@@ -1,9 +1,7 @@
 use super::weld::{SELECT, weld_record};
 use super::{Library, WeldRecord, WeldResult};
-use crate::{Error, Moment, stored};
+use crate::{Error, Moment};
 use rusqlite::types::Value;
-use seamwright_message::Language;
-use std::collections::HashMap;
 
 /// Search for welds; a missing criterion matches all.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -22,9 +20,11 @@ pub struct Query {
     pub machine: Option<String>,
     /// Result of the weld.
     pub result: Option<WeldResult>,
-    /// Somewhere in part, title, welder, note, the texts of job or program, or names and causes of alarms; letters
-    /// count alike, large and small. Words of notes and alarms are found in every language.
+    /// Somewhere in part, title, welder, note, the texts of job or program, or names and causes of alarms. Upper and lower
+    /// case are the same. Words of notes and alarms are found in every language.
     pub text: Option<String>,
+    /// Maximum number of welds, the newest; none: all.
+    pub limit: Option<u32>,
 }
 
 impl Library {
@@ -46,44 +46,25 @@ impl Library {
         query.procedure.iter().for_each(|v| condition("w.name = ?#", text(v)));
         query.machine.iter().for_each(|v| condition("m.name = ?#", text(v)));
         query.result.iter().for_each(|v| condition("result = ?#", Value::Text(v.name().to_owned())));
-        let somewhere = "(part LIKE ?# ESCAPE '\\' OR title LIKE ?# ESCAPE '\\' OR (note LIKE ?# ESCAPE '\\' AND note NOT LIKE '{%')
-            OR welder.name LIKE ?# ESCAPE '\\' OR j.text LIKE ?# ESCAPE '\\' OR p.text LIKE ?# ESCAPE '\\'
-            OR EXISTS (SELECT 1 FROM alarm WHERE alarm.weld = weld.id
-                AND ((alarm.name LIKE ?# ESCAPE '\\' AND alarm.name NOT LIKE '{%')
-                    OR (cause LIKE ?# ESCAPE '\\' AND cause NOT LIKE '{%'))) OR weld.id IN (+))";
         if let Some(text) = &query.text {
-            let said: Vec<String> = self.with_words(text)?.iter().map(i64::to_string).collect();
-            condition(&somewhere.replace('+', &said.join(", ")), Value::Text(pattern(text)));
+            values.extend([Value::Text(pattern(text)), Value::Text(text.clone())]);
+            let (pattern, words) = (values.len() - 1, values.len());
+            conditions.push(format!(
+                "(has_words(part, ?{words}) OR has_words(title, ?{words}) OR has_words(welder.name, ?{words})
+                OR has_words(note, ?{words}) OR j.text LIKE ?{pattern} ESCAPE '\\' OR p.text LIKE ?{pattern} ESCAPE '\\'
+                OR EXISTS (SELECT 1 FROM alarm WHERE alarm.weld = weld.id
+                    AND (has_words(alarm.name, ?{words}) OR has_words(cause, ?{words}))))"
+            ));
         }
         let filter = if conditions.is_empty() { String::new() } else { format!("WHERE {}", conditions.join(" AND ")) };
-        let sql = format!("{SELECT} {filter} ORDER BY begun DESC, weld.id DESC");
+        values.push(Value::Integer(query.limit.map_or(-1, i64::from)));
+        let sql = format!("{SELECT} {filter} ORDER BY begun DESC, weld.id DESC LIMIT ?{}", values.len());
         self.all(&sql, rusqlite::params_from_iter(values), weld_record)
     }
 }
 
-impl Library {
-    /// Welds with `text` in the words of their notes or alarms, in any language: columns have codes instead of words.
-    fn with_words(&self, text: &str) -> Result<Vec<i64>, Error> {
-        let wanted = text.to_lowercase();
-        let sql = "SELECT id, note FROM weld WHERE note LIKE '{%'
-            UNION ALL SELECT weld, name FROM alarm WHERE weld IS NOT NULL AND name LIKE '{%'
-            UNION ALL SELECT weld, cause FROM alarm WHERE weld IS NOT NULL AND cause LIKE '{%'";
-        let mut known = HashMap::new();
-        let mut found = Vec::new();
-        let rows: Vec<(i64, String)> = self.all(sql, (), |row| Ok((row.get(0)?, row.get(1)?)))?;
-        for (weld, column) in rows {
-            let says = *known.entry(column).or_insert_with_key(|column| {
-                let message = stored::read(column.clone());
-                Language::ALL.into_iter().any(|of| message.in_language(of).to_lowercase().contains(&wanted))
-            });
-            found.extend(says.then_some(weld));
-        }
-        Ok(found)
-    }
-}
-
 /// Pattern with which LIKE finds `text` literally.
-pub(super) fn pattern(text: &str) -> String {
+fn pattern(text: &str) -> String {
     let plain = text.replace('\\', "\\\\").replace('%', "\\%").replace('_', "\\_");
     format!("%{plain}%")
 }

@@ -10,6 +10,7 @@ mod find;
 mod rebuild;
 mod schema;
 mod weld;
+mod words;
 
 pub use alarm::{Alarm, Event, Place};
 pub use audit::{AuditCheck, AuditEntry, AuditQuery};
@@ -107,7 +108,7 @@ impl Library {
             return Err(Error::Newer { path: path.to_owned(), found: version, known });
         }
         let settings = "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA trusted_schema = OFF;";
-        library.db.execute_batch(settings).map_err(failed)?;
+        library.db.execute_batch(settings).and_then(|()| words::define(&library.db)).map_err(failed)?;
         Ok(library)
     }
 

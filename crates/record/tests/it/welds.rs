@@ -145,6 +145,34 @@ fn welds_are_found() {
     assert!(told.contains("weld 9 does not exist") && told.contains("1 to 3"), "{told}");
 }
 
+/// A library with many alarms: a search formats a message once, and ends at the limit.
+#[test]
+fn words_are_found_among_many_alarms() {
+    const ALARMS: i64 = 50_000;
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    for part in ["P-1", "P-2", "P-3"] {
+        data.begin(&plan(part)).unwrap().finish(&mut data, &outcome(WeldResult::Good)).unwrap();
+    }
+    let db = rusqlite::Connection::open(data.library().path()).unwrap();
+    let sql = r#"WITH RECURSIVE n (i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i + 1 < ?1)
+        INSERT INTO alarm (weld, name, cause, raised, first_out)
+        SELECT 1 + i % 3, 'feed slip', '{"code":"quantity","arguments":[["value",{"type":"text","value":"axis ' || (i % 30) || '"}]]}',
+            i, 0 FROM n"#;
+    db.execute(sql, [ALARMS]).unwrap();
+    let found = |text: &str, limit: Option<u32>| -> Vec<i64> {
+        let query = Query { text: Some(text.to_owned()), limit, ..Query::default() };
+        data.library().find(&query).unwrap().iter().map(|weld| weld.id).collect()
+    };
+    let start = std::time::Instant::now();
+    assert_eq!(found("AXIS 28", None), [2]);
+    assert_eq!(found("axis 1", None), [3, 2, 1]);
+    assert_eq!(found("axis 1", Some(2)), [3, 2]);
+    assert_eq!(found("no such words", None), [0i64; 0]);
+    // Formatting each of them in each language would take much longer.
+    assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
+}
+
 #[test]
 fn texts_have_versions_and_are_kept() {
     let folder = tempfile::tempdir().unwrap();

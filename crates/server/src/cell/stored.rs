@@ -1,8 +1,17 @@
-//! Messages in the text columns of the audit log: JSON of code and arguments, which begins with `{`. Any other text is
-//! shown as it is: what an older version wrote.
+//! Messages in the text columns of the audit log: JSON of code, arguments and English text, which begins with `{`. Any
+//! other text is shown as it is: what an older version wrote.
 
 use super::archive::plain;
-use seamwright_message::{Argument, Message};
+use seamwright_message::{Argument, Language, Message};
+use serde::Serialize;
+
+/// A message with its English text: the log is evidence, also without the catalogues of the version that wrote it.
+#[derive(Serialize)]
+struct Evidence<'a> {
+    #[serde(flatten)]
+    message: &'a Message,
+    text: String,
+}
 
 /// Returns the text of a column for `message`, as one line in which hidden characters are escaped.
 pub(super) fn stored(message: Message) -> String {
@@ -10,12 +19,13 @@ pub(super) fn stored(message: Message) -> String {
         ("text", [(_, Argument::Text(text))]) if !text.starts_with('{') => plain(text),
         _ => {
             let message = escaped(message);
-            serde_json::to_string(&message).unwrap_or_else(|_| plain(&message.as_data()))
+            let evidence = Evidence { message: &message, text: message.in_language(Language::English) };
+            serde_json::to_string(&evidence).unwrap_or_else(|_| plain(&message.as_data()))
         }
     }
 }
 
-/// Returns the message of a column.
+/// Returns the message of a column; the columns of some versions have no English text.
 pub(crate) fn from_stored(column: String) -> Message {
     let known = if column.starts_with('{') { serde_json::from_str(&column).ok() } else { None };
     known.unwrap_or_else(|| Message::verbatim(column))
@@ -46,6 +56,10 @@ mod tests {
             assert_eq!(from_stored(stored(message.clone())), message);
         }
         assert_eq!(from_stored("load a.toml".to_owned()), Message::verbatim("load a.toml"));
+        let load = Message::new("server-audit-load").text("job", "a.toml");
+        assert_eq!(from_stored(serde_json::to_string(&load).unwrap()), load);
+        let column: serde_json::Value = serde_json::from_str(&stored(load.clone())).unwrap();
+        assert_eq!(column["text"], load.in_language(Language::English));
         let hidden = stored(Message::new("server-audit-load").text("job", "a\u{202e}\nb"));
         assert_eq!(from_stored(hidden).argument("job"), Some(&Argument::Text("a\\u{202e}\\nb".to_owned())));
     }

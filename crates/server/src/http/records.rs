@@ -26,7 +26,7 @@ const MAX_ROWS: usize = 20_000;
 const MAX_COLUMNS: usize = 64;
 const MAX_VALUES: usize = 400_000;
 /// Maximum number of welds listed, the newest.
-const MAX_WELDS: usize = 5000;
+const MAX_WELDS: u32 = 5000;
 
 /// Filter of welds.
 #[derive(Deserialize)]
@@ -61,6 +61,7 @@ impl Asked {
                 .map(|r| r.parse::<WeldResult>().map_err(|e| wrong_query("result", e.to_string())))
                 .transpose()?,
             text: some(self.text),
+            limit: Some(MAX_WELDS),
         })
     }
 }
@@ -94,7 +95,7 @@ pub(super) async fn reads<T: Send + 'static>(
 
 pub(super) async fn list(State(panel): State<Arc<Panel>>, Query(asked): Query<Asked>) -> Answer<Vec<RecordRow>> {
     let query = asked.query()?;
-    reads(&panel, move |data| Ok(data.library().find(&query)?.iter().take(MAX_WELDS).map(row).collect())).await
+    reads(&panel, move |data| Ok(data.library().find(&query)?.iter().map(row).collect())).await
 }
 
 fn traces(data: &DataFolder, weld: i64) -> Result<Vec<Trace>, Refused> {

@@ -81,7 +81,7 @@ fn draft(text: &str, jobs: &Path) -> DraftAnswer {
             let (part, fixtures) = clamped_views(&loaded);
             DraftAnswer::Drawn { part, fixtures, sections: sections(&loaded.welding) }
         }
-        Err(failure) => DraftAnswer::Wrong { message: failure.text() },
+        Err(failure) => DraftAnswer::Wrong { message: failure.message().into() },
     }
 }
 
@@ -107,7 +107,7 @@ fn wrong(failure: &Failure) -> PlanAnswer {
         })),
         _ => None,
     };
-    PlanAnswer::Wrong { message: failure.text(), at }
+    PlanAnswer::Wrong { message: failure.message().into(), at }
 }
 
 fn report(name: &str, text: &str, language: &str, jobs: &Path) -> Result<Vec<u8>, Refused> {
@@ -132,11 +132,11 @@ fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {
     };
     let loaded = load_foreign(JOB, text, jobs)?;
     let motion = loaded.plan()?;
-    let control = Control::new(&loaded.machine, dialect).map_err(|e| Refused::input(e.to_string()))?;
+    let control = Control::new(&loaded.machine, dialect).map_err(|e| Refused::input(e.message()))?;
     let made = proven(&loaded, &motion, &control, &Options::default(), Feed::InverseTime);
     let (text, proof) = made.map_err(|e| match e {
         Unproven::Failure(failure) => failure.into(),
-        Unproven::Wrong(lines) => Refused::server(lines.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")),
+        Unproven::Wrong(lines) => Refused::server(Message::lines(lines)),
     })?;
     Ok(PostAnswer { text, proof: proof.messages().into_iter().map(Into::into).collect() })
 }

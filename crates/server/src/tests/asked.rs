@@ -30,7 +30,7 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": wrong })))).await;
     assert_eq!(answer["kind"], "wrong", "{answer}");
     assert!(
-        answer["at"]["line"].as_u64().is_some() && answer["message"].as_str().unwrap().contains("tilte"),
+        answer["at"]["line"].as_u64().is_some() && answer["message"]["text"].as_str().unwrap().contains("tilte"),
         "{answer}"
     );
     // A different text is not replaced silently: neither another job nor changes that others made to this one.

@@ -48,6 +48,7 @@ async fn a_draft_has_the_joint_as_it_is_written() {
     let wrong = json!({ "text": "title = 1" });
     let (status, draft) = bench.ask(owner.request("POST", "/api/draft", Some(&wrong))).await;
     assert_eq!((status, &draft["kind"]), (StatusCode::OK, &json!("wrong")));
+    assert_eq!(draft["message"]["code"], "lines", "{draft}");
 }
 
 /// A body added to the job is in the draft at once; a plan reports the minimum distance along its passes.

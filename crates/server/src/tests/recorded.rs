@@ -107,5 +107,19 @@ async fn the_audit_log_is_read_page_by_page_and_searched_whole() {
     let found = page("text=OVERRIDE%20100%25_").await;
     assert_eq!(found.len(), 1, "{found:?}");
     assert_eq!(page("text=welder&most=1000").await.len(), 450);
+    // Words of a stored message are found in every language; its code and the keys of its JSON are not searched.
+    let before = page("").await[0];
+    let column = r#"{"code":"server-audit-load","arguments":[["job",{"type":"text","value":"ring.toml"}]]}"#;
+    data.library_mut().audit(&AuditEntry { command: column.to_owned(), ..entry(500) }).unwrap();
+    for text in [
+        "LOAD%20ring",
+        "ring.toml%20laden",
+        "%D0%97%D0%90%D0%92%D0%90%D0%9D%D0%A2%D0%90%D0%96%D0%98%D0%A2%D0%98%20ring",
+    ] {
+        assert_eq!(page(&format!("text={text}")).await, [before + 1], "{text}");
+    }
+    for text in ["arguments", "server-audit-load", "%22value%22"] {
+        assert!(page(&format!("text={text}")).await.is_empty(), "{text}");
+    }
     assert!(page("text=100%25_x").await.is_empty());
 }

@@ -246,7 +246,7 @@ pub enum DraftAnswer {
     /// The text is wrong.
     Wrong {
         /// Fault and position, with the allowed values.
-        message: String,
+        message: MessageView,
     },
 }
 
@@ -319,7 +319,7 @@ pub enum PlanAnswer {
     /// The text is wrong.
     Wrong {
         /// Fault and position, with the allowed values.
-        message: String,
+        message: MessageView,
         /// The same in parts, if the fault is in a file.
         at: Option<Box<WrongView>>,
     },

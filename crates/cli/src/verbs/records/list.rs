@@ -30,6 +30,7 @@ pub(super) fn run(args: &ListArgs) -> Result<(), Failure> {
         machine: args.machine.clone(),
         result: args.result,
         text: args.text.clone(),
+        limit: None,
     };
     let welds = data.library().find(&query)?;
     let mut rows = Rows::new(COLUMNS.map(str::to_owned).into(), args.data.json)?;
