@@ -1,7 +1,6 @@
 # Notes and errors of every command.
 cli-more-time = { $cure }; mehr Zeit: --time-limit S
 cli-verb-renamed = Hinweis: `seamwright { $former }` heißt jetzt `seamwright { $present }`
-cli-folder-not-written = { $folder }: lässt sich nicht schreiben: { $why }
 cli-unknown-language = Hinweis: die Sprache `{ $language }` gibt es nicht, daher Englisch; verfügbar: { $known }
 cli-error = Fehler: { $error }
 cli-option = { $option }: { $fault }
@@ -16,6 +15,7 @@ cli-no-such-axis = diese Achse gibt es nicht
 cli-cycle-ended-early = der Thread des Zyklus endete vorzeitig
 cli-jobs-unreadable = nicht jeder Auftrag war lesbar
 cli-at-least-two = mindestens zwei
+cli-standard-input = Standardeingabe
 
 # Progress.
 cli-progress-planning = Planung

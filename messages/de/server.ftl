@@ -1,3 +1,19 @@
+# Start und Ende des Servers.
+server-bind = { $option }: { $why }
+server-bind-free = eine Adresse und ein freier Port
+server-bind-plain = andere Rechner erreichen diese Adresse, und nichts ist verschlüsselt
+server-bind-encrypted = mit --tls, oder --cert und --key; 127.0.0.1, [::1]
+server-bind-no-admin = andere Rechner erreichen diese Adresse, und noch niemand hat ein Passwort
+server-bind-local-first = 127.0.0.1 oder [::1], um dort zuerst einen Administrator mit Passwort anzulegen
+server-bind-no-name = der Name dieses Rechners fehlt
+server-bind-named = mit --host NAME, oder eine einzelne Adresse
+server-certificate-failed = das Zertifikat lässt sich nicht erstellen: { $why }
+server-certificate-files = { $options }: { $why }
+server-pem-files = PEM-Dateien eines Zertifikats und seines privaten Schlüssels
+server-panicked = Fehler des Programms (panic): die Zelle wurde angehalten, ihre Geräte erhielten den Befehl zum Ausschalten
+server-library-open = die Bibliothek lässt sich nicht schließen: nichts wurde wiederhergestellt
+server-look-at-once = sofort prüfen, ob Lichtbogen und Gas aus sind
+
 # Requests.
 server-failed = es ist misslungen; nichts wurde geändert
 server-program-fault = durch einen Fehler des Programms abgebrochen: bitte melden

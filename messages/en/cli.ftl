@@ -3,9 +3,6 @@ cli-more-time = { $cure }; more time: --time-limit S
 cli-verb-renamed = note: `seamwright { $former }` is now `seamwright { $present }`
     .cause = The verb has moved; the former name still works and does the same.
     .cure = Write the new name into scripts.
-cli-folder-not-written = { $folder }: cannot be written: { $why }
-    .cause = The folder for the pages of the manual is missing, write-protected or on a full disk.
-    .cure = Give a folder that you may write.
 cli-unknown-language = note: there is no language `{ $language }`, so this is English; available: { $known }
     .cause = The option `--language`, or `LC_ALL`, `LC_MESSAGES` or `LANG`, names a language without a catalogue.
     .cure = Give `--language` with one of the available codes.
@@ -32,6 +29,7 @@ cli-jobs-unreadable = not every job could be read
     .cause = At least one of the jobs is invalid or missing; its error stands beside its name above.
     .cure = Correct that file and check it again alone.
 cli-at-least-two = at least two
+cli-standard-input = standard input
 
 # Progress.
 cli-progress-planning = planning

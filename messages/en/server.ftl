@@ -1,3 +1,35 @@
+# Start and end of the server.
+server-bind = { $option }: { $why }
+    .cause = The panel cannot listen to this address: another program uses the port, or the computer lacks the address.
+    .cure = Choose another port, or end the other program; `ss -ltnp` names it.
+server-bind-free = an address and a port that is free
+server-bind-plain = other computers can reach this address, and nothing is encrypted
+    .cause = The address is not a loopback address, and neither `--tls` nor `--cert` and `--key` are given.
+    .cure = Add `--tls`, or listen to `127.0.0.1` only.
+server-bind-encrypted = with --tls, or --cert and --key; 127.0.0.1, [::1]
+server-bind-no-admin = other computers can reach this address, and nobody has a password yet
+    .cause = Without an administrator with a password everybody with the printed address is an administrator.
+    .cure = Start it on this computer, make an administrator under “Set-up”, “Users”, then start it again.
+server-bind-local-first = 127.0.0.1 or [::1], where you make an administrator with a password first
+server-bind-no-name = the name of this computer is missing
+    .cause = The panel listens to all addresses and accepts only requests for its names, which prevents DNS rebinding.
+    .cure = Add `--host NAME` with the name that other computers use.
+server-bind-named = with --host NAME, or one address
+server-certificate-failed = the certificate cannot be made: { $why }
+    .cause = The key of the cell's authority in the folder `tls` is damaged, or a name in `--host` is invalid.
+    .cure = Correct the name, or restore `tls/ca.key` from a backup.
+server-certificate-files = { $options }: { $why }
+    .cause = A file is missing or not PEM, or the key does not belong to the certificate.
+    .cure = Check both files with `openssl x509 -in CERT -noout -text` and `openssl pkey -in KEY -noout`.
+server-pem-files = PEM files of a certificate and its private key
+server-panicked = the program failed (panic): the cell was stopped and its devices were ordered off
+    .cause = A fault of the program ended the cell.
+    .cure = Check at the machine that arc, gas and drives are off; report the fault with the lines printed before.
+server-library-open = the library cannot be closed: nothing was restored
+    .cause = A request still reads or writes the library of records after 30 s.
+    .cure = Start the program again and repeat the restore without other pages open.
+server-look-at-once = check at once whether arc and gas are off
+
 # Requests.
 server-failed = it failed; nothing was changed
     .cause = The thread or process that worked on the request ended without an answer, usually by a fault of the program.

@@ -1,7 +1,6 @@
 # Notes and errors of every command.
 cli-more-time = { $cure }; больше времени: --time-limit S
 cli-verb-renamed = примечание: `seamwright { $former }` теперь называется `seamwright { $present }`
-cli-folder-not-written = { $folder }: не удалось записать: { $why }
 cli-unknown-language = примечание: языка `{ $language }` нет, поэтому по-английски; доступны: { $known }
 cli-error = ошибка: { $error }
 cli-option = { $option }: { $fault }
@@ -16,6 +15,7 @@ cli-no-such-axis = такой оси нет
 cli-cycle-ended-early = поток цикла завершился преждевременно
 cli-jobs-unreadable = не все задания удалось прочитать
 cli-at-least-two = не меньше двух
+cli-standard-input = стандартный ввод
 
 # Progress.
 cli-progress-planning = планирование

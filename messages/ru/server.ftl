@@ -1,3 +1,19 @@
+# Запуск и конец сервера.
+server-bind = { $option }: { $why }
+server-bind-free = адрес и свободный порт
+server-bind-plain = этот адрес доступен другим компьютерам, а шифрования нет
+server-bind-encrypted = с --tls, или --cert и --key; 127.0.0.1, [::1]
+server-bind-no-admin = этот адрес доступен другим компьютерам, а пароля ещё ни у кого нет
+server-bind-local-first = 127.0.0.1 или [::1], чтобы сначала создать там администратора с паролем
+server-bind-no-name = не указано имя этого компьютера
+server-bind-named = с --host NAME, или один адрес
+server-certificate-failed = не удалось создать сертификат: { $why }
+server-certificate-files = { $options }: { $why }
+server-pem-files = файлы PEM сертификата и его закрытого ключа
+server-panicked = сбой программы (panic): ячейка остановлена, её устройствам дана команда выключиться
+server-library-open = не удалось закрыть библиотеку: ничего не восстановлено
+server-look-at-once = немедленно проверьте, выключены ли дуга и газ
+
 # Requests.
 server-failed = не удалось; ничего не изменено
 server-program-fault = прервано из-за ошибки программы: сообщите о ней, пожалуйста

@@ -1,7 +1,6 @@
 # Notes and errors of every command.
 cli-more-time = { $cure }; більше часу: --time-limit S
 cli-verb-renamed = примітка: `seamwright { $former }` тепер зветься `seamwright { $present }`
-cli-folder-not-written = { $folder }: не вдалося записати: { $why }
 cli-unknown-language = примітка: мови `{ $language }` немає, тому англійською; доступні: { $known }
 cli-error = помилка: { $error }
 cli-option = { $option }: { $fault }
@@ -16,6 +15,7 @@ cli-no-such-axis = такої осі немає
 cli-cycle-ended-early = потік циклу завершився передчасно
 cli-jobs-unreadable = не всі завдання вдалося прочитати
 cli-at-least-two = щонайменше дві
+cli-standard-input = стандартний ввід
 
 # Progress.
 cli-progress-planning = планування

@@ -1,3 +1,19 @@
+# Запуск і кінець сервера.
+server-bind = { $option }: { $why }
+server-bind-free = адреса і вільний порт
+server-bind-plain = ця адреса доступна іншим комп’ютерам, а шифрування немає
+server-bind-encrypted = з --tls, або --cert і --key; 127.0.0.1, [::1]
+server-bind-no-admin = ця адреса доступна іншим комп’ютерам, а пароля ще ніхто не має
+server-bind-local-first = 127.0.0.1 або [::1], щоб спершу створити там адміністратора з паролем
+server-bind-no-name = бракує імені цього комп’ютера
+server-bind-named = з --host NAME, або одна адреса
+server-certificate-failed = не вдалося створити сертифікат: { $why }
+server-certificate-files = { $options }: { $why }
+server-pem-files = файли PEM сертифіката і його закритого ключа
+server-panicked = збій програми (panic): комірку зупинено, її пристроям наказано вимкнутися
+server-library-open = не вдалося закрити бібліотеку: нічого не відновлено
+server-look-at-once = негайно перевірте, чи вимкнено дугу і газ
+
 # Requests.
 server-failed = не вдалося; нічого не змінено
 server-program-fault = завершено через помилку програми: повідомте про неї, будь ласка

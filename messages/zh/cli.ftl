@@ -1,7 +1,6 @@
 # Notes and errors of every command.
 cli-more-time = { $cure }；延长时间：--time-limit S
 cli-verb-renamed = 注意：`seamwright { $former }` 现为 `seamwright { $present }`
-cli-folder-not-written = { $folder }：无法写入：{ $why }
 cli-unknown-language = 注意：没有语言 `{ $language }`，改用英语；可用：{ $known }
 cli-error = 错误：{ $error }
 cli-option = { $option }：{ $fault }
@@ -16,6 +15,7 @@ cli-no-such-axis = 没有该轴
 cli-cycle-ended-early = 循环线程提前结束
 cli-jobs-unreadable = 有任务无法读取
 cli-at-least-two = 至少两个
+cli-standard-input = 标准输入
 
 # Progress.
 cli-progress-planning = 规划

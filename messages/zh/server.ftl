@@ -1,3 +1,19 @@
+# 服务器的启动和结束。
+server-bind = { $option }：{ $why }
+server-bind-free = 一个地址和一个空闲端口
+server-bind-plain = 其他计算机可以访问该地址，但没有加密
+server-bind-encrypted = 使用 --tls，或 --cert 和 --key；127.0.0.1、[::1]
+server-bind-no-admin = 其他计算机可以访问该地址，但还没有人设置密码
+server-bind-local-first = 127.0.0.1 或 [::1]，先在那里创建有密码的管理员
+server-bind-no-name = 缺少本计算机的名称
+server-bind-named = 使用 --host NAME，或单个地址
+server-certificate-failed = 无法生成证书：{ $why }
+server-certificate-files = { $options }：{ $why }
+server-pem-files = 证书及其私钥的 PEM 文件
+server-panicked = 程序故障（panic）：单元已停止，已命令其设备关闭
+server-library-open = 无法关闭记录库：没有恢复任何数据
+server-look-at-once = 立即检查电弧和气体是否已关
+
 # Requests.
 server-failed = 失败；没有任何更改
 server-program-fault = 因程序缺陷而终止：请报告

@@ -21,7 +21,8 @@ mod simulate;
 pub(crate) mod stripe;
 pub(crate) mod teach;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::error::{ContextKind, ErrorKind};
+use clap::{Args, Command, CommandFactory as _, FromArgMatches as _, Id, Parser, Subcommand, ValueEnum};
 pub(crate) use pulses::PulsesArgs;
 pub(crate) use simulate::SimulateArgs;
 use std::path::PathBuf;
@@ -35,8 +36,7 @@ use std::path::PathBuf;
     version,
     about,
     long_about,
-    after_help = "Exit codes: 0 done; 1 the weld cannot be made as requested; 2 invalid input; 3 the environment failed.",
-    args_conflicts_with_subcommands = true
+    after_help = "Exit codes: 0 done; 1 the weld cannot be made as requested; 2 invalid input; 3 the environment failed."
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]
@@ -47,6 +47,45 @@ pub(crate) struct Cli {
     /// Without a verb: the options of `serve`.
     #[command(flatten)]
     pub(crate) serve: serve::ServeArgs,
+}
+
+impl Cli {
+    /// Parses the arguments of the process.
+    pub(crate) fn of_process() -> Result<Self, clap::Error> {
+        let matches = Self::command().try_get_matches().map_err(with_present_names)?;
+        // clap can forbid all options before a verb, but `--language` is allowed there.
+        let group = serve::ServeArgs::group_id();
+        let option = group.and_then(|group| matches.get_many::<Id>(group.as_str())?.next());
+        if let (Some(option), Some(verb)) = (option, matches.subcommand_name()) {
+            let message = format!("the subcommand '{verb}' cannot be used with '--{option}' before it");
+            return Err(Self::command().error(ErrorKind::ArgumentConflict, message));
+        }
+        Self::from_arg_matches(&matches).map_err(|error| error.format(&mut Self::command()))
+    }
+
+    /// The command with its listed verbs: without former names, and those for packages and other processes.
+    pub(crate) fn listed() -> Command {
+        let all = Self::command();
+        let verbs = all.get_subcommands().filter(|verb| !verb.is_hide_set()).cloned();
+        Command::new("seamwright")
+            .version(env!("CARGO_PKG_VERSION"))
+            .about(all.get_about().cloned().unwrap_or_default())
+            .long_about(all.get_long_about().cloned().unwrap_or_default())
+            .after_help(all.get_after_help().cloned().unwrap_or_default())
+            .args(all.get_arguments().cloned())
+            .groups(all.get_groups().cloned())
+            .subcommands(verbs)
+    }
+}
+
+/// The same error; an unknown verb is compared with the listed verbs only.
+fn with_present_names(error: clap::Error) -> clap::Error {
+    if error.kind() != ErrorKind::InvalidSubcommand {
+        return error;
+    }
+    let word = |error: &clap::Error| error.get(ContextKind::InvalidSubcommand).cloned();
+    let listed = Cli::listed().try_get_matches().err().filter(|listed| word(listed) == word(&error));
+    listed.unwrap_or(error)
 }
 
 #[derive(Debug, Subcommand)]
@@ -97,6 +136,7 @@ pub(crate) enum Verb {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright vision joint joint.png --start 320,240 --direction-deg 90")]
 pub(crate) struct VisionArgs {
     #[command(subcommand)]
     pub(crate) verb: VisionVerb,
@@ -111,6 +151,7 @@ pub(crate) enum VisionVerb {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright tools seam saddle --phi-deg 0,45,90")]
 pub(crate) struct ToolsArgs {
     #[command(subcommand)]
     pub(crate) verb: ToolsVerb,

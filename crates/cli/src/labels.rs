@@ -34,7 +34,12 @@ pub(crate) fn columns(text: &str) -> usize {
 
 /// Width of the labels of a weld's summary in the language of the process.
 pub(crate) fn width() -> usize {
-    LABELS.map(|code| columns(&Message::new(code).to_string())).into_iter().fold(MIN_WIDTH, usize::max)
+    width_of(&LABELS, MIN_WIDTH)
+}
+
+/// Width of the widest of the labels `codes` in the language of the process, at least `min`.
+pub(crate) fn width_of(codes: &[&'static str], min: usize) -> usize {
+    codes.iter().map(|code| columns(&Message::new(code).to_string())).fold(min, usize::max)
 }
 
 /// Adds an indented line with a label to a summary.

@@ -12,7 +12,6 @@ mod rows;
 mod verbs;
 
 use args::{Cli, ToolsVerb, Verb, VisionVerb};
-use clap::Parser;
 use failure::Failure;
 use seamwright_message::{Language, Message};
 use seamwright_project::{csv, examples, failure, files, load, overlay};
@@ -20,7 +19,7 @@ use std::io::Write as _;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let cli = match Cli::of_process() {
         Ok(cli) => cli,
         Err(e) => {
             // Help and version are asked for; anything else is wrong usage.
@@ -28,9 +27,21 @@ fn main() -> ExitCode {
             return ExitCode::from(if e.use_stderr() { 2 } else { 0 });
         }
     };
+    // Another process of ours reads the answers to questions: they are in no language.
+    let language = match cli.verb {
+        Some(Verb::AnswerOneQuestion(_)) => Language::English,
+        _ => choose_language(cli.language.as_deref()),
+    };
+    // The server renders for each of its users, and records are in no language.
+    if !matches!(cli.verb, None | Some(Verb::Serve(_))) {
+        language.speak();
+    }
     match run(cli) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => report(&failure),
+        Err(failure) => {
+            language.speak();
+            report(&failure)
+        }
     }
 }
 
@@ -51,10 +62,6 @@ fn choose_language(wanted: Option<&str>) -> Language {
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {
-    // The server renders for each of its users, and records are in no language.
-    if !matches!(cli.verb, None | Some(Verb::Serve(_) | Verb::AnswerOneQuestion(_))) {
-        choose_language(cli.language.as_deref()).speak();
-    }
     cli.verb.map_or_else(|| verbs::serve::run(&cli.serve), dispatch)
 }
 
@@ -108,7 +115,7 @@ fn report(failure: &Failure) -> ExitCode {
     let _ = match failure {
         Failure::Findings(findings) => failure::write_findings(&mut err, findings),
         Failure::Printed | Failure::ReaderGone => Ok(()),
-        _ => writeln!(err, "{}", Message::new("cli-error").text("error", failure.text())),
+        _ => err.write_all(refusals::error_text(failure).as_bytes()),
     };
     ExitCode::from(failure.exit_code())
 }

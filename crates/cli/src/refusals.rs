@@ -5,6 +5,15 @@ use seamwright_message::{Message, Unit};
 use std::fmt::Display;
 use std::io;
 
+/// Lines of an error: its words, and its code to look up.
+pub(crate) fn error_text(failure: &Failure) -> String {
+    let text = format!("{}\n", Message::new("cli-error").text("error", failure.text()));
+    match failure.code() {
+        Some(code) => format!("{text}   {}\n", Message::new("document-code").text("code", code)),
+        None => text,
+    }
+}
+
 /// Fault of an option, like `--points 1: not allowed`.
 pub(crate) fn of_option(option: impl Display, fault: Message) -> Message {
     Message::new("cli-option").text("option", option.to_string()).message("fault", fault)

@@ -99,6 +99,30 @@ pub fn with_allowed(message: Message, allowed: impl Into<Message>) -> Message {
     Message::new("project-with-allowed").message("message", message).message("allowed", allowed)
 }
 
+/// Messages that only arrange others, with the argument that is the fault.
+const FRAMES: [(&str, &str); 4] = [
+    ("project-with-allowed", "message"),
+    ("project-with-hint", "message"),
+    ("cli-with-cure", "failure"),
+    ("cli-two-lines", "first"),
+];
+
+/// Arguments with a fault in messages that say where it is.
+const FAULTS: [&str; 3] = ["fault", "message", "why"];
+
+/// Code of the innermost message that names the fault; none if all words come from outside.
+fn code_of(message: &Message) -> Option<String> {
+    let within = |name: &str| match message.argument(name) {
+        Some(Argument::Message(fault)) => code_of(fault),
+        _ => None,
+    };
+    if let Some((_, fault)) = FRAMES.iter().find(|(code, _)| *code == message.code) {
+        return within(fault);
+    }
+    let own = || if message.is_verbatim() { None } else { Some(message.code.to_string()) };
+    FAULTS.into_iter().find_map(within).or_else(own)
+}
+
 /// Two lines: `message`, and a hint.
 pub(crate) fn with_hint(message: Message, hint: Message) -> Message {
     Message::new("project-with-hint").message("message", message).message("hint", hint)
@@ -218,6 +242,14 @@ impl Failure {
         }
     }
 
+    /// Code to look up, unless the words of the failure contain it, or come from outside.
+    pub fn code(&self) -> Option<String> {
+        match self {
+            Self::Input(_) | Self::Environment(_) | Self::Cancelled => code_of(&self.message()),
+            Self::Findings(_) | Self::Printed | Self::Document(_) | Self::ReaderGone => None,
+        }
+    }
+
     /// Words of the failure in `language`.
     pub fn text_in(&self, language: Language) -> String {
         self.message().in_language(language).trim_end().to_owned()
@@ -233,6 +265,23 @@ impl Failure {
 mod tests {
     use super::*;
     use seamwright_program::PathRange;
+
+    #[test]
+    fn the_code_of_a_failure_is_that_of_its_innermost_fault() {
+        let option = |fault| Message::new("cli-option").text("option", "--points 1").message("fault", fault);
+        let unreadable = Message::new("project-unreadable").text("file", "a.csv");
+        for (failure, code) in [
+            (Failure::refused(option(Message::new("cli-not-allowed")), "2 to 9"), Some("cli-not-allowed")),
+            (Failure::input(option(Message::verbatim("odd"))), Some("cli-option")),
+            (Failure::input(unreadable.message("why", Message::verbatim("gone"))), Some("project-unreadable")),
+            (Failure::refused(Message::verbatim("odd"), "even"), None),
+            (Failure::environment("the disk is full"), None),
+            (Failure::Cancelled, Some("project-planning-cancelled")),
+            (Failure::Printed, None),
+        ] {
+            assert_eq!(failure.code().as_deref(), code, "{failure}");
+        }
+    }
 
     #[test]
     fn equal_findings_are_printed_once_with_where_they_are() {

@@ -85,7 +85,7 @@ pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<(), F
 }
 
 /// Failure of writing at `path`: a wrong name is bad input, a disk that fails is not.
-pub(crate) fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
+pub fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
     use std::io::ErrorKind::{
         AlreadyExists, BrokenPipe, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied,
         ReadOnlyFilesystem,

@@ -8,7 +8,8 @@ use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
 use seamwright_cell::realtime::{Shutdown, ShutdownCause};
 use seamwright_machine::Machine;
-use seamwright_message::Message;
+use seamwright_message::{Message, display_by_message};
+use seamwright_project::failure::with_allowed;
 use seamwright_project::files;
 use seamwright_record::{discard_checked, finish_replacing, replace_by_checked};
 use std::net::SocketAddr;
@@ -50,14 +51,28 @@ pub struct Settings {
 }
 
 /// Reasons for not serving a panel.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum Error {
     /// Invalid settings.
-    #[error("{0}")]
-    Settings(String),
+    Settings(Message),
     /// A system call failed.
-    #[error("{0}")]
-    System(String),
+    System(Message),
+}
+
+display_by_message!(Error);
+
+impl Error {
+    /// An error of the system, in its words.
+    pub(crate) fn system(error: &dyn std::fmt::Display) -> Self {
+        Self::System(Message::outside(error))
+    }
+
+    /// Description of the error.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Settings(message) | Self::System(message) => message.clone(),
+        }
+    }
 }
 
 /// Polling period for a signal or a fault.
@@ -71,7 +86,7 @@ const LOOK: Duration = Duration::from_millis(20);
 /// See [`Error`]; also [`Error::System`] if a device does not confirm that its outputs are safe.
 pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error> {
     let shutdown = Shutdown::default();
-    shutdown.on_signals().map_err(|e| Error::System(e.to_string()))?;
+    shutdown.on_signals().map_err(|e| Error::system(&e))?;
     shutdown.on_panic();
     until(settings, ready, &shutdown)
 }
@@ -80,20 +95,15 @@ pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error>
 pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Shutdown) -> Result<(), Error> {
     let data = &settings.data;
     let jobs = data.join("jobs");
-    let record = |e: seamwright_record::Error| Error::System(e.to_string());
+    let record = |e: seamwright_record::Error| Error::System(e.message());
     finish_replacing(data).map_err(record)?;
     // An archive that was checked before the last end must be checked again.
     discard_checked(data).map_err(record)?;
     let mut ready = Some(ready);
-    let mut lives = Lives {
-        settings,
-        shutdown,
-        key: secret().map_err(|e| Error::System(e.to_string()))?,
-        listener: None,
-        restored: None,
-    };
+    let mut lives =
+        Lives { settings, shutdown, key: secret().map_err(|e| Error::system(&e))?, listener: None, restored: None };
     loop {
-        files::make_private(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
+        files::make_private(&jobs).map_err(|e| Error::System(files::not_writable(&jobs, &e).message()))?;
         // One runtime for stops, sockets and signals, one for the work of handlers: see `front`.
         let (runtime, work) = (threads("panel-front")?, threads("panel-routes")?);
         let tell = |address: &str| {
@@ -107,8 +117,7 @@ pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Sh
         runtime.shutdown_timeout(PATIENCE);
         let restores = restores?;
         if shutdown.cause() == Some(ShutdownCause::Panic) {
-            let text = "the program failed (panic): the cell was stopped and its devices were ordered off";
-            return Err(Error::System(text.to_owned()));
+            return Err(Error::System(Message::new("server-panicked")));
         }
         let Some(user) = restores else { return Ok(()) };
         let kept = replace_by_checked(data).map_err(record)?;
@@ -119,7 +128,7 @@ pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Sh
 /// Creates a runtime with threads of this name for handlers.
 fn threads(name: &str) -> Result<Runtime, Error> {
     let runtime = tokio::runtime::Builder::new_multi_thread().thread_name(name).worker_threads(2).enable_all().build();
-    runtime.map_err(|e| Error::System(e.to_string()))
+    runtime.map_err(|e| Error::system(&e))
 }
 
 /// State that outlives a restore.
@@ -139,15 +148,14 @@ impl Lives<'_> {
     /// Runs the cell from its start to its end. Returns the user who restores data for the next life, if any.
     async fn live(&mut self, ready: impl FnOnce(&str), work: &Handle) -> Result<Option<String>, Error> {
         let settings = self.settings;
-        let system = |e: &dyn std::fmt::Display| Error::System(e.to_string());
-        let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0.to_string()))?;
+        let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0))?;
         let names = names(settings, &accounts)?;
         let tls = match &settings.tls {
             Some(tls) => Some(tls::config(tls, &settings.data, &names).await?),
             None => None,
         };
         let listener = self.listen()?;
-        let port = listener.local_addr().map_err(|e| system(&e))?.port();
+        let port = listener.local_addr().map_err(|e| Error::system(&e))?.port();
         let (machine, folder) = (&settings.machine, &settings.folder);
         let cell = Cell::start(machine, folder, &settings.values, &settings.data, self.shutdown);
         let cell = cell.map_err(Error::Settings)?;
@@ -162,7 +170,7 @@ impl Lives<'_> {
             && let Err(e) = crate::http::begin_with(&panel, job).await
         {
             if self.restored.is_none() {
-                return Err(Error::Settings(e.to_string()));
+                return Err(Error::Settings(e));
             }
             // The restored data may lack this job.
             panel.cell.hub.event(0.0, happening(Message::new("server-event-not-loaded").message("reason", e)));
@@ -191,21 +199,25 @@ impl Lives<'_> {
         // Connections stay open meanwhile, so that they see the end.
         let closes = user.is_some();
         let end = move || (panel.cell.end(), !closes || panel.cell.archive.close());
-        let (unconfirmed, closed) = tokio::task::spawn_blocking(end).await.map_err(|e| system(&e))?;
+        let (unconfirmed, closed) = tokio::task::spawn_blocking(end).await.map_err(|e| Error::system(&e))?;
         if !closed {
-            return Err(Error::System("the library cannot be closed: nothing was restored".to_owned()));
+            return Err(Error::System(Message::new("server-library-open")));
         }
         // A restarted cell connects the same devices, which makes their outputs safe, or ends.
         if user.is_none() && !unconfirmed.is_empty() {
-            let text = unconfirmed.join("\n");
-            return Err(Error::System(format!("{text}\n   look at once whether arc and gas are off")));
+            let unsafe_outputs = Message::new("project-with-hint").message("message", unconfirmed.join("\n").into());
+            return Err(Error::System(unsafe_outputs.message("hint", Message::new("server-look-at-once"))));
         }
         Ok(user)
     }
 
     fn listen(&mut self) -> Result<TcpListener, Error> {
         let bind = self.settings.bind;
-        let failed = |e| Error::System(format!("--bind {bind}: {e}\n   allowed: an address and a port that is free"));
+        let failed = |e| {
+            let message = Message::new("server-bind").text("option", format!("--bind {bind}"));
+            let message = message.message("why", Message::outside(&e));
+            Error::System(with_allowed(message, Message::new("server-bind-free")))
+        };
         if self.listener.is_none() {
             let listener = std::net::TcpListener::bind(bind).map_err(failed)?;
             listener.set_nonblocking(true).map_err(failed)?;
@@ -238,21 +250,18 @@ fn names(settings: &Settings, accounts: &Accounts) -> Result<Vec<String>, Error>
         names.push(ip.to_string());
         return Ok(names);
     }
-    let wrong = |why: &str, allowed: &str| {
-        Err(Error::Settings(format!("--bind {}: {why}\n   allowed: {allowed}", settings.bind)))
+    let wrong = |why, allowed| {
+        let message = Message::new("server-bind").text("option", format!("--bind {}", settings.bind));
+        Err(Error::Settings(with_allowed(message.message("why", why), allowed)))
     };
     if settings.tls.is_none() {
-        return wrong(
-            "is not this computer alone, and nothing is encrypted",
-            "with --tls, or --cert and --key; 127.0.0.1, [::1]",
-        );
+        return wrong(Message::new("server-bind-plain"), Message::new("server-bind-encrypted"));
     }
     if !accounts.has_admin() {
-        let first = "127.0.0.1 or [::1], where you make an administrator with a password first";
-        return wrong("is not this computer alone, and nobody has a password yet", first);
+        return wrong(Message::new("server-bind-no-admin"), Message::new("server-bind-local-first"));
     }
     if ip.is_unspecified() && settings.names.is_empty() {
-        return wrong("says no name under which it is asked for", "with --host NAME, or one address");
+        return wrong(Message::new("server-bind-no-name"), Message::new("server-bind-named"));
     }
     if !ip.is_unspecified() {
         names.push(ip.to_string());

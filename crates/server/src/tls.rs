@@ -7,6 +7,8 @@ use rcgen::{
     BasicConstraints, CertificateParams, DistinguishedName, DnType, ExtendedKeyUsagePurpose, IsCa, Issuer, KeyPair,
     KeyUsagePurpose,
 };
+use seamwright_message::Message;
+use seamwright_project::failure::with_allowed;
 use seamwright_project::files;
 use seamwright_record::Moment;
 use std::path::{Path, PathBuf};
@@ -38,7 +40,7 @@ const CERTIFICATE_DAYS: i64 = 397;
 const ANEW: Duration = Duration::from_secs(30 * 24 * 3600);
 
 fn wrong(e: &impl std::fmt::Display) -> Error {
-    Error::System(format!("the certificate cannot be made: {e}"))
+    Error::System(Message::new("server-certificate-failed").message("why", Message::outside(e)))
 }
 
 /// Returns the TLS configuration; `names` are the names of the panel.
@@ -47,8 +49,10 @@ pub(crate) async fn config(tls: &Tls, data: &Path, names: &[String]) -> Result<R
     drop(rustls::crypto::ring::default_provider().install_default());
     let config = match tls {
         Tls::Files { cert, key } => RustlsConfig::from_pem_file(cert, key).await.map_err(|e| {
-            let files = format!("--cert {} --key {}", cert.display(), key.display());
-            Error::Settings(format!("{files}: {e}\n   allowed: PEM files of a certificate and its private key"))
+            let options = format!("--cert {} --key {}", cert.display(), key.display());
+            let message = Message::new("server-certificate-files").text("options", options);
+            let message = message.message("why", Message::outside(&e));
+            Error::Settings(with_allowed(message, Message::new("server-pem-files")))
         })?,
         Tls::Own => {
             // Keys and files take time; a blocking thread keeps stops from waiting for them.
@@ -78,8 +82,8 @@ pub(crate) async fn renew(current: RustlsConfig, data: PathBuf, names: Vec<Strin
 /// Issues a certificate for `names` from the cell's own authority. Returns certificate and key, both PEM.
 fn own(data: &Path, names: &[String]) -> Result<(String, String), Error> {
     let folder = data.join("tls");
-    files::make_private(&folder).map_err(|e| Error::System(format!("{}: {e}", folder.display())))?;
-    let failed = |e: seamwright_project::Failure| Error::System(e.text());
+    files::make_private(&folder).map_err(|e| Error::System(files::not_writable(&folder, &e).message()))?;
+    let failed = |e: seamwright_project::Failure| Error::System(e.message());
     let (key_file, cert_file) = (folder.join("ca.key"), folder.join("ca.pem"));
     let ca_key = if key_file.is_file() {
         KeyPair::from_pem(&files::read(&key_file).map_err(failed)?).map_err(|e| wrong(&e))?

@@ -3,6 +3,7 @@
 use clap::{Args, Subcommand, ValueEnum};
 
 #[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright tools bench vision --frames 200 > vision.md")]
 pub(crate) struct BenchArgs {
     #[command(subcommand)]
     pub(crate) verb: BenchVerb,

@@ -8,6 +8,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright machine show torch-5axis > machine.toml")]
 pub(crate) struct MachineArgs {
     #[command(subcommand)]
     pub(crate) verb: MachineVerb,
@@ -36,6 +37,7 @@ pub(crate) enum MachineVerb {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright machine list --json")]
 pub(crate) struct ListMachinesArgs {
     /// JSON instead of a table
     #[arg(long)]

@@ -2,6 +2,7 @@ use crate::args::CheckArgs;
 use crate::failure::{Failure, write_findings};
 use crate::load::load;
 use crate::planning;
+use crate::refusals::error_text;
 use crate::rows::{print_json, print_text};
 use seamwright_message::{Language, Message};
 use seamwright_program::Finding;
@@ -81,7 +82,7 @@ fn as_text(job: &Path, checked: &Result<Vec<Finding>, Failure>) -> String {
     match checked {
         // Writing to memory cannot fail.
         Ok(findings) => drop(write_findings(&mut text, findings)),
-        Err(failure) => text.extend(format!("{}\n", Message::new("cli-error").text("error", failure.text())).bytes()),
+        Err(failure) => text.extend(error_text(failure).bytes()),
     }
     String::from_utf8_lossy(&text).into_owned()
 }

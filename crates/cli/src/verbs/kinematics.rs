@@ -112,7 +112,8 @@ fn write_solution(machine: &Machine, solution: Result<Solution, Message>, rows: 
 
 /// Reads CSV with the columns `names` (in any order, others ignored) from standard input.
 fn each_row(names: &[&str], mut row: impl FnMut(&[f64]) -> Result<(), Failure>) -> Result<(), Failure> {
-    let (mut reader, _) = CsvReader::open("standard input", io::stdin().lock(), &[names])?;
+    let source = Message::new("cli-standard-input").to_string();
+    let (mut reader, _) = CsvReader::open(&source, io::stdin().lock(), &[names])?;
     while let Some(values) = reader.row() {
         row(values?)?;
     }

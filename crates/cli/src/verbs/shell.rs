@@ -3,22 +3,17 @@
 use crate::args::Cli;
 use crate::args::shell::{CompletionsArgs, ManArgs};
 use crate::failure::Failure;
+use crate::files::not_writable;
 use crate::rows::print_text;
-use clap::CommandFactory;
-use seamwright_message::Message;
 
 pub(crate) fn completions(args: &CompletionsArgs) -> Result<(), Failure> {
     let mut text = Vec::new();
-    clap_complete::generate(args.shell, &mut Cli::command(), "seamwright", &mut text);
+    clap_complete::generate(args.shell, &mut Cli::listed(), "seamwright", &mut text);
     print_text(&String::from_utf8_lossy(&text))
 }
 
 pub(crate) fn man(args: &ManArgs) -> Result<(), Failure> {
     let pages =
-        std::fs::create_dir_all(&args.folder).and_then(|()| clap_mangen::generate_to(Cli::command(), &args.folder));
-    pages.map_err(|error| {
-        let folder = args.folder.display().to_string();
-        let message = Message::new("cli-folder-not-written").text("folder", folder).text("why", error.to_string());
-        Failure::Environment(message)
-    })
+        std::fs::create_dir_all(&args.folder).and_then(|()| clap_mangen::generate_to(Cli::listed(), &args.folder));
+    pages.map_err(|error| not_writable(&args.folder, &error))
 }

@@ -193,8 +193,10 @@ fn packages_get_completions_and_manual_pages() {
     for shell in ["bash", "zsh", "fish"] {
         let text = good(&["completions", shell]);
         assert!(text.contains("seamwright") && text.contains("simulate"), "{shell}");
+        assert!(!text.contains("find-joint") && !text.contains("answer-one-question"), "{shell}: hidden verbs");
     }
     assert!(bad(2, &["completions", "cmd"]).contains("bash"));
+    assert!(bad(2, &["man", "/proc/seamwright"]).contains("/proc/seamwright"));
     let folder = tempfile::tempdir().unwrap();
     let pages = folder.path().join("deep/man1");
     good(&["man", &pages.display().to_string()]);
@@ -207,4 +209,19 @@ fn packages_get_completions_and_manual_pages() {
     let page = fs::read_to_string(pages.join("seamwright-machine-kinematics.1")).unwrap();
     assert!(page.starts_with(".ie") || page.contains(".TH"), "{page}");
     assert!(page.contains("inverse"));
+}
+
+#[test]
+fn present_verbs_are_suggested() {
+    let told = bad(2, &["pulse"]);
+    assert!(told.contains("'pulse'") && !told.contains("'pulses'"), "{told}");
+    assert!(bad(2, &["simulat"]).contains("'simulate'"));
+    assert!(bad(2, &["tools", "puls"]).contains("'pulses'"));
+}
+
+#[test]
+fn groups_of_verbs_have_examples() {
+    for group in [&["machine"][..], &["machine", "list"], &["vision"], &["tools"], &["tools", "bench"], &["records"]] {
+        assert!(good(&[group, &["--help"]].concat()).contains("Example"), "{group:?}");
+    }
 }

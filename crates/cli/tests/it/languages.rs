@@ -1,6 +1,6 @@
 //! Reports of plans and simulated welds in all languages: only names are English, and no text is cut off.
 
-use crate::common::{example, free_example, root, run};
+use crate::common::{bad, example, free_example, root, run};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -118,4 +118,45 @@ fn findings_are_told_in_all_languages() {
     in_all_languages(&["plan", &job("fast.toml", &fast)]);
     let strict = free_example("first-weld") + "\n[tolerance]\npath_mm = 0.001\nspeed_percent = 0.01\n";
     in_all_languages(&["simulate", &job("strict.toml", &strict)]);
+}
+
+#[test]
+fn the_language_stands_before_or_after_the_verb() {
+    let checked = |arguments: &[&str]| {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let after = checked(&["check", "ellipse", "--language", "de"]);
+    assert_eq!(checked(&["--language", "de", "check", "ellipse"]), after);
+    assert_ne!(checked(&["check", "ellipse", "--language", "en"]), after);
+}
+
+#[test]
+fn refusals_print_their_code_in_all_languages() {
+    for (language, code) in [("en", "code: "), ("uk", "код: "), ("zh", "代码："), ("de", "Code: "), ("ru", "код: ")]
+    {
+        let told = bad(2, &["tools", "seam", "ellipse", "--points", "1", "--language", language]);
+        assert!(told.ends_with(&format!("\n   {code}cli-not-allowed\n")), "{told}");
+    }
+}
+
+#[test]
+fn the_server_refuses_in_the_language_that_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("cell").display().to_string();
+    for arguments in [&["serve"][..], &[]] {
+        let told =
+            |language| bad(2, &[arguments, &["--data", &data, "--job", "nope", "--language", language]].concat());
+        assert!(told("de").contains("Code: cli-serve-no-job"), "{}", told("de"));
+        let english = told("xx");
+        assert!(english.contains("note: there is no language `xx`") && english.contains("no such job"), "{english}");
+    }
+}
+
+#[test]
+fn standard_input_has_a_name_in_the_language() {
+    let output = run(&["machine", "kinematics", "ellipse-xy", "--inverse", "--language", "de"]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(2) && !told.contains("standard input"), "{told}");
 }

@@ -51,19 +51,19 @@ impl Cell {
         values: &[String],
         data: &Path,
         shutdown: &Shutdown,
-    ) -> Result<Self, String> {
-        seamwright_cell::check_drives(machine).map_err(|e| e.to_string())?;
-        let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
-        let interrupted = folder.recover().map_err(|e| e.to_string())?;
-        let journal = folder.journal().map_err(|e| e.to_string())?;
+    ) -> Result<Self, Message> {
+        seamwright_cell::check_drives(machine).map_err(|e| e.message())?;
+        let mut folder = DataFolder::open(data).map_err(|e| e.message())?;
+        let interrupted = folder.recover().map_err(|e| e.message())?;
+        let journal = folder.journal().map_err(|e| e.message())?;
         let (last, damaged) = (journal.last(), journal.is_damaged());
         drop(journal);
-        let lost = folder.lost_welds().map_err(|e| e.to_string())?;
+        let lost = folder.lost_welds().map_err(|e| e.message())?;
         if let Some(at) = &last {
-            progress::remember(at, folder.library()).map_err(|e| e.to_string())?;
+            progress::remember(at, folder.library()).map_err(|e| e.message())?;
         }
-        let left = progress::newest_left(folder.library()).map_err(|e| e.to_string())?;
-        let unknown = folder.library().listed_alarms().map_err(|e| e.to_string())?;
+        let left = progress::newest_left(folder.library()).map_err(|e| e.message())?;
+        let unknown = folder.library().listed_alarms().map_err(|e| e.message())?;
         drop(folder);
         let hub = Arc::new(Hub::new());
         hub.set_machine(machine);
@@ -87,7 +87,7 @@ impl Cell {
             let message = Message::new("server-event-alarm-before").message("alarm", alarm.name.clone());
             hub.event(0.0, happening(message.text("time", alarm.raised.to_string())));
         }
-        let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;
+        let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.message())?;
         let (port, outside) = live(shutdown);
         let urgent = outside.urgent();
         let (next, to_cycle) = rtrb::RingBuffer::new(PROGRAMS);

@@ -204,7 +204,8 @@ fn the_panel_ends_with_an_error_if_a_device_does_not_confirm_its_safe_outputs() 
         shutdown.request(ShutdownCause::Signal(15));
         let ended = served.join().unwrap();
         if silent {
-            let Err(Error::System(text)) = ended else { panic!("{ended:?}") };
+            let Err(Error::System(message)) = ended else { panic!("{ended:?}") };
+            let text = message.to_string();
             assert!(text.contains("device `welder`: its outputs are not confirmed to be safe"), "{text}");
         } else {
             ended.unwrap();

@@ -44,7 +44,7 @@ pub(super) fn read(path: &Path, machine: &Machine, wanted: &Wanted) -> Result<Ve
     if path == Path::new("-") {
         let mut text = String::new();
         std::io::stdin().lock().read_to_string(&mut text)?;
-        return parse("standard input", &text, machine, wanted);
+        return parse(&Message::new("cli-standard-input").to_string(), &text, machine, wanted);
     }
     parse(&path.display().to_string(), &files::read(path)?, machine, wanted)
 }

@@ -1,7 +1,7 @@
 use super::{open, result};
 use crate::args::records::ShowArgs;
 use crate::failure::Failure;
-use crate::labels::padded;
+use crate::labels::{padded, width_of};
 use crate::rows::{print_json, print_text};
 use seamwright_message::{Message, Unit};
 use seamwright_record::figures::Value;
@@ -9,8 +9,27 @@ use seamwright_record::library::{Alarm, WeldDetail, WeldFile, WeldRecord};
 use seamwright_report::format_number;
 use std::fmt::{Display, Write};
 
-/// Width of the labels.
-const LABEL: usize = 14;
+/// Minimum width of the labels.
+const MIN_WIDTH: usize = 14;
+
+/// Labels whose width decides the width of all labels.
+const LABELS: [&str; 15] = [
+    "cli-label-part",
+    "cli-label-result",
+    "cli-label-begun",
+    "cli-label-ended",
+    "cli-label-welder",
+    "cli-label-machine",
+    "cli-label-procedure",
+    "cli-label-job",
+    "cli-label-program",
+    "cli-label-heat-input",
+    "cli-label-deviation",
+    "cli-label-note",
+    "cli-label-alarm",
+    "cli-label-event",
+    "cli-label-file",
+];
 
 pub(super) fn run(args: &ShowArgs) -> Result<(), Failure> {
     let detail = open(args.data.data.as_deref())?.library().detail(args.id)?;
@@ -35,7 +54,7 @@ fn text(detail: &WeldDetail) -> String {
 
 fn line(text: &mut String, label: &Message, value: impl Display) {
     // Writing to a String cannot fail.
-    let _ = writeln!(text, "  {} {value}", padded(&label.to_string(), LABEL));
+    let _ = writeln!(text, "  {} {value}", padded(&label.to_string(), width_of(&LABELS, MIN_WIDTH)));
 }
 
 fn labelled(text: &mut String, code: &'static str, value: impl Display) {
