@@ -726,7 +726,7 @@ found: HeightView | null,
  */
 dots: Array<[number, number, number, number]>, 
 /**
- * Root of the mean square of those distances, and the greatest, pixels.
+ * Root mean square and maximum of those distances, pixels.
  */
 rms_px: number, 
 /**
@@ -767,12 +767,12 @@ may: Array<string>,
  */
 token: string, 
 /**
- * There is no password yet: whoever has the printed address is the owner.
+ * There is no password yet: anyone with the printed address is the owner.
  */
 first_run: boolean, };
 
 /**
- * The answer to a stop of whoever is not logged in: the server has passed it on. That the cell has stopped is seen from its mode, if
+ * The answer to a stop from a client that is not logged in: the server has passed it on. That the cell has stopped is seen from its mode, if
  * the cycle is heard of.
  */
 export type Stopped = { 
@@ -837,7 +837,7 @@ password: string | null,
  */
 enabled: boolean, 
 /**
- * The password of whoever asks.
+ * The password of the requesting user.
  */
 own_password: string | null, 
 /**
@@ -850,7 +850,7 @@ only_new: boolean | null, };
  */
 export type OwnPassword = { 
 /**
- * The password of whoever asks.
+ * The password of the requesting user.
  */
 own_password: string | null, };
 
@@ -863,7 +863,7 @@ export type ArchiveView = {
  */
 welds: number, 
 /**
- * When the newest of them began; RFC 3339, UTC.
+ * Start of the newest of them; RFC 3339, UTC.
  */
 newest: string | null, 
 /**
@@ -1244,11 +1244,11 @@ state: string,
  */
 first_out: boolean, 
 /**
- * When, s of the executive.
+ * Time, s of the executive.
  */
 t: number, 
 /**
- * When; RFC 3339, UTC.
+ * Time; RFC 3339, UTC.
  */
 at: string, 
 /**
@@ -1264,7 +1264,7 @@ shelved: WhoWhen | null,
  */
 tells: boolean, 
 /**
- * Where: pass from 1 (0: beside passes) and path length.
+ * Position: pass from 1 (0: beside passes) and path length.
  */
 pass: number, 
 /**
@@ -1344,7 +1344,7 @@ text: string,
 arguments: Array<[string, ArgumentView]>, };
 
 /**
- * Something that stands against what is asked.
+ * Reason that prevents a request.
  */
 export type LackView = { 
 /**
@@ -1397,11 +1397,11 @@ values: Array<string>,
  */
 passes: Array<PassView>, 
 /**
- * Ways through the air, one more than passes: tips.
+ * Transfer moves, one more than passes: torch tip positions.
  */
 air: Array<Array<[number, number, number]>>, 
 /**
- * Times of those ways, s.
+ * Times of those moves, s.
  */
 air_s: Array<number>, 
 /**
@@ -1531,7 +1531,7 @@ used: Array<[number, number, number]>,
  */
 values: Array<number | null>, 
 /**
- * Least distance of anything watched, mm; null where nothing is near.
+ * Minimum distance of any watched pair, mm; null where nothing is near.
  */
 clearance_mm: number | null, };
 
@@ -1552,7 +1552,7 @@ everywhere_mm_s: number,
  */
 bounds: Array<BoundView>, 
 /**
- * The greatest use of each axis' limits over the whole path; after the axes the torch tip's, if it has limits.
+ * The maximum use of each axis' limits over the whole path; after the axes the torch tip's, if it has limits.
  */
 uses: Array<UseView>, };
 
@@ -1569,11 +1569,11 @@ from_mm: number,
  */
 to_mm: number, 
 /**
- * Least planned speed of the tip in it, mm/s.
+ * Minimum planned speed of the tip in it, mm/s.
  */
 least_speed_mm_s: number, 
 /**
- * False in run-up and run-down.
+ * False in the acceleration and deceleration phases.
  */
 between: boolean, 
 /**
@@ -1594,7 +1594,7 @@ limit: number | null,
 unit: string | null, };
 
 /**
- * The greatest use of the limits of an axis or of the torch tip; of speed, acceleration and jerk, none where there is no limit.
+ * The maximum use of the limits of an axis or of the torch tip; of speed, acceleration and jerk, none where there is no limit.
  */
 export type UseView = { 
 /**
@@ -1623,7 +1623,7 @@ export type NearView = {
  */
 distance_mm: number, 
 /**
- * The least that is allowed, mm.
+ * Minimum allowed distance, mm.
  */
 least_mm: number, 
 /**
@@ -1983,7 +1983,7 @@ export type JobKept = {
 text: string, 
 /**
  * The text in whose place it is put, as far as the page knows, empty for none: if another one stands there it is refused
- * (`other`), so that nobody's work is lost unseen. Without it the text takes the place of whatever stands there.
+ * (`other`), so that no work is lost unseen. Without it the text takes the place of whatever stands there.
  */
 over: string | null, };
 
@@ -2126,19 +2126,19 @@ export type AuditRow = {
  */
 id: number, 
 /**
- * When: RFC 3339, UTC.
+ * Time: RFC 3339, UTC.
  */
 at: string, 
 /**
- * Who.
+ * User of the command.
  */
 user: string, 
 /**
- * Where from.
+ * Station of the command.
  */
 station: MessageView, 
 /**
- * What.
+ * The command.
  */
 command: MessageView, 
 /**
@@ -2199,15 +2199,15 @@ machine: string,
  */
 procedure: string | null, 
 /**
- * Who welded.
+ * Name of the welder.
  */
 welder: string | null, 
 /**
- * Least, mean and greatest heat input, kJ/mm.
+ * Minimum, mean and maximum heat input, kJ/mm.
  */
 heat_input_kj_mm: [number, number, number] | null, 
 /**
- * Greatest distance of the torch tip from the seam (mm), and where (mm).
+ * Maximum distance of the torch tip from the seam (mm), and where (mm).
  */
 worst_deviation_mm: [number, number] | null, };
 
@@ -2253,7 +2253,7 @@ pass: number,
  */
 name: string, 
 /**
- * Least, mean and greatest.
+ * Minimum, mean and maximum.
  */
 least: number, 
 /**
@@ -2265,7 +2265,7 @@ mean: number,
  */
 greatest: number, 
 /**
- * Least and greatest value allowed.
+ * Minimum and maximum value allowed.
  */
 allowed: [number, number] | null, 
 /**
@@ -2337,7 +2337,7 @@ arguments: Array<[string, ArgumentView]>, };
 
 /**
  * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each
- * stretch the rows with the least and with the greatest value of every column.
+ * stretch the rows with the minimum and with the maximum of every column.
  */
 export type TraceView = { 
 /**
@@ -2350,7 +2350,7 @@ columns: Array<string>,
 values: Array<Array<number | null>>, };
 
 /**
- * Orders to the teaching by eye, see [`super::ToCell::Teach`].
+ * Orders to the teaching by camera, see [`super::ToCell::Teach`].
  */
 export type TeachOrder = { "do": "open", 
 /**
@@ -2374,7 +2374,7 @@ tack_mm: [number, number] | null, } | { "do": "here",
  */
 px: [number, number] | null, 
 /**
- * A place in the work frame, mm. Neither: where the eye looks.
+ * A position in the work frame, mm. Neither: the position at which the camera looks.
  */
 at: [number, number, number] | null, } | { "do": "end", } | { "do": "pause", } | { "do": "resume", } | { "do": "stop", };
 
@@ -2472,7 +2472,7 @@ from_nominal_mm: [number, number] | null, };
  */
 export type TaughtLook = { 
 /**
- * Way along the joint up to where the eye looked, mm.
+ * Length along the joint up to the position at which the camera looked, mm.
  */
 s_mm: number, 
 /**
@@ -2526,23 +2526,23 @@ counts: [number, number, number],
  */
 length_mm: number, 
 /**
- * Greatest distance of the taught line from its curves, mm.
+ * Maximum distance of the taught line from its curves, mm.
  */
 error_mm: number, 
 /**
- * Greatest distance of a point as it was seen, mm.
+ * Maximum distance of a point as it was seen, mm.
  */
 raw_error_mm: number | null, 
 /**
- * Greatest distance from the nominal seam, across it and above or below it, mm.
+ * Maximum distance from the nominal seam, across it and above or below it, mm.
  */
 from_nominal_mm: [number, number] | null, 
 /**
- * Length that nobody saw, mm.
+ * Length that the camera did not see, mm.
  */
 bridged_mm: number, 
 /**
- * Simulation: greatest distance from where the seam truly is, across it and above or below it, mm.
+ * Simulation: maximum distance from the actual seam, across it and above or below it, mm.
  */
 truth_mm: [number, number] | null, 
 /**
@@ -2604,11 +2604,11 @@ axes: Array<number>, } | { "kind": "teach",
  */
 seq: number, 
 /**
- * What.
+ * The order.
  */
 order: TeachOrder, } | { "kind": "beat", } | { "kind": "take_control", 
 /**
- * Take it from whoever has it (never while something jogs).
+ * Take it from its holder (never while something jogs).
  */
 over: boolean, } | { "kind": "give_control", } | { "kind": "why", 
 /**
@@ -2663,7 +2663,7 @@ list: Array<AlarmView>, } | { "kind": "machine" } | { "kind": "work",
  */
 work: WorkView | null, } | { "kind": "control", 
 /**
- * The connection; none: nobody.
+ * The connection; none: no holder.
  */
 station: number | null, 
 /**
@@ -2693,6 +2693,6 @@ why: LackView | null, } | { "kind": "why",
  */
 ask: string, 
 /**
- * All that stands against it.
+ * Reasons that prevent it.
  */
 lacks: Array<LackView>, };

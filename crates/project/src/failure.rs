@@ -29,7 +29,7 @@ display_by_message!(Failure);
 /// Maximum number of positions listed of one finding.
 const MAX_PLACES: usize = 6;
 
-/// Findings for people, equal ones once, those that stand against the weld first.
+/// Findings for people, equal ones once, those that prevent the weld first.
 pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<()> {
     let groups = group_findings(findings);
     let heading = match groups.iter().filter(|group| !group.finding.allowed).count() {

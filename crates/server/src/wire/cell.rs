@@ -135,7 +135,7 @@ pub struct FrameView {
     pub frame: [f64; 12],
 }
 
-/// The answer to a stop of whoever is not logged in: the server has passed it on. That the cell has stopped is seen from its mode, if
+/// The answer to a stop from a client that is not logged in: the server has passed it on. That the cell has stopped is seen from its mode, if
 /// the cycle is heard of.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Stopped {
@@ -156,7 +156,7 @@ pub struct SessionView {
     pub may: Vec<String>,
     /// Value of the header `x-seamwright` that every request with an effect must carry.
     pub token: String,
-    /// There is no password yet: whoever has the printed address is the owner.
+    /// There is no password yet: anyone with the printed address is the owner.
     pub first_run: bool,
 }
 
@@ -207,7 +207,7 @@ pub struct UserChange {
     pub password: Option<String>,
     /// It can log in.
     pub enabled: bool,
-    /// The password of whoever asks.
+    /// The password of the requesting user.
     pub own_password: Option<String>,
     /// Refuse an existing name as `exists` instead of changing its user.
     pub only_new: Option<bool>,
@@ -217,7 +217,7 @@ pub struct UserChange {
 #[derive(Clone, PartialEq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OwnPassword {
-    /// The password of whoever asks.
+    /// The password of the requesting user.
     pub own_password: Option<String>,
 }
 
@@ -226,7 +226,7 @@ pub struct OwnPassword {
 pub struct ArchiveView {
     /// Welds.
     pub welds: usize,
-    /// When the newest of them began; RFC 3339, UTC.
+    /// Start of the newest of them; RFC 3339, UTC.
     pub newest: Option<String>,
     /// Jobs.
     pub jobs: usize,

@@ -11,7 +11,7 @@ pub struct CertificateView {
     pub everywhere_mm_s: f64,
     /// Stretches of the path in order, each with what bounds its speed.
     pub bounds: Vec<BoundView>,
-    /// The greatest use of each axis' limits over the whole path; after the axes the torch tip's, if it has limits.
+    /// The maximum use of each axis' limits over the whole path; after the axes the torch tip's, if it has limits.
     pub uses: Vec<UseView>,
 }
 
@@ -22,9 +22,9 @@ pub struct BoundView {
     pub from_mm: f64,
     /// Path length at which it ends, mm.
     pub to_mm: f64,
-    /// Least planned speed of the tip in it, mm/s.
+    /// Minimum planned speed of the tip in it, mm/s.
     pub least_speed_mm_s: f64,
-    /// False in run-up and run-down.
+    /// False in the acceleration and deceleration phases.
     pub between: bool,
     /// `asked` (nothing else binds), `speed`, `acceleration` or `jerk`.
     pub what: String,
@@ -36,7 +36,7 @@ pub struct BoundView {
     pub unit: Option<String>,
 }
 
-/// The greatest use of the limits of an axis or of the torch tip; of speed, acceleration and jerk, none where there is no limit.
+/// The maximum use of the limits of an axis or of the torch tip; of speed, acceleration and jerk, none where there is no limit.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct UseView {
     /// The axis; none: the torch tip.

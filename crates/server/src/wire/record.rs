@@ -27,11 +27,11 @@ pub struct RecordRow {
     pub machine: String,
     /// Number of the procedure.
     pub procedure: Option<String>,
-    /// Who welded.
+    /// Name of the welder.
     pub welder: Option<String>,
-    /// Least, mean and greatest heat input, kJ/mm.
+    /// Minimum, mean and maximum heat input, kJ/mm.
     pub heat_input_kj_mm: Option<[f64; 3]>,
-    /// Greatest distance of the torch tip from the seam (mm), and where (mm).
+    /// Maximum distance of the torch tip from the seam (mm), and where (mm).
     pub worst_deviation_mm: Option<(f64, f64)>,
 }
 
@@ -60,13 +60,13 @@ pub struct JudgedView {
     pub pass: u32,
     /// Its name, which ends in its unit.
     pub name: String,
-    /// Least, mean and greatest.
+    /// Minimum, mean and maximum.
     pub least: f64,
     /// See `least`.
     pub mean: f64,
     /// See `least`.
     pub greatest: f64,
-    /// Least and greatest value allowed.
+    /// Minimum and maximum value allowed.
     pub allowed: Option<(f64, f64)>,
     /// Time outside, s.
     pub outside_s: f64,
@@ -77,7 +77,7 @@ pub struct JudgedView {
 /// An event of a recorded weld.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RecordedEvent {
-    /// What happened.
+    /// Description of the event.
     #[serde(flatten)]
     pub message: MessageView,
     /// The pass, from 1.
@@ -106,7 +106,7 @@ pub struct RecordedAlarm {
 }
 
 /// `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each
-/// stretch the rows with the least and with the greatest value of every column.
+/// stretch the rows with the minimum and with the maximum of every column.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TraceView {
     /// The columns asked for.
@@ -122,13 +122,13 @@ pub struct AuditRow {
     /// Its number: entries are numbered from 1, without gaps.
     #[ts(type = "number")]
     pub id: i64,
-    /// When: RFC 3339, UTC.
+    /// Time: RFC 3339, UTC.
     pub at: String,
-    /// Who.
+    /// User of the command.
     pub user: String,
-    /// Where from.
+    /// Station of the command.
     pub station: MessageView,
-    /// What.
+    /// The command.
     pub command: MessageView,
     /// The value before, and after.
     pub old: String,

@@ -202,7 +202,7 @@ pub struct SensorAnswer {
     pub found: Option<HeightView>,
     /// Each dot: column and row where it is seen, and where the map has it from there, pixels.
     pub dots: Vec<[f64; 4]>,
-    /// Root of the mean square of those distances, and the greatest, pixels.
+    /// Root mean square and maximum of those distances, pixels.
     pub rms_px: f64,
     /// See `rms_px`.
     pub max_px: f64,

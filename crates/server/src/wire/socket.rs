@@ -14,7 +14,7 @@ pub enum ToCell {
         /// The command.
         ask: AskView,
     },
-    /// The hand on the jog keys, every 50 ms while it holds; not answered. All speeds zero: it lets go.
+    /// Pressed jog keys, every 50 ms while pressed; not answered. All speeds zero: released.
     Jog {
         /// See [`ToCell::Command`]; jogs count by themselves.
         seq: u32,
@@ -43,18 +43,18 @@ pub enum ToCell {
         /// Positions of all axes, mm or degrees; reached at once.
         axes: Vec<f64>,
     },
-    /// An order to the teaching by eye, its number counted with [`ToCell::Command`] and answered so.
+    /// An order to the teaching by camera, its number counted with [`ToCell::Command`] and answered so.
     Teach {
         /// See [`ToCell::Command`].
         seq: u32,
-        /// What.
+        /// The order.
         order: TeachOrder,
     },
     /// Sign of life of the page, every 250 ms; the control token is lost without for 1 s.
     Beat {},
     /// Asks for the control token.
     TakeControl {
-        /// Take it from whoever has it (never while something jogs).
+        /// Take it from its holder (never while something jogs).
         over: bool,
     },
     /// Gives the control token back.
@@ -159,7 +159,7 @@ pub enum FromCell {
     },
     /// Holder of the control token, whenever it changes.
     Control {
-        /// The connection; none: nobody.
+        /// The connection; none: no holder.
         station: Option<u32>,
         /// Its user's name.
         user: Option<String>,
@@ -183,7 +183,7 @@ pub enum FromCell {
     Why {
         /// The command that was asked for.
         ask: String,
-        /// All that stands against it.
+        /// Reasons that prevent it.
         lacks: Vec<LackView>,
     },
 }

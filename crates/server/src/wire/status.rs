@@ -199,9 +199,9 @@ pub struct AlarmView {
     pub state: String,
     /// It came first.
     pub first_out: bool,
-    /// When, s of the executive.
+    /// Time, s of the executive.
     pub t: f64,
-    /// When; RFC 3339, UTC.
+    /// Time; RFC 3339, UTC.
     pub at: String,
     /// User and time of the acknowledgement.
     pub acknowledged: Option<WhoWhen>,
@@ -209,7 +209,7 @@ pub struct AlarmView {
     pub shelved: Option<WhoWhen>,
     /// It only informs, and may be shelved.
     pub tells: bool,
-    /// Where: pass from 1 (0: beside passes) and path length.
+    /// Position: pass from 1 (0: beside passes) and path length.
     pub pass: u32,
     /// See `pass`.
     pub s_mm: f64,
@@ -257,7 +257,7 @@ pub struct EventView {
     pub user: Option<String>,
 }
 
-/// Something that stands against what is asked.
+/// Reason that prevents a request.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct LackView {
     /// Stable key.

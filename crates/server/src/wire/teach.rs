@@ -4,11 +4,11 @@ use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// Orders to the teaching by eye, see [`super::ToCell::Teach`].
+/// Orders to the teaching by camera, see [`super::ToCell::Teach`].
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum TeachOrder {
-    /// Opens the eye over the seam of the program in the cell; what was taught before is forgotten.
+    /// Starts the camera over the seam of the program in the cell and discards earlier taught points.
     Open {
         /// Longest step from frame to frame, mm: 1 to 100.
         step_mm: f64,
@@ -23,12 +23,12 @@ pub enum TeachOrder {
     Here {
         /// A pixel of the newest picture, right and down.
         px: Option<[f64; 2]>,
-        /// A place in the work frame, mm. Neither: where the eye looks.
+        /// A position in the work frame, mm. Neither: the position at which the camera looks.
         at: Option<[f64; 3]>,
     },
     /// The joint ends where it was lost.
     End {},
-    /// Stands still; a hand on the jog keys does the same.
+    /// Pauses; so does a pressed jog key.
     Pause {},
     /// Goes on.
     Resume {},
@@ -138,7 +138,7 @@ pub struct TaughtPointView {
 /// A frame that was looked at.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TaughtLook {
-    /// Way along the joint up to where the eye looked, mm.
+    /// Length along the joint up to the position at which the camera looked, mm.
     pub s_mm: f64,
     /// That position in the work frame, mm.
     pub at: [f64; 3],
@@ -171,15 +171,15 @@ pub struct TaughtProgram {
     pub counts: [usize; 3],
     /// Its length, mm.
     pub length_mm: f64,
-    /// Greatest distance of the taught line from its curves, mm.
+    /// Maximum distance of the taught line from its curves, mm.
     pub error_mm: f64,
-    /// Greatest distance of a point as it was seen, mm.
+    /// Maximum distance of a point as it was seen, mm.
     pub raw_error_mm: Option<f64>,
-    /// Greatest distance from the nominal seam, across it and above or below it, mm.
+    /// Maximum distance from the nominal seam, across it and above or below it, mm.
     pub from_nominal_mm: Option<(f64, f64)>,
-    /// Length that nobody saw, mm.
+    /// Length that the camera did not see, mm.
     pub bridged_mm: f64,
-    /// Simulation: greatest distance from where the seam truly is, across it and above or below it, mm.
+    /// Simulation: maximum distance from the actual seam, across it and above or below it, mm.
     pub truth_mm: Option<(f64, f64)>,
     /// Points of its path in the work frame, mm.
     pub path: Vec<[f64; 3]>,

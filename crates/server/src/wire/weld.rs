@@ -21,9 +21,9 @@ pub struct WorkView {
     pub values: Vec<String>,
     /// Passes in order.
     pub passes: Vec<PassView>,
-    /// Ways through the air, one more than passes: tips.
+    /// Transfer moves, one more than passes: torch tip positions.
     pub air: Vec<Vec<[f64; 3]>>,
-    /// Times of those ways, s.
+    /// Times of those moves, s.
     pub air_s: Vec<f64>,
     /// The part and the fixtures.
     pub part: Vec<SolidView>,
@@ -81,7 +81,7 @@ pub struct PassView {
 pub struct NearView {
     /// Their distance, mm; less than 0 where a zone is left.
     pub distance_mm: f64,
-    /// The least that is allowed, mm.
+    /// Minimum allowed distance, mm.
     pub least_mm: f64,
     /// Names of the two.
     pub between: [String; 2],
@@ -106,7 +106,7 @@ pub struct PathPoint {
     pub used: Vec<[u8; 3]>,
     /// Process values; null if missing.
     pub values: Vec<Option<f64>>,
-    /// Least distance of anything watched, mm; null where nothing is near.
+    /// Minimum distance of any watched pair, mm; null where nothing is near.
     pub clearance_mm: Option<f64>,
 }
 
@@ -368,7 +368,7 @@ pub struct JobKept {
     /// TOML of a job or program.
     pub text: String,
     /// The text in whose place it is put, as far as the page knows, empty for none: if another one stands there it is refused
-    /// (`other`), so that nobody's work is lost unseen. Without it the text takes the place of whatever stands there.
+    /// (`other`), so that no work is lost unseen. Without it the text takes the place of whatever stands there.
     #[serde(default)]
     pub over: Option<String>,
 }
